@@ -1,0 +1,27 @@
+/* Memory that is given back all at once. Nothing is freed singly. Out of memory ends the program by abort(). */
+#ifndef MATC_ARENA_H
+#define MATC_ARENA_H
+#include <stddef.h>
+
+typedef struct ArenaBlock ArenaBlock;
+typedef struct {
+    ArenaBlock *block; /* newest; older ones hang behind it */
+    char *next, *end;  /* free part of the newest block */
+    size_t used;       /* bytes handed out, for --stats */
+} Arena;
+
+/* `size` bytes aligned for any type, not cleared. */
+void *arena_alloc(Arena *arena, size_t size);
+void *arena_zero(Arena *arena, size_t size);
+/* Copy of `size` bytes, with a zero byte behind. */
+char *arena_string(Arena *arena, const char *text, size_t size);
+/* An array that has room for `count` elements of `size`, doubled when it is full; the contents move along. */
+void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t size);
+void arena_free(Arena *arena);
+
+#define ARENA_NEW(arena, Type)          ((Type *)arena_zero(arena, sizeof(Type)))
+#define ARENA_ARRAY(arena, Type, count) ((Type *)arena_zero(arena, sizeof(Type) * (size_t)(count)))
+/* Appends to a {Type *at; size_t count, room} list. */
+#define ARENA_PUSH(arena, array, count, room, value)                                                                   \
+    ((array) = arena_grow(arena, array, count, &(room), sizeof *(array)), (array)[(count)++] = (value))
+#endif

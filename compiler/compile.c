@@ -1,0 +1,158 @@
+/* The pipeline, as a list of stages, and what every stage shares: diagnostics, files, statistics. */
+#include "compile.h"
+#include "emit.h"
+#include "lower.h"
+#include "opt.h"
+#include "pipeline.h"
+#include "resolve.h"
+#include "validate.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void *diag_add(Compile *c, Span span, DiagKind kind, ...)
+{
+    if (c->diags.count >= MOST_DIAGS) {
+        c->diags.errors += diag_table[kind].severity == SEVERITY_error;
+        return NULL;
+    }
+    va_list args;
+    Text message = text_new(c->arena);
+    va_start(args, kind);
+    text_format_list(&message, diag_table[kind].format, args);
+    va_end(args);
+    Diag diag = {kind, diag_table[kind].severity, span, message.at};
+    ARENA_PUSH(c->arena, c->diags.at, c->diags.count, c->diags.room, diag);
+    c->diags.errors += diag.severity == SEVERITY_error;
+    return NULL;
+}
+
+double stage_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+void stage_done(Compile *c, const char *name, int nodes, int cost)
+{
+    if (!c->measure)
+        return;
+    double now = stage_now();
+    StageStats stats = {name, now - c->stage_start, nodes, cost};
+    ARENA_PUSH(c->arena, c->stats, c->stat_count, c->stat_room, stats);
+    c->stage_start = stage_now(); /* what statistics cost does not count */
+}
+
+/* The whole of a file, in memory from malloc. */
+static char *read_whole(const char *path, size_t *size, const char **why)
+{
+    enum { CHUNK = 1 << 16 };
+    FILE *file = fopen(path, "rb");
+    char *text = NULL;
+    size_t used = 0, room = 0;
+    if (!file) {
+        *why = strerror(errno);
+        return NULL;
+    }
+    for (size_t got = 1; got;) {
+        if (used + CHUNK + 1 > room) {
+            room = room ? 2 * room : CHUNK + 1;
+            char *more = realloc(text, room);
+            if (!more)
+                abort();
+            text = more;
+        }
+        got = fread(text + used, 1, CHUNK, file);
+        used += got;
+    }
+    bool failed = ferror(file);
+    if (failed)
+        *why = strerror(errno);
+    fclose(file);
+    if (failed) {
+        free(text);
+        return NULL;
+    }
+    text[used] = 0;
+    *size = used;
+    return text;
+}
+
+char *read_file(Compile *c, const char *path, size_t *size, const char **why)
+{
+    if (c->options->read_file)
+        return c->options->read_file(c->options->user, path, size, why);
+    return read_whole(path, size, why);
+}
+
+void depend_on(Compile *c, const char *path)
+{
+    for (size_t i = 0; i < c->depend_count; i++)
+        if (!strcmp(c->depends[i], path))
+            return;
+    ARENA_PUSH(c->arena, c->depends, c->depend_count, c->depend_room, path);
+}
+
+const char *path_beside(Compile *c, const char *from, const char *path)
+{
+    const char *slash = strrchr(from, '/');
+    if (path[0] == '/' || !slash)
+        return path;
+    Text joined = text_new(c->arena);
+    text_add(&joined, from, (size_t)(slash - from) + 1);
+    text_put(&joined, path);
+    return joined.at;
+}
+
+Graph *compile_front(Compile *c, uint32_t source, Tree **tree)
+{
+    *tree = read_document(c, source);
+    stage_done(c, "read", 0, 0);
+    Graph *graph = *tree ? resolve(c, *tree) : NULL;
+    stage_done(c, "resolve", 0, 0);
+    return graph;
+}
+
+ReferenceNoise noise_for(Noise noise, Target target)
+{
+    return noise == NOISE_groimp      ? REFERENCE_GROIMP
+           : target == TARGET_glsl110 ? REFERENCE_LATTICE_FLOAT
+                                      : REFERENCE_LATTICE;
+}
+
+/* Lowered and optimised; NULL: see the diagnostics. */
+Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *job)
+{
+    ReferenceNoise noise = noise_for(job->noise, job->target);
+    Ir *ir = lower(c, graph, material, job->pass, job->layout, job->slot, noise);
+    if (!ir)
+        return NULL;
+    if (c->measure) {
+        int nodes, cost;
+        ir_measure(ir, &nodes, &cost);
+        stage_done(c, "lower", nodes, cost);
+    }
+    const char *fault = c->check ? ir_check(ir) : NULL;
+    if (fault)
+        return diag_add(c, NO_SPAN, DIAG_broken_ir, "lower", fault);
+    if (c->optimize > 0 && !optimize(c, ir))
+        return NULL;
+    opt_dead(ir);
+    return ir;
+}
+
+bool compile_back(Compile *c, const Ir *ir, const Job *job, Products *products)
+{
+    const char *log = "";
+    products->fragment = emit_fragment(c, ir, job, &products->interface, &products->fragment_size);
+    stage_done(c, "emit", 0, 0);
+    products->vertex = emit_vertex(c, job, &products->interface);
+    if (c->options->validate && !validate(c, job->target, products->vertex, products->fragment, &log)) {
+        diag_add(c, NO_SPAN, DIAG_not_valid, target_table[job->target].name, log);
+        return false;
+    }
+    stage_done(c, "validate", 0, 0);
+    return true;
+}

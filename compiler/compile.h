@@ -1,0 +1,58 @@
+/* One compilation's state: options, memory, sources, diagnostics. Every stage gets it as its first argument. */
+#ifndef MATC_COMPILE_H
+#define MATC_COMPILE_H
+#include "arena.h"
+#include "diag.h"
+#include "grammar/tables.h"
+#include "graph.h"
+#include "matc.h"
+#include "source.h"
+#include <time.h>
+
+/* Every limit of the compiler. */
+enum {
+    LIMIT_DOCUMENT_MIB = 64,    /* a source text */
+    LIMIT_DEPTH = 256,          /* nesting of a document, and of references met on the way down */
+    LIMIT_GRAPH_DEPTH = 2048,   /* maps below one another, through references too */
+    LIMIT_TREE_NODES = 4000000, /* values in a document */
+    LIMIT_IR_NODES = 2000000,   /* nodes of a program */
+    LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
+    LIMIT_NAME = 64,            /* letters of a name */
+    LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
+    LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
+};
+
+typedef struct {
+    const char *name; /* "read", "lower", an optimiser pass ... */
+    double seconds;   /* wall time */
+    int nodes;        /* IR nodes that are alive after it; 0 before there is IR */
+    int cost;         /* their cost in scalar operations */
+} StageStats;
+
+typedef struct Compile {
+    const MatcOptions *options;
+    Arena *arena; /* lives as long as the result */
+    DiagList diags;
+    Source *sources;
+    size_t source_count, source_room;
+    const char **depends; /* files read, the document first */
+    size_t depend_count, depend_room;
+    StageStats *stats;
+    size_t stat_count, stat_room;
+    double stage_start;
+    int optimize; /* level of -O */
+    bool check;   /* ir_check after every pass */
+    bool measure; /* keep statistics of every stage */
+} Compile;
+
+/* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
+void *diag_add(Compile *c, Span span, DiagKind kind, ...);
+/* Marks the end of a stage for --stats. */
+void stage_done(Compile *c, const char *name, int nodes, int cost);
+/* Reads a file through the options' reader; NULL and a message when it cannot. The text is zero-terminated. */
+char *read_file(Compile *c, const char *path, size_t *size, const char **why);
+/* Adds a file to the list of what the result depends on, once. */
+void depend_on(Compile *c, const char *path);
+/* `path` as seen from the file `from`: relative paths are relative to its folder. */
+const char *path_beside(Compile *c, const char *from, const char *path);
+#endif

@@ -1,0 +1,46 @@
+/* Diagnostics: collected in order, printed by the caller. */
+#ifndef MATC_DIAG_H
+#define MATC_DIAG_H
+#include "source.h"
+#include "text.h"
+#include <stdbool.h>
+
+typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error } Severity;
+
+typedef enum {
+#define DIAG(name, severity, format, doc) DIAG_##name,
+#include "grammar/diags.def"
+#undef DIAG
+    DIAG_COUNT
+} DiagKind;
+
+typedef struct {
+    DiagKind kind;
+    Severity severity;
+    Span span;
+    const char *message;
+} Diag;
+
+typedef struct {
+    Diag *at;
+    size_t count, room;
+    int errors;
+} DiagList;
+
+enum { NO_FILE = UINT32_MAX, MOST_DIAGS = 100 };
+/* A span that belongs to no file. */
+#define NO_SPAN ((Span){0, 0, NO_FILE})
+
+typedef struct {
+    const char *name; /* "unknown_map" */
+    Severity severity;
+    const char *format;
+    const char *doc;
+} DiagRow;
+extern const DiagRow diag_table[DIAG_COUNT];
+
+/* gcc's form, with the source line and a caret. */
+void diag_print(Text *out, const Diag *diag, const Source *sources);
+/* One JSON object. */
+void diag_print_json(Text *out, const Diag *diag, const Source *sources);
+#endif

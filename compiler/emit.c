@@ -1,0 +1,254 @@
+/* Statements: a temporary for each step worth a name, branches, functions, main(), and around them the declarations. */
+#include "emit_scope.h"
+#include "emit_declare.h"
+#include <string.h>
+
+enum { LARGEST_EXPRESSION = 6, INDENT = 4, LONGEST_INDENT = 64 };
+
+static const char *hint_name(int hint)
+{
+    return hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
+}
+
+static bool is_taken(const Scope *e, const char *name)
+{
+    for (int i = 0; i < e->ir->graph->uniform_count; i++)
+        if (!strcmp(e->ir->graph->uniforms[i]->name, name))
+            return true;
+    for (int i = 0; i < FUNCTION_COUNT; i++)
+        if (function_row(i)->name && !strcmp(function_row(i)->name, name))
+            return true;
+    return false;
+}
+
+/* "checker" for a map's value, "checker_1" for a step on its way; a number tells several apart. */
+static const char *new_name(Scope *e, const IrNode *node)
+{
+    Text name = text_new(e->scratch);
+    text_put(&name, hint_name(node->hint));
+    if (!node->head)
+        text_format(&name, "_%d", ++e->steps[node->hint]);
+    else if (e->heads[node->hint]++)
+        text_format(&name, "%d", e->heads[node->hint]);
+    while (is_taken(e, name.at))
+        text_put(&name, "Value");
+    return name.at;
+}
+
+static void indent(Text *out, int depth)
+{
+    for (int i = 0; i < depth && i < LONGEST_INDENT; i++)
+        text_put(out, "    ");
+}
+
+/* A comment where the steps of another map or slot begin. */
+static void put_comment(Scope *e, Text *out, const IrNode *node, int depth)
+{
+    if (node->hint == e->last_hint)
+        return;
+    e->last_hint = node->hint;
+    indent(out, depth);
+    text_format(out, "// %s\n",
+                node->hint < KIND_COUNT ? kind_table[node->hint].name : slot_table[node->hint - KIND_COUNT].name);
+}
+
+static int expression_size(const Scope *e, Ref ref)
+{
+    int size = is_leaf(e->ir, ref) ? 0 : 1;
+    for (int i = 0; i < ir_at(e->ir, ref)->count; i++)
+        size += e->size[ir_arg(e->ir, ref, i)];
+    return size;
+}
+
+/* Whether a node gets a statement of its own: several uses, a branch, a map's value, or too long in place. */
+static bool needs_name(const Scope *e, Ref ref, int size)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    if (e->s.arm[ref])
+        return true;
+    if (is_leaf(e->ir, ref))
+        return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0; /* of what is written in place */
+    if (e->s.uses[ref] > 1)
+        return true;
+    return (node->head && size > 1) || size > LARGEST_EXPRESSION;
+}
+
+static void put_block(Scope *e, Text *out, int block, int depth);
+static void put_assignment(Scope *e, Text *out, const char *target, Ref value, int block, int depth);
+
+/* if (...) { ... target = a; } else { ... target = b; } */
+static void put_branch(Scope *e, Text *out, const char *target, Ref ref, int depth)
+{
+    text_put(out, "if (");
+    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_any);
+    text_put(out, ") {\n");
+    put_assignment(e, out, target, ir_arg(e->ir, ref, 1), e->s.arm[ref], depth + 1);
+    indent(out, depth);
+    text_put(out, "} else {\n");
+    put_assignment(e, out, target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1, depth + 1);
+    indent(out, depth);
+    text_put(out, "}\n");
+}
+
+/* A select that is an arm's value and nothing else's assigns to the outer target itself. */
+static bool is_tail(const Scope *e, Ref value, int block)
+{
+    return e->s.arm[value] && e->s.uses[value] == 1 && e->s.block[value] == block;
+}
+
+static void put_assignment(Scope *e, Text *out, const char *target, Ref value, int block, int depth)
+{
+    int before = e->last_hint;
+    bool tail = is_tail(e, value, block);
+    if (tail) {
+        e->done[value] = 1;
+        e->names[value] = target;
+    }
+    put_block(e, out, block, depth);
+    indent(out, depth);
+    if (tail) {
+        put_branch(e, out, target, value, depth);
+    } else {
+        text_format(out, "%s = ", target);
+        emit_expression(e, out, value, PRECEDENCE_any);
+        text_put(out, ";\n");
+    }
+    e->last_hint = before;
+}
+
+static void put_statement(Scope *e, Text *out, Ref ref, int depth)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    int size = expression_size(e, ref);
+    e->done[ref] = 1;
+    if (!needs_name(e, ref, size)) {
+        e->size[ref] = (uint16_t)size;
+        return;
+    }
+    const char *name = new_name(e, node);
+    put_comment(e, out, node, depth);
+    indent(out, depth);
+    text_format(out, "%s %s", type_table[node->type].name, name);
+    if (e->s.arm[ref]) {
+        text_put(out, ";\n");
+        indent(out, depth);
+        put_branch(e, out, name, ref, depth);
+    } else {
+        text_put(out, " = ");
+        emit_expression(e, out, ref, PRECEDENCE_any);
+        text_put(out, ";\n");
+    }
+    e->names[ref] = name;
+}
+
+static void put_block(Scope *e, Text *out, int block, int depth)
+{
+    for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref])
+        if (!e->done[ref])
+            put_statement(e, out, ref, depth);
+}
+
+/* The statements of the scope's own block that `root` needs and that are not written yet. */
+static void put_needed(Scope *e, Text *out, Ref root, int depth)
+{
+    uint8_t *needed = ARENA_ARRAY(e->scratch, uint8_t, root + 1);
+    needed[root] = 1;
+    for (Ref ref = root; ref > 0; ref--)
+        for (int i = 0; needed[ref] && i < ir_at(e->ir, ref)->count; i++)
+            needed[ir_arg(e->ir, ref, i)] = 1;
+    for (Ref ref = e->s.blocks[0].first; ref && ref <= root; ref = e->s.next[ref])
+        if (needed[ref] && !e->done[ref])
+            put_statement(e, out, ref, depth);
+}
+
+static Scope new_scope(Compile *c, const Ir *ir, const Job *job, Interface *interface, Arena *scratch)
+{
+    Scope e = {.c = c, .ir = ir, .job = job, .interface = interface, .scratch = scratch, .last_hint = -1};
+    e.names = ARENA_ARRAY(scratch, const char *, ir->count);
+    e.size = ARENA_ARRAY(scratch, uint16_t, ir->count);
+    e.done = ARENA_ARRAY(scratch, uint8_t, ir->count);
+    return e;
+}
+
+static void put_function(Compile *c, Text *out, const Ir *ir, const Job *job, Interface *interface, int number)
+{
+    Arena scratch = {0};
+    const IrFunction *function = &ir->functions[number];
+    Scope e = new_scope(c, ir, job, interface, &scratch);
+    e.function = function;
+    e.s = schedule(ir, &function->result, 1, c->optimize > 0, &scratch);
+    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(c, ir, number));
+    for (int i = 0; i < function->count; i++) {
+        Type type = ir_type(ir, function->arguments[i]);
+        text_format(out, "%s%s %s", i ? ", " : "", type_table[type].name, type == TYPE_vec3 ? "p" : "st");
+    }
+    text_put(out, ") {\n");
+    put_needed(&e, out, function->result, 1);
+    text_put(out, "    return ");
+    emit_expression(&e, out, function->result, PRECEDENCE_any);
+    text_put(out, ";\n}\n\n");
+    arena_free(&scratch);
+}
+
+static void put_output(Scope *e, Text *out, const IrOutput *output)
+{
+    bool old = e->job->target == TARGET_glsl110;
+    put_needed(e, out, output->value, 1);
+    if (output->kind == OUT_discard) {
+        text_put(out, "    if (");
+        emit_expression(e, out, output->value, PRECEDENCE_any);
+        text_put(out, ") discard;\n");
+        return;
+    }
+    if (output->kind == OUT_depth)
+        text_put(out, "    gl_FragDepth = ");
+    else
+        text_format(out, old ? "    gl_FragData[%d] = " : "    fragment%d = ", output->index);
+    emit_expression(e, out, output->value, PRECEDENCE_any);
+    text_put(out, ";\n");
+}
+
+static void put_main(Compile *c, Text *out, const Ir *ir, const Job *job, Interface *interface)
+{
+    Arena scratch = {0};
+    Ref roots[MOST_OUTPUTS];
+    Scope e = new_scope(c, ir, job, interface, &scratch);
+    for (int i = 0; i < ir->output_count; i++)
+        roots[i] = ir->outputs[i].value;
+    e.s = schedule(ir, roots, ir->output_count, c->optimize > 0, &scratch);
+    text_put(out, "void main() {\n");
+    for (int i = 0; i < ir->output_count; i++)
+        put_output(&e, out, &ir->outputs[i]);
+    text_put(out, "}\n");
+    arena_free(&scratch);
+}
+
+/* A discard that is known needs no code. */
+static bool is_moot(const Ir *ir, const IrOutput *output)
+{
+    return output->kind == OUT_discard && ir_is_number(ir, output->value, 0);
+}
+
+const char *emit_fragment(Compile *c, const Ir *given, const Job *job, Interface *interface, size_t *size)
+{
+    Ir ir = *given;
+    ir.output_count = 0;
+    for (int i = 0; i < given->output_count; i++)
+        if (!is_moot(given, &given->outputs[i]))
+            ir.outputs[ir.output_count++] = given->outputs[i];
+    *interface = (Interface){.uniforms = ARENA_ARRAY(c->arena, bool, ir.graph->uniform_count),
+                             .textures = ARENA_ARRAY(c->arena, bool, ir.texture_count)};
+    Text functions = text_new(c->arena), body = text_new(c->arena), out = text_new(c->arena);
+    for (size_t f = 0; f < ir.function_count; f++)
+        put_function(c, &functions, &ir, job, interface, (int)f);
+    put_main(c, &body, &ir, job, interface);
+    emit_declarations(c, &out, &ir, job, interface);
+    for (size_t i = 0; i < interface->chunks.count; i++) {
+        text_put(&out, interface->chunks.at[i]->body);
+        text_char(&out, '\n');
+    }
+    text_add(&out, functions.at, functions.size);
+    text_add(&out, body.at, body.size);
+    *size = out.size;
+    return out.at;
+}

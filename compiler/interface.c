@@ -1,0 +1,129 @@
+/* What a program declares, per target: version, inputs, uniforms, textures, outputs. */
+#include "emit.h"
+#include "emit_declare.h"
+#include <string.h>
+
+enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1 };
+
+void emit_version(Text *out, Target target)
+{
+    text_format(out, "#version %s\n", target_table[target].version);
+    if (target == TARGET_glsl110)
+        text_put(out, "#extension GL_ARB_draw_buffers : enable\n");
+    if (target_table[target].es)
+        text_put(out, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+}
+
+int input_location(Input input)
+{
+    int location = 0;
+    for (int i = 0; i < (int)input; i++)
+        location += input_table[i].source == SOURCE_varying;
+    return location;
+}
+
+static bool has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
+
+const char *texture_name(Compile *c, const Ir *ir, int texture)
+{
+    Text name = text_new(c->arena);
+    text_format(&name, "%sTexture%d", ir->textures[texture].kind == TEXTURE_image ? "image" : "carpenter", texture);
+    return name.at;
+}
+
+void emit_varying(Text *out, Target target, Input input, const char *word)
+{
+    const InputRow *row = &input_table[input];
+    if (has_locations(target))
+        text_format(out, "layout(location = %d) ", input_location(input));
+    text_format(out, "%s %s %s;\n", target == TARGET_glsl110 ? "varying" : word, type_table[row->type].name, row->glsl);
+}
+
+/* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns how many. */
+static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, const char *prefix)
+{
+    int count = 0;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (interface->inputs[i] && input_table[i].source == SOURCE_draw) {
+            text_format(out, "%s%s %s;\n", prefix, type_table[input_table[i].type].name, input_table[i].glsl);
+            count++;
+        }
+    for (int i = 0; i < ir->graph->uniform_count; i++) {
+        if (!interface->uniforms[i])
+            continue;
+        const char *type = uniform_is_int(ir, i) ? "int" : type_table[ir->graph->uniforms[i]->type].name;
+        text_format(out, "%s%s %s;\n", prefix, type, ir->graph->uniforms[i]->name);
+        count++;
+    }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1)
+            if (!strstr(line, "sampler") || strstr(line, "sampler") > strchr(line, '\n')) {
+                text_format(out, "%s%.*s;\n", prefix, (int)strcspn(line, "\n"), line);
+                count++;
+            }
+    return count;
+}
+
+bool uniform_is_int(const Ir *ir, int uniform)
+{
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_uniform) && ir_at(ir, ref)->payload == (uint32_t)uniform && ir_type(ir, ref) == TYPE_int)
+            return true;
+    return false;
+}
+
+static void put_sampler(Text *out, Target target, int *binding, const char *declaration, int size)
+{
+    if (has_locations(target))
+        text_format(out, "layout(binding = %d) ", (*binding)++);
+    text_format(out, "uniform %.*s;\n", size, declaration);
+}
+
+static void put_samplers(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+{
+    int binding = FIRST_TEXTURE_BINDING;
+    for (size_t i = 0; i < ir->texture_count; i++) {
+        Text declaration = text_new(c->arena);
+        if (!interface->textures[i])
+            continue;
+        text_format(&declaration, "sampler2D %s", texture_name(c, ir, (int)i));
+        put_sampler(out, job->target, &binding, declaration.at, (int)declaration.size);
+    }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
+            int size = (int)strcspn(line, "\n");
+            const char *sampler = strstr(line, "sampler2D");
+            if (sampler && sampler < line + size)
+                put_sampler(out, job->target, &binding, line, size);
+        }
+}
+
+void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+{
+    emit_version(out, job->target);
+    text_format(out, "// matc " MATC_VERSION ": pass %s", pass_table[job->pass].name);
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        text_format(out, ", layout %s", layout_table[job->layout].name);
+    if (job->pass == PASS_value)
+        text_format(out, ", slot %s", slot_table[job->slot].name);
+    text_put(out, "\n\n");
+    size_t before = out->size;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
+            emit_varying(out, job->target, (Input)i, "in");
+    Text uniforms = text_new(c->arena);
+    bool block = has_locations(job->target);
+    if (put_uniforms(&uniforms, ir, interface, block ? "    " : "uniform ")) {
+        if (block)
+            text_format(out, "layout(std140, binding = %d) uniform Material {\n", MATERIAL_BLOCK);
+        text_put(out, uniforms.at);
+        text_put(out, block ? "};\n" : "");
+    }
+    put_samplers(c, out, ir, job, interface);
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind == OUT_color && job->target != TARGET_glsl110)
+            text_format(out, "layout(location = %d) out vec4 fragment%d;\n", ir->outputs[i].index,
+                        ir->outputs[i].index);
+    if (out->size > before)
+        text_char(out, '\n');
+}

@@ -1,0 +1,143 @@
+/* The IR: a typed DAG. Equal nodes are one node (hash-consing), so a common subexpression never exists twice.
+ * Operands come before their users: node numbers are a topological order, and a sweep over them meets operands first. */
+#ifndef MATC_IR_H
+#define MATC_IR_H
+#include "compile.h"
+#include "runtime/reference.h"
+
+typedef enum {
+#define OP(name, shape, glsl, arity, rule, cost, fold, doc) OP_##name,
+#include "grammar/ops.def"
+#undef OP
+    OP_COUNT
+} Op;
+typedef enum { SHAPE_special, SHAPE_infix, SHAPE_prefix, SHAPE_call } Shape;
+typedef enum { RULE_given, RULE_widest, RULE_boolean, RULE_scalar, RULE_first } TypeRule;
+typedef struct {
+    const char *name;
+    Shape shape;
+    const char *glsl;
+    int arity;
+    TypeRule rule;
+    int cost;
+    const char *doc;
+} OpRow;
+extern const OpRow op_table[OP_COUNT];
+
+typedef uint32_t Ref; /* number of a node; 0 is none */
+
+typedef struct {
+    uint8_t op, type, count; /* Op, Type, operands */
+    uint8_t hint;            /* what it was made for: a Kind, or KIND_COUNT + Slot; for names and comments only */
+    uint8_t head;            /* it is the value of its hint's map or slot, not a step on the way; for names only */
+    uint32_t first;          /* of its operands in args */
+    uint32_t payload;        /* const: first of its numbers; input: Input; uniform: index; texture: index;
+                                argument: whose set << 8 | its number; swizzle: two bits a lane; call: function; apply: function number */
+    uint32_t hash;
+} IrNode;
+
+/* A function of the program: a result that depends on arguments. Filters call one many times. */
+typedef struct {
+    Ref result;
+    Ref *arguments; /* OP_argument nodes, in order */
+    int count;
+    uint8_t hint; /* Kind it was made for */
+} IrFunction;
+
+typedef enum { OUT_discard, OUT_depth, OUT_color } OutputKind;
+typedef struct {
+    OutputKind kind;
+    int index; /* of a colour output */
+    Ref value;
+} IrOutput;
+
+typedef enum { TEXTURE_image, TEXTURE_carpenter } TextureKind;
+typedef struct {
+    TextureKind kind;
+    const Image *image; /* of an image */
+    const Node *node;   /* of a Carpenter */
+    int width, height;
+    bool linear;
+} IrTexture;
+
+enum { MOST_OUTPUTS = 8 };
+
+typedef struct {
+    Compile *c;
+    Arena *arena;
+    IrNode *nodes;
+    size_t count, room;
+    Ref *args;
+    size_t arg_count, arg_room;
+    double *numbers;
+    size_t number_count, number_room;
+    Ref *table; /* hash table of nodes */
+    uint32_t mask;
+    IrFunction *functions;
+    size_t function_count, function_room;
+    IrTexture *textures;
+    size_t texture_count, texture_room;
+    const Graph *graph; /* for uniforms' names */
+    IrOutput outputs[MOST_OUTPUTS];
+    int output_count;
+    ReferenceNoise noise;   /* which the folder computes with */
+    uint32_t argument_sets; /* function arguments made so far */
+    uint8_t hint;           /* given to new nodes */
+    bool folds;             /* constants are folded as nodes are made */
+} Ir;
+
+Ir *ir_new(Compile *c, const Graph *graph);
+
+static inline const IrNode *ir_at(const Ir *ir, Ref ref) { return &ir->nodes[ref]; }
+static inline Ref ir_arg(const Ir *ir, Ref ref, int i) { return ir->args[ir->nodes[ref].first + (uint32_t)i]; }
+static inline Type ir_type(const Ir *ir, Ref ref) { return (Type)ir->nodes[ref].type; }
+static inline int ir_lanes(const Ir *ir, Ref ref) { return type_table[ir->nodes[ref].type].lanes; }
+static inline bool ir_is(const Ir *ir, Ref ref, Op op) { return ir->nodes[ref].op == op; }
+/* The numbers of a constant. */
+static inline const double *ir_numbers(const Ir *ir, Ref ref) { return &ir->numbers[ir->nodes[ref].payload]; }
+/* A constant all of whose lanes are `value`. */
+bool ir_is_number(const Ir *ir, Ref ref, double value);
+
+/* Makes a node, or finds the equal one. The type follows from op_table's rule unless that is `given`. */
+Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count);
+Ref ir_const(Ir *ir, Type type, const double *numbers);
+Ref ir_float(Ir *ir, double value);
+Ref ir_vec3(Ir *ir, double x, double y, double z);
+Ref ir_int(Ir *ir, double value);
+Ref ir_input(Ir *ir, Input input);
+Ref ir_unary(Ir *ir, Op op, Ref a);
+Ref ir_binary(Ir *ir, Op op, Ref a, Ref b);
+Ref ir_ternary(Ir *ir, Op op, Ref a, Ref b, Ref c);
+Ref ir_select(Ir *ir, Ref condition, Ref a, Ref b);
+/* Lanes of a vector, by letters of "xyzw". A float's only lane is x. */
+Ref ir_swizzle(Ir *ir, Ref a, const char *lanes);
+Ref ir_swizzle_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
+/* A vector of the parts' lanes, which are as many as the type has. */
+Ref ir_vec(Ir *ir, Type type, const Ref *parts, int count);
+Ref ir_call(Ir *ir, int function, const Ref *args, int count);
+Ref ir_apply(Ir *ir, int function, const Ref *args);
+/* The conversion table. */
+Ref ir_convert(Ir *ir, Ref a, Type type);
+/* A new function with arguments of the given types; its result is set by the caller. */
+int ir_function(Ir *ir, const Type *types, int count);
+void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
+
+/* Builds the hash table anew after nodes moved. */
+void ir_rehash(Ir *ir);
+/* Marks the nodes that the outputs reach, through functions too: live[ref]. */
+uint8_t *ir_live(const Ir *ir, Arena *arena);
+/* Scalar operations of one node. */
+int ir_cost(const Ir *ir, Ref ref);
+/* Nodes alive, and their cost. */
+void ir_measure(const Ir *ir, int *nodes, int *cost);
+/* Invariants: operands before users, types by the rules, arguments only in their function. NULL, or what is wrong. */
+const char *ir_check(const Ir *ir);
+
+void ir_print(Text *out, const Ir *ir);
+void ir_dot(Text *out, const Ir *ir);
+/* Reads what ir_print wrote (tests); NULL and a message. Textures and uniforms are those of `graph`. */
+Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault);
+
+/* The value of a node on constant operands; false when it has none (a texture, an input). fold.c. */
+bool fold_node(const Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count, double *result);
+#endif

@@ -1,0 +1,119 @@
+/* The IR as text, one node a line, and as a graph for Graphviz.
+ *
+ *     %1 = const float 0.5
+ *     %2 = input vec3 X
+ *     %3 = swizzle float .x %2
+ *     %4 = argument vec3 0.0
+ *     %5 = call float noise %4
+ *     function f0 = %5 %4
+ *     %6 = apply float f0 %2
+ *     out color 0 = %6 */
+#include "ir.h"
+#include <string.h>
+
+static void print_payload(Text *out, const Ir *ir, const IrNode *node)
+{
+    switch (node->op) {
+    case OP_const:
+        for (int i = 0; i < type_table[node->type].lanes; i++) {
+            text_char(out, ' ');
+            text_double(out, ir->numbers[node->payload + (uint32_t)i]);
+        }
+        break;
+    case OP_input:
+        text_format(out, " %s", input_table[node->payload].name);
+        break;
+    case OP_uniform:
+        text_format(out, " %s", ir->graph->uniforms[node->payload]->name);
+        break;
+    case OP_argument:
+        text_format(out, " %u.%u", node->payload >> 8, node->payload & 0xFF);
+        break;
+    case OP_texture:
+        text_format(out, " %u", node->payload);
+        break;
+    case OP_swizzle:
+        text_put(out, " .");
+        for (int i = 0; i < type_table[node->type].lanes; i++)
+            text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
+        break;
+    case OP_call:
+        text_format(out, " %s", function_row((int)node->payload)->name);
+        break;
+    case OP_apply:
+        text_format(out, " f%u", node->payload);
+        break;
+    default:
+        break;
+    }
+}
+
+static void print_node(Text *out, const Ir *ir, Ref ref)
+{
+    const IrNode *node = ir_at(ir, ref);
+    text_format(out, "%s %s", op_table[node->op].name, type_table[node->type].name);
+    print_payload(out, ir, node);
+    for (int i = 0; i < node->count; i++)
+        text_format(out, " %%%u", ir_arg(ir, ref, i));
+}
+
+/* The functions whose result this node is. */
+static void print_functions(Text *out, const Ir *ir, Ref ref)
+{
+    for (size_t f = 0; f < ir->function_count; f++) {
+        const IrFunction *function = &ir->functions[f];
+        if (function->result != ref)
+            continue;
+        text_format(out, "function f%zu = %%%u", f, ref);
+        for (int i = 0; i < function->count; i++)
+            text_format(out, " %%%u", function->arguments[i]);
+        text_char(out, '\n');
+    }
+}
+
+static const char *const output_names[] = {"discard", "depth", "color"};
+
+void ir_print(Text *out, const Ir *ir)
+{
+    Arena scratch = {0};
+    uint8_t *live = ir_live(ir, &scratch);
+    for (size_t f = 0; f < ir->function_count; f++)
+        for (int i = 0; i < ir->functions[f].count; i++)
+            live[ir->functions[f].arguments[i]] = 1;
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        if (!live[ref])
+            continue;
+        text_format(out, "%%%u = ", ref);
+        print_node(out, ir, ref);
+        text_char(out, '\n');
+        print_functions(out, ir, ref);
+    }
+    for (int i = 0; i < ir->output_count; i++)
+        text_format(out, "out %s %d = %%%u\n", output_names[ir->outputs[i].kind], ir->outputs[i].index,
+                    ir->outputs[i].value);
+    arena_free(&scratch);
+}
+
+void ir_dot(Text *out, const Ir *ir)
+{
+    Arena scratch = {0};
+    uint8_t *live = ir_live(ir, &scratch);
+    text_put(out, "digraph material {\n  rankdir=BT;\n  node [shape=box, fontname=\"monospace\"];\n");
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        const IrNode *node = ir_at(ir, ref);
+        if (!live[ref])
+            continue;
+        text_format(out, "  n%u [label=\"%s %s", ref, op_table[node->op].name, type_table[node->type].name);
+        print_payload(out, ir, node);
+        text_put(out, "\"];\n");
+        for (int i = 0; i < node->count; i++)
+            text_format(out, "  n%u -> n%u;\n", ir_arg(ir, ref, i), ref);
+        if (node->op == OP_apply)
+            text_format(out, "  n%u -> n%u [style=dashed];\n", ir->functions[node->payload].result, ref);
+    }
+    for (int i = 0; i < ir->output_count; i++)
+        text_format(out, "  o%d [label=\"%s %d\", style=bold];\n  n%u -> o%d;\n", i, output_names[ir->outputs[i].kind],
+                    ir->outputs[i].index, ir->outputs[i].value, i);
+    text_put(out, "}\n");
+    arena_free(&scratch);
+}

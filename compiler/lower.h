@@ -1,0 +1,71 @@
+/* Graph -> Ir. A map is asked for a group of channels in an environment; what it does not define it passes on to its
+ * input, and no input is the surface. */
+#ifndef MATC_LOWER_H
+#define MATC_LOWER_H
+#include "ir.h"
+
+/* What the root of the delegation answers. Filters evaluate their input in an environment of their own. */
+typedef struct {
+    Ref root[GROUP_COUNT];
+    Ref front;  /* bool: seen from the front */
+    Ref eye_n;  /* the root normal in eye space, 0 if only eyeFromWorld can tell */
+    int number; /* for the memo */
+} Env;
+
+typedef struct {
+    uint64_t key; /* node, group, environment; 0 is empty */
+    Ref value;
+} Memo;
+
+typedef struct {
+    Compile *c;
+    Ir *ir;
+    const Graph *graph;
+    Memo *memo;
+    size_t memo_count, memo_mask;
+    int env_count;
+    bool cheap;  /* forms that are cheaper but not the plainest: -O1 and up */
+    bool failed; /* a diagnostic was made */
+} Lower;
+
+/* What one slot of a material's layout, pass or value needs. NULL ir: see the diagnostics. */
+Ir *lower(Compile *c, const Graph *graph, const Node *material, Pass pass, Layout layout, Slot slot,
+          ReferenceNoise noise);
+
+/* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
+Ref ask(Lower *l, const Node *map, Group group, const Env *env);
+void mark_head(Ir *ir, Ref value, uint8_t hint);
+/* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
+Ref as_group(Lower *l, Ref value, Group group);
+/* A parameter's value as IR, converted to the type. */
+Ref param_value(Lower *l, const Value *value, Type type);
+/* The map in a parameter, NULL if it has none. */
+const Node *param_node(const Node *node, int param);
+bool param_is_set(const Value *value);
+/* Reports a param where the value must be known. */
+void reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
+/* One material slot, by its name. lower_material.c */
+Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
+/* The shading normal in eye space, unit length, turned to the viewer. */
+Ref lower_eye_normal(Lower *l, const Node *material, const Env *env);
+Ref lower_wave(Lower *l, const Wave *wave, Ref v);
+/* M q for a Transform. */
+Ref lower_transform(Lower *l, const Transform *transform, Ref q);
+
+#define MAP(name, function, lowering, cost, doc)                                                                       \
+    Ref lower_##name(Lower *l, const Node *node, Group group, const Env *env);
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "grammar/maps.def"
+#undef MAP
+#undef PARAM
+#undef ALIAS
+#undef PRESET
+
+/* Shorthands for building. */
+static inline Ref add(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_add, a, b); }
+static inline Ref sub(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_sub, a, b); }
+static inline Ref mul(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_mul, a, b); }
+static inline Ref number(Lower *l, double value) { return ir_float(l->ir, value); }
+#endif

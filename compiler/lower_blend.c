@@ -1,0 +1,97 @@
+/* Blend: a walk along items of ascending value. */
+#include "lower.h"
+
+enum { CHEAP_ARMS = 40 }; /* scalar operations of all items together up to which mixing beats branching */
+
+typedef struct {
+    Ref value, result; /* of an item: where it lies on t, and its answer */
+} Stop;
+
+/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
+static Ref position(Lower *l, Ref t, Ref low, Ref high)
+{
+    Ref width = sub(l, high, low);
+    if (ir_is(l->ir, width, OP_const)) {
+        double w = ir_numbers(l->ir, width)[0];
+        return mul(l, sub(l, t, low), number(l, w != 0 ? 1 / w : 0));
+    }
+    Ref flat = ir_binary(l->ir, OP_eq, width, number(l, 0));
+    return ir_binary(l->ir, OP_div, sub(l, t, low), ir_select(l->ir, flat, number(l, 1), width));
+}
+
+/* As written: the first item whose value is above t decides. */
+static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
+{
+    Ref result = stops[count - 1].result;
+    for (int i = count - 1; i >= 0; i--) {
+        Ref segment = i == 0 ? stops[0].result
+                             : ir_ternary(l->ir, OP_mix, stops[i - 1].result, stops[i].result,
+                                          position(l, t, stops[i - 1].value, stops[i].value));
+        result = ir_select(l->ir, ir_binary(l->ir, OP_lt, t, stops[i].value), segment, result);
+    }
+    return result;
+}
+
+/* The same without branches, for values known to ascend: each item is mixed over what the ones before it made. Where t has
+ * passed a segment its weight is 1, where it has not come to it 0. */
+static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
+{
+    Ref result = stops[0].result, zero = number(l, 0), one = number(l, 1);
+    for (int i = 1; i < count; i++) {
+        Ref at = position(l, t, stops[i - 1].value, stops[i].value);
+        result = ir_ternary(l->ir, OP_mix, result, stops[i].result, ir_ternary(l->ir, OP_clamp, at, zero, one));
+    }
+    return result;
+}
+
+static bool strictly_ascending(const Ir *ir, const Stop *stops, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (!ir_is(ir, stops[i].value, OP_const))
+            return false;
+        if (i && (float)ir_numbers(ir, stops[i].value)[0] <= (float)ir_numbers(ir, stops[i - 1].value)[0])
+            return false;
+    }
+    return true;
+}
+
+/* Cost of a value down to `limit`, shared parts counted as often as they are met: an upper bound. */
+static int cost_below(const Ir *ir, Ref ref, int limit)
+{
+    int cost = ir_cost(ir, ref);
+    if (ir_is(ir, ref, OP_apply))
+        return limit;
+    for (int i = 0; i < ir_at(ir, ref)->count && cost < limit; i++)
+        cost += cost_below(ir, ir_arg(ir, ref, i), limit - cost);
+    return cost;
+}
+
+static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
+{
+    int cost = 0;
+    for (int i = 0; i < count && cost < CHEAP_ARMS; i++)
+        cost += cost_below(ir, stops[i].result, CHEAP_ARMS - cost);
+    return cost < CHEAP_ARMS;
+}
+
+Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Value *blend = node_param(node, P_Blend_blend);
+    const Node *input = param_node(node, P_Blend_input);
+    int count = blend->kind == VALUE_items ? blend->items->count : 0;
+    if (!count)
+        return ask(l, input, group, env);
+    Ref t = ir_swizzle(l->ir, ask(l, input, GROUP_X, env), "x");
+    Stop *stops = ARENA_ARRAY(l->c->arena, Stop, count);
+    Type type = TYPE_float;
+    for (int i = 0; i < count; i++) {
+        const Item *item = &blend->items->item[i];
+        stops[i] = (Stop){param_value(l, &item->value, TYPE_float), ask(l, item->input, group, env)};
+        if (ir_lanes(l->ir, stops[i].result) > type_table[type].lanes)
+            type = ir_type(l->ir, stops[i].result);
+    }
+    for (int i = 0; i < count; i++)
+        stops[i].result = ir_convert(l->ir, stops[i].result, type);
+    bool mixes = l->cheap && strictly_ascending(l->ir, stops, count) && cheap_arms(l->ir, stops, count);
+    return mixes ? blend_mixes(l, t, stops, count) : blend_walk(l, t, stops, count);
+}

@@ -1,0 +1,71 @@
+/* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
+ * Filters within filters are functions that call functions: the program grows by one function for each. */
+#include "lower.h"
+
+/* What the input reads of the root, replaced by the function's arguments. */
+static Env shifted_env(Lower *l, const Env *outer, int function)
+{
+    const IrFunction *f = &l->ir->functions[function];
+    Env env = *outer;
+    env.number = ++l->env_count;
+    env.root[GROUP_X] = f->arguments[0];
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){f->arguments[1], number(l, 0)}, 2);
+    return env;
+}
+
+/* A filter's alpha is always 1: colours keep three lanes at most. */
+static Ref without_alpha(Lower *l, Ref value)
+{
+    return ir_type(l->ir, value) == TYPE_vec4 ? ir_convert(l->ir, value, TYPE_vec3) : value;
+}
+
+static int make_function(Lower *l, const Node *input, Group group, const Env *env)
+{
+    int function = ir_function(l->ir, (Type[]){TYPE_vec3, TYPE_vec2}, 2);
+    Env inner = shifted_env(l, env, function);
+    Ref result = without_alpha(l, ask(l, input, group, &inner));
+    l->ir->functions[function].result = result;
+    return function;
+}
+
+/* The input at (i, j, k) of the kernel, each from -1 to 1. */
+static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, int i, int j, int k)
+{
+    Ref offset = mul(l, size, ir_vec3(l->ir, 0.5 * i, 0.5 * j, 0.5 * k));
+    Ref uv = add(l, ir_swizzle(l->ir, env->root[GROUP_U], "xy"), ir_swizzle(l->ir, offset, "xy"));
+    return ir_apply(l->ir, function, (Ref[]){add(l, env->root[GROUP_X], offset), uv});
+}
+
+/* The three sizes, which are the first parameters behind `input`. */
+static Ref filter_size(Lower *l, const Node *node)
+{
+    Ref size[3];
+    for (int i = 0; i < 3; i++)
+        size[i] = param_value(l, &node->params[1 + i], TYPE_float);
+    return ir_vec(l->ir, TYPE_vec3, size, 3);
+}
+
+Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
+{
+    int function = make_function(l, param_node(node, P_Smooth3D_input), group, env);
+    Ref size = filter_size(l, node), sum = 0;
+    for (int n = 0; n < 27; n++) {
+        Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
+        sum = n ? add(l, sum, value) : value;
+    }
+    return mul(l, sum, number(l, 1.0 / 27));
+}
+
+Ref lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
+{
+    int function = make_function(l, param_node(node, P_Laplace3D_input), group, env);
+    Ref size = filter_size(l, node), around = 0;
+    for (int axis = 0; axis < 3; axis++)
+        for (int side = -1; side <= 1; side += 2) {
+            Ref value =
+                at_neighbour(l, function, env, size, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+            around = around ? add(l, around, value) : value;
+        }
+    Ref centre = at_neighbour(l, function, env, size, 0, 0, 0);
+    return sub(l, mul(l, centre, number(l, 0.5)), mul(l, around, number(l, 1.0 / 12)));
+}

@@ -1,0 +1,85 @@
+/* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
+#include "lower.h"
+
+typedef struct {
+    Ref n, tu, tv; /* of the input */
+    Ref size;      /* |n|, never 0 */
+} Frame;
+
+static Frame input_frame(Lower *l, const Node *input, const Env *env)
+{
+    const double least = 1e-30;
+    Frame f = {ask(l, input, GROUP_N, env), ask(l, input, GROUP_DU, env), ask(l, input, GROUP_DV, env), 0};
+    f.size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, f.n), number(l, least));
+    return f;
+}
+
+/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv'. */
+static Ref tilted(Lower *l, const Frame *f, Ref du, Ref dv, Group group)
+{
+    Ref tu = group == GROUP_DV ? 0 : add(l, f->tu, mul(l, f->n, du));
+    Ref tv = group == GROUP_DU ? 0 : add(l, f->tv, mul(l, f->n, dv));
+    return group == GROUP_DU ? tu : group == GROUP_DV ? tv : ir_binary(l->ir, OP_cross, tu, tv);
+}
+
+static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
+
+Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const double step = 0.02;
+    const Node *input = param_node(node, P_BumpMap_input), *displacement = param_node(node, P_BumpMap_displacement);
+    if (!is_frame(group) || !displacement)
+        return ask(l, input, group, env);
+    Frame frame = input_frame(l, input, env);
+    Ref strength = param_value(l, node_param(node, P_BumpMap_strength), TYPE_float);
+    Ref k = ir_binary(l->ir, OP_div, mul(l, strength, number(l, step)), frame.size);
+    Ref du = ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x");
+    Ref dv = ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x");
+    return tilted(l, &frame, mul(l, k, du), mul(l, k, dv), group);
+}
+
+/* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
+typedef struct {
+    Ref height, slope;
+} Ripple;
+
+static Ripple ripple(Lower *l, Ref x, Ref count)
+{
+    Ref rate = mul(l, count, number(l, 2 * M_PI)), angle = mul(l, rate, x);
+    Ref sine = ir_unary(l->ir, OP_sin, angle);
+    return (Ripple){ir_unary(l->ir, OP_cos, angle), ir_unary(l->ir, OP_neg, mul(l, rate, sine))};
+}
+
+/* The top face of a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
+static Ref in_box_top(Lower *l, Ref u, Ref v)
+{
+    Ir *ir = l->ir;
+    Ref zero = number(l, 0);
+    Ref along_u = ir_binary(ir, OP_and, ir_binary(ir, OP_le, zero, u), ir_binary(ir, OP_le, u, number(l, 1.0 / 4)));
+    Ref along_v = ir_binary(ir, OP_and, ir_binary(ir, OP_le, zero, v), ir_binary(ir, OP_le, v, number(l, 1.0 / 3)));
+    return ir_binary(ir, OP_and, along_u, along_v);
+}
+
+Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *input = param_node(node, P_WaveMap_input);
+    if (!is_frame(group))
+        return ask(l, input, group, env);
+    double box_top[4];
+    value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
+    Ref uvw = ask(l, input, GROUP_U, env), u = ir_swizzle(l->ir, uvw, "x"), v = ir_swizzle(l->ir, uvw, "y");
+    Ref u_count = param_value(l, node_param(node, P_WaveMap_uCount), TYPE_float);
+    Ref v_count = param_value(l, node_param(node, P_WaveMap_vCount), TYPE_float);
+    if (box_top[0] != 0) {
+        u = sub(l, u, number(l, 1.0 / 4));
+        v = sub(l, v, number(l, 1.0 / 3));
+        u_count = mul(l, u_count, number(l, 4));
+        v_count = mul(l, v_count, number(l, 3));
+    }
+    Frame frame = input_frame(l, input, env);
+    Ref amplitude = param_value(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
+    Ref k = ir_binary(l->ir, OP_div, amplitude, frame.size);
+    Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
+    Ref result = tilted(l, &frame, mul(l, k, mul(l, a.slope, b.height)), mul(l, k, mul(l, a.height, b.slope)), group);
+    return box_top[0] != 0 ? ir_select(l->ir, in_box_top(l, u, v), result, ask(l, input, group, env)) : result;
+}

@@ -1,0 +1,167 @@
+/* What a pass computes: the environment it starts from and the outputs it writes. */
+#include "lower.h"
+#include <string.h>
+
+/* The point of a rasterised surface. */
+static Env surface_env(Lower *l)
+{
+    static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
+                                   [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
+    Env env = {.front = ir_input(l->ir, INPUT_front), .eye_n = ir_input(l->ir, INPUT_eyeN)};
+    for (int group = 0; group < GROUP_COUNT; group++)
+        if (group != GROUP_U && group != GROUP_R)
+            env.root[group] = ir_input(l->ir, direct[group]);
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){ir_input(l->ir, INPUT_U), number(l, 0)}, 2);
+    env.root[GROUP_R] = ir_const(l->ir, TYPE_vec4, (double[4]){0});
+    return env;
+}
+
+static Ref dot(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_dot, a, b); }
+static Ref quotient(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_div, a, b); }
+
+/* x away from 0, for a divisor: a denominator is guarded, never a result. */
+static Ref nonzero(Lower *l, Ref x)
+{
+    const double least = 1e-30;
+    Ref small = ir_binary(l->ir, OP_lt, ir_unary(l->ir, OP_abs, x), number(l, least));
+    return ir_select(l->ir, small, number(l, least), x);
+}
+
+/* Where the view ray meets the plane; the pixel is discarded where it does not, and its depth is written. */
+static Env plane_env(Lower *l)
+{
+    Ir *ir = l->ir;
+    Env env = surface_env(l);
+    Ref u_axis = ir_input(ir, INPUT_planeU), v_axis = ir_input(ir, INPUT_planeV), ray = ir_input(ir, INPUT_ray);
+    Ref eye = ir_input(ir, INPUT_eye), origin = ir_input(ir, INPUT_planeOrigin);
+    Ref normal = ir_binary(ir, OP_cross, u_axis, v_axis), facing = dot(l, ray, normal);
+    Ref along = quotient(l, dot(l, sub(l, origin, eye), normal), nonzero(l, facing));
+    Ref p = add(l, eye, mul(l, ray, along)), from = sub(l, p, origin);
+    Ref u = quotient(l, dot(l, from, u_axis), nonzero(l, dot(l, u_axis, u_axis)));
+    Ref v = quotient(l, dot(l, from, v_axis), nonzero(l, dot(l, v_axis, v_axis)));
+    Ref uv = ir_vec(ir, TYPE_vec3, (Ref[]){u, v, number(l, 0)}, 3);
+    Ref point = ir_vec(ir, TYPE_vec4, (Ref[]){p, number(l, 1)}, 2);
+    Ref z = dot(l, ir_input(ir, INPUT_clipZ), point), w = dot(l, ir_input(ir, INPUT_clipW), point);
+    Ref depth = add(l, mul(l, quotient(l, z, nonzero(l, w)), number(l, 0.5)), number(l, 0.5));
+    ir_output(ir, OUT_discard, 0, ir_binary(ir, OP_le, along, number(l, 0)));
+    ir_output(ir, OUT_depth, 0, ir_ternary(ir, OP_clamp, depth, number(l, 0), number(l, 1)));
+    env.root[GROUP_P] = p;
+    env.root[GROUP_X] = env.root[GROUP_U] = uv;
+    env.root[GROUP_N] = normal;
+    env.root[GROUP_DU] = u_axis;
+    env.root[GROUP_DV] = v_axis;
+    env.front = ir_binary(ir, OP_lt, facing, number(l, 0));
+    env.eye_n = 0;
+    return env;
+}
+
+/* The sky seen along the ray: position and normal are directions, u and v longitude and latitude. */
+static Env sky_env(Lower *l)
+{
+    Ir *ir = l->ir;
+    Env env = surface_env(l);
+    Ref ray = ir_input(ir, INPUT_ray), direction = ir_call(ir, FN_safeNormalize, &ray, 1);
+    Ref x = ir_swizzle(ir, direction, "x"), y = ir_swizzle(ir, direction, "y"), z = ir_swizzle(ir, direction, "z");
+    Ref down = ir_ternary(ir, OP_clamp, ir_unary(ir, OP_neg, z), number(l, -1), number(l, 1));
+    Ref turn = ir_binary(ir, OP_atan2, y, ir_unary(ir, OP_neg, x));
+    Ref u = add(l, mul(l, turn, number(l, 0.5 / M_PI)), number(l, 0.5));
+    Ref v = mul(l, ir_unary(ir, OP_acos, down), number(l, 1 / M_PI));
+    env.root[GROUP_P] = env.root[GROUP_X] = direction;
+    env.root[GROUP_U] = ir_vec(ir, TYPE_vec3, (Ref[]){u, v, number(l, 0)}, 3);
+    env.root[GROUP_N] = ir_unary(ir, OP_neg, direction);
+    env.root[GROUP_DU] = env.root[GROUP_DV] = ir_vec3(ir, 0, 0, 0);
+    env.front = ir_const(ir, TYPE_bool, (double[]){1});
+    env.eye_n = 0;
+    return env;
+}
+
+/* A slot as a half float stores it: finite. Its lanes from..from+count-1. */
+static Ref raw_field(Lower *l, Ref value, int from, int count)
+{
+    const double greatest_half = 65504;
+    uint32_t lanes = 0;
+    for (int i = 0; i < count; i++)
+        lanes |= (uint32_t)(from + i) << 2 * i;
+    if (count < ir_lanes(l->ir, value))
+        value = ir_swizzle_lanes(l->ir, value, lanes, count);
+    return ir_ternary(l->ir, OP_clamp, value, number(l, -greatest_half), number(l, greatest_half));
+}
+
+static Ref slot_lane(Lower *l, const Node *material, Slot slot, int lane, const Env *env)
+{
+    return ir_swizzle_lanes(l->ir, lower_slot(l, material, slot, env), (uint32_t)lane, 1);
+}
+
+static Ref field_value(Lower *l, const FieldRow *field, const Node *material, const Env *env)
+{
+    Ref pair[2], normal;
+    switch (field->encoding) {
+    case ENCODING_spheremap:
+        normal = lower_eye_normal(l, material, env);
+        return ir_call(l->ir, FN_encodeSpheremap, &normal, 1);
+    case ENCODING_pair:
+        pair[0] = slot_lane(l, material, field->slot, field->from, env);
+        pair[1] = slot_lane(l, material, field->other, field->other_lane, env);
+        return ir_call(l->ir, FN_packPair, (Ref[]){ir_vec(l->ir, TYPE_vec2, pair, 2)}, 1);
+    default:
+        return raw_field(l, lower_slot(l, material, field->slot, env), field->from, field->count);
+    }
+}
+
+/* Every render target of the layout: its fields side by side, in the order of the rows. */
+static void write_layout(Lower *l, Layout layout, const Node *material, const Env *env)
+{
+    for (int target = 0; target < layout_table[layout].targets; target++) {
+        Ref parts[4];
+        int count = 0;
+        for (int i = 0; i < field_count; i++)
+            if (field_table[i].layout == layout && field_table[i].target == target)
+                parts[count++] = field_value(l, &field_table[i], material, env);
+        ir_output(l->ir, OUT_color, target, ir_vec(l->ir, TYPE_vec4, parts, count));
+    }
+}
+
+static void write_shadow(Lower *l, const Node *material, const Env *env)
+{
+    Ref mean = ir_convert(l->ir, lower_slot(l, material, SLOT_transparency, env), TYPE_float);
+    ir_output(l->ir, OUT_discard, 0, ir_binary(l->ir, OP_lt, number(l, 0.5), mean));
+}
+
+static void write_sky(Lower *l, const Node *material, const Env *env)
+{
+    Ref light = add(l, lower_slot(l, material, SLOT_diffuse, env), lower_slot(l, material, SLOT_emissive, env));
+    ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
+}
+
+static void write_pass(Lower *l, const Node *material, Pass pass, Layout layout, Slot slot)
+{
+    Env env = pass == PASS_plane ? plane_env(l) : pass == PASS_sky ? sky_env(l) : surface_env(l);
+    switch (pass) {
+    case PASS_gbuffer:
+    case PASS_plane:
+        write_layout(l, layout, material, &env);
+        break;
+    case PASS_sky:
+        write_sky(l, material, &env);
+        break;
+    case PASS_shadow:
+        write_shadow(l, material, &env);
+        break;
+    case PASS_value:
+        ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, lower_slot(l, material, slot, &env), TYPE_vec4));
+        break;
+    case PASS_depth:
+    case PASS_COUNT:
+        break;
+    }
+}
+
+Ir *lower(Compile *c, const Graph *graph, const Node *material, Pass pass, Layout layout, Slot slot,
+          ReferenceNoise noise)
+{
+    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .cheap = c->optimize > 0};
+    l.ir->folds = c->optimize > 0;
+    l.ir->noise = noise;
+    write_pass(&l, material, pass, layout, slot);
+    return l.failed ? NULL : l.ir;
+}

@@ -1,0 +1,143 @@
+/* Constants, checkers and pictures. */
+#include "lower.h"
+
+static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
+
+static Ref constant(Lower *l, Ref value, Group group)
+{
+    return is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : as_group(l, value, group);
+}
+
+Ref lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
+{
+    (void)env;
+    const Value *value = &node->params[0];
+    return constant(l, param_value(l, value, value->type), group);
+}
+
+Ref lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
+{
+    (void)env;
+    Ref lanes[] = {param_value(l, node_param(node, P_RGBColor_r), TYPE_float),
+                   param_value(l, node_param(node, P_RGBColor_g), TYPE_float),
+                   param_value(l, node_param(node, P_RGBColor_b), TYPE_float)};
+    return constant(l, ir_vec(l->ir, TYPE_vec3, lanes, 3), group);
+}
+
+Ref lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
+{
+    (void)env;
+    return constant(l, param_value(l, node_param(node, P_Graytone_value), TYPE_float), group);
+}
+
+/* a where the condition holds, else b, both widened to the wider type. */
+static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
+{
+    Type type = ir_lanes(l->ir, a) > ir_lanes(l->ir, b) ? ir_type(l->ir, a) : ir_type(l->ir, b);
+    return ir_select(l->ir, condition, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type));
+}
+
+/* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
+ * for every float, while a sum of large whole numbers loses its last bit. */
+static Ref odd_sum(Lower *l, Ref q)
+{
+    static const char *const lane[] = {"x", "y", "z"};
+    Ref part = ir_unary(l->ir, OP_fract, q), odd = 0;
+    for (int i = 0; i < ir_lanes(l->ir, q); i++) {
+        Ref upper = ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane[i]));
+        odd = i ? ir_binary(l->ir, OP_ne, odd, upper) : upper;
+    }
+    return odd;
+}
+
+/* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
+static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
+{
+    if (step_u != 0 || step_v != 0)
+        uv = add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
+    return odd_sum(l, uv);
+}
+
+/* A difference of the two colours where a step crosses an edge, else the slope of the colour itself. */
+static Ref checker_slope(Lower *l, const Node *color1, const Node *color2, Ref uv, Group group, const Env *env)
+{
+    const double step = 0.05;
+    Ref odd = odd_square(l, uv, 0, 0);
+    Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
+    Ref a = ir_convert(l->ir, ask(l, color1, GROUP_R, env), TYPE_vec3);
+    Ref b = ir_convert(l->ir, ask(l, color2, GROUP_R, env), TYPE_vec3);
+    Ref rise = mul(l, ir_select(l->ir, odd, sub(l, b, a), sub(l, a, b)), number(l, 1 / step));
+    Ref inside = ir_select(l->ir, odd, ask(l, color1, group, env), ask(l, color2, group, env));
+    return ir_select(l->ir, ir_binary(l->ir, OP_ne, odd, beyond), rise, inside);
+}
+
+Ref lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *color1 = param_node(node, P_Checker_color1), *color2 = param_node(node, P_Checker_color2);
+    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Checker_input), GROUP_U, env), "xy");
+    if (is_derivative(group))
+        return checker_slope(l, color1, color2, uv, group, env);
+    return choose(l, odd_square(l, uv, 0, 0), ask(l, color1, group, env), ask(l, color2, group, env));
+}
+
+Ref lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ref p = ask(l, param_node(node, P_VolumeChecker_input), GROUP_X, env);
+    return choose(l, odd_sum(l, mul(l, p, number(l, 0.5))),
+                  ask(l, param_node(node, P_VolumeChecker_color1), group, env),
+                  ask(l, param_node(node, P_VolumeChecker_color2), group, env));
+}
+
+static Ref texture(Lower *l, IrTexture wanted)
+{
+    Ir *ir = l->ir;
+    uint32_t i = 0;
+    while (i < ir->texture_count && (ir->textures[i].image != wanted.image || ir->textures[i].node != wanted.node))
+        i++;
+    if (i == ir->texture_count)
+        ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, wanted);
+    return ir_make(ir, OP_texture, TYPE_sampler, i, NULL, 0);
+}
+
+/* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
+static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Ref uv, Group group, double step_u,
+                        double step_v)
+{
+    Ref size = ir_const(l->ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
+    Ref sampler = texture(l, *wanted);
+    Ref here = ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
+    if (!is_derivative(group))
+        return as_group(l, here, group);
+    double h = group == GROUP_DU ? step_u : step_v;
+    Ref step = ir_const(l->ir, TYPE_vec2, (double[]){group == GROUP_DU ? h : 0, group == GROUP_DV ? h : 0});
+    Ref there = ir_call(l->ir, function, (Ref[]){sampler, add(l, uv, step), size}, 3);
+    return as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
+}
+
+Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Value *image = node_param(node, P_ImageMap_image);
+    if (image->kind != VALUE_image)
+        return constant(l, number(l, 0.5), group);
+    double bilinear[4];
+    value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
+    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
+    const Image *picture = image->image;
+    IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
+    return sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
+                        1.0 / picture->width, 1.0 / picture->height);
+}
+
+Ref lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const double step = 0.005;
+    const KindRow *row = &kind_table[KIND_Carpenter];
+    for (int i = 1; i < row->count; i++)
+        reject_uniform(l, &node->params[i], param_table[row->first + i].name, "the relief is made when the shader is");
+    double width[4], height[4];
+    value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
+    value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
+    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
+    IrTexture wanted = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
+    return sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step);
+}

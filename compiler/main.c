@@ -1,0 +1,284 @@
+/* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
+#include "options.h"
+#include "output.h"
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096 };
+
+static int complain(const char *what, const char *why)
+{
+    fprintf(stderr, "matc: error: %s: %s\n", what, why);
+    return FAULT;
+}
+
+static int usage(const char *what)
+{
+    fprintf(stderr, "matc: %s; see matc --help\n", what);
+    return USAGE;
+}
+
+/* All of a stream, zero-terminated. */
+static char *read_stream(FILE *file, size_t *size)
+{
+    size_t room = 1 << 16;
+    char *text = malloc(room);
+    for (*size = 0; text;) {
+        *size += fread(text + *size, 1, room - *size - 1, file);
+        if (feof(file) || ferror(file))
+            break;
+        char *more = realloc(text, room *= 2);
+        if (!more)
+            free(text);
+        text = more;
+    }
+    if (text && ferror(file)) {
+        free(text);
+        return NULL;
+    }
+    if (text)
+        text[*size] = 0;
+    return text;
+}
+
+static char *read_input(const char *path, size_t *size)
+{
+    if (!strcmp(path, "-"))
+        return read_stream(stdin, size);
+    FILE *file = fopen(path, "rb");
+    char *text = file ? read_stream(file, size) : NULL;
+    int error = errno;
+    if (file)
+        fclose(file);
+    errno = error;
+    return text;
+}
+
+static void print_diagnostics(const char *text, const CommandLine *line)
+{
+    if (line->diagnostics == MATC_TEXT || strcmp(text, "[]\n") != 0)
+        fputs(text, stderr);
+}
+
+/* Where an output of a material goes. */
+static const char *output_path(const CommandLine *line, const char *material, const char *suffix, char *room)
+{
+    if (!line->folder)
+        return line->output ? line->output : "-";
+    snprintf(room, LONGEST_PATH, "%s/%s%s", line->folder, material, suffix);
+    return room;
+}
+
+static const char *suffix_of(const CommandLine *line, int emit)
+{
+    bool spirv = emit == EMIT_glsl && line->compile.target && !strcmp(line->compile.target, "spirv");
+    return emit_table[spirv ? EMIT_spirv : emit].suffix;
+}
+
+/* The target spirv means SPIR-V where GLSL would be written. */
+static MatcOutput output_of(const CommandLine *line, int emit)
+{
+    bool spirv = emit == EMIT_glsl && line->compile.target && !strcmp(line->compile.target, "spirv");
+    return spirv ? MATC_SPIRV : (MatcOutput)emit_table[emit].output;
+}
+
+static int write_textures(const CommandLine *line, MatcProgram *program)
+{
+    char path[LONGEST_PATH];
+    for (int i = 0; i < matc_texture_count(program); i++) {
+        MatcTexture texture = matc_texture(program, i);
+        if (texture.path)
+            continue;
+        snprintf(path, sizeof path, "%s/%s.ktx", line->textures, texture.name);
+        const char *why = output_ktx(path, &texture);
+        if (why)
+            return complain(path, why);
+    }
+    return FINE;
+}
+
+static int write_outputs(const CommandLine *line, MatcDocument *document, MatcProgram *program, const char *name)
+{
+    char path[LONGEST_PATH];
+    for (int emit = 0; emit < EMIT_COUNT; emit++) {
+        size_t size = 0;
+        if (!line->emit[emit])
+            continue;
+        const char *text =
+            emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, output_of(line, emit), &size);
+        const char *to = output_path(line, name, suffix_of(line, emit), path);
+        const char *why = output_write(to, text, emit == EMIT_tree ? strlen(text) : size);
+        if (why)
+            return complain(to, why);
+    }
+    return line->textures ? write_textures(line, program) : FINE;
+}
+
+static int write_depfile(const CommandLine *line, const MatcDocument *document, const char *name)
+{
+    char output[LONGEST_PATH], path[LONGEST_PATH + 2];
+    int emit = 0;
+    while (!line->emit[emit])
+        emit++;
+    const char *to = output_path(line, name, suffix_of(line, emit), output);
+    snprintf(path, sizeof path, "%s.d", to);
+    const char *depfile = line->depfile ? line->depfile : path;
+    const char *why = output_depfile(depfile, line->target ? line->target : to, document);
+    return why ? complain(depfile, why) : FINE;
+}
+
+static unsigned wanted_outputs(const CommandLine *line)
+{
+    unsigned outputs = line->stats ? MATC_STATS : 0;
+    for (int emit = 0; emit < EMIT_COUNT; emit++)
+        if (line->emit[emit])
+            outputs |= emit_table[emit].output | output_of(line, emit);
+    return outputs;
+}
+
+static int compile_material(const CommandLine *line, MatcDocument *document, int material)
+{
+    const char *name = matc_material_name(document, material);
+    MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &line->compile);
+    int status = FAULT;
+    if (matc_ok(program))
+        status = write_outputs(line, document, program, name);
+    if (status == FINE && line->depend)
+        status = write_depfile(line, document, name);
+    if (matc_ok(program) && line->stats)
+        fputs(matc_output(program, MATC_STATS, NULL), stderr);
+    print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
+    matc_program_free(program);
+    return status;
+}
+
+static int eval_material(const CommandLine *line, const MatcDocument *document, int material)
+{
+    const char *fault;
+    char *values = matc_eval(document, material, line->eval, &line->compile, &fault);
+    if (!values)
+        return usage(fault);
+    fputs(values, stdout);
+    free(values);
+    return FINE;
+}
+
+/* The material that is meant, or -1: all of them, which only -d can take. -2: a fault, reported. */
+static int choose_material(const CommandLine *line, const MatcDocument *document)
+{
+    if (line->material) {
+        int found = matc_material_find(document, line->material);
+        if (found < 0)
+            complain(line->material, "no such material in the document");
+        return found < 0 ? -2 : found;
+    }
+    if (matc_material_count(document) == 1)
+        return 0;
+    if (line->folder && !line->eval)
+        return -1;
+    fputs("matc: error: the document has several materials; name one with --material, or use -d:\n", stderr);
+    for (int i = 0; i < matc_material_count(document); i++)
+        fprintf(stderr, "  %s\n", matc_material_name(document, i));
+    return -2;
+}
+
+static int run_document(const CommandLine *line, MatcDocument *document)
+{
+    if (!matc_material_count(document))
+        return FAULT;
+    int material = choose_material(line, document), status = FINE;
+    if (material == -2)
+        return FAULT;
+    if (line->eval)
+        return eval_material(line, document, material);
+    for (int i = 0; i < matc_material_count(document); i++)
+        if (material < 0 || i == material)
+            status |= compile_material(line, document, i);
+    return status;
+}
+
+static int run_input(const CommandLine *line, const char *path)
+{
+    size_t size;
+    char *text = read_input(path, &size);
+    if (!text)
+        return complain(path, strerror(errno));
+    MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
+    free(text);
+    print_diagnostics(matc_diagnostics(document, line->diagnostics), line);
+    bool tree_only = line->emit[EMIT_tree] && !line->emit[EMIT_glsl] && !line->folder;
+    int status = FAULT;
+    if (!tree_only)
+        status = run_document(line, document);
+    else if (matc_material_count(document))
+        status = write_outputs(line, document, NULL, "");
+    matc_document_free(document);
+    return status;
+}
+
+static int answer(char *text, const char *otherwise)
+{
+    if (!text)
+        return usage(otherwise);
+    fputs(text, stdout);
+    free(text);
+    return FINE;
+}
+
+static int check_usage(const CommandLine *line)
+{
+    static char room[128];
+    const char *fault = matc_options_fault(&line->compile);
+    int emits = 0;
+    for (int i = 0; i < EMIT_COUNT; i++)
+        emits += line->emit[i];
+    if (fault) {
+        snprintf(room, sizeof room, "--%s names what does not exist", fault);
+        return usage(room);
+    }
+    if (!line->input_count)
+        return usage("no document");
+    if (line->folder && strlen(line->folder) > LONGEST_PATH / 2)
+        return usage("the folder's name is too long");
+    if (line->output && line->folder)
+        return usage("-o and -d exclude each other");
+    if (line->output && line->input_count > 1)
+        return usage("several documents need -d, not -o");
+    if (emits > 1 && !line->folder)
+        return usage("several outputs need -d");
+    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
+        return usage("-MD needs -o, -d or -MF");
+    return FINE;
+}
+
+int main(int argc, char **argv)
+{
+    CommandLine line;
+    const char *fault;
+    if (!options_read(&line, argc, argv, &fault))
+        return usage(fault ? fault : "out of memory");
+    line.compile.pixels = line.eval || line.textures;
+    line.compile.measure = line.stats;
+    int status = FINE;
+    if (line.help)
+        fputs(options_help, stdout);
+    else if (line.version)
+        puts("matc " MATC_VERSION);
+    else if (line.schema)
+        status = answer(matc_schema(), "");
+    else if (line.list)
+        status = answer(matc_list(), "");
+    else if (line.explain)
+        status = answer(matc_explain(line.explain), "nothing has that name; see --list");
+    else if ((status = check_usage(&line)) == FINE) {
+        if (line.folder && mkdir(line.folder, 0777) && errno != EEXIST)
+            status = complain(line.folder, strerror(errno));
+        for (int i = 0; i < line.input_count; i++)
+            status |= run_input(&line, line.inputs[i]);
+    }
+    free(line.inputs);
+    return status;
+}

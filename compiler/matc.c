@@ -1,0 +1,393 @@
+/* The library's surface: documents, programs, their outputs. */
+#include "fold.h"
+#include "matc.h"
+#include "opt.h"
+#include "oracle.h"
+#include "pipeline.h"
+#include "texture.h"
+#include "validate.h"
+#include <locale.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct MatcDocument {
+    Arena arena;
+    MatcOptions options;
+    Compile c;
+    Tree *tree;
+    Graph *graph; /* NULL: faults */
+};
+
+struct MatcProgram {
+    Arena arena;
+    MatcOptions options;
+    Compile c;
+    bool ok;
+    Ir *ir;
+    Products products;
+    const char *outputs[8]; /* by bit of MatcOutput */
+    size_t sizes[8];
+    MatcTexture *textures;
+    int *texture_made_by;
+    int texture_count;
+    int *uniforms; /* those in use, by index in the graph */
+    int uniform_count;
+};
+
+/* Numbers are read and written the same in every locale; the caller's is put back. */
+typedef struct {
+    locale_t ours, before;
+} Locale;
+
+static Locale enter_c_locale(void)
+{
+    Locale l = {newlocale(LC_ALL_MASK, "C", (locale_t)0), (locale_t)0};
+    if (l.ours)
+        l.before = uselocale(l.ours);
+    return l;
+}
+
+static void leave_c_locale(Locale l)
+{
+    if (!l.ours)
+        return;
+    uselocale(l.before);
+    freelocale(l.ours);
+}
+
+static const char *target_name(int i) { return target_table[i].name; }
+static const char *pass_name(int i) { return pass_table[i].name; }
+static const char *layout_name(int i) { return layout_table[i].name; }
+static const char *slot_name(int i) { return slot_table[i].name; }
+static const char *noise_name(int i) { return noise_names[i]; }
+
+static int index_of(const char *name, const char *(*names)(int), int count, int otherwise)
+{
+    if (!name)
+        return otherwise;
+    for (int i = 0; i < count; i++)
+        if (!strcmp(names(i), name))
+            return i;
+    return -1;
+}
+
+/* The job that options name; false if one of them does not exist. */
+static const char *job_of(const MatcOptions *o, Job *job)
+{
+    int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
+    int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
+    int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, LAYOUT_thesis);
+    int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
+    int noise = index_of(o->noise, noise_name, NOISE_COUNT, NOISE_lattice);
+    if (target < 0 || pass < 0 || layout < 0 || slot < 0 || noise < 0)
+        return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "noise";
+    *job = (Job){(Target)target, (Pass)pass, (Layout)layout, (Slot)slot, (Noise)noise};
+    return NULL;
+}
+
+const char *matc_options_fault(const MatcOptions *options) { return job_of(options, &(Job){0}); }
+
+void matc_options_init(MatcOptions *options)
+{
+    *options = (MatcOptions){.optimize = 2, .validate = true};
+#ifndef NDEBUG
+    options->check = true;
+#endif
+}
+
+MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+{
+    MatcDocument *d = calloc(1, sizeof *d);
+    if (!d)
+        abort();
+    Locale locale = enter_c_locale();
+    d->options = *options;
+    d->c =
+        (Compile){.options = &d->options, .arena = &d->arena, .optimize = options->optimize, .check = options->check};
+    d->c.measure = options->measure;
+    d->c.stage_start = stage_now();
+    Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
+    ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
+    depend_on(&d->c, source.name);
+    d->graph = compile_front(&d->c, 0, &d->tree);
+    leave_c_locale(locale);
+    return d;
+}
+
+void matc_document_free(MatcDocument *d)
+{
+    if (!d)
+        return;
+    arena_free(&d->arena);
+    free(d);
+}
+
+int matc_material_count(const MatcDocument *d) { return d->graph ? d->graph->material_count : 0; }
+const char *matc_material_name(const MatcDocument *d, int material) { return d->graph->materials[material].name; }
+
+int matc_material_find(const MatcDocument *d, const char *name)
+{
+    for (int i = 0; i < matc_material_count(d); i++)
+        if (!strcmp(matc_material_name(d, i), name))
+            return i;
+    return -1;
+}
+
+int matc_depend_count(const MatcDocument *d) { return (int)d->c.depend_count; }
+const char *matc_depend(const MatcDocument *d, int index) { return d->c.depends[index]; }
+int matc_error_count(const MatcDocument *d) { return d->c.diags.errors; }
+
+const char *matc_tree_text(MatcDocument *d)
+{
+    Text out = text_new(&d->arena);
+    if (!d->tree)
+        return "";
+    tree_print(&out, d->tree);
+    return out.at;
+}
+
+static const char *all_diagnostics(Compile *c, MatcForm form)
+{
+    Text out = text_new(c->arena);
+    if (form == MATC_JSON)
+        text_put(&out, "[");
+    for (size_t i = 0; i < c->diags.count; i++) {
+        if (form == MATC_TEXT) {
+            diag_print(&out, &c->diags.at[i], c->sources);
+        } else {
+            text_put(&out, i ? ",\n " : "\n ");
+            diag_print_json(&out, &c->diags.at[i], c->sources);
+        }
+    }
+    if (form == MATC_JSON)
+        text_put(&out, c->diags.count ? "\n]\n" : "]\n");
+    return out.at ? out.at : "";
+}
+
+const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return all_diagnostics(&d->c, form); }
+const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return all_diagnostics(&p->c, form); }
+
+static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t size)
+{
+    int bit = __builtin_ctz(output);
+    p->outputs[bit] = text;
+    p->sizes[bit] = size;
+}
+
+/* "opaque" or "transparent" everywhere, or "varying". */
+static const char *opacity_of(MatcProgram *p, const Graph *graph, const Node *material, const Job *job)
+{
+    Job transparency = *job;
+    transparency.pass = PASS_value;
+    transparency.slot = SLOT_transparency;
+    Compile quiet = p->c;
+    quiet.measure = false;
+    quiet.optimize = 2;
+    Ir *ir = compile_ir(&quiet, graph, material, &transparency);
+    if (!ir || !ir_is(ir, ir->outputs[0].value, OP_const))
+        return "varying";
+    const double *t = ir_numbers(ir, ir->outputs[0].value);
+    return t[0] == 0 && t[1] == 0 && t[2] == 0 ? "opaque" : "transparent";
+}
+
+static void print_stats(Text *out, const Compile *c, const char *heading)
+{
+    double total = 0;
+    text_format(out, "%-10s %12s %8s %8s\n", heading, "microseconds", "nodes", "cost");
+    for (size_t i = 0; i < c->stat_count; i++) {
+        const StageStats *s = &c->stats[i];
+        total += s->seconds;
+        text_format(out, "%-10s %12.1f", s->name, s->seconds * 1e6);
+        text_format(out, s->nodes ? " %8d %8d\n" : "\n", s->nodes, s->cost);
+    }
+    text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, c->arena->used / 1024);
+}
+
+static const char *stats_text(MatcProgram *p, const MatcDocument *d)
+{
+    Text out = text_new(&p->arena);
+    print_stats(&out, &d->c, "document");
+    print_stats(&out, &p->c, "program");
+    size_t lines = 0;
+    for (const char *c = p->products.fragment; *c; c++)
+        lines += *c == '\n';
+    text_format(&out, "fragment   %zu bytes, %zu lines, %zu library functions\n", p->products.fragment_size, lines,
+                p->products.interface.chunks.count);
+    return out.at;
+}
+
+static void fill_outputs(MatcProgram *p, const MatcDocument *d, int material, unsigned outputs, const Job *job)
+{
+    Compile *c = &p->c;
+    const NamedMaterial *named = &d->graph->materials[material];
+    Text ir = text_new(&p->arena), dot = text_new(&p->arena);
+    const Products *made = &p->products;
+    keep(p, MATC_FRAGMENT, made->fragment, made->fragment_size);
+    keep(p, MATC_VERTEX, made->vertex, strlen(made->vertex));
+    if (outputs & MATC_UNPACK) {
+        const char *unpack = emit_unpack(c, job);
+        keep(p, MATC_UNPACK, unpack, strlen(unpack));
+    }
+    if (outputs & MATC_REFLECT) {
+        const char *opacity = opacity_of(p, d->graph, named->node, job);
+        const char *json = emit_reflection(c, p->ir, job, &made->interface, named->name, opacity, made->fragment);
+        keep(p, MATC_REFLECT, json, strlen(json));
+    }
+    if (outputs & MATC_IR) {
+        ir_print(&ir, p->ir);
+        keep(p, MATC_IR, ir.at, ir.size);
+    }
+    if (outputs & MATC_DOT) {
+        ir_dot(&dot, p->ir);
+        keep(p, MATC_DOT, dot.at, dot.size);
+    }
+    if (outputs & MATC_STATS) {
+        const char *stats = stats_text(p, d);
+        keep(p, MATC_STATS, stats, strlen(stats));
+    }
+}
+
+static bool fill_spirv(MatcProgram *p, const Job *job)
+{
+    const char *log = "";
+    size_t size = 0;
+    Job spirv = *job;
+    spirv.target = TARGET_spirv;
+    const char *words = make_spirv(&p->c, p->products.fragment, &size, &log);
+    if (!words)
+        diag_add(&p->c, NO_SPAN, DIAG_not_valid, target_table[spirv.target].name, log);
+    keep(p, MATC_SPIRV, words, size);
+    return words != NULL;
+}
+
+static void list_uniforms(MatcProgram *p, const Graph *graph)
+{
+    p->uniforms = ARENA_ARRAY(&p->arena, int, graph->uniform_count);
+    for (int i = 0; i < graph->uniform_count; i++)
+        if (p->products.interface.uniforms[i])
+            p->uniforms[p->uniform_count++] = i;
+}
+
+static bool compile_program(MatcProgram *p, const MatcDocument *d, int material, unsigned outputs, const Job *job)
+{
+    Compile *c = &p->c;
+    p->ir = compile_ir(c, d->graph, d->graph->materials[material].node, job);
+    if (!p->ir || !compile_back(c, p->ir, job, &p->products))
+        return false;
+    fill_outputs(p, d, material, outputs, job);
+    list_uniforms(p, d->graph);
+    p->texture_count = texture_list(c, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
+    return !(outputs & MATC_SPIRV) || fill_spirv(p, job);
+}
+
+MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs, const MatcOptions *options)
+{
+    Job job;
+    MatcProgram *p = calloc(1, sizeof *p);
+    if (!p)
+        abort();
+    Locale locale = enter_c_locale();
+    p->options = *options;
+    p->c =
+        (Compile){.options = &p->options, .arena = &p->arena, .optimize = options->optimize, .check = options->check};
+    p->c.measure = (outputs & MATC_STATS) != 0;
+    p->c.sources = d->c.sources;
+    p->c.source_count = d->c.source_count;
+    p->c.depends = d->c.depends;
+    p->c.depend_count = d->c.depend_count;
+    p->c.stage_start = stage_now();
+    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(options, &job) &&
+            compile_program(p, d, material, outputs, &job) && !p->c.diags.errors;
+    leave_c_locale(locale);
+    return p;
+}
+
+bool matc_ok(const MatcProgram *p) { return p->ok; }
+
+const char *matc_output(const MatcProgram *p, MatcOutput output, size_t *size)
+{
+    int bit = __builtin_ctz(output);
+    if (size)
+        *size = p->ok ? p->sizes[bit] : 0;
+    return p->ok ? p->outputs[bit] : NULL;
+}
+
+void matc_program_free(MatcProgram *p)
+{
+    if (!p)
+        return;
+    arena_free(&p->arena);
+    free(p);
+}
+
+int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
+
+MatcTexture matc_texture(MatcProgram *p, int index)
+{
+    texture_make(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
+    return p->textures[index];
+}
+
+int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
+
+MatcUniform matc_uniform(const MatcProgram *p, int index)
+{
+    const Uniform *u = p->ir->graph->uniforms[p->uniforms[index]];
+    MatcUniform result = {.name = u->name, .param = u->name, .lanes = type_table[u->type].lanes};
+    memcpy(result.initial, u->initial, sizeof result.initial);
+    for (Ref ref = 1; ref < p->ir->count; ref++)
+        if (ir_is(p->ir, ref, OP_uniform) && ir_at(p->ir, ref)->payload == (uint32_t)u->index)
+            result.whole |= ir_type(p->ir, ref) == TYPE_int;
+    return result;
+}
+
+/* "u=0.3 v=0.4 front=0" */
+static const char *read_point(Surface *surface, const char *point)
+{
+    for (const char *at = point; *(at += strspn(at, " ,\t\n"));) {
+        size_t size = strcspn(at, " ,\t\n"), name = strcspn(at, "=");
+        char key[16] = {0};
+        double value;
+        if (name >= size || name >= sizeof key || !text_number(at + name + 1, size - name - 1, &value))
+            return "a point is a list of channel=number";
+        memcpy(key, at, name);
+        if (!strcmp(key, "front"))
+            surface->front = value != 0;
+        else if (!oracle_surface_set(surface, key, value))
+            return "no such channel; see --list";
+        at += size;
+    }
+    return NULL;
+}
+
+char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
+{
+    Job job;
+    Surface surface;
+    SlotValues values;
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    Locale locale = enter_c_locale();
+    oracle_surface_default(&surface);
+    *fault = job_of(options, &job) ? "no such option" : read_point(&surface, point);
+    if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
+        *fault = "no such material";
+    if (!*fault) {
+        ReferenceContext context = {.noise = noise_for(job.noise, job.target)};
+        Oracle *oracle = oracle_open(d->graph, &context);
+        oracle_material(oracle, d->graph->materials[material].node, &surface, &values);
+        oracle_close(oracle);
+        for (int slot = 0; slot < SLOT_COUNT; slot++) {
+            text_put(&out, slot_table[slot].name);
+            for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {
+                text_char(&out, ' ');
+                text_double(&out, values.lane[slot][i]);
+            }
+            text_char(&out, '\n');
+        }
+    }
+    char *result = *fault ? NULL : strdup(out.at);
+    leave_c_locale(locale);
+    arena_free(&arena);
+    return result;
+}

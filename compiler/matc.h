@@ -1,0 +1,138 @@
+/* matc: compiles material trees (YAML, JSON) to GLSL and SPIR-V. The library's only public header.
+ *
+ *     MatcOptions options;
+ *     matc_options_init(&options);
+ *     MatcDocument *document = matc_read("rock.yaml", text, size, &options);
+ *     if (matc_material_count(document)) {
+ *         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX, &options);
+ *         puts(matc_output(program, MATC_FRAGMENT, NULL));
+ *         matc_program_free(program);
+ *     }
+ *     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
+ *     matc_document_free(document);
+ *
+ * No global state, no printing, no exit: any number of threads may work at once, each with its own documents; one document
+ * may be compiled by several threads. Only running out of memory ends the process, by abort(). */
+#ifndef MATC_H
+#define MATC_H
+#include <stdbool.h>
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+#if defined(__GNUC__)
+#define MATC_API __attribute__((visibility("default")))
+#else
+#define MATC_API
+#endif
+
+#define MATC_VERSION "0.1.0"
+
+typedef struct MatcDocument MatcDocument;
+typedef struct MatcProgram MatcProgram;
+
+/* Gives the bytes of a file in memory from malloc, or NULL and a reason. */
+typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const char **why);
+
+/* Names are those of the command line; NULL is the default. Set by matc_options_init, then changed. */
+typedef struct {
+    const char *target; /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
+    const char *pass;   /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
+    const char *slot;   /* for the pass "value": "diffuse" (default), "normal", ... */
+    const char *layout; /* "thesis" (default) */
+    const char *noise;  /* "lattice" (default), "groimp" */
+    int optimize;       /* 0: as written; 1, 2 (default): all passes */
+    bool validate;      /* glslang parses and links what is written (default) */
+    bool measure;       /* the document keeps times for MATC_STATS */
+    bool check;         /* the IR is checked after every pass (default in debug builds) */
+    bool pixels;        /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
+    MatcReadFile read_file; /* for pictures and includes; NULL reads the file system */
+    void *user;             /* for read_file */
+} MatcOptions;
+
+MATC_API void matc_options_init(MatcOptions *options);
+/* NULL, or which option has a name that does not exist. */
+MATC_API const char *matc_options_fault(const MatcOptions *options);
+
+/* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials.
+ * `name` is for messages, for relative paths, and tells JSON (".json") from YAML. */
+MATC_API MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options);
+MATC_API void matc_document_free(MatcDocument *document);
+MATC_API int matc_material_count(const MatcDocument *document);
+/* The name under `materials:`, or the file's stem. */
+MATC_API const char *matc_material_name(const MatcDocument *document, int material);
+/* Index of the material of that name, or -1. */
+MATC_API int matc_material_find(const MatcDocument *document, const char *name);
+/* Files that the document was made from, itself first. */
+MATC_API int matc_depend_count(const MatcDocument *document);
+MATC_API const char *matc_depend(const MatcDocument *document, int index);
+/* The document as it was read, as text; owned by the document. */
+MATC_API const char *matc_tree_text(MatcDocument *document);
+
+typedef enum {
+    MATC_FRAGMENT = 1, /* GLSL of the fragment program */
+    MATC_VERTEX = 2,   /* GLSL of the matching vertex program */
+    MATC_UNPACK = 4,   /* GLSL that reads the layout back */
+    MATC_REFLECT = 8,  /* JSON: inputs, uniforms, textures, outputs, opacity, sources, hash */
+    MATC_SPIRV = 16,   /* SPIR-V words of the fragment program */
+    MATC_IR = 32,      /* text of the optimised IR */
+    MATC_DOT = 64,     /* the same as a graph for Graphviz */
+    MATC_STATS = 128,  /* table of stages and passes */
+} MatcOutput;
+
+/* Compiles one material into the outputs asked for (MatcOutput, or-ed). Never NULL. */
+MATC_API MatcProgram *matc_compile(const MatcDocument *document, int material, unsigned outputs,
+                                   const MatcOptions *options);
+MATC_API bool matc_ok(const MatcProgram *program);
+/* An output, zero-terminated, owned by the program; NULL if it was not asked for or the program is not ok. */
+MATC_API const char *matc_output(const MatcProgram *program, MatcOutput output, size_t *size);
+MATC_API void matc_program_free(MatcProgram *program);
+
+/* A texture that the program samples. Row 0 is at v = 0. */
+typedef struct {
+    const char *name; /* of its sampler */
+    const char *path; /* of the picture, or NULL for one that matc made */
+    int width, height;
+    int lanes;                  /* 1 or 4 a texel */
+    const unsigned char *bytes; /* a byte a lane, over 255; or NULL */
+    const float *floats;        /* a float a lane; or NULL */
+    bool linear;                /* filter; matc's own code asks for nearest texels */
+} MatcTexture;
+MATC_API int matc_texture_count(const MatcProgram *program);
+/* Made on first request. */
+MATC_API MatcTexture matc_texture(MatcProgram *program, int index);
+
+/* A uniform that the document's `param` made. */
+typedef struct {
+    const char *name;  /* in the shader */
+    const char *param; /* in the document */
+    int lanes;         /* 1 to 4 */
+    bool whole;        /* an int */
+    double initial[4]; /* its default */
+} MatcUniform;
+MATC_API int matc_uniform_count(const MatcProgram *program);
+MATC_API MatcUniform matc_uniform(const MatcProgram *program, int index);
+
+/* Values of all slots of a material at a point, by the C reference, in double: one line a slot, its name, then its lanes.
+ * `point` sets channels: "u=0.3 v=0.4 x=1 ... front=0". NULL and a message in *fault if it cannot be read.
+ * The text is from malloc. */
+MATC_API char *matc_eval(const MatcDocument *document, int material, const char *point, const MatcOptions *options,
+                         const char **fault);
+
+typedef enum { MATC_TEXT, MATC_JSON } MatcForm;
+/* All diagnostics so far, as gcc prints them or as a JSON array; owned by the document or program. "" when there are none. */
+MATC_API const char *matc_diagnostics(MatcDocument *document, MatcForm form);
+MATC_API const char *matc_program_diagnostics(MatcProgram *program, MatcForm form);
+MATC_API int matc_error_count(const MatcDocument *document);
+
+/* What matc knows, made from its tables: JSON Schema of documents; the list of kinds; the page of one name. From malloc. */
+MATC_API char *matc_schema(void);
+MATC_API char *matc_list(void);
+/* NULL if there is nothing of that name. */
+MATC_API char *matc_explain(const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

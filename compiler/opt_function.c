@@ -1,0 +1,75 @@
+/* Functions that do not depend on their arguments become their bodies; arguments that are not read are dropped. */
+#include "opt.h"
+
+/* Which arguments of each function its body reads: a bit each. */
+static uint32_t *arguments_read(const Ir *ir, Arena *scratch)
+{
+    uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1);
+    uint32_t *stamp = ARENA_ARRAY(scratch, uint32_t, ir->count);
+    for (uint32_t f = 0; f < ir->function_count; f++) {
+        const IrFunction *function = &ir->functions[f];
+        stamp[function->result] = f + 1;
+        for (Ref ref = function->result; ref > 0; ref--) {
+            if (stamp[ref] != f + 1)
+                continue;
+            for (int i = 0; i < ir_at(ir, ref)->count; i++)
+                stamp[ir_arg(ir, ref, i)] = f + 1;
+            for (int i = 0; ir_is(ir, ref, OP_argument) && i < function->count; i++)
+                read[f] |= (uint32_t)(function->arguments[i] == ref) << i;
+        }
+    }
+    return read;
+}
+
+/* The function with only the arguments it reads. */
+static int trimmed(Ir *ir, int f, uint32_t read)
+{
+    IrFunction function = ir->functions[f];
+    Ref *kept = ARENA_ARRAY(ir->arena, Ref, function.count);
+    int count = 0;
+    for (int i = 0; i < function.count; i++)
+        if (read >> i & 1)
+            kept[count++] = function.arguments[i];
+    function.arguments = kept;
+    function.count = count;
+    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    return (int)ir->function_count - 1;
+}
+
+typedef struct {
+    const uint32_t *read;
+    int *trimmed; /* function that replaces one, from 1; 0 for none */
+    size_t count;
+} Plan;
+
+static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
+{
+    const Plan *plan = user;
+    const IrNode node = *ir_at(ir, ref);
+    if (node.op != OP_apply || node.payload >= plan->count)
+        return ref;
+    uint32_t f = node.payload, all = (1u << ir->functions[f].count) - 1;
+    if (!plan->read[f])
+        return ir->functions[f].result;
+    if (plan->read[f] == all)
+        return ref;
+    if (!plan->trimmed[f])
+        plan->trimmed[f] = trimmed(ir, (int)f, plan->read[f]) + 1;
+    Ref args[32];
+    int count = 0;
+    for (int i = 0; i < node.count; i++)
+        if (plan->read[f] >> i & 1)
+            args[count++] = ir_arg(ir, ref, i);
+    return ir_make(ir, OP_apply, (Type)node.type, (uint32_t)plan->trimmed[f] - 1, args, count);
+}
+
+bool opt_function(Ir *ir)
+{
+    if (!ir->function_count)
+        return false;
+    Arena scratch = {0};
+    Plan plan = {arguments_read(ir, &scratch), ARENA_ARRAY(&scratch, int, ir->function_count + 1), ir->function_count};
+    bool changed = opt_sweep(ir, simplify_apply, &plan);
+    arena_free(&scratch);
+    return changed;
+}

@@ -1,0 +1,33 @@
+/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper (numerics.md 7.2). */
+#include "opt.h"
+#include <math.h>
+
+enum { LARGEST_EXPONENT = 64 };
+
+static Ref power(Ir *ir, Ref x, int n)
+{
+    Ref result = 0;
+    for (; n; n >>= 1, x = n ? ir_binary(ir, OP_mul, x, x) : x)
+        if (n & 1)
+            result = result ? ir_binary(ir, OP_mul, result, x) : x;
+    return result;
+}
+
+static Ref expand(Ir *ir, Ref ref, const void *user)
+{
+    (void)user;
+    if (!ir_is(ir, ref, OP_pow) || !ir_is(ir, ir_arg(ir, ref, 1), OP_const) || ir_lanes(ir, ir_arg(ir, ref, 1)) > 1)
+        return ref;
+    Ref x = ir_arg(ir, ref, 0), one = ir_float(ir, 1);
+    double n = ir_numbers(ir, ir_arg(ir, ref, 1))[0];
+    if (n == 0.5)
+        return ir_unary(ir, OP_sqrt, x);
+    if (n == 0 && ir_lanes(ir, x) == 1)
+        return one;
+    if (n != trunc(n) || n == 0 || fabs(n) > LARGEST_EXPONENT)
+        return ref;
+    Ref product = power(ir, x, (int)fabs(n));
+    return n > 0 ? product : ir_binary(ir, OP_div, one, product);
+}
+
+bool opt_power(Ir *ir) { return opt_sweep(ir, expand, NULL); }

@@ -1,0 +1,193 @@
+/* The command line: one table of options. */
+#include "options.h"
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+const EmitRow emit_table[EMIT_COUNT] = {
+    {"glsl", ".frag", MATC_FRAGMENT},
+    {"vertex", ".vert", MATC_VERTEX},
+    {"unpack", ".unpack.glsl", MATC_UNPACK},
+    {"reflect", ".json", MATC_REFLECT},
+    {"spirv", ".spv", MATC_SPIRV},
+    {"ir", ".ir", MATC_IR},
+    {"dot", ".dot", MATC_DOT},
+    {"tree", ".tree", 0},
+};
+
+typedef enum { TAKES_text, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate } Takes;
+typedef struct {
+    const char *name;
+    Takes takes;
+    size_t member;
+} Option;
+
+#define TEXT(name, member)                                                                                             \
+    {                                                                                                                  \
+        name, TAKES_text, offsetof(CommandLine, member)                                                                \
+    }
+#define FLAG(name, member)                                                                                             \
+    {                                                                                                                  \
+        name, TAKES_flag, offsetof(CommandLine, member)                                                                \
+    }
+static const Option options[] = {
+    TEXT("-o", output),
+    TEXT("-d", folder),
+    FLAG("-MD", depend),
+    TEXT("-MF", depfile),
+    TEXT("-MT", target),
+    TEXT("--target", compile.target),
+    TEXT("--pass", compile.pass),
+    TEXT("--slot", compile.slot),
+    TEXT("--layout", compile.layout),
+    TEXT("--noise", compile.noise),
+    TEXT("--material", material),
+    TEXT("--eval", eval),
+    TEXT("--explain", explain),
+    TEXT("--textures", textures),
+    {"--emit", TAKES_emit, 0},
+    {"--diagnostics", TAKES_form, 0},
+    {"--no-validate", TAKES_novalidate, 0},
+    FLAG("--check", compile.check),
+    FLAG("--list", list),
+    FLAG("--schema", schema),
+    FLAG("--stats", stats),
+    FLAG("--help", help),
+    FLAG("-h", help),
+    FLAG("--version", version),
+};
+enum { OPTION_COUNT = sizeof options / sizeof *options };
+
+const char *const options_help =
+    "usage: matc [options] document...\n"
+    "\n"
+    "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n"
+    "\n"
+    "output\n"
+    "  -o FILE              write there; - and the default are standard output\n"
+    "  -d DIR               write NAME.frag and so on there, for every material of every document\n"
+    "  --emit=LIST          glsl (default), vertex, unpack, reflect, spirv, ir, dot, tree; several need -d\n"
+    "  --textures DIR       write the textures that matc makes there, as KTX\n"
+    "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
+    "program\n"
+    "  --target=T           glsl110, glsl330 (default), glsl450, essl300, spirv\n"
+    "  --pass=P             gbuffer (default), plane, sky, shadow, depth, value\n"
+    "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
+    "  --layout=L           thesis\n"
+    "  --noise=N            lattice (default), groimp\n"
+    "  --material=NAME      of `materials:`; without it, the only one\n"
+    "  -O0, -O1, -O2        as written; optimised (default)\n"
+    "questions\n"
+    "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
+    "  --list               materials, maps, waves, channels, slots\n"
+    "  --explain NAME       one of them\n"
+    "  --schema             JSON Schema of documents\n"
+    "  --stats              times, nodes and cost of every stage, on standard error\n"
+    "  --diagnostics=FORM   text (default), json\n"
+    "  --no-validate        do not ask glslang\n"
+    "  --check              check the IR after every pass\n"
+    "  --help, --version\n"
+    "\n"
+    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
+
+static bool read_emit(CommandLine *line, const char *list, const char **fault)
+{
+    memset(line->emit, 0, sizeof line->emit);
+    for (size_t size; *list; list += size + (list[size] == ',')) {
+        size = strcspn(list, ",");
+        int i = 0;
+        while (i < EMIT_COUNT && (strlen(emit_table[i].name) != size || strncmp(emit_table[i].name, list, size) != 0))
+            i++;
+        if (i == EMIT_COUNT) {
+            *fault = "--emit: tree, ir, glsl, vertex, unpack, reflect, spirv or dot";
+            return false;
+        }
+        line->emit[i] = true;
+    }
+    return true;
+}
+
+static bool set_option(CommandLine *line, const Option *option, const char *value, const char **fault)
+{
+    char *member = (char *)line + option->member;
+    switch (option->takes) {
+    case TAKES_text:
+        *(const char **)(void *)member = value;
+        return true;
+    case TAKES_flag:
+        *(bool *)member = true;
+        return true;
+    case TAKES_novalidate:
+        line->compile.validate = false;
+        return true;
+    case TAKES_emit:
+        return read_emit(line, value, fault);
+    case TAKES_form:
+        line->diagnostics = !strcmp(value, "json") ? MATC_JSON : MATC_TEXT;
+        *fault = "--diagnostics: text or json";
+        return !strcmp(value, "json") || !strcmp(value, "text");
+    }
+    return false;
+}
+
+static bool takes_value(const Option *option)
+{
+    return option->takes == TAKES_text || option->takes == TAKES_emit || option->takes == TAKES_form;
+}
+
+/* "--name value", "--name=value", and "-oFILE" as compilers have it. */
+static bool read_option(CommandLine *line, char **argv, int *i, const char **fault)
+{
+    const char *arg = argv[*i];
+    for (int k = 0; k < OPTION_COUNT; k++) {
+        const Option *option = &options[k];
+        size_t size = strlen(option->name);
+        if (strncmp(arg, option->name, size) != 0)
+            continue;
+        if (!arg[size] && !takes_value(option))
+            return set_option(line, option, NULL, fault);
+        if (!takes_value(option))
+            continue;
+        if (!arg[size] && !argv[*i + 1]) {
+            *fault = "an option lacks its value";
+            return false;
+        }
+        if (!arg[size])
+            return set_option(line, option, argv[++*i], fault);
+        if (arg[size] == '=' && size > 2)
+            return set_option(line, option, arg + size + 1, fault);
+        if (size == 2)
+            return set_option(line, option, arg + size, fault);
+    }
+    *fault = "no such option";
+    return false;
+}
+
+static bool read_level(CommandLine *line, const char *arg)
+{
+    if (strncmp(arg, "-O", 2) != 0 || !strchr("012", arg[2]) || !arg[2] || arg[3])
+        return false;
+    line->compile.optimize = arg[2] - '0';
+    return true;
+}
+
+bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
+{
+    *line = (CommandLine){0};
+    matc_options_init(&line->compile);
+    line->emit[EMIT_glsl] = true;
+    line->inputs = calloc((size_t)argc + 1, sizeof *line->inputs);
+    *fault = NULL;
+    bool only_files = false;
+    for (int i = 1; i < argc && line->inputs; i++) {
+        const char *arg = argv[i];
+        if (!only_files && !strcmp(arg, "--"))
+            only_files = true;
+        else if (only_files || arg[0] != '-' || !arg[1])
+            line->inputs[line->input_count++] = arg;
+        else if (!read_level(line, arg) && !read_option(line, argv, &i, fault))
+            return false;
+    }
+    *fault = NULL;
+    return line->inputs != NULL;
+}

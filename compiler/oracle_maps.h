@@ -1,0 +1,78 @@
+/* What the files of the oracle share: an environment to ask maps in, and the answer of every kind of map. */
+#ifndef MATC_ORACLE_MAPS_H
+#define MATC_ORACLE_MAPS_H
+#include "oracle.h"
+
+/* One answer, valid when its stamp is that of the environment. */
+typedef struct {
+    uint64_t stamp;
+    double value;
+} Memo;
+
+struct Oracle {
+    const Graph *graph;
+    ReferenceContext context;
+    float **reliefs; /* by node index: a Carpenter's baked texels; NULL until first read */
+    Memo **memos;    /* by depth of environments: node_count * CHANNEL_ID_COUNT cells */
+    int memo_count;  /* depths reached so far */
+    uint64_t stamp;  /* that of the environment opened last; 0 is in no environment */
+};
+
+/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own. */
+typedef struct {
+    Oracle *oracle;
+    const Surface *surface;
+    Memo *memo;
+    uint64_t stamp;
+    int depth;
+} Environment;
+Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
+
+/* calloc that aborts when there is no memory. */
+void *oracle_alloc(size_t count, size_t size);
+
+/* A channel of a map; NULL is the surface. Remembered for the environment. */
+double oracle_ask(Environment *environment, const Node *map, int channel);
+/* A channel of the map that a parameter holds. */
+double oracle_ask_param(Environment *environment, const Node *node, int param, int channel);
+/* A channel of a map's `input`, and three of them: lanes 0..2 of a group. */
+double oracle_ask_input(Environment *environment, const Node *node, int channel);
+void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3]);
+
+/* Numbers and uniforms: a value, and the value of a parameter. */
+double oracle_float(const Value *value);
+void oracle_vec3(const Value *value, double result[3]);
+double oracle_number(const Node *node, int param);
+void oracle_number3(const Node *node, int param, double result[3]);
+
+/* Calls the C reference of a library function. */
+void oracle_call(const Environment *environment, int function, const double *args, double *result);
+
+static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
+static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }
+/* One of the lanes x, y, z of a group: what a map that answers the group as a triple defines. */
+static inline bool in_triple(int channel, Group group) { return group_of(channel) == group && lane_of(channel) < 3; }
+/* Ids 8..14 of semantics.md, which leave out the fourth lane of DV. */
+static inline bool is_derivative(int channel)
+{
+    return channel >= channel_id(GROUP_DU, 0) && channel <= channel_id(GROUP_DV, 2);
+}
+
+/* What a map answers to a channel: oracle_<kind> for each map that is not a plain function of its position. */
+typedef double Answer(Environment *environment, const Node *node, int channel);
+Answer oracle_answer; /* any map: chooses by its kind */
+Answer oracle_volume; /* LOWERING_VOLUME */
+#define DECLARE_OWN(name) Answer oracle_##name;
+#define DECLARE_VOLUME(name)
+#define MAP(name, function, lowering, cost, doc) DECLARE_##lowering(name)
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "grammar/maps.def"
+#undef MAP
+#undef PARAM
+#undef ALIAS
+#undef PRESET
+#undef DECLARE_OWN
+#undef DECLARE_VOLUME
+#endif

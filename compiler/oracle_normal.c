@@ -1,0 +1,146 @@
+/* The answers of the normal modifiers and of the filters (semantics.md 2.7, 2.8). */
+#include "oracle_maps.h"
+
+/* The surface's frame: normal and both tangents. */
+typedef struct {
+    double n[3], du[3], dv[3];
+} Frame;
+
+static void ask_frame(Environment *environment, const Node *node, Frame *frame)
+{
+    oracle_ask_input3(environment, node, GROUP_N, frame->n);
+    oracle_ask_input3(environment, node, GROUP_DU, frame->du);
+    oracle_ask_input3(environment, node, GROUP_DV, frame->dv);
+}
+
+static double guarded_length(const double v[3]) { return fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), 1e-30); }
+
+static double cross(const double a[3], const double b[3], int lane)
+{
+    int i = (lane + 1) % 3, j = (lane + 2) % 3;
+    return a[i] * b[j] - a[j] * b[i];
+}
+
+/* One lane of the frame after the tangents were raised along the normal by the given slopes. The new normal is their
+ * cross product, not normalised. */
+static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
+{
+    double du[3], dv[3];
+    for (int i = 0; i < 3; i++) {
+        du[i] = frame->du[i] + slope_u * frame->n[i];
+        dv[i] = frame->dv[i] + slope_v * frame->n[i];
+    }
+    if (group_of(channel) == GROUP_DU)
+        return du[lane_of(channel)];
+    if (group_of(channel) == GROUP_DV)
+        return dv[lane_of(channel)];
+    return cross(du, dv, lane_of(channel));
+}
+
+static bool in_frame(int channel)
+{
+    return in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
+}
+
+double oracle_BumpMap(Environment *environment, const Node *node, int channel)
+{
+    bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
+    if (flat || !in_frame(channel))
+        return oracle_ask_input(environment, node, channel);
+    Frame frame;
+    ask_frame(environment, node, &frame);
+    double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
+    double slope_u = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
+    double slope_v = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
+    return raised(&frame, k * slope_u, k * slope_v, channel);
+}
+
+/* Where a WaveMap's waves are counted from, and how many of them. */
+typedef struct {
+    double u, v, count_u, count_v;
+} WavePlace;
+
+/* The top of a box lies at u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are then those of the face. */
+static void move_to_box_top(WavePlace *place)
+{
+    place->u -= 1. / 4;
+    place->v -= 1. / 3;
+    place->count_u *= 4;
+    place->count_v *= 3;
+}
+
+static bool on_box_top(const WavePlace *place)
+{
+    return place->u >= 0 && place->u <= 1. / 4 && place->v >= 0 && place->v <= 1. / 3;
+}
+
+double oracle_WaveMap(Environment *environment, const Node *node, int channel)
+{
+    if (!in_frame(channel))
+        return oracle_ask_input(environment, node, channel);
+    WavePlace place = {oracle_ask_input(environment, node, channel_id(GROUP_U, 0)),
+                       oracle_ask_input(environment, node, channel_id(GROUP_U, 1)),
+                       oracle_number(node, P_WaveMap_uCount), oracle_number(node, P_WaveMap_vCount)};
+    bool box_top = oracle_number(node, P_WaveMap_boxTop) != 0;
+    if (box_top)
+        move_to_box_top(&place);
+    if (box_top && !on_box_top(&place))
+        return oracle_ask_input(environment, node, channel);
+    Frame frame;
+    ask_frame(environment, node, &frame);
+    double k = oracle_number(node, P_WaveMap_amplitude) / guarded_length(frame.n);
+    double omega_u = 2 * M_PI * place.count_u, omega_v = 2 * M_PI * place.count_v;
+    double slope_u = -omega_u * sin(omega_u * place.u) * cos(omega_v * place.v);
+    double slope_v = -omega_v * cos(omega_u * place.u) * sin(omega_v * place.v);
+    return raised(&frame, k * slope_u, k * slope_v, channel);
+}
+
+/* The input's answer at a surface point whose local position and texture coordinate lie `shift` beside this one. */
+static double shifted_input(Environment *environment, const Node *node, int channel, const double shift[3])
+{
+    Surface surface = *environment->surface;
+    for (int i = 0; i < 3; i++)
+        surface.root[channel_id(GROUP_X, i)] += shift[i];
+    for (int i = 0; i < 2; i++)
+        surface.root[channel_id(GROUP_U, i)] += shift[i];
+    Environment shifted = environment_open(environment->oracle, &surface, environment->depth + 1);
+    return oracle_ask_input(&shifted, node, channel);
+}
+
+/* Weights of a 3x3x3 kernel by how many of the three indices differ from the centre's. */
+typedef double Kernel[4];
+
+static double filtered(Environment *environment, const Node *node, int channel, const double size[3],
+                       const Kernel kernel)
+{
+    if (lane_of(channel) == 3)
+        return 1;
+    double sum = 0;
+    for (int cell = 0; cell < 27; cell++) {
+        int offset[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
+        double weight = kernel[(offset[0] != 0) + (offset[1] != 0) + (offset[2] != 0)];
+        if (weight == 0)
+            continue;
+        double shift[3];
+        for (int i = 0; i < 3; i++)
+            shift[i] = size[i] * offset[i] / 2;
+        sum += weight * shifted_input(environment, node, channel, shift);
+    }
+    return sum;
+}
+
+double oracle_Smooth3D(Environment *environment, const Node *node, int channel)
+{
+    static const Kernel kernel = {1. / 27, 1. / 27, 1. / 27, 1. / 27};
+    double size[3] = {oracle_number(node, P_Smooth3D_sx), oracle_number(node, P_Smooth3D_sy),
+                      oracle_number(node, P_Smooth3D_sz)};
+    return filtered(environment, node, channel, size, kernel);
+}
+
+double oracle_Laplace3D(Environment *environment, const Node *node, int channel)
+{
+    static const Kernel kernel = {6. / 12, -1. / 12, 0, 0};
+    double size[3] = {oracle_number(node, P_Laplace3D_sx), oracle_number(node, P_Laplace3D_sy),
+                      oracle_number(node, P_Laplace3D_sz)};
+    return filtered(environment, node, channel, size, kernel);
+}

@@ -1,0 +1,12 @@
+/* Files that matc writes: whole or not at all. */
+#ifndef MATC_OUTPUT_H
+#define MATC_OUTPUT_H
+#include "matc.h"
+
+/* Writes to a temporary name beside `path` and renames it; "-" is standard output. NULL, or why not. */
+const char *output_write(const char *path, const void *bytes, size_t size);
+/* A texture as KTX 1 (row 0 is v = 0). NULL, or why not. */
+const char *output_ktx(const char *path, const MatcTexture *texture);
+/* `target: files...` for make and ninja. */
+const char *output_depfile(const char *path, const char *target, const MatcDocument *document);
+#endif

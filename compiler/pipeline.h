@@ -1,0 +1,22 @@
+/* The stages of compile.c, for the library's surface (matc.c) and the tests. */
+#ifndef MATC_PIPELINE_H
+#define MATC_PIPELINE_H
+#include "emit.h"
+#include "tree.h"
+
+typedef struct {
+    Interface interface;
+    const char *fragment, *vertex;
+    size_t fragment_size;
+} Products;
+
+/* Text -> Tree -> Graph. */
+Graph *compile_front(Compile *c, uint32_t source, Tree **tree);
+/* Graph -> Ir, lowered and optimised. */
+Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *job);
+/* Ir -> GLSL -> valid. */
+bool compile_back(Compile *c, const Ir *ir, const Job *job, Products *products);
+/* The lattice noise that a target's programs compute. */
+ReferenceNoise noise_for(Noise noise, Target target);
+double stage_now(void);
+#endif

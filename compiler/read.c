@@ -1,0 +1,322 @@
+/* Text -> Tree. libyaml reads YAML and JSON alike and gives the places; for a .json file cJSON first decides whether the
+ * text is strict JSON. Depth and size are bounded; an alias shares its anchor's node, so nothing is ever expanded. */
+#include "tree.h"
+#include <cjson/cJSON.h>
+#include <string.h>
+#include <yaml.h>
+
+typedef struct {
+    const char *name;
+    Tree *tree;
+} Anchor;
+
+typedef struct {
+    Compile *c;
+    yaml_parser_t parser;
+    uint32_t file;
+    const uint32_t *bytes; /* character -> byte offset; NULL for ASCII, where they are the same */
+    size_t characters;
+    Anchor *anchors;
+    size_t anchor_count, anchor_room;
+    int nodes;
+} Reader;
+
+/* Length of the UTF-8 sequence at `at`, 0 if it is none: overlong forms, surrogates and numbers past U+10FFFF are none. */
+static int utf8_length(const unsigned char *at, const unsigned char *end)
+{
+    if (at[0] < 0x80)
+        return 1;
+    int length = at[0] >= 0xF0 ? 4 : at[0] >= 0xE0 ? 3 : 2;
+    if (at[0] < 0xC2 || at[0] > 0xF4 || end - at < length)
+        return 0;
+    for (int i = 1; i < length; i++)
+        if ((at[i] & 0xC0) != 0x80)
+            return 0;
+    if ((at[0] == 0xE0 && at[1] < 0xA0) || (at[0] == 0xED && at[1] > 0x9F) || (at[0] == 0xF0 && at[1] < 0x90) ||
+        (at[0] == 0xF4 && at[1] > 0x8F))
+        return 0;
+    return length;
+}
+
+/* libyaml counts characters, a Span bytes. Fills the table between them; false where the text is not UTF-8. */
+static bool map_characters(Reader *r, const Source *source)
+{
+    const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size, *at = text;
+    while (at < end && *at < 0x80)
+        at++;
+    if (at == end)
+        return true;
+    uint32_t *bytes = arena_alloc(r->c->arena, (source->size + 1) * sizeof *bytes);
+    for (at = text; at < end;) {
+        int length = utf8_length(at, end);
+        uint32_t offset = (uint32_t)(at - text);
+        if (!length) {
+            diag_add(r->c, (Span){offset, offset + 1, r->file}, DIAG_bad_utf8);
+            return false;
+        }
+        bytes[r->characters++] = offset;
+        at += length;
+    }
+    bytes[r->characters] = (uint32_t)source->size;
+    r->bytes = bytes;
+    return true;
+}
+
+static uint32_t offset_of(const Reader *r, yaml_mark_t mark)
+{
+    size_t size = r->c->sources[r->file].size;
+    if (!r->bytes)
+        return (uint32_t)(mark.index < size ? mark.index : size);
+    return r->bytes[mark.index < r->characters ? mark.index : r->characters];
+}
+
+static Span span_of(const Reader *r, const yaml_event_t *event)
+{
+    return (Span){offset_of(r, event->start_mark), offset_of(r, event->end_mark), r->file};
+}
+
+static bool next_event(Reader *r, yaml_event_t *event)
+{
+    if (yaml_parser_parse(&r->parser, event))
+        return true;
+    const char *problem = r->parser.problem ? r->parser.problem : "not YAML";
+    yaml_mark_t mark = r->parser.problem_mark;
+    uint32_t at = offset_of(r, mark);
+    if (r->parser.error == YAML_READER_ERROR)
+        at = (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
+    diag_add(r->c, (Span){at, at + 1, r->file}, DIAG_syntax, problem);
+    if (r->parser.context && r->parser.context_mark.line != mark.line) {
+        uint32_t context = offset_of(r, r->parser.context_mark);
+        diag_add(r->c, (Span){context, context + 1, r->file}, DIAG_syntax_in, r->parser.context);
+    }
+    return false;
+}
+
+static Tree *new_tree(Reader *r, TreeKind kind, Span span)
+{
+    if (++r->nodes > LIMIT_TREE_NODES)
+        return diag_add(r->c, span, DIAG_too_many, LIMIT_TREE_NODES);
+    Tree *tree = ARENA_NEW(r->c->arena, Tree);
+    tree->kind = kind;
+    tree->span = span;
+    return tree;
+}
+
+static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
+{
+    if (!name)
+        return;
+    Anchor anchor = {arena_string(r->c->arena, (const char *)name, strlen((const char *)name)), tree};
+    ARENA_PUSH(r->c->arena, r->anchors, r->anchor_count, r->anchor_room, anchor);
+}
+
+static Tree *find_anchor(Reader *r, const char *name, Span span)
+{
+    for (size_t i = r->anchor_count; i-- > 0;) {
+        if (strcmp(r->anchors[i].name, name) != 0)
+            continue;
+        if (r->anchors[i].tree->open)
+            return diag_add(r->c, span, DIAG_anchor_cycle, name);
+        r->anchors[i].tree->shared = true;
+        return r->anchors[i].tree;
+    }
+    return diag_add(r->c, span, DIAG_unknown_anchor, name);
+}
+
+static Tree *read_value(Reader *r, yaml_event_t *event, int depth);
+
+/* list: [ value, ... ] */
+static bool read_list(Reader *r, Tree *list, int depth)
+{
+    size_t count = 0, room = 0;
+    for (yaml_event_t event;;) {
+        if (!next_event(r, &event))
+            return false;
+        if (event.type == YAML_SEQUENCE_END_EVENT) {
+            list->span.end = offset_of(r, event.end_mark);
+            yaml_event_delete(&event);
+            break;
+        }
+        Tree *item = read_value(r, &event, depth + 1);
+        if (!item)
+            return false;
+        ARENA_PUSH(r->c->arena, list->items, count, room, item);
+    }
+    list->count = (uint32_t)count;
+    return true;
+}
+
+/* `<<: *base` brings the members of base that the object lacks. */
+static void merge_members(Reader *r, Tree *object, const Tree *base, size_t *room)
+{
+    if (base->kind != TREE_object)
+        return;
+    r->nodes += (int)base->count; /* merging is the one thing that copies */
+    uint32_t own = object->count;
+    for (uint32_t i = 0; i < base->count; i++) {
+        const Member *member = tree_find(object, base->members[i].key);
+        if (member && member < object->members + own)
+            continue;
+        size_t count = object->count;
+        ARENA_PUSH(r->c->arena, object->members, count, *room, base->members[i]);
+        object->count = (uint32_t)count;
+    }
+}
+
+/* tree_find gives the first member of a key: any other that has it stands there twice. */
+static void check_duplicates(Reader *r, const Tree *object)
+{
+    for (uint32_t i = 0; i < object->count; i++) {
+        const Member *member = &object->members[i], *first = tree_find(object, member->key);
+        if (first == member)
+            continue;
+        diag_add(r->c, member->span, DIAG_duplicate_key, member->key);
+        diag_add(r->c, first->span, DIAG_first_given);
+    }
+}
+
+/* object: { name: value, ... } */
+static bool read_object(Reader *r, Tree *object, int depth)
+{
+    size_t room = 0;
+    const Tree *base = NULL;
+    for (yaml_event_t event;;) {
+        if (!next_event(r, &event))
+            return false;
+        if (event.type == YAML_MAPPING_END_EVENT) {
+            object->span.end = offset_of(r, event.end_mark);
+            yaml_event_delete(&event);
+            break;
+        }
+        Member member = {.span = span_of(r, &event)};
+        if (event.type != YAML_SCALAR_EVENT) {
+            yaml_event_delete(&event);
+            diag_add(r->c, member.span, DIAG_key_not_name);
+            return false;
+        }
+        member.key = arena_string(r->c->arena, (char *)event.data.scalar.value, event.data.scalar.length);
+        yaml_event_delete(&event);
+        if (!next_event(r, &event) || !(member.value = read_value(r, &event, depth + 1)))
+            return false;
+        if (!strcmp(member.key, "<<")) {
+            base = member.value;
+            continue;
+        }
+        size_t count = object->count;
+        ARENA_PUSH(r->c->arena, object->members, count, room, member);
+        object->count = (uint32_t)count;
+    }
+    tree_index(r->c, object);
+    check_duplicates(r, object);
+    if (base) {
+        merge_members(r, object, base, &room);
+        tree_index(r->c, object);
+        if (r->nodes > LIMIT_TREE_NODES)
+            return diag_add(r->c, object->span, DIAG_too_many, LIMIT_TREE_NODES);
+    }
+    return true;
+}
+
+static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_char_t *anchor, int depth)
+{
+    if (depth > LIMIT_DEPTH)
+        return diag_add(r->c, span, DIAG_too_deep, LIMIT_DEPTH);
+    Tree *tree = new_tree(r, kind, span);
+    if (!tree)
+        return NULL;
+    keep_anchor(r, anchor, tree);
+    tree->open = true;
+    bool fine = kind == TREE_list ? read_list(r, tree, depth) : read_object(r, tree, depth);
+    tree->open = false;
+    return fine ? tree : NULL;
+}
+
+/* value: scalar | list | object | alias. Takes the event over. */
+static Tree *read_value(Reader *r, yaml_event_t *event, int depth)
+{
+    Tree *tree = NULL;
+    Span span = span_of(r, event);
+    switch (event->type) {
+    case YAML_SCALAR_EVENT:
+        if (!(tree = new_tree(r, TREE_scalar, span)))
+            break;
+        tree->text = arena_string(r->c->arena, (char *)event->data.scalar.value, event->data.scalar.length);
+        tree->count = (uint32_t)event->data.scalar.length;
+        tree->plain = event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+        keep_anchor(r, event->data.scalar.anchor, tree);
+        break;
+    case YAML_SEQUENCE_START_EVENT:
+        tree = read_collection(r, TREE_list, span, event->data.sequence_start.anchor, depth);
+        break;
+    case YAML_MAPPING_START_EVENT:
+        tree = read_collection(r, TREE_object, span, event->data.mapping_start.anchor, depth);
+        break;
+    case YAML_ALIAS_EVENT:
+        tree = find_anchor(r, (char *)event->data.alias.anchor, span);
+        break;
+    default:
+        diag_add(r->c, span, DIAG_empty_document);
+        break;
+    }
+    yaml_event_delete(event);
+    return tree;
+}
+
+/* stream: [ document ] */
+static Tree *read_stream(Reader *r)
+{
+    Tree *tree = NULL;
+    for (yaml_event_t event;;) {
+        if (!next_event(r, &event))
+            return NULL;
+        yaml_event_type_t type = event.type;
+        Span span = span_of(r, &event);
+        yaml_event_delete(&event);
+        if (type == YAML_STREAM_END_EVENT)
+            return tree ? tree : diag_add(r->c, span, DIAG_empty_document);
+        if (type != YAML_DOCUMENT_START_EVENT)
+            continue;
+        if (tree)
+            return diag_add(r->c, span, DIAG_many_documents);
+        if (!next_event(r, &event) || !(tree = read_value(r, &event, 0)))
+            return NULL;
+    }
+}
+
+static bool is_json_name(const char *name)
+{
+    size_t size = strlen(name);
+    return size > 5 && !strcmp(name + size - 5, ".json");
+}
+
+static bool check_json(Reader *r, const Source *source)
+{
+    if (!is_json_name(source->name))
+        return true;
+    const char *at = NULL;
+    cJSON *json = cJSON_ParseWithLengthOpts(source->text, source->size + 1, &at, true);
+    if (json) {
+        cJSON_Delete(json);
+        return true;
+    }
+    uint32_t offset = at ? (uint32_t)(at - source->text) : 0;
+    diag_add(r->c, (Span){offset, offset + 1, r->file}, DIAG_not_json);
+    return false;
+}
+
+Tree *read_document(Compile *c, uint32_t file)
+{
+    const Source *source = &c->sources[file];
+    if (source->size > (size_t)LIMIT_DOCUMENT_MIB << 20)
+        return diag_add(c, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
+    Reader reader = {.c = c, .file = file};
+    if (!map_characters(&reader, source) || !check_json(&reader, source))
+        return NULL;
+    if (!yaml_parser_initialize(&reader.parser))
+        abort(); /* out of memory */
+    yaml_parser_set_encoding(&reader.parser, YAML_UTF8_ENCODING);
+    yaml_parser_set_input_string(&reader.parser, (const unsigned char *)source->text, source->size);
+    Tree *tree = read_stream(&reader);
+    yaml_parser_delete(&reader.parser);
+    return tree;
+}

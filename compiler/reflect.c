@@ -1,0 +1,144 @@
+/* What a program needs and gives, as JSON. */
+#include "emit.h"
+#include "emit_declare.h"
+#include "texture.h"
+#include <string.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+static const char *const sources[] = {"varying", "system", "draw"};
+
+typedef struct {
+    Text *out;
+    bool first; /* no member of the list is written yet */
+} List;
+
+static List open_list(Text *out, const char *name)
+{
+    text_format(out, ",\n  \"%s\": [", name);
+    return (List){out, true};
+}
+
+static void next(List *list)
+{
+    text_put(list->out, list->first ? "\n    " : ",\n    ");
+    list->first = false;
+}
+
+static void close_list(List *list) { text_put(list->out, list->first ? "]" : "\n  ]"); }
+
+static void put_inputs(Text *out, const Interface *interface)
+{
+    List list = open_list(out, "inputs");
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        const InputRow *row = &input_table[i];
+        if (!interface->inputs[i])
+            continue;
+        next(&list);
+        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"source\": \"%s\"", row->glsl,
+                    type_table[row->type].name, sources[row->source]);
+        if (row->source == SOURCE_varying)
+            text_format(out, ", \"location\": %d", input_location((Input)i));
+        text_put(out, "}");
+    }
+    close_list(&list);
+}
+
+static void put_uniforms(Text *out, const Ir *ir, const Interface *interface)
+{
+    List list = open_list(out, "uniforms");
+    for (int i = 0; i < ir->graph->uniform_count; i++) {
+        const Uniform *uniform = ir->graph->uniforms[i];
+        if (!interface->uniforms[i])
+            continue;
+        next(&list);
+        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"default\": [", uniform->name,
+                    uniform_is_int(ir, i) ? "int" : type_table[uniform->type].name);
+        for (int lane = 0; lane < type_table[uniform->type].lanes; lane++) {
+            text_put(out, lane ? ", " : "");
+            text_double(out, uniform->initial[lane]);
+        }
+        text_put(out, "]}");
+    }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
+            int type = (int)strcspn(line, " "), size = (int)strcspn(line, "\n");
+            if (!strncmp(line, "highp", 5) || !strncmp(line, "sampler", 7))
+                continue;
+            next(&list);
+            text_format(out, "{\"name\": \"%.*s\", \"type\": \"%.*s\"}", size - type - 1, line + type + 1, type, line);
+        }
+    close_list(&list);
+}
+
+static void put_textures(Compile *c, Text *out, const Ir *ir, const Interface *interface)
+{
+    MatcTexture *textures;
+    int *made_by, count = texture_list(c, ir, interface, &textures, &made_by);
+    List list = open_list(out, "textures");
+    for (int i = 0; i < count; i++) {
+        const MatcTexture *t = &textures[i];
+        bool bytes = made_by[i] >= 0 ? t->path != NULL : !strcmp(t->name, "matc_xor");
+        next(&list);
+        text_format(out,
+                    "{\"name\": \"%s\", \"width\": %d, \"height\": %d, \"format\": \"%s\", \"filter\": \"nearest\", "
+                    "\"wrap\": \"repeat\", \"origin\": \"bottom-left\", ",
+                    t->name, t->width, t->height,
+                    bytes           ? t->lanes == 4 ? "RGBA8" : "R8"
+                    : t->lanes == 4 ? "RGBA32F"
+                                    : "R32F");
+        text_put(out, t->path ? "\"file\": " : "\"baked\": true}");
+        if (t->path) {
+            text_json(out, t->path, strlen(t->path));
+            text_put(out, "}");
+        }
+    }
+    close_list(&list);
+}
+
+static void put_outputs(Text *out, const Ir *ir, const Job *job)
+{
+    List list = open_list(out, "outputs");
+    bool layout = job->pass == PASS_gbuffer || job->pass == PASS_plane;
+    for (int i = 0; i < ir->output_count; i++) {
+        const IrOutput *output = &ir->outputs[i];
+        if (output->kind == OUT_discard && ir_is_number(ir, output->value, 0))
+            continue;
+        next(&list);
+        if (output->kind == OUT_color)
+            text_format(out, "{\"kind\": \"color\", \"location\": %d, \"format\": \"%s\"}", output->index,
+                        layout ? layout_table[job->layout].format : "float");
+        else
+            text_format(out, "{\"kind\": \"%s\"}", output->kind == OUT_depth ? "depth" : "discard");
+    }
+    close_list(&list);
+}
+
+const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Interface *interface, const char *material,
+                            const char *opacity, const char *fragment)
+{
+    Text text = text_new(c->arena), *out = &text;
+    XXH128_hash_t hash = XXH3_128bits(fragment, strlen(fragment));
+    text_put(out, "{\n  \"matc\": \"" MATC_VERSION "\",\n  \"material\": ");
+    text_json(out, material, strlen(material));
+    text_format(out, ",\n  \"target\": \"%s\",\n  \"pass\": \"%s\"", target_table[job->target].name,
+                pass_table[job->pass].name);
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        text_format(out, ",\n  \"layout\": \"%s\"", layout_table[job->layout].name);
+    if (job->pass == PASS_value)
+        text_format(out, ",\n  \"slot\": \"%s\"", slot_table[job->slot].name);
+    text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", noise_names[job->noise], opacity);
+    put_inputs(out, interface);
+    put_uniforms(out, ir, interface);
+    put_textures(c, out, ir, interface);
+    put_outputs(out, ir, job);
+    List files = open_list(out, "sources");
+    for (size_t i = 0; i < c->depend_count; i++) {
+        next(&files);
+        text_json(out, c->depends[i], strlen(c->depends[i]));
+    }
+    close_list(&files);
+    text_format(out, ",\n  \"hash\": \"%016llx%016llx\"\n}\n", (unsigned long long)hash.high64,
+                (unsigned long long)hash.low64);
+    return out->at;
+}

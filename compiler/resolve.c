@@ -1,0 +1,549 @@
+/* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
+ * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
+#include "resolve.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_material(Kind kind) { return kind_table[kind].lowering == LOWERING_MATERIAL; }
+
+/* Names of kinds, then aliases, then presets: one list for look-up and for suggestions. */
+static int kind_name_count(void) { return KIND_COUNT + alias_count + preset_count; }
+
+static const char *kind_name(int i, Kind *kind)
+{
+    if (i < KIND_COUNT) {
+        *kind = (Kind)i;
+        return kind_table[i].name;
+    }
+    i -= KIND_COUNT;
+    *kind = i < alias_count ? alias_table[i].kind : preset_table[i - alias_count].kind;
+    return i < alias_count ? alias_table[i].alias : preset_table[i - alias_count].name;
+}
+
+static const char *name_of_group(const void *material, int i)
+{
+    Kind kind;
+    const char *name = kind_name(i, &kind);
+    return is_material(kind) == *(const bool *)material ? name : NULL;
+}
+
+/* The kind a name stands for; *preset is the name if it is one. */
+static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, const char **preset)
+{
+    *preset = NULL;
+    if (name->kind != TREE_scalar) {
+        diag_add(r->c, name->span, DIAG_wrong_type, material ? "`material:`" : "`map:`", "a name",
+                 tree_describe(r->c, name));
+        return false;
+    }
+    for (int i = 0; i < kind_name_count(); i++) {
+        if (strcmp(kind_name(i, kind), name->text) != 0)
+            continue;
+        if (i >= KIND_COUNT + alias_count)
+            *preset = name->text;
+        if (is_material(*kind) == material)
+            return true;
+        diag_add(r->c, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
+        return false;
+    }
+    const char *near = suggest(r->c, name->text, name_of_group, &material, kind_name_count());
+    diag_add(r->c, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
+    return false;
+}
+
+Value default_value(Resolver *r, const ParamRow *row)
+{
+    static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
+    Value value = {.kind = VALUE_none};
+    if (!row->lanes)
+        return value;
+    value.kind = VALUE_number;
+    value.type = type_of_lanes[row->lanes];
+    memcpy(value.number, row->init, sizeof row->init);
+    if (row->type != PARAM_Map)
+        return value;
+    Value *constant = ARENA_NEW(r->c->arena, Value);
+    *constant = value;
+    Node *node = ARENA_NEW(r->c->arena, Node);
+    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant};
+    return (Value){.kind = VALUE_node, .node = node};
+}
+
+static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
+
+static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
+{
+    const double *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    for (int i = 0; i < type_table[value->type].lanes; i++) {
+        if (lanes[i] >= row->low && lanes[i] <= row->high)
+            continue;
+        Text is = text_new(r->c->arena), low = text_new(r->c->arena), high = text_new(r->c->arena);
+        text_double(&is, lanes[i]);
+        text_double(&low, row->low);
+        text_double(&high, row->high);
+        diag_add(r->c, tree->span, DIAG_out_of_range, row->name, is.at, low.at, high.at);
+        return false;
+    }
+    return true;
+}
+
+static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
+{
+    const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    if (*number == trunc(*number) && fabs(*number) < 2147483648.0)
+        return true;
+    diag_add(r->c, tree->span, DIAG_not_whole, row->name, tree_describe(r->c, tree));
+    return false;
+}
+
+static bool resolve_bool(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
+{
+    bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");
+    if (!yes && !(tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "false"))) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, row->name, "true or false", tree_describe(r->c, tree));
+        return false;
+    }
+    *value = (Value){.kind = VALUE_number, .type = TYPE_bool, .number = {yes}};
+    return true;
+}
+
+static const char *item_key(const void *user, int i)
+{
+    (void)user;
+    return i ? "input" : "value";
+}
+
+/* item: { value: number, input: map } */
+static bool resolve_item(Resolver *r, Tree *tree, Item *item)
+{
+    *item = (Item){.span = tree->span};
+    item->value = (Value){.kind = VALUE_number, .type = TYPE_float};
+    if (tree->kind != TREE_object) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, "an item", "`{ value: number, input: map }`",
+                 tree_describe(r->c, tree));
+        return false;
+    }
+    bool fine = true, fault = false;
+    for (uint32_t i = 0; i < tree->count; i++) {
+        const Member *member = &tree->members[i];
+        if (!strcmp(member->key, "value")) {
+            fine &= resolve_number(r, "value", member->value, 1, 1, &item->value);
+        } else if (!strcmp(member->key, "input")) {
+            item->input = resolve_map(r, member->value, &fault);
+        } else {
+            diag_add(r->c, member->span, DIAG_item_keys, member->key, suggest(r->c, member->key, item_key, NULL, 2));
+            fine = false;
+        }
+    }
+    return fine && !fault;
+}
+
+static bool resolve_items(Resolver *r, Tree *tree, Value *value)
+{
+    if (tree->kind != TREE_list) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->c, tree));
+        return false;
+    }
+    Item *item = ARENA_ARRAY(r->c->arena, Item, tree->count);
+    Items *items = ARENA_NEW(r->c->arena, Items);
+    *items = (Items){(int)tree->count, item};
+    bool fine = true, ordered = true;
+    for (uint32_t i = 0; i < tree->count; i++) {
+        fine &= resolve_item(r, tree->items[i], &item[i]);
+        if (fine && i && item[i].value.kind == VALUE_number && item[i - 1].value.kind == VALUE_number)
+            ordered &= item[i].value.number[0] >= item[i - 1].value.number[0];
+    }
+    if (!ordered)
+        diag_add(r->c, tree->span, DIAG_unordered_items);
+    *value = (Value){.kind = VALUE_items, .items = items};
+    return fine;
+}
+
+static bool resolve_image(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
+{
+    if (tree->kind != TREE_scalar) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, row->name, "the name of a PNG file", tree_describe(r->c, tree));
+        return false;
+    }
+    *value = (Value){.kind = VALUE_image, .image = image_load(r, tree->text, tree->span)};
+    return value->image != NULL;
+}
+
+static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
+{
+    bool fault = false;
+    const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
+    *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
+    return !fault;
+}
+
+static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
+{
+    bool vector = row->type == PARAM_Vec3, constant = row->kind == KIND_Constant;
+    if (!resolve_number(r, row->name, tree, vector ? 3 : 1, vector ? 3 : constant ? 4 : 1, value))
+        return false;
+    return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && in_range(r, row, tree, value);
+}
+
+bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
+{
+    bool fine = true;
+    if (tree_is_null(tree)) { /* null is as good as not written */
+        *value = row->type == PARAM_Map && !row->lanes ? (Value){0} : default_value(r, row);
+        return true;
+    }
+    switch (row->type) {
+    case PARAM_Map:
+    case PARAM_Material:
+        fine = resolve_node_param(r, row, tree, value);
+        break;
+    case PARAM_Float:
+    case PARAM_Int:
+    case PARAM_Vec3:
+        fine = resolve_numeric(r, row, tree, value);
+        break;
+    case PARAM_Bool:
+        fine = resolve_bool(r, row, tree, value);
+        break;
+    case PARAM_Image:
+        fine = resolve_image(r, row, tree, value);
+        break;
+    case PARAM_Items:
+        fine = resolve_items(r, tree, value);
+        break;
+    case PARAM_Wave:
+        value->kind = VALUE_wave;
+        fine = resolve_wave(r, tree, &value->wave);
+        break;
+    case PARAM_Transform: {
+        Transform *transform = ARENA_NEW(r->c->arena, Transform);
+        *value = (Value){.kind = VALUE_transform, .transform = transform};
+        fine = resolve_transform(r, tree, transform);
+        break;
+    }
+    }
+    value->given = true;
+    value->span = tree->span;
+    return fine;
+}
+
+/* Keys of the outermost level that stand beside a material's own. */
+static bool is_document_key(const char *key) { return !strcmp(key, "defs") || !strcmp(key, "include"); }
+
+static void set_presets(const char *preset, Kind kind, Value *params)
+{
+    for (int i = 0; preset && i < preset_count; i++)
+        if (!strcmp(preset_table[i].name, preset))
+            params[preset_table[i].param - kind_table[kind].first].number[0] = preset_table[i].init;
+}
+
+static bool resolve_member(Resolver *r, const Member *member, Kind kind, const char *name, Value *params)
+{
+    const KindRow *row = &kind_table[kind];
+    for (int i = 0; i < row->count; i++)
+        if (!strcmp(param_table[row->first + i].name, member->key))
+            return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
+    const char *near = suggest(r->c, member->key, param_name, row, row->count);
+    diag_add(r->c, member->span, DIAG_unknown_key, name, member->key, near);
+    return false;
+}
+
+static void below(Node *node, const Node *child)
+{
+    if (!child)
+        return;
+    if (child->depth >= node->depth)
+        node->depth = child->depth + 1;
+    if (child->filters > node->filters)
+        node->filters = child->filters;
+}
+
+/* Measures what hangs below a node, and bounds it. */
+static bool measure(Resolver *r, Node *node)
+{
+    for (int i = 0; i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (value->kind == VALUE_node)
+            below(node, value->node);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            below(node, value->items->item[k].input);
+    }
+    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
+    if (node->depth > LIMIT_GRAPH_DEPTH)
+        diag_add(r->c, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
+    else if (node->filters > LIMIT_FILTERS)
+        diag_add(r->c, node->span, DIAG_too_many_filters, LIMIT_FILTERS);
+    else
+        return true;
+    return false;
+}
+
+/* { map: Kind, param: value, ... }, and the same with material: */
+static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
+{
+    const char *key = material ? "material" : "map", *preset;
+    const Member *name = tree_find(tree, key);
+    Kind kind;
+    if (!name) {
+        const char *hint =
+            tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
+        return diag_add(r->c, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
+    }
+    if (!find_kind(r, name->value, material, &kind, &preset))
+        return NULL;
+    const KindRow *row = &kind_table[kind];
+    Value *params = ARENA_ARRAY(r->c->arena, Value, row->count);
+    bool fine = true;
+    for (int i = 0; i < row->count; i++)
+        if (!tree_find(tree, param_table[row->first + i].name))
+            params[i] = default_value(r, &param_table[row->first + i]);
+    set_presets(preset, kind, params);
+    for (uint32_t i = 0; i < tree->count; i++) {
+        const Member *member = &tree->members[i];
+        if (member->value != name->value && !(outermost && is_document_key(member->key)))
+            fine &= resolve_member(r, member, kind, name->value->text, params);
+    }
+    Node *node = ARENA_NEW(r->c->arena, Node);
+    *node = (Node){kind, r->node_count++, name->value->span, params, 0, 0};
+    return fine && measure(r, node) ? node : NULL;
+}
+
+typedef struct {
+    const Resolver *resolver;
+    size_t def;
+} DefNames;
+
+static const char *def_name(const void *user, int i)
+{
+    const DefNames *names = user;
+    return names->resolver->defs[names->def]->members[i].key;
+}
+
+/* { ref: name } */
+static const Member *find_def(Resolver *r, Tree *tree)
+{
+    const Tree *name = tree_find(tree, "ref")->value;
+    if (tree->count > 1)
+        return diag_add(r->c, tree->members[&tree->members[0] == tree_find(tree, "ref")].span, DIAG_ref_keys,
+                        tree->members[&tree->members[0] == tree_find(tree, "ref")].key);
+    if (name->kind != TREE_scalar)
+        return diag_add(r->c, name->span, DIAG_wrong_type, "ref", "a name", tree_describe(r->c, name));
+    const char *near = "";
+    for (size_t i = 0; i < r->def_count; i++) {
+        const Member *member = tree_find(r->defs[i], name->text);
+        if (member)
+            return member;
+        DefNames names = {r, i};
+        if (!*near)
+            near = suggest(r->c, name->text, def_name, &names, (int)r->defs[i]->count);
+    }
+    return diag_add(r->c, name->span, DIAG_unknown_ref, name->text, near);
+}
+
+/* Constant node of a number, a list, a colour or a param. */
+static const Node *resolve_constant(Resolver *r, Tree *tree)
+{
+    Value *value = ARENA_NEW(r->c->arena, Value);
+    if (!resolve_number(r, "a map", tree, 1, 4, value))
+        return NULL;
+    Node *node = ARENA_NEW(r->c->arena, Node);
+    *node = (Node){KIND_Constant, r->node_count++, tree->span, value, 0, 0};
+    return node;
+}
+
+static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool outermost)
+{
+    if (tree->kind == TREE_object && tree_find(tree, "ref")) {
+        const Member *def = find_def(r, tree);
+        bool fault = false;
+        if (!def)
+            return NULL;
+        if (def->value->open)
+            return diag_add(r->c, tree->span, DIAG_cycle, def->key);
+        return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
+    }
+    if (material && tree->kind != TREE_object)
+        return diag_add(r->c, tree->span, DIAG_missing_material_kind, "");
+    if (tree->kind != TREE_object || (!material && tree_find(tree, "param")))
+        return resolve_constant(r, tree);
+    return resolve_node(r, tree, material, outermost);
+}
+
+static const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault)
+{
+    if (tree_is_null(tree))
+        return NULL;
+    if (tree->node && is_material(tree->node->kind) == material)
+        return tree->node;
+    const Node *node = NULL;
+    if (r->depth >= LIMIT_DEPTH)
+        diag_add(r->c, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+    else if (!tree->failed) {
+        r->depth++;
+        tree->open = true;
+        node = resolve_new(r, tree, material, outermost);
+        tree->open = false;
+        r->depth--;
+    }
+    tree->node = node;
+    tree->failed = !node;
+    *fault |= !node;
+    return node;
+}
+
+const Node *resolve_map(Resolver *r, Tree *tree, bool *fault) { return resolve_any(r, tree, false, false, fault); }
+const Node *resolve_material(Resolver *r, Tree *tree, bool *fault) { return resolve_any(r, tree, true, false, fault); }
+
+static bool is_name(const char *name)
+{
+    size_t size = strlen(name);
+    if (!isalpha((unsigned char)name[0]) || size > LIMIT_NAME)
+        return false;
+    for (; *name; name++)
+        if (!isalnum((unsigned char)*name) && !strchr("_-.", *name))
+            return false;
+    return true;
+}
+
+/* "dir/rock.yaml" -> "rock" */
+static const char *stem(Compile *c, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
+    return arena_string(c->arena, start, dot && dot != start ? (size_t)(dot - start) : strlen(start));
+}
+
+static bool read_defs(Resolver *r, Tree *document, int depth);
+
+static bool read_include(Resolver *r, const Tree *name, int depth)
+{
+    Compile *c = r->c;
+    if (name->kind != TREE_scalar) {
+        diag_add(c, name->span, DIAG_wrong_type, "include", "a file name or a list of them", tree_describe(c, name));
+        return false;
+    }
+    if (depth >= LIMIT_INCLUDE_DEPTH) {
+        diag_add(c, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
+        return false;
+    }
+    const char *path = path_beside(c, c->sources[name->span.file].name, name->text), *why = "";
+    for (size_t i = 0; i < c->source_count; i++)
+        if (!strcmp(c->sources[i].name, path))
+            return true; /* read already */
+    Source source = {.name = path};
+    char *text = read_file(c, path, &source.size, &why);
+    if (!text) {
+        diag_add(c, name->span, DIAG_cannot_read, name->text, why);
+        return false;
+    }
+    depend_on(c, path);
+    source.text = arena_string(c->arena, text, source.size);
+    free(text);
+    ARENA_PUSH(c->arena, c->sources, c->source_count, c->source_room, source);
+    Tree *tree = read_document(c, (uint32_t)c->source_count - 1);
+    return tree && read_defs(r, tree, depth + 1);
+}
+
+/* Collects `defs:` of the document and, after them, of the files it includes. */
+static bool read_defs(Resolver *r, Tree *document, int depth)
+{
+    const Member *defs = tree_find(document, "defs"), *include = tree_find(document, "include");
+    bool fine = true;
+    if (defs && !tree_is_null(defs->value)) {
+        if (defs->value->kind != TREE_object) {
+            diag_add(r->c, defs->value->span, DIAG_wrong_type, "defs", "an object", tree_describe(r->c, defs->value));
+            return false;
+        }
+        ARENA_PUSH(r->c->arena, r->defs, r->def_count, r->def_room, defs->value);
+    }
+    if (include && include->value->kind == TREE_list)
+        for (uint32_t i = 0; i < include->value->count; i++)
+            fine &= read_include(r, include->value->items[i], depth);
+    else if (include)
+        fine = read_include(r, include->value, depth);
+    return fine;
+}
+
+/* materials: { name: material, ... } */
+static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials)
+{
+    bool fine = true;
+    for (uint32_t i = 0; i < list->count; i++) {
+        const Member *member = &list->members[i];
+        bool fault = false;
+        if (!is_name(member->key)) {
+            diag_add(r->c, member->span, DIAG_bad_name, member->key, LIMIT_NAME);
+            fine = false;
+        }
+        materials[i] = (NamedMaterial){member->key, resolve_material(r, member->value, &fault)};
+        if (!materials[i].node && !fault)
+            diag_add(r->c, member->span, DIAG_missing_material_kind, "");
+        fine &= materials[i].node != NULL;
+    }
+    return fine;
+}
+
+static const char *top_key(const void *user, int i)
+{
+    (void)user;
+    static const char *const keys[] = {"material", "materials", "defs", "include"};
+    return keys[i];
+}
+
+static bool check_top(Resolver *r, const Tree *document, bool many)
+{
+    bool fine = true;
+    for (uint32_t i = 0; many && i < document->count; i++) {
+        const Member *member = &document->members[i];
+        if (is_document_key(member->key) || !strcmp(member->key, "materials"))
+            continue;
+        bool both = !strcmp(member->key, "material");
+        const char *near = suggest(r->c, member->key, top_key, NULL, 4);
+        diag_add(r->c, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
+        fine = false;
+    }
+    return fine;
+}
+
+/* Definitions that nothing refers to are checked too: a fault in them is a fault. */
+static void check_defs(Resolver *r)
+{
+    for (size_t i = 0; i < r->def_count; i++)
+        for (uint32_t k = 0; k < r->defs[i]->count; k++) {
+            Tree *tree = r->defs[i]->members[k].value;
+            bool fault = false;
+            if (!tree->node && !tree->failed)
+                resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
+        }
+}
+
+Graph *resolve(Compile *c, Tree *document)
+{
+    Resolver r = {.c = c};
+    if (document->kind != TREE_object)
+        return diag_add(c, document->span, DIAG_document_not_object);
+    const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
+    if (!many && !one)
+        return diag_add(c, document->span, DIAG_no_material);
+    bool fine = check_top(&r, document, many), fault = false;
+    fine &= read_defs(&r, document, 0);
+    if (many && many->value->kind != TREE_object)
+        return diag_add(c, many->value->span, DIAG_wrong_type, "materials", "an object", tree_describe(c, many->value));
+    Graph *graph = ARENA_NEW(c->arena, Graph);
+    graph->material_count = many ? (int)many->value->count : 1;
+    NamedMaterial *materials = ARENA_ARRAY(c->arena, NamedMaterial, graph->material_count);
+    graph->materials = materials;
+    if (many)
+        fine &= resolve_list(&r, many->value, materials);
+    else
+        materials[0] = (NamedMaterial){stem(c, c->sources[document->span.file].name),
+                                       resolve_any(&r, document, true, true, &fault)};
+    check_defs(&r);
+    graph->node_count = r.node_count;
+    graph->uniforms = r.uniforms;
+    graph->uniform_count = (int)r.uniform_count;
+    graph->images = r.images;
+    graph->image_count = (int)r.image_count;
+    return fine && !fault && !c->diags.errors ? graph : NULL;
+}

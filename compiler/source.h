@@ -1,0 +1,25 @@
+/* Source texts and places in them. Offsets are bytes; lines and columns are computed only for printing. */
+#ifndef MATC_SOURCE_H
+#define MATC_SOURCE_H
+#include <stddef.h>
+#include <stdint.h>
+
+/* Bytes start..end-1 of source number `file` of the compilation. */
+typedef struct {
+    uint32_t start, end;
+    uint32_t file;
+} Span;
+
+typedef struct {
+    const char *name; /* as the user wrote it */
+    const char *text; /* zero-terminated */
+    size_t size;
+} Source;
+
+typedef struct {
+    int line, column; /* from 1; the column counts bytes, as gcc's do */
+    const char *line_start;
+    int line_length; /* bytes, without the line break */
+} Place;
+Place source_place(const Source *source, uint32_t offset);
+#endif

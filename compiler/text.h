@@ -1,0 +1,30 @@
+/* A text that grows, and numbers as text: shortest form that reads back exactly, the same in every locale. */
+#ifndef MATC_TEXT_H
+#define MATC_TEXT_H
+#include "arena.h"
+#include <stdarg.h>
+#include <stdbool.h>
+
+typedef struct {
+    Arena *arena;
+    char *at; /* zero-terminated once something was added */
+    size_t size, room;
+} Text;
+
+Text text_new(Arena *arena);
+void text_add(Text *text, const char *bytes, size_t size);
+void text_put(Text *text, const char *string);
+void text_char(Text *text, char c);
+void text_int(Text *text, long value);
+/* printf of whole numbers and strings; numbers with a fraction go through text_float and text_double. */
+void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void text_format_list(Text *text, const char *format, va_list args);
+/* A float literal of GLSL: always with a point or an exponent; a number beyond a float is taken to the greatest. */
+void text_float(Text *text, double value);
+/* A double that reads back exactly. */
+void text_double(Text *text, double value);
+/* A JSON string with its quotes. */
+void text_json(Text *text, const char *string, size_t size);
+/* Reads a finite number that takes up all of the string. */
+bool text_number(const char *string, size_t size, double *value);
+#endif

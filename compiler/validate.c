@@ -1,0 +1,105 @@
+/* glslang's C interface. It is initialised once for the process, by whichever thread comes first, and never torn down: its
+ * built-in symbol tables are most of the cost of a first compilation. */
+#include "validate.h"
+#include <glslang/Include/glslang_c_interface.h>
+#include <pthread.h>
+#include <string.h>
+
+/* Of Debian's libglslang-default-resource-limits, which has no C header of its own. */
+extern const glslang_resource_t *glslang_default_resource(void);
+
+static pthread_once_t initialised = PTHREAD_ONCE_INIT;
+static void initialise(void) { glslang_initialize_process(); }
+
+typedef struct {
+    glslang_shader_t *shaders[2];
+    int shader_count;
+    glslang_program_t *program;
+} Session;
+
+static glslang_input_t input_for(Target target, glslang_stage_t stage, const char *code)
+{
+    bool vulkan = target == TARGET_spirv;
+    glslang_input_t input = {.language = GLSLANG_SOURCE_GLSL,
+                             .stage = stage,
+                             .client = vulkan ? GLSLANG_CLIENT_VULKAN : GLSLANG_CLIENT_NONE,
+                             .client_version = vulkan ? GLSLANG_TARGET_VULKAN_1_0 : GLSLANG_TARGET_OPENGL_450,
+                             .target_language = vulkan ? GLSLANG_TARGET_SPV : GLSLANG_TARGET_NONE,
+                             .target_language_version =
+                                 vulkan ? GLSLANG_TARGET_SPV_1_0 : (glslang_target_language_version_t)0,
+                             .code = code,
+                             .default_version = target_table[target].number,
+                             .default_profile = GLSLANG_NO_PROFILE,
+                             .messages = GLSLANG_MSG_DEFAULT_BIT,
+                             .resource = glslang_default_resource()};
+    if (vulkan)
+        input.messages = (glslang_messages_t)(GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT);
+    return input;
+}
+
+static const char *keep(Compile *c, const char *log)
+{
+    return arena_string(c->arena, log ? log : "", log ? strlen(log) : 0);
+}
+
+static bool parse(Compile *c, Session *session, Target target, glslang_stage_t stage, const char *code,
+                  const char **log)
+{
+    const glslang_input_t input = input_for(target, stage, code);
+    glslang_shader_t *shader = glslang_shader_create(&input);
+    if (!shader)
+        return false;
+    session->shaders[session->shader_count++] = shader;
+    if (glslang_shader_preprocess(shader, &input) && glslang_shader_parse(shader, &input)) {
+        glslang_program_add_shader(session->program, shader);
+        return true;
+    }
+    *log = keep(c, glslang_shader_get_info_log(shader));
+    return false;
+}
+
+static bool link_session(Compile *c, Session *session, Target target, const char *vertex, const char *fragment,
+                         const char **log)
+{
+    *log = "glslang cannot be started";
+    pthread_once(&initialised, initialise);
+    session->program = glslang_program_create();
+    if (!session->program || (vertex && !parse(c, session, target, GLSLANG_STAGE_VERTEX, vertex, log)) ||
+        (fragment && !parse(c, session, target, GLSLANG_STAGE_FRAGMENT, fragment, log)))
+        return false;
+    int messages = (int)input_for(target, GLSLANG_STAGE_FRAGMENT, "").messages;
+    if (glslang_program_link(session->program, messages))
+        return true;
+    *log = keep(c, glslang_program_get_info_log(session->program));
+    return false;
+}
+
+static void close_session(Session *session)
+{
+    if (session->program)
+        glslang_program_delete(session->program);
+    for (int i = 0; i < session->shader_count; i++)
+        glslang_shader_delete(session->shaders[i]);
+}
+
+bool validate(Compile *c, Target target, const char *vertex, const char *fragment, const char **log)
+{
+    Session session = {0};
+    bool fine = link_session(c, &session, target, vertex, fragment, log);
+    close_session(&session);
+    return fine;
+}
+
+const char *make_spirv(Compile *c, const char *fragment, size_t *size, const char **log)
+{
+    Session session = {0};
+    const char *words = NULL;
+    if (link_session(c, &session, TARGET_spirv, NULL, fragment, log)) {
+        glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
+        glslang_program_SPIRV_generate_with_options(session.program, GLSLANG_STAGE_FRAGMENT, &options);
+        *size = glslang_program_SPIRV_get_size(session.program) * sizeof(unsigned);
+        words = arena_string(c->arena, (const char *)glslang_program_SPIRV_get_ptr(session.program), *size);
+    }
+    close_session(&session);
+    return words;
+}

@@ -1,0 +1,10 @@
+/* glslang: parse and link, and SPIR-V. */
+#ifndef MATC_VALIDATE_H
+#define MATC_VALIDATE_H
+#include "compile.h"
+
+/* Parses both programs and links them; either may be NULL. False: *log tells why. */
+bool validate(Compile *c, Target target, const char *vertex, const char *fragment, const char **log);
+/* The fragment program as SPIR-V, in the arena; NULL: *log tells why. */
+const char *make_spirv(Compile *c, const char *fragment, size_t *size, const char **log);
+#endif

@@ -1,0 +1,115 @@
+/* The vertex program that goes with a fragment program: it computes the varyings in use and nothing else. */
+#include "emit.h"
+#include "emit_declare.h"
+#include <string.h>
+
+/* How a varying comes about: attributes and uniforms it reads, and its expression. */
+typedef struct {
+    Input input;
+    const char *attribute; /* declaration, NULL for none */
+    const char *uniform;
+    const char *expression;
+} Feed;
+
+static const Feed feeds[] = {
+    {INPUT_P, "vec3 position", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
+    {INPUT_N, "vec3 normal", "mat3 matc_worldNormalFromLocal", "matc_worldNormalFromLocal * normal"},
+    {INPUT_DU, "vec3 tangentU", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentU, 0.0)).xyz"},
+    {INPUT_DV, "vec3 tangentV", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentV, 0.0)).xyz"},
+    {INPUT_U, "vec2 texcoord", NULL, "texcoord"},
+    {INPUT_X, "vec3 position", NULL, "position"},
+    {INPUT_eyeN, "vec3 normal", "mat3 matc_eyeNormalFromLocal", "matc_eyeNormalFromLocal * normal"},
+};
+enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
+
+/* Attribute locations are fixed: an engine binds a mesh once for all programs. */
+static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 texcoord", "vec3 tangentU",
+                                         "vec3 tangentV"};
+static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
+                                       "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
+enum { ATTRIBUTE_COUNT = 5, UNIFORM_COUNT = 4 };
+
+static bool is_vulkan(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
+
+static void put_attributes(Text *out, Target target, const bool *used)
+{
+    for (int i = 0; i < ATTRIBUTE_COUNT; i++)
+        if (used[i] && target == TARGET_glsl110)
+            text_format(out, "attribute %s;\n", attributes[i]);
+        else if (used[i])
+            text_format(out, "layout(location = %d) in %s;\n", i, attributes[i]);
+}
+
+static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names, int count)
+{
+    bool block = is_vulkan(target);
+    if (block)
+        text_put(out, "layout(std140, binding = 16) uniform Draw {\n");
+    for (int i = 0; i < count; i++)
+        if (used[i])
+            text_format(out, "%s%s;\n", block ? "    " : "uniform ", names[i]);
+    if (block)
+        text_put(out, "};\n");
+}
+
+static void mark(const char *const *list, int count, const char *name, bool *used)
+{
+    for (int i = 0; name && i < count; i++)
+        used[i] |= !strcmp(list[i], name);
+}
+
+static void rasterised(Text *out, const Job *job, const Interface *interface)
+{
+    bool attribute[ATTRIBUTE_COUNT] = {true}, uniform[UNIFORM_COUNT] = {true, true};
+    for (int i = 0; i < FEED_COUNT; i++) {
+        if (!interface->inputs[feeds[i].input])
+            continue;
+        mark(attributes, ATTRIBUTE_COUNT, feeds[i].attribute, attribute);
+        mark(uniforms, UNIFORM_COUNT, feeds[i].uniform, uniform);
+    }
+    put_attributes(out, job->target, attribute);
+    put_uniforms(out, job->target, uniform, uniforms, UNIFORM_COUNT);
+    for (int i = 0; i < FEED_COUNT; i++)
+        if (interface->inputs[feeds[i].input])
+            emit_varying(out, job->target, feeds[i].input, "out");
+    text_put(out, "\nvoid main() {\n");
+    for (int i = 0; i < FEED_COUNT; i++)
+        if (interface->inputs[feeds[i].input])
+            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, feeds[i].expression);
+    text_put(out, "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
+}
+
+/* One triangle that covers the screen; the ray runs from the eye through the far plane. */
+static void full_screen(Text *out, const Job *job, const Interface *interface)
+{
+    static const char *const names[] = {"mat4 matc_worldFromClip", "vec3 matc_eyePosition"};
+    bool old = job->target == TARGET_glsl110, ray = interface->inputs[INPUT_ray];
+    if (old)
+        text_put(out, "attribute vec3 position;\n");
+    if (ray) {
+        put_uniforms(out, job->target, (bool[]){true, true}, names, 2);
+        emit_varying(out, job->target, INPUT_ray, "out");
+    }
+    text_put(out, "\nvoid main() {\n");
+    const char *index = job->target == TARGET_spirv ? "gl_VertexIndex" : "gl_VertexID";
+    if (old)
+        text_put(out, "    vec2 corner = position.xy;\n");
+    else
+        text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n", index, index);
+    if (ray)
+        text_put(out, "    vec4 far = matc_worldFromClip * vec4(corner, 1.0, 1.0);\n"
+                      "    worldRay = far.xyz / far.w - matc_eyePosition;\n");
+    text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
+}
+
+const char *emit_vertex(Compile *c, const Job *job, const Interface *interface)
+{
+    Text out = text_new(c->arena);
+    emit_version(&out, job->target);
+    text_format(&out, "// matc " MATC_VERSION ": vertex program of pass %s\n\n", pass_table[job->pass].name);
+    if (job->pass == PASS_plane || job->pass == PASS_sky)
+        full_screen(&out, job, interface);
+    else
+        rasterised(&out, job, interface);
+    return out.at;
+}

@@ -1,0 +1,143 @@
+/* Host program: GLSL files -> C. embed OUTPUT SYMBOL FILE...
+ * With SYMBOL "chunk_table": library chunks as link.h has them. Otherwise one string a file, `const char SYMBOL_<name>[]`. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    char *name, *text;
+} File;
+
+static char *read_all(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file || fseek(file, 0, SEEK_END))
+        return NULL;
+    long size = ftell(file);
+    rewind(file);
+    char *text = malloc((size_t)size + 1);
+    if (!text || fread(text, 1, (size_t)size, file) != (size_t)size)
+        return NULL;
+    text[size] = 0;
+    fclose(file);
+    return text;
+}
+
+/* "a/b/wood.glsl" -> "wood" */
+static char *chunk_name(const char *path)
+{
+    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path;
+    size_t size = strlen(start) - strlen(".glsl");
+    char *name = calloc(1, size + 1);
+    if (name)
+        memcpy(name, start, size);
+    return name;
+}
+
+static int by_name(const void *a, const void *b) { return strcmp(((const File *)a)->name, ((const File *)b)->name); }
+
+static void put_string(FILE *out, const char *text, size_t size)
+{
+    fputs("\"", out);
+    for (size_t i = 0; i < size; i++)
+        if (text[i] == '\n')
+            fputs("\\n\"\n    \"", out);
+        else
+            fprintf(out, text[i] == '"' || text[i] == '\\' ? "\\%c" : "%c", text[i]);
+    fputs("\"", out);
+}
+
+static int is_uniform(const char *line) { return !strncmp(line, "uniform ", 8); }
+
+static const char *line_end(const char *line)
+{
+    const char *end = strchr(line, '\n');
+    return end ? end + 1 : line + strlen(line);
+}
+
+/* Lines that declare uniforms, without the word and the semicolon; or all others. */
+static char *pick_lines(const char *text, int uniforms)
+{
+    char *picked = calloc(1, strlen(text) + 1), *to = picked;
+    for (const char *line = text, *end; picked && *line; line = end) {
+        end = line_end(line);
+        if (is_uniform(line) != uniforms)
+            continue;
+        const char *from = uniforms ? line + 8 : line, *stop = uniforms ? strchr(line, ';') : end;
+        memcpy(to, from, (size_t)(stop - from));
+        to += stop - from;
+        if (uniforms)
+            *to++ = '\n';
+    }
+    return picked;
+}
+
+static int put_chunk(FILE *out, const File *file)
+{
+    static const char tag[] = "// needs:";
+    if (strncmp(file->text, tag, sizeof tag - 1) != 0) {
+        fprintf(stderr, "embed: %s.glsl does not begin with `%s`\n", file->name, tag);
+        return 0;
+    }
+    const char *needs = file->text + sizeof tag - 1, *body = line_end(file->text);
+    needs += strspn(needs, " ");
+    char *uniforms = pick_lines(body, 1), *rest = pick_lines(body, 0);
+    fprintf(out, "    {\"%s\", ", file->name);
+    put_string(out, needs, strcspn(needs, "\n"));
+    fputs(",\n    ", out);
+    put_string(out, uniforms, strlen(uniforms));
+    fputs(",\n    ", out);
+    put_string(out, rest, strlen(rest));
+    fputs("},\n", out);
+    free(uniforms);
+    free(rest);
+    return 1;
+}
+
+static int write_output(FILE *out, const char *symbol, const File *files, int count)
+{
+    int fine = 1, chunks = !strcmp(symbol, "chunk_table");
+    fputs("/* Made by grammar/gen/embed.c. */\n", out);
+    if (chunks)
+        fputs("#include \"compiler/link.h\"\nconst Chunk chunk_table[] = {\n", out);
+    for (int i = 0; i < count; i++) {
+        if (chunks) {
+            fine &= put_chunk(out, &files[i]);
+            continue;
+        }
+        fprintf(out, "extern const char %s_%s[];\nconst char %s_%s[] = ", symbol, files[i].name, symbol, files[i].name);
+        put_string(out, files[i].text, strlen(files[i].text));
+        fputs(";\n", out);
+    }
+    if (chunks)
+        fputs("};\nconst int chunk_count = sizeof chunk_table / sizeof *chunk_table;\n", out);
+    return fine;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 4) {
+        fputs("usage: embed OUTPUT SYMBOL FILE...\n", stderr);
+        return 2;
+    }
+    int count = argc - 3;
+    File *files = calloc((size_t)count, sizeof *files);
+    for (int i = 0; i < count; i++) {
+        files[i] = (File){chunk_name(argv[i + 3]), read_all(argv[i + 3])};
+        if (!files[i].name || !files[i].text) {
+            fprintf(stderr, "embed: cannot read %s\n", argv[i + 3]);
+            return 1;
+        }
+    }
+    qsort(files, (size_t)count, sizeof *files, by_name);
+    FILE *out = fopen(argv[1], "w");
+    int fine = out && write_output(out, argv[2], files, count);
+    if (out && fclose(out))
+        fine = 0;
+    for (int i = 0; i < count; i++) {
+        free(files[i].name);
+        free(files[i].text);
+    }
+    free(files);
+    return fine ? 0 : 1;
+}

@@ -1,0 +1,240 @@
+/* The rows of grammar/ as const arrays. */
+#include "tables.h"
+#include <ctype.h>
+#include <math.h>
+#include <stddef.h>
+
+const TypeRow type_table[TYPE_COUNT] = {
+#define TYPE(name, glsl, lanes, doc) {glsl, lanes, doc},
+#include "types.def"
+#undef TYPE
+};
+
+const ChannelRow channel_table[CHANNEL_COUNT] = {
+#define GROUP(name, type, doc)
+#define CHANNEL(name, group, lane, doc) {#name, GROUP_##group, lane, doc},
+#include "channels.def"
+#undef GROUP
+#undef CHANNEL
+};
+
+const SlotRow slot_table[SLOT_COUNT] = {
+#define SLOT(name, type, low, high, doc) {#name, TYPE_##type, low, high, doc},
+#include "slots.def"
+#undef SLOT
+};
+
+#define NONE                                                                                                           \
+    0, { 0 }
+#define D(x)                                                                                                           \
+    1, { x }
+#define D3(x, y, z)                                                                                                    \
+    3, { x, y, z }
+#define ANY              -INFINITY, INFINITY
+#define RANGE(low, high) low, high
+
+const ParamRow param_table[PARAM_COUNT] = {
+#define MATERIAL(name, doc)
+#define MAP(name, function, lowering, cost, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#define PARAM(kind, name, type, init, range, doc) {KIND_##kind, #name, PARAM_##type, init, range, doc},
+#include "materials.def"
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+#undef ALIAS
+#undef PRESET
+};
+
+/* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
+enum {
+#define MATERIAL(name, doc)                       FIRST_##name, RESET_##name = FIRST_##name - 1,
+#define MAP(name, function, lowering, cost, doc)  MATERIAL(name, doc)
+#define PARAM(kind, name, type, init, range, doc) AT_##kind##_##name,
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "materials.def"
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+};
+enum {
+    KINDS_BEGIN = -1 /* each kind's count starts behind a comma and sums over its PARAM lines */
+#define MATERIAL(name, doc)                       , COUNT_##name = 0
+#define MAP(name, function, lowering, cost, doc)  MATERIAL(name, doc)
+#define PARAM(kind, name, type, init, range, doc) +1
+#include "materials.def"
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+};
+
+#define VOLUME LOWERING_VOLUME
+#define OWN    LOWERING_OWN
+const KindRow kind_table[KIND_COUNT] = {
+#define MATERIAL(name, doc)                      {#name, #name, LOWERING_MATERIAL, 0, FIRST_##name, COUNT_##name, doc},
+#define MAP(name, function, lowering, cost, doc) {#name, #function, lowering, cost, FIRST_##name, COUNT_##name, doc},
+#define PARAM(kind, name, type, init, range, doc)
+#include "materials.def"
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+#undef ALIAS
+#undef PRESET
+};
+
+const AliasRow alias_table[] = {
+#define MATERIAL(name, doc)
+#define MAP(name, function, lowering, cost, doc)
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name) {#alias, KIND_##name},
+#define PRESET(name, map, param, init, doc)
+#include "materials.def"
+#include "maps.def"
+#undef ALIAS
+#undef PRESET
+};
+const int alias_count = sizeof alias_table / sizeof *alias_table;
+
+#undef D
+#define D(x) x
+const PresetRow preset_table[] = {
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc) {#name, KIND_##map, P_##map##_##param, init, doc},
+#include "maps.def"
+#undef ALIAS
+#undef PRESET
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+};
+const int preset_count = sizeof preset_table / sizeof *preset_table;
+
+const WaveRow wave_table[WAVE_COUNT] = {
+#define WAVE(name, reference, build, doc) {#name, doc},
+#include "waves.def"
+#undef WAVE
+};
+
+const InputRow input_table[INPUT_COUNT] = {
+#define INPUT(name, type, source, glsl, doc) {#name, TYPE_##type, SOURCE_##source, glsl, doc},
+#include "inputs.def"
+#undef INPUT
+};
+
+const ColorRow color_table[] = {
+#define COLOR(name, r, g, b) {#name, {r, g, b}},
+#include "colors.def"
+#undef COLOR
+};
+const int color_count = sizeof color_table / sizeof *color_table;
+
+const TargetRow target_table[TARGET_COUNT] = {
+#define TARGET(name, version, extension, number, es, doc) {#name, version, extension, number, es, doc},
+#include "targets.def"
+#undef TARGET
+};
+
+const PassRow pass_table[PASS_COUNT] = {
+#define PASS(name, doc) {#name, doc},
+#include "passes.def"
+#undef PASS
+};
+
+const LayoutRow layout_table[LAYOUT_COUNT] = {
+#define LAYOUT(name, targets, format, doc) {#name, targets, format, doc},
+#define FIELD(layout, target, lane, encoding, slot, from, count)
+#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)
+#include "layouts.def"
+#undef LAYOUT
+#undef FIELD
+#undef PAIR
+};
+
+const FieldRow field_table[] = {
+#define LAYOUT(name, targets, format, doc)
+#define FIELD(layout, target, lane, encoding, slot, from, count)                                                       \
+    {LAYOUT_##layout, target, lane, ENCODING_##encoding, SLOT_##slot, from, count, SLOT_##slot, 0},
+#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)                                                     \
+    {LAYOUT_##layout, target, lane, ENCODING_pair, SLOT_##slot_a, lane_a, 1, SLOT_##slot_b, lane_b},
+#include "layouts.def"
+#undef LAYOUT
+#undef FIELD
+#undef PAIR
+};
+const int field_count = sizeof field_table / sizeof *field_table;
+
+const char *const noise_names[NOISE_COUNT] = {"lattice", "groimp"};
+
+#define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
+    void reference_##name(const void *, const double *, double *);
+#include "functions.def"
+#undef FUNCTION
+
+/* The functions of volume maps: declared, their arguments, their rows. An OWN map has none. */
+#define OWN_DECLARATION(function)
+#define VOLUME_DECLARATION(function)             void reference_##function(const void *, const double *, double *);
+#define MAP(name, function, lowering, cost, doc) lowering##_DECLARATION(function)
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#undef VOLUME
+#undef OWN
+#include "maps.def"
+#undef MAP
+#undef PARAM
+
+#define LETTER_Float     "f"
+#define LETTER_Int       "i"
+#define LETTER_Vec3      "3"
+#define LETTER_Bool      ""
+#define LETTER_Map       ""
+#define LETTER_Wave      ""
+#define LETTER_Transform ""
+#define LETTER_Image     ""
+#define LETTER_Items     ""
+/* A volume map's function takes the position, then the PARAM lines. */
+static const char *const map_arguments[KIND_COUNT] = {
+    [0] = "" /* materials have none */
+#define MAP(name, function, lowering, cost, doc) , [KIND_##name] = "3"
+#define BASE_PARAM(kind, name, type, init, range, doc)
+#define PARAM(kind, name, type, init, range, doc) LETTER_##type
+#include "maps.def"
+#undef MAP
+#undef PARAM
+};
+
+#define OWN_ROW(function, cost, doc)    {NULL, TYPE_float, cost, NULL, doc},
+#define VOLUME_ROW(function, cost, doc) {#function, TYPE_float, cost, reference_##function, doc},
+static const FunctionRow function_table[FUNCTION_COUNT] = {
+#define FUNCTION(name, result, arguments, low, high, cost, doc) {#name, TYPE_##result, cost, reference_##name, doc},
+#include "functions.def"
+#undef FUNCTION
+#define MATERIAL(name, doc)                      OWN_ROW(name, 0, doc)
+#define MAP(name, function, lowering, cost, doc) lowering##_ROW(function, cost, doc)
+#define PARAM(kind, name, type, init, range, doc)
+#include "materials.def"
+#undef ALIAS
+#undef PRESET
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "maps.def"
+};
+
+static const char *const fixed_arguments[] = {
+#define FUNCTION(name, result, arguments, low, high, cost, doc) arguments,
+#include "functions.def"
+#undef FUNCTION
+};
+
+const FunctionRow *function_row(int function) { return &function_table[function]; }
+
+const char *function_arguments(int function)
+{
+    return function < FN_FIRST_MAP ? fixed_arguments[function] : map_arguments[function - FN_FIRST_MAP];
+}

@@ -1,0 +1,260 @@
+/* The tables of grammar/ as enums and const arrays. Nothing here knows GLSL text or algorithms. */
+#ifndef MATC_TABLES_H
+#define MATC_TABLES_H
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef enum {
+#define TYPE(name, glsl, lanes, doc) TYPE_##name,
+#include "types.def"
+#undef TYPE
+    TYPE_COUNT
+} Type;
+
+typedef struct {
+    const char *name; /* as in the IR's text and in GLSL */
+    int lanes;        /* numbers in a value of the type */
+    const char *doc;
+} TypeRow;
+extern const TypeRow type_table[TYPE_COUNT];
+
+typedef enum {
+#define GROUP(name, type, doc) GROUP_##name,
+#define CHANNEL(name, group, lane, doc)
+#include "channels.def"
+#undef GROUP
+#undef CHANNEL
+    GROUP_COUNT
+} Group;
+
+enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + lane */
+
+typedef struct {
+    const char *name; /* "px", "u", ... */
+    Group group;
+    int lane;
+    const char *doc;
+} ChannelRow;
+enum {
+#define GROUP(name, type, doc)
+#define CHANNEL(name, group, lane, doc) CHANNEL_ROW_##name,
+#include "channels.def"
+#undef GROUP
+#undef CHANNEL
+    CHANNEL_COUNT
+};
+extern const ChannelRow channel_table[CHANNEL_COUNT];
+
+typedef enum {
+#define SLOT(name, type, low, high, doc) SLOT_##name,
+#include "slots.def"
+#undef SLOT
+    SLOT_COUNT
+} Slot;
+
+typedef struct {
+    const char *name;
+    Type type;
+    double low, high; /* range of a valid surface */
+    const char *doc;
+} SlotRow;
+extern const SlotRow slot_table[SLOT_COUNT];
+
+/* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come first. */
+typedef enum {
+#define MATERIAL(name, doc)                      KIND_##name,
+#define MAP(name, function, lowering, cost, doc) KIND_##name,
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "materials.def"
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+    KIND_COUNT
+} Kind;
+
+typedef enum {
+    PARAM_Map,       /* a ChannelMap */
+    PARAM_Material,  /* a material */
+    PARAM_Float,     /* a number, or a uniform */
+    PARAM_Int,       /* a whole number, or a uniform */
+    PARAM_Bool,      /* true or false */
+    PARAM_Vec3,      /* three numbers, or a uniform */
+    PARAM_Wave,      /* a waveform */
+    PARAM_Transform, /* a transformation of space */
+    PARAM_Image,     /* a picture file */
+    PARAM_Items,     /* a list of blend items */
+} ParamKind;
+
+typedef struct {
+    Kind kind; /* whose parameter */
+    const char *name;
+    ParamKind type;
+    int lanes;      /* of the default: 0 for none */
+    double init[3]; /* the default */
+    double low, high;
+    const char *doc;
+} ParamRow;
+
+/* One index over all parameters; P_Checker_color1 is that of Checker's color1. */
+enum {
+#define MATERIAL(name, doc)
+#define MAP(name, function, lowering, cost, doc)
+#define PARAM(kind, name, type, init, range, doc) P_##kind##_##name,
+#include "materials.def"
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+    PARAM_COUNT
+};
+extern const ParamRow param_table[PARAM_COUNT];
+
+typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
+
+typedef struct {
+    const char *name;
+    const char *function; /* its name in GLSL: of its function, or of temporaries with its value */
+    Lowering lowering;
+    int cost;
+    int first, count; /* its run in param_table */
+    const char *doc;
+} KindRow;
+extern const KindRow kind_table[KIND_COUNT];
+
+typedef struct {
+    const char *alias;
+    Kind kind;
+} AliasRow;
+extern const AliasRow alias_table[];
+extern const int alias_count;
+
+typedef struct {
+    const char *name;
+    Kind kind;
+    int param; /* index in param_table */
+    double init;
+    const char *doc;
+} PresetRow;
+extern const PresetRow preset_table[];
+extern const int preset_count;
+
+typedef enum {
+#define WAVE(name, reference, build, doc) WAVE_##name,
+#include "waves.def"
+#undef WAVE
+    WAVE_COUNT,
+    WAVE_Chain = WAVE_COUNT /* has fields, hence no row */
+} WaveKind;
+typedef struct {
+    const char *name;
+    const char *doc;
+} WaveRow;
+extern const WaveRow wave_table[WAVE_COUNT];
+
+/* Library functions: those of functions.def, then one for each map whose lowering is VOLUME. */
+typedef enum {
+#define FUNCTION(name, result, arguments, low, high, cost, doc) FN_##name,
+#include "functions.def"
+#undef FUNCTION
+    FN_FIRST_MAP
+} Function;
+/* A volume map's function is FN_FIRST_MAP + its Kind; not every value is in use. */
+enum { FUNCTION_COUNT = FN_FIRST_MAP + KIND_COUNT };
+
+typedef void (*Reference)(const void *context, const double *args, double *result);
+typedef struct {
+    const char *name; /* NULL: a map without a function */
+    Type result;
+    int cost;
+    Reference reference;
+    const char *doc;
+} FunctionRow;
+const FunctionRow *function_row(int function);
+/* A letter for each argument: f i 2 3 4 s. */
+const char *function_arguments(int function);
+
+typedef enum {
+#define INPUT(name, type, source, glsl, doc) INPUT_##name,
+#include "inputs.def"
+#undef INPUT
+    INPUT_COUNT
+} Input;
+typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw } InputSource;
+typedef struct {
+    const char *name;
+    Type type;
+    InputSource source;
+    const char *glsl;
+    const char *doc;
+} InputRow;
+extern const InputRow input_table[INPUT_COUNT];
+
+typedef struct {
+    const char *name;
+    unsigned char rgb[3];
+} ColorRow;
+extern const ColorRow color_table[];
+extern const int color_count;
+
+typedef enum {
+#define TARGET(name, version, extension, number, es, doc) TARGET_##name,
+#include "targets.def"
+#undef TARGET
+    TARGET_COUNT
+} Target;
+typedef struct {
+    const char *name, *version, *extension;
+    int number;
+    bool es;
+    const char *doc;
+} TargetRow;
+extern const TargetRow target_table[TARGET_COUNT];
+
+typedef enum {
+#define PASS(name, doc) PASS_##name,
+#include "passes.def"
+#undef PASS
+    PASS_COUNT
+} Pass;
+typedef struct {
+    const char *name, *doc;
+} PassRow;
+extern const PassRow pass_table[PASS_COUNT];
+
+typedef enum {
+#define LAYOUT(name, targets, format, doc) LAYOUT_##name,
+#define FIELD(layout, target, lane, encoding, slot, from, count)
+#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)
+#include "layouts.def"
+#undef LAYOUT
+#undef FIELD
+#undef PAIR
+    LAYOUT_COUNT
+} Layout;
+typedef struct {
+    const char *name;
+    int targets;        /* render targets of four lanes each */
+    const char *format; /* of each */
+    const char *doc;
+} LayoutRow;
+extern const LayoutRow layout_table[LAYOUT_COUNT];
+
+typedef enum { ENCODING_raw, ENCODING_spheremap, ENCODING_pair } Encoding;
+typedef struct {
+    Layout layout;
+    int target, lane;
+    Encoding encoding;
+    Slot slot;       /* first or only slot */
+    int from, count; /* its lanes; for a pair `from` is the lane of the first */
+    Slot other;      /* second slot of a pair */
+    int other_lane;
+} FieldRow;
+extern const FieldRow field_table[];
+extern const int field_count;
+
+typedef enum { NOISE_lattice, NOISE_groimp, NOISE_COUNT } Noise;
+extern const char *const noise_names[NOISE_COUNT];
+#endif

@@ -1,0 +1,17 @@
+/* What a way of opening a context has to offer. context.c has the list of them; nobody else looks here. */
+#ifndef MATC_GL_BACKEND_H
+#define MATC_GL_BACKEND_H
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef void (*GlProc)(void);
+
+typedef struct {
+    void *(*open)(bool core, char *error, size_t room); /* its state, the context being current; NULL: see error */
+    bool (*use)(void *state);                           /* makes it current on this thread */
+    GlProc (*load)(void *state, const char *name);      /* the function "glName", NULL when the driver has none */
+    void (*close)(void *state);
+} GlBackend;
+
+extern const GlBackend gl_backend_osmesa;
+#endif

@@ -1,0 +1,117 @@
+/* A kind of context in, a current context with its functions loaded out. */
+#include "context.h"
+#include "backend.h"
+#include "message.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const GlBackend *const backends[GL_KIND_count] = {
+    [GL_KIND_osmesa] = &gl_backend_osmesa,
+};
+
+static bool load(GlContext *gl)
+{
+    const GlBackend *backend = backends[gl->kind];
+#define F(NAME, Name) \
+    gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name); \
+    if (!gl->Name) return gl_fail(gl, "the driver has no gl" #Name);
+    GL_FUNCTIONS(F)
+#undef F
+    return true;
+}
+
+static const char *string(const GlContext *gl, GLenum name)
+{
+    const GLubyte *text = gl->GetString(name);
+    return text ? (const char *)text : "?";
+}
+
+static void describe(GlContext *gl)
+{
+    gl->version = string(gl, GL_VERSION);
+    gl->renderer = string(gl, GL_RENDERER);
+    gl->language = string(gl, GL_SHADING_LANGUAGE_VERSION);
+    if (sscanf(gl->version, "%d.%d", &gl->major, &gl->minor) != 2)
+        gl->major = gl->minor = 0; /* "OpenGL ES 3.2" ends here too */
+    gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
+    gl->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &gl->max_texture_units);
+    gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
+}
+
+/* Rows of bytes and of one float are not padded, in either direction. */
+static void set_defaults(const GlContext *gl)
+{
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+}
+
+static bool start(GlContext *gl)
+{
+    gl->state = backends[gl->kind]->open(gl->core, gl->error, sizeof gl->error);
+    if (!gl->state) return false;
+    if (!load(gl)) return false;
+    describe(gl);
+    set_defaults(gl);
+    return gl_check(gl, "opening the context");
+}
+
+GlContext *gl_open(GlKind kind, bool core, char *error, size_t room)
+{
+    if ((unsigned)kind >= GL_KIND_count) {
+        message_fail(error, room, "unknown kind of GL context");
+        return NULL;
+    }
+    GlContext *gl = calloc(1, sizeof *gl);
+    if (!gl) {
+        message_fail(error, room, "out of memory");
+        return NULL;
+    }
+    gl->kind = kind;
+    gl->core = core;
+    if (start(gl)) return gl;
+    message_fail(error, room, "%s", gl->error);
+    gl_close(gl);
+    return NULL;
+}
+
+bool gl_use(GlContext *gl)
+{
+    return backends[gl->kind]->use(gl->state) || gl_fail(gl, "the context cannot be made current");
+}
+
+void gl_close(GlContext *gl)
+{
+    if (!gl) return;
+    if (gl->state) backends[gl->kind]->close(gl->state);
+    free(gl);
+}
+
+bool gl_fail(GlContext *gl, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(gl->error, sizeof gl->error, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static const char *error_name(GLenum error)
+{
+    switch (error) {
+    case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
+    default: return "an unknown GL error";
+    }
+}
+
+bool gl_check(GlContext *gl, const char *doing)
+{
+    GLenum first = gl->GetError();
+    if (first == GL_NO_ERROR) return true;
+    for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {} /* bounded: a lost context never runs out of errors */
+    return gl_fail(gl, "%s: %s", doing, error_name(first));
+}

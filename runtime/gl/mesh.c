@@ -1,0 +1,81 @@
+/* Uploads a shape and draws it. */
+#include "mesh.h"
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+const char *const mesh_attribute_names[MESH_ATTRIBUTE_count] = {
+    "position", "normal", "texcoord", "tangentU", "tangentV",
+};
+
+static const struct {
+    GLint lanes;
+    size_t offset; /* in ShapeVertex */
+} attributes[MESH_ATTRIBUTE_count] = {
+    [MESH_ATTRIBUTE_position] = {3, offsetof(ShapeVertex, position)},
+    [MESH_ATTRIBUTE_normal] = {3, offsetof(ShapeVertex, normal)},
+    [MESH_ATTRIBUTE_texcoord] = {2, offsetof(ShapeVertex, uv)},
+    [MESH_ATTRIBUTE_tangentU] = {3, offsetof(ShapeVertex, tangentU)},
+    [MESH_ATTRIBUTE_tangentV] = {3, offsetof(ShapeVertex, tangentV)},
+};
+
+static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
+{
+    gl->BindVertexArray(mesh->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->vertices,
+                   shape->vertices, GL_STATIC_DRAW);
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->buffers[1]);
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)shape->index_count * (GLsizeiptr)sizeof *shape->indices,
+                   shape->indices, GL_STATIC_DRAW);
+    for (GLuint i = 0; i < MESH_ATTRIBUTE_count; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
+                                (const void *)(uintptr_t)attributes[i].offset); /* an offset, by GL's habit */
+    }
+    gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
+{
+    Shape shape;
+    memset(made, 0, sizeof *made);
+    if (!shape_make(kind, &shape)) return gl_fail(gl, "no such shape, or out of memory");
+    gl->GenVertexArrays(1, &made->array);
+    gl->GenBuffers(2, made->buffers);
+    upload(gl, made, &shape);
+    made->index_count = shape.index_count;
+    shape_free(&shape);
+    if (gl_check(gl, "making a mesh")) return true;
+    mesh_delete(gl, made);
+    return false;
+}
+
+void mesh_draw(const GlContext *gl, const Mesh *mesh)
+{
+    gl->BindVertexArray(mesh->array);
+    gl->DrawElements(GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_INT, NULL);
+    gl->BindVertexArray(0);
+}
+
+bool mesh_make_empty(GlContext *gl, Mesh *made)
+{
+    memset(made, 0, sizeof *made);
+    gl->GenVertexArrays(1, &made->array);
+    return gl_check(gl, "making a vertex array");
+}
+
+void mesh_draw_screen(const GlContext *gl, const Mesh *empty)
+{
+    gl->BindVertexArray(empty->array);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->BindVertexArray(0);
+}
+
+void mesh_delete(const GlContext *gl, Mesh *mesh)
+{
+    gl->DeleteVertexArrays(1, &mesh->array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(2, mesh->buffers);
+    memset(mesh, 0, sizeof *mesh);
+}

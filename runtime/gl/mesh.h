@@ -1,0 +1,40 @@
+/* A shape on the driver's side: one interleaved vertex buffer, one index buffer, one vertex array. */
+#ifndef MATC_GL_MESH_H
+#define MATC_GL_MESH_H
+#include "context.h"
+#include "shape.h"
+
+/* Attribute locations, as matc's vertex programs declare them. */
+enum {
+    MESH_ATTRIBUTE_position,
+    MESH_ATTRIBUTE_normal,
+    MESH_ATTRIBUTE_texcoord,
+    MESH_ATTRIBUTE_tangentU,
+    MESH_ATTRIBUTE_tangentV,
+    MESH_ATTRIBUTE_count
+};
+
+/* "position", "normal", "texcoord", "tangentU", "tangentV": for programs that declare no locations. */
+extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_count];
+
+typedef struct {
+    GLuint array;      /* vertex array */
+    GLuint buffers[2]; /* vertices, indices */
+    GLsizei index_count;
+} Mesh;
+
+/* On false *made is empty, see gl->error. */
+bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
+
+/* Draws with the current program into the current framebuffer. */
+void mesh_draw(const GlContext *gl, const Mesh *mesh);
+
+/* A mesh without attributes, which core profiles want for what mesh_draw_screen draws. */
+bool mesh_make_empty(GlContext *gl, Mesh *made);
+
+/* One triangle that covers the screen; its vertex program places the corners by gl_VertexID. */
+void mesh_draw_screen(const GlContext *gl, const Mesh *empty);
+
+/* Safe on an empty one. */
+void mesh_delete(const GlContext *gl, Mesh *mesh);
+#endif

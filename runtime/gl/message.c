@@ -1,0 +1,14 @@
+/* Format and arguments in, a cut message and false out. */
+#include "message.h"
+#include <stdarg.h>
+#include <stdio.h>
+
+bool message_fail(char *error, size_t room, const char *format, ...)
+{
+    if (!error || room == 0) return false; /* the caller does not want to know */
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(error, room, format, arguments);
+    va_end(arguments);
+    return false;
+}

@@ -1,0 +1,33 @@
+/* GLSL texts in, a linked program out; uniforms set by name. */
+#ifndef MATC_GL_PROGRAM_H
+#define MATC_GL_PROGRAM_H
+#include "context.h"
+
+enum { PROGRAM_PIECES = 6 }; /* texts that one stage may be put together from */
+
+/* What a program is made of. Locations that a text itself declares need no names here. */
+typedef struct {
+    const char *vertex[PROGRAM_PIECES];   /* read one after the other; NULL ends the list */
+    const char *fragment[PROGRAM_PIECES];
+    const char *const *attributes;        /* name i is bound to vertex attribute i; NULL: those of mesh.h */
+    int attribute_count;
+    const char *const *outputs;           /* name i is bound to colour target i: `out` variables of GLSL 1.30 to 3.20;
+                                             gl_FragData and layout(location) need none */
+    int output_count;
+} ProgramText;
+
+/* A uniform's value. Its type in the program decides what becomes of the numbers: float, int, bool, uint, matrix by
+ * columns, or the texture unit of a sampler. */
+typedef struct {
+    const char *name;
+    int lanes; /* 1-4; 9 and 16 for a matrix */
+    const float *values;
+} ProgramValue;
+
+/* Compiles and links. 0: gl->error has the stage ("vertex", "fragment", "link") and the driver's log. */
+GLuint program_make(GlContext *gl, const ProgramText *text);
+
+/* Sets a uniform; the program becomes the current one. False, without any harm, when the program has no such uniform
+ * or one of other lanes: a driver drops what a program does not use, so that is no error. */
+bool program_set(GlContext *gl, GLuint program, const ProgramValue *value);
+#endif

@@ -1,0 +1,149 @@
+/* A shape is a list of patches; a patch is a grid over a surface P(u, v). */
+#include "shape.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+#define TORUS_RADIUS 0.7 /* of the circle in the tube's middle */
+#define TORUS_TUBE 0.3
+
+/* Fills all but uv, which is set already. `patch` counts from 0. */
+typedef void Surface(int patch, double u, double v, ShapeVertex *vertex);
+
+static void put(float to[3], double x, double y, double z)
+{
+    to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
+}
+
+/* P = (cos a cos b, sin a cos b, sin b), a = 2 pi u, b = pi (v - 1/2). */
+static void sphere(int patch, double u, double v, ShapeVertex *vertex)
+{
+    (void)patch;
+    double ca = cos(2 * PI * u), sa = sin(2 * PI * u);
+    double sb = -cos(PI * v), cb = sin(PI * v);
+    put(vertex->position, ca * cb, sa * cb, sb);
+    put(vertex->normal, ca * cb, sa * cb, sb);
+    put(vertex->tangentU, -2 * PI * sa * cb, 2 * PI * ca * cb, 0);
+    put(vertex->tangentV, -PI * ca * sb, -PI * sa * sb, PI * cb);
+}
+
+/* P = (2u - 1, 2v - 1, 0). */
+static void plane(int patch, double u, double v, ShapeVertex *vertex)
+{
+    (void)patch;
+    put(vertex->position, 2 * u - 1, 2 * v - 1, 0);
+    put(vertex->normal, 0, 0, 1);
+    put(vertex->tangentU, 2, 0, 0);
+    put(vertex->tangentV, 0, 2, 0);
+}
+
+/* P = n + (2u - 1) a + (2v - 1) b with a x b = n. */
+static void cube(int patch, double u, double v, ShapeVertex *vertex)
+{
+    static const signed char faces[6][3][3] = { /* n, a, b */
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+        {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+    };
+    const signed char *n = faces[patch][0], *a = faces[patch][1], *b = faces[patch][2];
+    double s = 2 * u - 1, t = 2 * v - 1;
+    put(vertex->position, n[0] + s * a[0] + t * b[0], n[1] + s * a[1] + t * b[1], n[2] + s * a[2] + t * b[2]);
+    put(vertex->normal, n[0], n[1], n[2]);
+    put(vertex->tangentU, 2 * a[0], 2 * a[1], 2 * a[2]);
+    put(vertex->tangentV, 2 * b[0], 2 * b[1], 2 * b[2]);
+}
+
+/* P = ((R + r cos b) cos a, (R + r cos b) sin a, r sin b), a = 2 pi u, b = 2 pi v. */
+static void torus(int patch, double u, double v, ShapeVertex *vertex)
+{
+    (void)patch;
+    double ca = cos(2 * PI * u), sa = sin(2 * PI * u);
+    double cb = cos(2 * PI * v), sb = sin(2 * PI * v);
+    double ring = TORUS_RADIUS + TORUS_TUBE * cb, turn = 2 * PI * TORUS_TUBE;
+    put(vertex->position, ring * ca, ring * sa, TORUS_TUBE * sb);
+    put(vertex->normal, cb * ca, cb * sa, sb);
+    put(vertex->tangentU, -2 * PI * ring * sa, 2 * PI * ring * ca, 0);
+    put(vertex->tangentV, -turn * sb * ca, -turn * sb * sa, turn * cb);
+}
+
+/* 192 steps around keep a chord within 0.14 pixels of a circle 2000 pixels across. */
+static const struct {
+    const char *name;
+    Surface *surface;
+    int patches;
+    int columns, rows; /* cells of a patch */
+} kinds[SHAPE_count] = {
+    [SHAPE_sphere] = {"sphere", sphere, 1, 192, 96},
+    [SHAPE_plane] = {"plane", plane, 1, 1, 1},
+    [SHAPE_cube] = {"cube", cube, 6, 1, 1},
+    [SHAPE_torus] = {"torus", torus, 1, 192, 96},
+};
+
+const char *shape_name(ShapeKind kind)
+{
+    return (unsigned)kind < SHAPE_count ? kinds[kind].name : "?";
+}
+
+bool shape_find(const char *name, ShapeKind *kind)
+{
+    for (int i = 0; i < SHAPE_count; i++) {
+        if (strcmp(kinds[i].name, name) != 0) continue;
+        *kind = (ShapeKind)i;
+        return true;
+    }
+    return false;
+}
+
+static ShapeVertex *fill_vertices(ShapeKind kind, int patch, ShapeVertex *next)
+{
+    int columns = kinds[kind].columns, rows = kinds[kind].rows;
+    for (int row = 0; row <= rows; row++) {
+        for (int column = 0; column <= columns; column++, next++) {
+            double u = (double)column / columns, v = (double)row / rows;
+            next->uv[0] = (float)u, next->uv[1] = (float)v;
+            kinds[kind].surface(patch, u, v, next);
+        }
+    }
+    return next;
+}
+
+static uint32_t *fill_indices(ShapeKind kind, uint32_t first, uint32_t *next)
+{
+    uint32_t columns = (uint32_t)kinds[kind].columns, rows = (uint32_t)kinds[kind].rows;
+    for (uint32_t row = 0; row < rows; row++) {
+        for (uint32_t column = 0; column < columns; column++) {
+            uint32_t a = first + row * (columns + 1) + column, b = a + 1, c = a + columns + 1, d = c + 1;
+            const uint32_t cell[6] = {a, b, d, a, d, c};
+            memcpy(next, cell, sizeof cell);
+            next += 6;
+        }
+    }
+    return next;
+}
+
+bool shape_make(ShapeKind kind, Shape *made)
+{
+    memset(made, 0, sizeof *made);
+    if ((unsigned)kind >= SHAPE_count) return false;
+    int corners = (kinds[kind].columns + 1) * (kinds[kind].rows + 1);
+    made->vertex_count = kinds[kind].patches * corners;
+    made->index_count = kinds[kind].patches * kinds[kind].columns * kinds[kind].rows * 6;
+    made->vertices = calloc((size_t)made->vertex_count, sizeof *made->vertices);
+    made->indices = calloc((size_t)made->index_count, sizeof *made->indices);
+    if (!made->vertices || !made->indices) return shape_free(made), false;
+    ShapeVertex *vertex = made->vertices;
+    uint32_t *index = made->indices;
+    for (int patch = 0; patch < kinds[kind].patches; patch++) {
+        index = fill_indices(kind, (uint32_t)(patch * corners), index);
+        vertex = fill_vertices(kind, patch, vertex);
+    }
+    return true;
+}
+
+void shape_free(Shape *shape)
+{
+    free(shape->vertices);
+    free(shape->indices);
+    memset(shape, 0, sizeof *shape);
+}

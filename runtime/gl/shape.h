@@ -1,0 +1,37 @@
+/* The geometry of preview shapes, as plain numbers: z is up, front faces turn counterclockwise, and at every vertex the
+ * normal and both derivatives of the position are those of the mathematical surface. */
+#ifndef MATC_GL_SHAPE_H
+#define MATC_GL_SHAPE_H
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef enum {
+    SHAPE_sphere, /* radius 1; u = longitude / 2 pi from the x axis, v from the south pole to the north pole */
+    SHAPE_plane,  /* [-1, 1] squared in z = 0, facing up; u along x, v along y */
+    SHAPE_cube,   /* [-1, 1] cubed; every face has the whole of u and v, v upwards on the sides */
+    SHAPE_torus,  /* around the z axis; u around the axis, v around the tube, from its outer rim upwards */
+    SHAPE_count
+} ShapeKind;
+
+typedef struct {
+    float position[3];
+    float normal[3];   /* unit length */
+    float uv[2];
+    float tangentU[3]; /* dP/du: not of unit length, zero at a pole of the sphere */
+    float tangentV[3]; /* dP/dv */
+} ShapeVertex;
+
+typedef struct {
+    ShapeVertex *vertices;
+    uint32_t *indices; /* triangles */
+    int vertex_count, index_count;
+} Shape;
+
+/* The name of a kind ("sphere") and back; false for a name that is none. */
+const char *shape_name(ShapeKind kind);
+bool shape_find(const char *name, ShapeKind *kind);
+
+/* False when memory ran out; *made is empty then. */
+bool shape_make(ShapeKind kind, Shape *made);
+void shape_free(Shape *shape);
+#endif

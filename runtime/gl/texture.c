@@ -1,0 +1,53 @@
+/* Texels in, a texture out. */
+#include "texture.h"
+
+static bool check_spec(GlContext *gl, const TextureSpec *spec)
+{
+    if (spec->width < 1 || spec->height < 1) return gl_fail(gl, "a texture needs at least one texel");
+    if (spec->width > gl->max_texture_size || spec->height > gl->max_texture_size)
+        return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d",
+                       spec->width, spec->height, gl->max_texture_size);
+    if (spec->lanes != 1 && spec->lanes != 4) return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->lanes);
+    if (!spec->bytes == !spec->floats) return gl_fail(gl, "a texture is of bytes or of floats");
+    return true;
+}
+
+static void set_parameters(const GlContext *gl, const TextureSpec *spec)
+{
+    GLint filter = spec->linear ? GL_LINEAR : GL_NEAREST;
+    GLint wrap = spec->repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+static void upload(const GlContext *gl, const TextureSpec *spec)
+{
+    static const GLint formats[2][2] = {{GL_R32F, GL_R8}, {GL_RGBA32F, GL_RGBA8}};
+    GLint internal = formats[spec->lanes == 4][spec->bytes != NULL];
+    GLenum format = spec->lanes == 4 ? GL_RGBA : GL_RED;
+    GLenum type = spec->bytes ? GL_UNSIGNED_BYTE : GL_FLOAT;
+    const void *texels = spec->bytes ? (const void *)spec->bytes : spec->floats;
+    gl->TexImage2D(GL_TEXTURE_2D, 0, internal, spec->width, spec->height, 0, format, type, texels);
+}
+
+GLuint texture_make(GlContext *gl, const TextureSpec *spec)
+{
+    if (!check_spec(gl, spec)) return 0;
+    GLuint texture = 0;
+    gl->GenTextures(1, &texture);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    set_parameters(gl, spec);
+    upload(gl, spec);
+    if (gl_check(gl, "making a texture")) return texture;
+    gl->DeleteTextures(1, &texture);
+    return 0;
+}
+
+void texture_bind(const GlContext *gl, GLuint texture, int unit)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+}

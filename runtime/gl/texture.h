@@ -1,0 +1,22 @@
+/* Two-dimensional textures of bytes or floats, without mip maps. */
+#ifndef MATC_GL_TEXTURE_H
+#define MATC_GL_TEXTURE_H
+#include "context.h"
+#include <stdint.h>
+
+/* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. Either bytes or floats are set. */
+typedef struct {
+    int width, height;
+    int lanes;            /* 1 or 4 */
+    const uint8_t *bytes; /* a byte over 255 is the value: R8, RGBA8 */
+    const float *floats;  /* R32F, RGBA32F */
+    bool linear;          /* filter; false: nearest */
+    bool repeat;          /* wrap; false: clamp to the edge */
+} TextureSpec;
+
+/* The texture stays bound to the active unit. 0: see gl->error. Delete with gl->DeleteTextures. */
+GLuint texture_make(GlContext *gl, const TextureSpec *spec);
+
+/* Binds a texture to a unit, for the sampler uniform of that number. */
+void texture_bind(const GlContext *gl, GLuint texture, int unit);
+#endif

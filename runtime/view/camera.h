@@ -1,0 +1,17 @@
+/* Where the preview looks from. */
+#ifndef MATC_VIEW_CAMERA_H
+#define MATC_VIEW_CAMERA_H
+#include "runtime/gl/matrix.h"
+#include "runtime/gl/shape.h"
+
+typedef struct {
+    float position[3]; /* in the world */
+    Mat4 eye_from_world;
+    Mat4 clip_from_eye;
+    Mat4 clip_from_world;
+    Mat4 eye_from_clip;
+} Camera;
+
+/* The camera that shows a shape at its best, filling a picture of this size. */
+Camera camera_for(ShapeKind shape, int width, int height);
+#endif
