@@ -79,15 +79,15 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
 }
 
-/* One triangle that covers the screen; the ray runs from the eye through the far plane. */
+/* One triangle that covers the screen; the ray runs through two points of different depth, whatever the depth range. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)
 {
-    static const char *const names[] = {"mat4 matc_worldFromClip", "vec3 matc_eyePosition"};
+    static const char *const names[] = {"mat4 matc_worldFromClip"};
     bool old = job->target == TARGET_glsl110, ray = interface->inputs[INPUT_ray];
     if (old)
         text_put(out, "attribute vec3 position;\n");
     if (ray) {
-        put_uniforms(out, job->target, (bool[]){true, true}, names, 2);
+        put_uniforms(out, job->target, (bool[]){true}, names, 1);
         emit_varying(out, job->target, INPUT_ray, "out");
     }
     text_put(out, "\nvoid main() {\n");
@@ -97,8 +97,9 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     else
         text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n", index, index);
     if (ray)
-        text_put(out, "    vec4 far = matc_worldFromClip * vec4(corner, 1.0, 1.0);\n"
-                      "    worldRay = far.xyz / far.w - matc_eyePosition;\n");
+        text_put(out, "    vec4 near = matc_worldFromClip * vec4(corner, 0.0, 1.0);\n"
+                      "    vec4 far = matc_worldFromClip * vec4(corner, 0.5, 1.0);\n"
+                      "    worldRay = far.xyz / far.w - near.xyz / near.w;\n");
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
