@@ -76,6 +76,19 @@ void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t s
     return moved;
 }
 
+void arena_reset(Arena *arena)
+{
+    ArenaBlock *kept = arena->block;
+    if (!kept)
+        return;
+    for (ArenaBlock *block = kept->older, *older; block; block = older) {
+        older = block->older;
+        free(block);
+    }
+    kept->older = NULL;
+    arena->next = (char *)kept + aligned(sizeof *kept);
+}
+
 void arena_free(Arena *arena)
 {
     for (ArenaBlock *block = arena->block, *older; block; block = older) {

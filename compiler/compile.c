@@ -140,6 +140,7 @@ Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *
     if (c->optimize > 0 && !optimize(c, ir))
         return NULL;
     opt_dead(ir);
+    ir_done(ir);
     return ir;
 }
 

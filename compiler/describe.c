@@ -1,10 +1,153 @@
-#include "matc.h"
-#include <string.h>
+/* Rows of the tables as text. */
+#include "describe.h"
+#include <math.h>
 #include <stdlib.h>
-char *matc_schema(void) { return strdup(""); }
-char *matc_list(void) { return strdup(""); }
-char *matc_explain(const char *name)
+#include <string.h>
+
+const char *const severity_names[] = {"note", "warning", "error"};
+const char *const encoding_names[] = {"raw", "spheremap", "pair"};
+
+void describe_number(Text *out, double value)
 {
-    (void)name;
-    return NULL;
+    if (value == trunc(value) && fabs(value) < 1e9)
+        text_int(out, (long)value);
+    else
+        text_double(out, value);
+}
+
+const char *describe_type(const ParamRow *param)
+{
+    static const char *const names[] = {
+        [PARAM_Map] = "map",     [PARAM_Material] = "material",   [PARAM_Float] = "number", [PARAM_Int] = "whole",
+        [PARAM_Bool] = "bool",   [PARAM_Vec3] = "3 numbers",      [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
+        [PARAM_Items] = "items", [PARAM_Transform] = "transform",
+    };
+    return param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
+}
+
+static double initial(const ParamRow *param, int lane, const char *preset)
+{
+    for (int i = 0; preset && i < preset_count; i++)
+        if (!strcmp(preset_table[i].name, preset) && &param_table[preset_table[i].param] == param)
+            return preset_table[i].init;
+    return param->init[lane];
+}
+
+void describe_default(Text *out, const ParamRow *param, const char *preset)
+{
+    if (!param->lanes) {
+        text_put(out, "none");
+    } else if (param->type == PARAM_Bool) {
+        text_put(out, initial(param, 0, preset) != 0 ? "true" : "false");
+    } else if (param->lanes == 1) {
+        describe_number(out, initial(param, 0, preset));
+    } else {
+        for (int i = 0; i < param->lanes; i++) {
+            text_put(out, i ? ", " : "[");
+            describe_number(out, initial(param, i, preset));
+        }
+        text_char(out, ']');
+    }
+}
+
+void describe_range(Text *out, const ParamRow *param)
+{
+    if (!isfinite(param->low))
+        return;
+    describe_number(out, param->low);
+    text_put(out, " to ");
+    describe_number(out, param->high);
+}
+
+/* Something to begin with, where a parameter has no default. NULL: better left out. */
+static const char *sample_value(const ParamRow *param)
+{
+    switch (param->type) {
+    case PARAM_Map:
+        return strcmp(param->name, "displacement") != 0 ? NULL : "{ map: Carpenter }";
+    case PARAM_Material:
+        return "{ material: RGBA }";
+    case PARAM_Wave:
+        return "Id";
+    case PARAM_Transform:
+        return "{ scale: 2 }";
+    case PARAM_Items:
+        return "[{ value: 0, input: black }, { value: 1, input: white }]";
+    default:
+        return NULL;
+    }
+}
+
+void describe_example(Text *out, Kind kind, const char *name)
+{
+    const KindRow *row = &kind_table[kind];
+    bool material = row->lowering == LOWERING_MATERIAL;
+    const char *indent = material ? "" : "  ";
+    text_format(out, material ? "material: %s\n" : "material: Phong\n", name);
+    if (!material)
+        text_format(out, "%s:\n  map: %s\n", section_of(kind) == SECTION_normal ? "input" : "diffuse", name);
+    for (int i = row->first; i < row->first + row->count; i++) {
+        const ParamRow *param = &param_table[i];
+        const char *sample = sample_value(param);
+        if (!param->lanes && !sample)
+            continue;
+        text_format(out, "%s%s: ", indent, param->name);
+        if (param->lanes)
+            describe_default(out, param, name);
+        else
+            text_put(out, sample);
+        text_char(out, '\n');
+    }
+}
+
+static void put_slot(Text *out, Slot slot, int from, int count)
+{
+    const int lanes = type_table[slot_table[slot].type].lanes;
+    text_put(out, slot_table[slot].name);
+    if (lanes == 1 || count == lanes)
+        return;
+    text_char(out, '.');
+    for (int i = 0; i < count; i++)
+        text_char(out, "rgba"[from + i]);
+}
+
+void describe_field(Text *out, const FieldRow *field)
+{
+    put_slot(out, field->slot, field->from, field->count);
+    if (field->encoding != ENCODING_pair)
+        return;
+    text_put(out, ", ");
+    put_slot(out, field->other, field->other_lane, 1);
+}
+
+int describe_field_lanes(const FieldRow *field)
+{
+    return field->encoding == ENCODING_spheremap ? 2 : field->encoding == ENCODING_pair ? 1 : field->count;
+}
+
+/* A "%s" right behind a word is a hint that is mostly empty. */
+void describe_message(Text *out, const DiagRow *diag)
+{
+    const char *format = diag->format;
+    for (const char *at = format; *at; at++) {
+        if (*at == '\n')
+            text_char(out, ' ');
+        else if (*at != '%')
+            text_char(out, *at);
+        else if (*++at == '%')
+            text_char(out, '%');
+        else if (at - 1 == format || strchr(" '\n", at[-2]))
+            text_put(out, "...");
+    }
+}
+
+bool is_preset_head(int row) { return !row || strcmp(preset_table[row].name, preset_table[row - 1].name) != 0; }
+
+char *describe_finish(Text *text)
+{
+    char *copy = strdup(text->at ? text->at : "");
+    if (!copy)
+        abort();
+    arena_free(text->arena);
+    return copy;
 }

@@ -137,20 +137,34 @@ static void put_call(Scope *e, Text *out, Ref ref)
     text_char(out, ')');
 }
 
+/* vec3(a) for three equal parts; vec4(vec3(a), b) where only the first three are. */
 static void put_vec(Scope *e, Text *out, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
-    bool repeats = node->count == type_table[node->type].lanes;
-    for (int i = 1; i < node->count; i++)
-        repeats &= ir_arg(e->ir, ref, i) == ir_arg(e->ir, ref, 0);
-    text_put(out, type_table[node->type].name);
-    if (!repeats) {
-        put_list(e, out, ref);
-        return;
+    int lanes = type_table[node->type].lanes, equal = 1;
+    while (equal < node->count && ir_arg(e->ir, ref, equal) == ir_arg(e->ir, ref, 0))
+        equal++;
+    bool all = equal == node->count && node->count == lanes, three = equal == 3 && lanes == 4 && node->count == 4;
+    text_format(out, "%s(", type_table[node->type].name);
+    for (int i = all || three ? equal - 1 : 0; i < node->count; i++) {
+        text_put(out, i > (all || three ? equal - 1 : 0) ? ", " : "");
+        text_put(out, three && i == 2 ? "vec3(" : "");
+        emit_expression(e, out, ir_arg(e->ir, ref, i), PRECEDENCE_any);
+        text_put(out, three && i == 2 ? ")" : "");
     }
-    text_char(out, '(');
-    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_any);
     text_char(out, ')');
+}
+
+/* mat3(column, column, column) * vector */
+static void put_linear(Scope *e, Text *out, Ref ref)
+{
+    text_format(out, "mat%d(", ir_lanes(e->ir, ref));
+    for (int i = 1; i < ir_at(e->ir, ref)->count; i++) {
+        text_put(out, i > 1 ? ", " : "");
+        emit_expression(e, out, ir_arg(e->ir, ref, i), PRECEDENCE_any);
+    }
+    text_put(out, ") * ");
+    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_prefix);
 }
 
 static int precedence_of(const IrNode *node)
@@ -173,6 +187,7 @@ static int precedence_of(const IrNode *node)
         return PRECEDENCE_add;
     case OP_mul:
     case OP_div:
+    case OP_linear:
         return PRECEDENCE_mul;
     case OP_neg:
     case OP_not:
@@ -195,6 +210,9 @@ static void put_special(Scope *e, Text *out, Ref ref)
         break;
     case OP_vec:
         put_vec(e, out, ref);
+        break;
+    case OP_linear:
+        put_linear(e, out, ref);
         break;
     case OP_swizzle:
         emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);

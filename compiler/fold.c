@@ -85,6 +85,13 @@ bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payl
         for (int i = 0; i < 3; i++)
             result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
         return true;
+    case OP_linear:
+        for (int i = 0; i < type_table[type].lanes; i++) {
+            result[i] = 0;
+            for (int k = 1; k < count; k++)
+                result[i] += args[k].numbers[i] * a[k - 1];
+        }
+        return true;
     case OP_call:
         return fold_call(context, (int)payload, args, count, result);
     case OP_apply:

@@ -21,6 +21,8 @@ Ir *ir_new(Compile *c, const Graph *graph)
     return ir;
 }
 
+void ir_done(Ir *ir) { arena_free(&ir->scratch); }
+
 static uint32_t mix_hash(uint32_t hash, uint32_t word)
 {
     hash = (hash ^ word) * 0x9E3779B1u;
@@ -150,12 +152,10 @@ static Type type_by_rule(const Ir *ir, Op op, Type given, const Ref *args, int c
 Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count)
 {
     type = type_by_rule(ir, op, type, args, count);
-    double folded[4];
-    if (ir->folds && fold_node(ir, op, type, payload, args, count, folded))
-        return ir_const(ir, type, folded);
     IrNode node = {.op = (uint8_t)op, .type = (uint8_t)type, .count = (uint8_t)count, .payload = payload};
     node.hash = hash_node(&node, args);
-    return find_or_add(ir, &node, args);
+    Ref ref = find_or_add(ir, &node, args);
+    return ir->simplify && count ? ir->simplify(ir, ref) : ref;
 }
 
 bool ir_is_number(const Ir *ir, Ref ref, double value)
@@ -242,13 +242,19 @@ Ref ir_convert(Ir *ir, Ref a, Type type)
     }
 }
 
-int ir_function(Ir *ir, const Type *types, int count)
+void ir_arguments(Ir *ir, const Type *types, int count, Ref *arguments)
 {
     enum { SET_SHIFT = 8 };
-    IrFunction function = {.arguments = ARENA_ARRAY(ir->arena, Ref, count), .count = count, .hint = ir->hint};
     uint32_t set = ir->argument_sets++;
     for (int i = 0; i < count; i++)
-        function.arguments[i] = ir_make(ir, OP_argument, types[i], set << SET_SHIFT | (uint32_t)i, NULL, 0);
+        arguments[i] = ir_make(ir, OP_argument, types[i], set << SET_SHIFT | (uint32_t)i, NULL, 0);
+}
+
+int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
+{
+    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint};
+    for (int i = 0; i < count; i++)
+        function.arguments[i] = arguments[i];
     ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
     return (int)ir->function_count - 1;
 }

@@ -62,9 +62,10 @@ typedef struct {
 
 enum { MOST_OUTPUTS = 8 };
 
-typedef struct {
+typedef struct Ir {
     Compile *c;
     Arena *arena;
+    Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
     IrNode *nodes;
     size_t count, room;
     Ref *args;
@@ -83,10 +84,13 @@ typedef struct {
     ReferenceNoise noise;   /* which the folder computes with */
     uint32_t argument_sets; /* function arguments made so far */
     uint8_t hint;           /* given to new nodes */
-    bool folds;             /* constants are folded as nodes are made */
+    /* What stands for a node that was just made; NULL leaves it as written. */
+    Ref (*simplify)(struct Ir *ir, Ref ref);
 } Ir;
 
 Ir *ir_new(Compile *c, const Graph *graph);
+/* Gives back what passes worked with; the IR itself stays. */
+void ir_done(Ir *ir);
 
 static inline const IrNode *ir_at(const Ir *ir, Ref ref) { return &ir->nodes[ref]; }
 static inline Ref ir_arg(const Ir *ir, Ref ref, int i) { return ir->args[ir->nodes[ref].first + (uint32_t)i]; }
@@ -98,7 +102,7 @@ static inline const double *ir_numbers(const Ir *ir, Ref ref) { return &ir->numb
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
-/* Makes a node, or finds the equal one. The type follows from op_table's rule unless that is `given`. */
+/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. The type follows from op_table's rule unless that is `given`. */
 Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count);
 Ref ir_const(Ir *ir, Type type, const double *numbers);
 Ref ir_float(Ir *ir, double value);
@@ -118,8 +122,9 @@ Ref ir_call(Ir *ir, int function, const Ref *args, int count);
 Ref ir_apply(Ir *ir, int function, const Ref *args);
 /* The conversion table. */
 Ref ir_convert(Ir *ir, Ref a, Type type);
-/* A new function with arguments of the given types; its result is set by the caller. */
-int ir_function(Ir *ir, const Type *types, int count);
+/* Arguments of a function to be; then, when its result is made, the function. Functions that it calls come before it. */
+void ir_arguments(Ir *ir, const Type *types, int count, Ref *arguments);
+int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
 
 /* Builds the hash table anew after nodes moved. */

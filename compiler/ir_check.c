@@ -87,6 +87,11 @@ static const char *check_special(const Ir *ir, Ref ref)
         for (int i = 0; i < node->count; i++)
             lanes += ir_lanes(ir, ir_arg(ir, ref, i));
         return lanes == type_table[node->type].lanes && lanes > 1 ? NULL : "a vector's parts do not fill it";
+    case OP_linear:
+        for (int i = 0; i < node->count; i++)
+            if (ir_type(ir, ir_arg(ir, ref, i)) != node->type)
+                return "a matrix and its vector differ in lanes";
+        return node->count == type_table[node->type].lanes + 1 ? NULL : "a matrix has the wrong number of columns";
     case OP_swizzle:
         for (int i = 0; i < type_table[node->type].lanes; i++)
             if ((int)(node->payload >> 2 * i & 3) >= ir_lanes(ir, ir_arg(ir, ref, 0)))

@@ -1,7 +1,10 @@
 /* Blend: a walk along items of ascending value. */
 #include "lower.h"
 
-enum { CHEAP_ARMS = 40 }; /* scalar operations of all items together up to which mixing beats branching */
+enum {
+    CHEAP_ARMS = 40, /* scalar operations of all items together up to which mixing beats branching */
+    MOST_MIXES = 8,  /* items up to which mixing beats searching */
+};
 
 typedef struct {
     Ref value, result; /* of an item: where it lies on t, and its answer */
@@ -19,17 +22,35 @@ static Ref position(Lower *l, Ref t, Ref low, Ref high)
     return ir_binary(l->ir, OP_div, sub(l, t, low), ir_select(l->ir, flat, number(l, 1), width));
 }
 
+/* What holds below item i's value and not below that of the one before. */
+static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
+{
+    if (i == 0)
+        return stops[0].result;
+    Ref at = position(l, t, stops[i - 1].value, stops[i].value);
+    return ir_ternary(l->ir, OP_mix, stops[i - 1].result, stops[i].result, at);
+}
+
 /* As written: the first item whose value is above t decides. */
 static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ref result = stops[count - 1].result;
     for (int i = count - 1; i >= 0; i--) {
-        Ref segment = i == 0 ? stops[0].result
-                             : ir_ternary(l->ir, OP_mix, stops[i - 1].result, stops[i].result,
-                                          position(l, t, stops[i - 1].value, stops[i].value));
-        result = ir_select(l->ir, ir_binary(l->ir, OP_lt, t, stops[i].value), segment, result);
+        Ref below = ir_binary(l->ir, OP_lt, t, stops[i].value);
+        result = ir_select(l->ir, below, segment(l, t, stops, i), result);
     }
     return result;
+}
+
+/* The same by halving, for values known to ascend: segments first..last, the last of all being what holds beyond the end. */
+static Ref blend_search(Lower *l, Ref t, const Stop *stops, int count, int first, int last)
+{
+    if (first == last)
+        return first == count ? stops[count - 1].result : segment(l, t, stops, first);
+    int middle = first + (last - first) / 2;
+    Ref below = ir_binary(l->ir, OP_lt, t, stops[middle].value);
+    Ref low = blend_search(l, t, stops, count, first, middle);
+    return ir_select(l->ir, below, low, blend_search(l, t, stops, count, middle + 1, last));
 }
 
 /* The same without branches, for values known to ascend: each item is mixed over what the ones before it made. Where t has
@@ -92,6 +113,14 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     }
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);
-    bool mixes = l->cheap && strictly_ascending(l->ir, stops, count) && cheap_arms(l->ir, stops, count);
-    return mixes ? blend_mixes(l, t, stops, count) : blend_walk(l, t, stops, count);
+    bool ascending = strictly_ascending(l->ir, stops, count);
+    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count))
+        return blend_mixes(l, t, stops, count);
+    if (ascending && (l->cheap || count > LIMIT_WALK))
+        return blend_search(l, t, stops, count, 0, count);
+    if (count <= LIMIT_WALK)
+        return blend_walk(l, t, stops, count);
+    diag_add(l->c, blend->span, DIAG_long_walk, LIMIT_WALK);
+    l->failed = true;
+    return stops[0].result;
 }

@@ -2,14 +2,13 @@
  * Filters within filters are functions that call functions: the program grows by one function for each. */
 #include "lower.h"
 
-/* What the input reads of the root, replaced by the function's arguments. */
-static Env shifted_env(Lower *l, const Env *outer, int function)
+/* What the input reads of the root, replaced by the function's arguments: position and texture coordinate. */
+static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
-    const IrFunction *f = &l->ir->functions[function];
     Env env = *outer;
     env.number = ++l->env_count;
-    env.root[GROUP_X] = f->arguments[0];
-    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){f->arguments[1], number(l, 0)}, 2);
+    env.root[GROUP_X] = arguments[0];
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){arguments[1], number(l, 0)}, 2);
     return env;
 }
 
@@ -21,11 +20,11 @@ static Ref without_alpha(Lower *l, Ref value)
 
 static int make_function(Lower *l, const Node *input, Group group, const Env *env)
 {
-    int function = ir_function(l->ir, (Type[]){TYPE_vec3, TYPE_vec2}, 2);
-    Env inner = shifted_env(l, env, function);
+    Ref arguments[2];
+    ir_arguments(l->ir, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
+    Env inner = shifted_env(l, env, arguments);
     Ref result = without_alpha(l, ask(l, input, group, &inner));
-    l->ir->functions[function].result = result;
-    return function;
+    return ir_function(l->ir, arguments, 2, result);
 }
 
 /* The input at (i, j, k) of the kernel, each from -1 to 1. */

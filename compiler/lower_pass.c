@@ -1,5 +1,6 @@
 /* What a pass computes: the environment it starts from and the outputs it writes. */
 #include "lower.h"
+#include "opt.h"
 #include <string.h>
 
 /* The point of a rasterised surface. */
@@ -160,7 +161,7 @@ Ir *lower(Compile *c, const Graph *graph, const Node *material, Pass pass, Layou
           ReferenceNoise noise)
 {
     Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .cheap = c->optimize > 0};
-    l.ir->folds = c->optimize > 0;
+    l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
     l.ir->noise = noise;
     write_pass(&l, material, pass, layout, slot);
     return l.failed ? NULL : l.ir;

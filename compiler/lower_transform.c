@@ -4,7 +4,7 @@
 
 static bool is_zero(const Ir *ir, Ref ref) { return ir_is_number(ir, ref, 0); }
 
-/* Columns of a matrix of scalars times the lanes of q; a diagonal matrix is one product. m[row][column]. */
+/* A matrix of scalars, m[row][column], times q; a diagonal one is a product by lane. */
 static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
 {
     Type type = size == 2 ? TYPE_vec2 : TYPE_vec3;
@@ -14,13 +14,10 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
             diagonal &= i == k || is_zero(l->ir, m[i][k]);
     if (diagonal)
         return mul(l, q, ir_vec(l->ir, type, (Ref[]){m[0][0], m[1][1], size == 3 ? m[2][2] : 0}, size));
-    Ref sum = 0;
-    for (int k = 0; k < size; k++) {
-        Ref column = ir_vec(l->ir, type, (Ref[]){m[0][k], m[1][k], size == 3 ? m[2][k] : 0}, size);
-        Ref part = mul(l, column, ir_swizzle(l->ir, q, (const char *[]){"x", "y", "z"}[k]));
-        sum = k ? add(l, sum, part) : part;
-    }
-    return sum;
+    Ref args[4] = {q};
+    for (int k = 0; k < size; k++)
+        args[k + 1] = ir_vec(l->ir, type, (Ref[]){m[0][k], m[1][k], size == 3 ? m[2][k] : 0}, size);
+    return ir_make(l->ir, OP_linear, type, 0, args, size + 1);
 }
 
 /* The 2x2 part of a UVTransform: uv' = m (uv - offset). */

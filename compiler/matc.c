@@ -324,7 +324,7 @@ int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
 
 MatcTexture matc_texture(MatcProgram *p, int index)
 {
-    texture_make(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
+    texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
     return p->textures[index];
 }
 

@@ -11,7 +11,7 @@ typedef struct {
 
 static const PassRun passes[] = {
     {"fold", opt_fold},   {"algebra", opt_algebra}, {"swizzle", opt_swizzle},   {"select", opt_select},
-    {"power", opt_power}, {"range", opt_range},     {"function", opt_function}, {"dead", opt_dead},
+    {"power", opt_power}, {"range", opt_range},     {"function", opt_function},
 };
 
 /* What stands for old nodes and functions during a sweep. */
@@ -23,8 +23,12 @@ typedef struct {
 
 static Moves new_moves(const Ir *ir, Arena *scratch)
 {
-    Moves moves = {ARENA_ARRAY(scratch, Ref, ir->count), ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1),
-                   ARENA_ARRAY(scratch, int, ir->count), ARENA_ARRAY(scratch, int, ir->function_count + 1)};
+    Moves moves = {.node = arena_alloc(scratch, sizeof(Ref) * ir->count)};
+    if (!ir->function_count)
+        return moves;
+    moves.function = ARENA_ARRAY(scratch, uint32_t, ir->function_count);
+    moves.next = ARENA_ARRAY(scratch, int, ir->function_count);
+    moves.by_result = ARENA_ARRAY(scratch, int, ir->count);
     for (size_t f = 0; f < ir->function_count; f++) {
         Ref result = ir->functions[f].result;
         moves.function[f] = (uint32_t)f;
@@ -55,7 +59,7 @@ static Ref remake(Ir *ir, Ref ref, const Moves *moves)
 
 static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
 {
-    for (int f = moves->by_result[old]; f; f = moves->next[f - 1]) {
+    for (int f = moves->by_result ? moves->by_result[old] : 0; f; f = moves->next[f - 1]) {
         IrFunction function = ir->functions[f - 1];
         function.result = result;
         moves->function[f - 1] = (uint32_t)ir->function_count;
@@ -65,9 +69,9 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
 
 bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user)
 {
-    Arena scratch = {0};
-    uint8_t *live = ir_live(ir, &scratch);
-    Moves moves = new_moves(ir, &scratch);
+    Arena *scratch = &ir->scratch;
+    uint8_t *live = ir_live(ir, scratch);
+    Moves moves = new_moves(ir, scratch);
     Ref count = (Ref)ir->count;
     bool changed = false;
     for (Ref ref = 1; ref < count; ref++) {
@@ -86,7 +90,6 @@ bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user)
     }
     for (int i = 0; i < ir->output_count; i++)
         ir->outputs[i].value = moves.node[ir->outputs[i].value];
-    arena_free(&scratch);
     return changed;
 }
 
@@ -107,6 +110,7 @@ uint32_t *opt_uses(const Ir *ir, Arena *arena)
 static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
 {
     *progress |= pass->run(ir);
+    arena_reset(&ir->scratch);
     const char *fault = c->check ? ir_check(ir) : NULL;
     if (fault)
         diag_add(c, NO_SPAN, DIAG_broken_ir, pass->name, fault);
@@ -120,12 +124,15 @@ static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
 
 bool optimize(Compile *c, Ir *ir)
 {
-    bool progress = true;
+    static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range};
+    bool progress = false;
+    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
+        if (!run_pass(c, ir, &passes[i], &progress))
+            return false;
     for (int round = 0; progress && round < MOST_ROUNDS; round++) {
         progress = false;
-        for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
-            if (!run_pass(c, ir, &passes[i], &progress))
-                return false;
+        if (!run_pass(c, ir, &polish, &progress) || (progress && !run_pass(c, ir, &range, &progress)))
+            return false;
     }
     return true;
 }

@@ -19,11 +19,11 @@ static Ref spread_to(const Site *s, Ref a)
     return ir_type(s->ir, a) == s->type ? a : ir_vec(s->ir, s->type, (Ref[]){a, a, a, a}, lanes);
 }
 
-/* Constants go last, the rest by age. */
+/* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as one writes it. */
 static bool ordered_wrongly(const Ir *ir, Ref a, Ref b)
 {
     bool a_number = ir_is(ir, a, OP_const), b_number = ir_is(ir, b, OP_const);
-    return a_number == b_number ? a > b : a_number;
+    return a_number == b_number ? a < b : a_number;
 }
 
 static bool power_of_two(double x)
@@ -75,11 +75,22 @@ static bool repeats_one(const Ir *ir, Ref ref)
     return true;
 }
 
+static bool all_negative(const Ir *ir, Ref ref)
+{
+    if (!ir_is(ir, ref, OP_const))
+        return false;
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if (ir_numbers(ir, ref)[i] >= 0)
+            return false;
+    return true;
+}
+
 static Ref lane_of(Ir *ir, Ref ref, int lane) { return ir_swizzle_lanes(ir, ref, (uint32_t)lane, 1); }
 
 #define zero(x)            ir_is_number(ir, x, 0)
 #define one(x)             ir_is_number(ir, x, 1)
 #define minus_one(x)       ir_is_number(ir, x, -1)
+#define negative(x)        all_negative(ir, x)
 #define same(x, y)         ((x) == (y))
 #define is(x, op)          ir_is(ir, x, OP_##op)
 #define is_bool(x)         (ir_type(ir, x) == TYPE_bool)
@@ -97,7 +108,7 @@ static Ref lane_of(Ir *ir, Ref ref, int lane) { return ir_swizzle_lanes(ir, ref,
 #define OP1(op, x)         ir_unary(ir, OP_##op, x)
 #define OP2(op, x, y)      ir_binary(ir, OP_##op, x, y)
 
-static Ref apply_rules(Ir *ir, Ref ref, const void *user)
+Ref rewrite_algebra(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     const IrNode *node = ir_at(ir, ref);
@@ -120,4 +131,4 @@ static Ref apply_rules(Ir *ir, Ref ref, const void *user)
     return ref;
 }
 
-bool opt_algebra(Ir *ir) { return opt_sweep(ir, apply_rules, NULL); }
+bool opt_algebra(Ir *ir) { return opt_sweep(ir, rewrite_algebra, NULL); }

@@ -48,10 +48,10 @@ static void compact_node(Ir *ir, IrNode node, const Ref *moved, const int *numbe
 
 bool opt_dead(Ir *ir)
 {
-    Arena scratch = {0};
-    uint8_t *live = ir_live(ir, &scratch);
-    Ref *moved = ARENA_ARRAY(&scratch, Ref, ir->count), count = (Ref)ir->count, next = 1;
-    int *number = renumber_functions(ir, live, &scratch);
+    Arena *scratch = &ir->scratch;
+    uint8_t *live = ir_live(ir, scratch);
+    Ref *moved = ARENA_ARRAY(scratch, Ref, ir->count), count = (Ref)ir->count, next = 1;
+    int *number = renumber_functions(ir, live, scratch);
     for (size_t f = 0; f < ir->function_count; f++) /* a called function keeps all its arguments */
         for (int i = 0; number[f] >= 0 && i < ir->functions[f].count; i++)
             live[ir->functions[f].arguments[i]] = 1;
@@ -74,6 +74,5 @@ bool opt_dead(Ir *ir)
             ir->outputs[i].value = moved[ir->outputs[i].value];
         ir_rehash(ir);
     }
-    arena_free(&scratch);
     return false; /* what is dropped makes no other pass find more */
 }

@@ -67,9 +67,8 @@ bool opt_function(Ir *ir)
 {
     if (!ir->function_count)
         return false;
-    Arena scratch = {0};
-    Plan plan = {arguments_read(ir, &scratch), ARENA_ARRAY(&scratch, int, ir->function_count + 1), ir->function_count};
+    Arena *scratch = &ir->scratch;
+    Plan plan = {arguments_read(ir, scratch), ARENA_ARRAY(scratch, int, ir->function_count + 1), ir->function_count};
     bool changed = opt_sweep(ir, simplify_apply, &plan);
-    arena_free(&scratch);
     return changed;
 }

@@ -13,7 +13,7 @@ static Ref power(Ir *ir, Ref x, int n)
     return result;
 }
 
-static Ref expand(Ir *ir, Ref ref, const void *user)
+Ref rewrite_power(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     if (!ir_is(ir, ref, OP_pow) || !ir_is(ir, ir_arg(ir, ref, 1), OP_const) || ir_lanes(ir, ir_arg(ir, ref, 1)) > 1)
@@ -30,4 +30,4 @@ static Ref expand(Ir *ir, Ref ref, const void *user)
     return n > 0 ? product : ir_binary(ir, OP_div, one, product);
 }
 
-bool opt_power(Ir *ir) { return opt_sweep(ir, expand, NULL); }
+bool opt_power(Ir *ir) { return opt_sweep(ir, rewrite_power, NULL); }

@@ -162,11 +162,10 @@ static Ref apply_ranges(Ir *ir, Ref ref, const void *user) { return decide(ir, r
 
 bool opt_range(Ir *ir)
 {
-    Arena scratch = {0};
-    Ranges ranges = {ARENA_ARRAY(&scratch, Interval, ir->count), (Ref)ir->count};
+    Arena *scratch = &ir->scratch;
+    Ranges ranges = {ARENA_ARRAY(scratch, Interval, ir->count), (Ref)ir->count};
     for (Ref ref = 1; ref < ranges.count; ref++)
         ranges.of[ref] = node_range(ir, ref, &ranges);
     bool changed = opt_sweep(ir, apply_ranges, &ranges);
-    arena_free(&scratch);
     return changed;
 }

@@ -58,10 +58,10 @@ static Ref through_select(Ir *ir, Ref ref)
     return a == b ? a : ir_select(ir, condition, a, b);
 }
 
-static Ref simplify(Ir *ir, Ref ref, const void *user)
+Ref rewrite_select(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     return ir_is(ir, ref, OP_select) ? simplify_select(ir, ref) : through_select(ir, ref);
 }
 
-bool opt_select(Ir *ir) { return opt_sweep(ir, simplify, NULL); }
+bool opt_select(Ir *ir) { return opt_sweep(ir, rewrite_select, NULL); }

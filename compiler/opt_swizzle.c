@@ -2,11 +2,6 @@
 #include "opt.h"
 #include <string.h>
 
-typedef struct {
-    const uint32_t *uses;
-    Ref count; /* of nodes when the uses were counted */
-} Uses;
-
 static uint32_t lane_at(uint32_t lanes, int i) { return lanes >> 2 * i & 3; }
 
 /* The operand of a vec that holds a lane, and which lane of it that is. */
@@ -118,7 +113,7 @@ static Ref flatten(Ir *ir, Ref ref)
     return nested ? ir_vec(ir, ir_type(ir, ref), parts, count) : ref;
 }
 
-static Ref simplify(Ir *ir, Ref ref, const void *user)
+Ref rewrite_swizzle(Ir *ir, Ref ref, const void *user)
 {
     if (ir_is(ir, ref, OP_swizzle))
         return simplify_swizzle(ir, ref, user);
@@ -132,9 +127,8 @@ static Ref simplify(Ir *ir, Ref ref, const void *user)
 
 bool opt_swizzle(Ir *ir)
 {
-    Arena scratch = {0};
-    Uses uses = {opt_uses(ir, &scratch), (Ref)ir->count};
-    bool changed = opt_sweep(ir, simplify, &uses);
-    arena_free(&scratch);
+    Arena *scratch = &ir->scratch;
+    Uses uses = {opt_uses(ir, scratch), (Ref)ir->count};
+    bool changed = opt_sweep(ir, rewrite_swizzle, &uses);
     return changed;
 }

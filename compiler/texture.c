@@ -91,7 +91,7 @@ static const unsigned char *xor_table(Compile *c)
     return texels;
 }
 
-void texture_make(Compile *c, const Ir *ir, MatcTexture *texture, int made_by)
+void texture_fill(Compile *c, const Ir *ir, MatcTexture *texture, int made_by)
 {
     if (texture->bytes || texture->floats)
         return;

@@ -88,6 +88,55 @@ const KindRow kind_table[KIND_COUNT] = {
 #undef PRESET
 };
 
+/* The kind that follows each heading: an enumerator that the kind behind it has too. */
+enum {
+#define SECTION(name, title)                      SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
+#define MATERIAL(name, doc)                       SECTION_KIND_##name,
+#define MAP(name, function, lowering, cost, doc)  SECTION_KIND_##name,
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "materials.def"
+#define SECTION(name, title)                      SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+};
+const SectionRow section_table[SECTION_COUNT] = {
+#define SECTION(name, title) {title, SECTION_FIRST_##name},
+#define MATERIAL(name, doc)
+#define MAP(name, function, lowering, cost, doc)
+#include "materials.def"
+#define SECTION(name, title) {title, SECTION_FIRST_##name},
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+#undef ALIAS
+#undef PRESET
+};
+
+Section section_of(Kind kind)
+{
+    int section = SECTION_COUNT - 1;
+    while (section_table[section].first > (int)kind)
+        section--;
+    return (Section)section;
+}
+
+const FormulaRow formula_table[KIND_COUNT] = {
+#define FORMULA(kind, answers, formula) [KIND_##kind] = {answers, formula},
+#include "formulas.def"
+#undef FORMULA
+};
+enum {
+    FORMULAS = 0
+#define FORMULA(kind, answers, formula) +1
+#include "formulas.def"
+#undef FORMULA
+};
+_Static_assert((int)FORMULAS == (int)KIND_COUNT, "formulas.def has a row for every map and material, and one only");
+
 const AliasRow alias_table[] = {
 #define MATERIAL(name, doc)
 #define MAP(name, function, lowering, cost, doc)
@@ -169,7 +218,16 @@ const FieldRow field_table[] = {
 };
 const int field_count = sizeof field_table / sizeof *field_table;
 
-const char *const noise_names[NOISE_COUNT] = {"lattice", "groimp"};
+const char *const noise_names[NOISE_COUNT] = {
+#define NOISE(name, doc) #name,
+#include "noises.def"
+#undef NOISE
+};
+const char *const noise_docs[NOISE_COUNT] = {
+#define NOISE(name, doc) doc,
+#include "noises.def"
+#undef NOISE
+};
 
 #define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
     void reference_##name(const void *, const double *, double *);

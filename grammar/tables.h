@@ -124,6 +124,38 @@ typedef struct {
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 
+/* Headings: each stands above the kinds from `first` up to the next heading's. */
+typedef enum {
+#define SECTION(name, title) SECTION_##name,
+#define MATERIAL(name, doc)
+#define MAP(name, function, lowering, cost, doc)
+#define PARAM(kind, name, type, init, range, doc)
+#define ALIAS(alias, name)
+#define PRESET(name, map, param, init, doc)
+#include "materials.def"
+#define SECTION(name, title) SECTION_##name,
+#include "maps.def"
+#undef MATERIAL
+#undef MAP
+#undef PARAM
+#undef ALIAS
+#undef PRESET
+    SECTION_COUNT
+} Section;
+typedef struct {
+    const char *title;
+    int first; /* Kind */
+} SectionRow;
+extern const SectionRow section_table[SECTION_COUNT];
+Section section_of(Kind kind);
+
+/* What a kind computes, as text. */
+typedef struct {
+    const char *answers; /* which channels or slots it gives, and what it does with others */
+    const char *formula; /* lines of plain text */
+} FormulaRow;
+extern const FormulaRow formula_table[KIND_COUNT];
+
 typedef struct {
     const char *alias;
     Kind kind;
@@ -255,6 +287,12 @@ typedef struct {
 extern const FieldRow field_table[];
 extern const int field_count;
 
-typedef enum { NOISE_lattice, NOISE_groimp, NOISE_COUNT } Noise;
+typedef enum {
+#define NOISE(name, doc) NOISE_##name,
+#include "noises.def"
+#undef NOISE
+    NOISE_COUNT
+} Noise;
 extern const char *const noise_names[NOISE_COUNT];
+extern const char *const noise_docs[NOISE_COUNT];
 #endif

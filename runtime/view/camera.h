@@ -14,4 +14,7 @@ typedef struct {
 
 /* The camera that shows a shape at its best, filling a picture of this size. */
 Camera camera_for(ShapeKind shape, int width, int height);
+
+/* One that stands at the origin and looks over a low horizon, wide-angled. Azimuth in radians from the x axis. */
+Camera camera_for_sky(double azimuth, int width, int height);
 #endif

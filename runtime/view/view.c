@@ -1,10 +1,11 @@
-/* Draws a material: its G-buffer on a shape, then light on the G-buffer, then the mean of the samples. */
+/* Draws a material: its G-buffer on a shape, then light on the G-buffer, then the mean of the samples. A sky is one pass. */
 #include "view.h"
 #include "camera.h"
 #include "resolve.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/message.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -49,6 +50,7 @@ static bool make_programs(View *v)
         .fragment = {version_for(m->fragment_text), m->fragment_text},
     });
     if (!v->pack) return false;
+    if (o->sky) return true;
     v->light = program_make(v->gl, &(ProgramText){
         .vertex = {VERSION, o->screen_text},
         .fragment = {version_for(m->unpack_text), m->unpack_text, "\n#line 1\n", o->light_text},
@@ -59,7 +61,7 @@ static bool make_programs(View *v)
 static bool make_targets(View *v)
 {
     FramebufferSpec spec = {v->options->width * v->samples, v->options->height * v->samples, VIEW_TARGETS, GL_RGBA16F, true};
-    if (!framebuffer_make(v->gl, &spec, &v->gbuffer)) return false;
+    if (!v->options->sky && !framebuffer_make(v->gl, &spec, &v->gbuffer)) return false;
     spec.color_count = 1;
     spec.depth = false;
     return framebuffer_make(v->gl, &spec, &v->lit);
@@ -143,6 +145,30 @@ static bool draw_light(View *v)
     return gl_check(v->gl, "lighting the G-buffer");
 }
 
+static bool draw_sky(View *v)
+{
+    Mat4 world_from_clip;
+    mat4_inverse(&v->camera.clip_from_world, &world_from_clip); /* never singular */
+    framebuffer_use(v->gl, &v->lit);
+    set_numbers(v, v->pack, "matc_worldFromClip", 16, world_from_clip.m);
+    set_numbers(v, v->pack, "matc_eyePosition", 3, v->camera.position);
+    set_material(v);
+    v->gl->UseProgram(v->pack);
+    mesh_draw_screen(v->gl, &v->screen);
+    return gl_check(v->gl, "drawing the sky");
+}
+
+/* A sky's radiance has no upper end; film has. All lanes by one factor, so that bright parts keep their colour. */
+static void expose(float *rgba, size_t texels)
+{
+    const float exposure = 0.9f;
+    for (float *end = rgba + 4 * texels; rgba < end; rgba += 4) {
+        float greatest = fmaxf(fmaxf(rgba[0], rgba[1]), fmaxf(rgba[2], 1e-6f));
+        float factor = (1 - expf(-exposure * greatest)) / greatest;
+        for (int lane = 0; lane < 3; lane++) rgba[lane] *= factor;
+    }
+}
+
 /* Row by row: the samples of a whole picture are sixteen times and more its size. */
 static bool read_picture(View *v, float *samples, unsigned char *rgb)
 {
@@ -150,6 +176,7 @@ static bool read_picture(View *v, float *samples, unsigned char *rgb)
     for (int y = 0; y < v->options->height; y++) {
         part.y = y * v->samples;
         if (!framebuffer_read_part(v->gl, &v->lit, &part, samples)) return false;
+        if (v->options->sky) expose(samples, (size_t)part.width * (size_t)part.height);
         resolve_row(samples, v->options->width, v->samples, rgb + (size_t)y * (size_t)v->options->width * 3);
     }
     return true;
@@ -167,14 +194,13 @@ static bool resolve(View *v, unsigned char *rgb)
 
 static bool draw(View *v, unsigned char *rgb)
 {
-    v->camera = camera_for(v->options->shape, v->options->width, v->options->height);
+    const ViewOptions *o = v->options;
+    v->camera = o->sky ? camera_for_sky(o->azimuth, o->width, o->height) : camera_for(o->shape, o->width, o->height);
     return make_programs(v)
-        && mesh_make(v->gl, v->options->shape, &v->shape)
         && mesh_make_empty(v->gl, &v->screen)
         && make_targets(v)
         && make_textures(v)
-        && draw_gbuffer(v)
-        && draw_light(v)
+        && (o->sky ? draw_sky(v) : mesh_make(v->gl, o->shape, &v->shape) && draw_gbuffer(v) && draw_light(v))
         && resolve(v, rgb);
 }
 
@@ -196,8 +222,8 @@ static void discard(View *v)
 
 static const char *find_fault(const ViewOptions *o, const ViewProgram *p, int samples)
 {
-    if (!p->vertex_text || !p->fragment_text || !p->unpack_text) return "the material's program lacks a text";
-    if (!o->screen_text || !o->light_text) return "the light pass lacks a text";
+    if (!p->vertex_text || !p->fragment_text || (!p->unpack_text && !o->sky)) return "the material's program lacks a text";
+    if ((!o->screen_text || !o->light_text) && !o->sky) return "the light pass lacks a text";
     if ((unsigned)o->shape >= SHAPE_count) return "unknown shape";
     if (samples < 1 || samples > VIEW_SUPERSAMPLING_LIMIT) return "supersampling is 1 to 8";
     if (o->width < 1 || o->height < 1) return "a picture needs at least one pixel";

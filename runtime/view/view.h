@@ -1,4 +1,4 @@
-/* A picture of a material on a preview shape: G-buffer pass, light pass, filter. */
+/* A picture of a material: on a preview shape (G-buffer pass, light pass, filter), or as the sky that it is. */
 #ifndef MATC_VIEW_H
 #define MATC_VIEW_H
 #include "runtime/gl/context.h"
@@ -18,6 +18,8 @@ typedef struct {
     int supersampling;        /* n: n x n samples a pixel; 0 is 4 */
     const char *screen_text;  /* runtime/view/screen.glsl */
     const char *light_text;   /* runtime/view/light.glsl */
+    bool sky;                 /* the program is one of the pass sky: no shape, no light pass, unpack_text may be NULL */
+    double azimuth;           /* the sky's picture looks there: radians from the x axis */
     GlContext *gl;            /* a core context to draw with; NULL: one of OSMesa for this picture,
                                  after which the thread has no current context */
 } ViewOptions;

@@ -1,0 +1,33 @@
+/* The tables as text for people: what --list, --explain and the reference pages share. */
+#ifndef MATC_DESCRIBE_H
+#define MATC_DESCRIBE_H
+#include "diag.h"
+#include "grammar/tables.h"
+#include "text.h"
+
+#define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
+
+/* "0.5", "12", "1000000" */
+void describe_number(Text *out, double value);
+/* What a document writes in a parameter's place: "map", "number", ... */
+const char *describe_type(const ParamRow *param);
+/* "0.5", "[1, 0, 0]", "true", "none". With a preset, its default. */
+void describe_default(Text *out, const ParamRow *param, const char *preset);
+/* "0 to 16"; nothing for every number. */
+void describe_range(Text *out, const ParamRow *param);
+/* A smallest document: the kind (by that name of it) with its defaults written out. */
+void describe_example(Text *out, Kind kind, const char *name);
+/* A field of a layout: "normal", "emissive.r, emissive.g". */
+void describe_field(Text *out, const FieldRow *field);
+/* How many lanes of its target a field takes. */
+int describe_field_lanes(const FieldRow *field);
+/* A diagnostic's format with "..." where it has arguments. */
+void describe_message(Text *out, const DiagRow *diag);
+
+extern const char *const severity_names[];
+extern const char *const encoding_names[];
+/* Is the row the first of its preset? A preset has one row a parameter. */
+bool is_preset_head(int row);
+/* The text in memory from malloc; the arena is freed. */
+char *describe_finish(Text *text);
+#endif

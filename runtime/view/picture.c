@@ -1,0 +1,110 @@
+/* A compiled material as the view wants it: its texts, textures and uniforms' defaults. */
+#include "picture.h"
+#include "runtime/gl/message.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    ViewProgram program;
+    ViewTexture *textures;
+    ProgramValue *uniforms;
+    float (*numbers)[4]; /* of the uniforms */
+} Parts;
+
+static void *array(int count, size_t size)
+{
+    void *made = calloc((size_t)count + 1, size);
+    if (!made)
+        abort();
+    return made;
+}
+
+static void take_textures(Parts *parts, MatcProgram *program)
+{
+    int count = matc_texture_count(program);
+    parts->textures = array(count, sizeof *parts->textures);
+    for (int i = 0; i < count; i++) {
+        MatcTexture t = matc_texture(program, i);
+        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, t.linear, true};
+        parts->textures[i] = (ViewTexture){t.name, spec};
+    }
+    parts->program.textures = parts->textures;
+    parts->program.texture_count = count;
+}
+
+static void take_uniforms(Parts *parts, const MatcProgram *program)
+{
+    int count = matc_uniform_count(program);
+    parts->uniforms = array(count, sizeof *parts->uniforms);
+    parts->numbers = array(count, sizeof *parts->numbers);
+    for (int i = 0; i < count; i++) {
+        MatcUniform u = matc_uniform(program, i);
+        for (int lane = 0; lane < u.lanes; lane++)
+            parts->numbers[i][lane] = (float)u.initial[lane];
+        parts->uniforms[i] = (ProgramValue){u.name, u.lanes, parts->numbers[i]};
+    }
+    parts->program.uniforms = parts->uniforms;
+    parts->program.uniform_count = count;
+}
+
+static bool draw(MatcProgram *program, const ViewOptions *view, unsigned char *rgb, char *error, size_t room)
+{
+    Parts parts = {.program = {.vertex_text = matc_output(program, MATC_VERTEX, NULL),
+                               .fragment_text = matc_output(program, MATC_FRAGMENT, NULL),
+                               .unpack_text = matc_output(program, MATC_UNPACK, NULL)}};
+    take_textures(&parts, program);
+    take_uniforms(&parts, program);
+    bool done = view_render(view, &parts.program, rgb, error, room);
+    free(parts.textures);
+    free(parts.uniforms);
+    free(parts.numbers);
+    return done;
+}
+
+/* How bright the material is in a direction, by the C reference. */
+static double brightness(const MatcDocument *document, int material, const MatcOptions *options, double azimuth)
+{
+    char point[128];
+    const char *fault;
+    double r = 0, g = 0, b = 0, height = 0.3;
+    snprintf(point, sizeof point, "x=%.6f y=%.6f z=%.6f", cos(azimuth), sin(azimuth), height);
+    char *values = matc_eval(document, material, point, options, &fault);
+    const char *line = values ? strstr(values, "\nemissive ") : NULL;
+    if (line)
+        sscanf(line, " emissive %lf %lf %lf", &r, &g, &b);
+    free(values);
+    return r + g + b;
+}
+
+/* Where a sky is brightest above the horizon: there it is worth looking. */
+static double find_azimuth(const MatcDocument *document, int material, const MatcOptions *options)
+{
+    enum { STEPS = 72 };
+    const double step = 6.283185307179586 / STEPS;
+    double best = 0, azimuth = 0;
+    for (int i = 0; i < STEPS; i++) {
+        double b = brightness(document, material, options, i * step);
+        azimuth = b > best ? i * step : azimuth;
+        best = b > best ? b : best;
+    }
+    return azimuth;
+}
+
+bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, unsigned char *rgb,
+                  char **diagnostics, char *error, size_t room)
+{
+    ViewOptions view = options->view;
+    unsigned unpack = view.sky ? 0 : MATC_UNPACK;
+    *error = 0;
+    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT | MATC_VERTEX | unpack, &options->compile);
+    bool done = matc_ok(program);
+    *diagnostics = strdup(matc_program_diagnostics(program, MATC_TEXT));
+    if (done && view.sky)
+        view.azimuth = find_azimuth(document, material, &options->compile);
+    if (done)
+        done = draw(program, &view, rgb, error, room);
+    matc_program_free(program);
+    return done;
+}

@@ -1,0 +1,194 @@
+/* matbench compile: how long each stage takes (median of many runs in one process), how the time grows with the document,
+ * how long a process takes, and what share of all that is glslang's. */
+#include "matbench.h"
+#include "matc.h"
+#include "pipeline.h"
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+enum { RUNS = 301, LADDER_RUNS = 31, PROCESS_RUNS = 41, MOST_STAGES = 64 };
+
+extern char **environ;
+
+/* The material of peers.md, section 2: a checker of two colours, mixed to white by four octaves of noise. */
+static const char peers_document[] = "material: Phong\n"
+                                     "diffuse:\n"
+                                     "  map: Blend\n"
+                                     "  blend:\n"
+                                     "  - value: -1\n"
+                                     "    input:\n"
+                                     "      map: Checker\n"
+                                     "      color1: [0.8, 0.1, 0.1]\n"
+                                     "      color2: [0.1, 0.1, 0.8]\n"
+                                     "      input: { map: UVTransform, scaleU: 4, scaleV: 4 }\n"
+                                     "  - { value: 1, input: 1 }\n"
+                                     "  input: { map: VolumeTurbulence, octaves: 4, noiseRatio: 0.5, size: 8 }\n";
+
+static MatcOptions options_for(bool validate)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = validate;
+    options.check = false;
+    return options;
+}
+
+/* Seconds of one whole compilation, memory given back included. */
+static double compile_once(const char *text, size_t size, const MatcOptions *options)
+{
+    double start = bench_now();
+    MatcDocument *document = matc_read("bench.yaml", text, size, options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, options);
+    bool ok = matc_ok(program);
+    if (!ok)
+        fputs(matc_program_diagnostics(program, MATC_TEXT), stderr);
+    matc_program_free(program);
+    matc_document_free(document);
+    double seconds = bench_now() - start;
+    return ok ? seconds : -1;
+}
+
+static double compile_median(const char *text, size_t size, bool validate, int runs)
+{
+    MatcOptions options = options_for(validate);
+    double *seconds = calloc((size_t)runs, sizeof *seconds);
+    for (int i = -2; i < runs; i++) {
+        double once = compile_once(text, size, &options);
+        if (once < 0)
+            exit(1);
+        if (i >= 0)
+            seconds[i] = once;
+    }
+    double median = bench_median(seconds, runs);
+    free(seconds);
+    return median;
+}
+
+typedef struct {
+    const char *name;
+    double seconds[RUNS];
+} Stage;
+
+static void add_time(Stage *stages, int *count, const char *name, double seconds, int run)
+{
+    int i = 0;
+    while (i < *count && strcmp(stages[i].name, name) != 0)
+        i++;
+    if (i == *count)
+        stages[(*count)++].name = name;
+    stages[i].seconds[run] += seconds;
+}
+
+static void print_stages(void)
+{
+    static Stage stages[MOST_STAGES];
+    int count = 0;
+    MatcOptions options = options_for(false);
+    for (int run = 0; run < RUNS; run++) {
+        Arena arena = {0};
+        Compile c = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
+        Source source = {"bench.yaml", peers_document, sizeof peers_document - 1};
+        ARENA_PUSH(&arena, c.sources, c.source_count, c.source_room, source);
+        Tree *tree;
+        Products products;
+        const Job job = {TARGET_glsl330, PASS_gbuffer, LAYOUT_thesis, SLOT_diffuse, NOISE_lattice};
+        c.stage_start = stage_now();
+        Graph *graph = compile_front(&c, 0, &tree);
+        Ir *ir = compile_ir(&c, graph, graph->materials[0].node, &job);
+        compile_back(&c, ir, &job, &products);
+        for (size_t i = 0; i < c.stat_count; i++)
+            add_time(stages, &count, c.stats[i].name, c.stats[i].seconds, run);
+        arena_free(&arena);
+    }
+    printf("stage        microseconds (median of %d)\n", RUNS);
+    for (int i = 0; i < count; i++)
+        if (strcmp(stages[i].name, "validate") != 0)
+            printf("%-12s %8.2f\n", stages[i].name, bench_median(stages[i].seconds, RUNS) * 1e6);
+}
+
+/* A document of about `nodes` values (scalars, lists, objects): a Blend of Checkers under transforms, 16 values an item. */
+static char *ladder_document(int nodes, size_t *size)
+{
+    enum { VALUES_OF_FRAME = 10, VALUES_OF_ITEM = 16 };
+    int items = nodes > VALUES_OF_FRAME + VALUES_OF_ITEM ? (nodes - VALUES_OF_FRAME) / VALUES_OF_ITEM : 0;
+    char *text = NULL;
+    FILE *out = open_memstream(&text, size);
+    fputs("material: Phong\ndiffuse:\n  map: Blend\n  input: { map: Gradient, direction: [1, 0, 0] }\n  blend:\n", out);
+    if (!items)
+        fputs("  - { value: 0 }\n", out);
+    for (int i = 0; i < items; i++)
+        fprintf(out,
+                "  - value: %d\n    input: { map: Checker, color1: [0.%d, 0.5, 0.25], color2: 0.%d,\n"
+                "      input: { map: UVTransform, scaleU: %d, input: { map: Turbulence, octaves: 2 } } }\n",
+                i, i % 10, i % 7, i + 1);
+    fclose(out);
+    return text;
+}
+
+static void print_ladder(void)
+{
+    printf("\nnodes      bytes   microseconds   microseconds a node   fragment bytes\n");
+    for (int nodes = 10; nodes <= 100000; nodes *= 10) {
+        size_t size;
+        char *text = ladder_document(nodes, &size);
+        double seconds = compile_median(text, size, false, LADDER_RUNS);
+        MatcOptions options = options_for(false);
+        MatcDocument *document = matc_read("bench.yaml", text, size, &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        size_t bytes;
+        matc_output(program, MATC_FRAGMENT, &bytes);
+        printf("%5d %10zu %14.1f %21.3f %16zu\n", nodes, size, seconds * 1e6, seconds * 1e6 / nodes, bytes);
+        matc_program_free(program);
+        matc_document_free(document);
+        free(text);
+    }
+}
+
+static double process_median(const char *matc, const char *file, bool validate)
+{
+    double seconds[PROCESS_RUNS];
+    char *argv[] = {(char *)matc, (char *)file, "-o", "/dev/null", validate ? NULL : "--no-validate", NULL};
+    for (int i = -1; i < PROCESS_RUNS; i++) {
+        pid_t child;
+        int status;
+        double start = bench_now();
+        if (posix_spawn(&child, matc, NULL, NULL, argv, environ) || waitpid(child, &status, 0) < 0 || status)
+            return -1;
+        if (i >= 0)
+            seconds[i] = bench_now() - start;
+    }
+    return bench_median(seconds, PROCESS_RUNS);
+}
+
+static void print_process(const char *matc)
+{
+    char name[] = "/tmp/matbenchXXXXXX";
+    int file = mkstemp(name);
+    FILE *out = file < 0 ? NULL : fdopen(file, "w");
+    if (!out)
+        return;
+    fputs(peers_document, out);
+    fclose(out);
+    double bare = process_median(matc, name, false), full = process_median(matc, name, true);
+    printf("\nprocess, without validation %.2f ms; with validation %.2f ms\n", bare * 1e3, full * 1e3);
+    remove(name);
+}
+
+int bench_compile(int argc, char **argv)
+{
+    const size_t size = sizeof peers_document - 1;
+    double bare = compile_median(peers_document, size, false, RUNS);
+    double full = compile_median(peers_document, size, true, RUNS / 5);
+    printf("checker mixed with four octaves of noise (%zu bytes of YAML)\n", size);
+    printf("  without validation %.4f ms; with validation %.3f ms; glslang's share %.1f %%\n\n", bare * 1e3, full * 1e3,
+           100 * (full - bare) / full);
+    print_stages();
+    print_ladder();
+    if (argc > 1)
+        print_process(argv[1]);
+    printf("peak memory %ld KiB\n", bench_peak_memory());
+    return 0;
+}

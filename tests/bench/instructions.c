@@ -1,0 +1,121 @@
+/* matbench instructions: our shader and one written by hand for the same material, both through glslang and spirv-opt -O,
+ * counted in SPIR-V instructions within functions. The documents and the shaders lie in tests/bench/. */
+#include "matbench.h"
+#include "compile.h"
+#include "matc.h"
+#include "validate.h"
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { OP_FUNCTION = 54, OP_LABEL = 248, HEADER_WORDS = 5, LONGEST_PATH = 1024, LARGEST_WORDS = 1 << 20 };
+
+static const char *const names[] = {"plain", "checker", "uvChecker", "wood",          "granite",
+                                    "marble", "image",   "bumpImage", "volumeChecker", "sideSwitch"};
+enum { NAME_COUNT = sizeof names / sizeof *names };
+
+/* Instructions from the first function on, labels aside. */
+static int count_instructions(const uint32_t *words, size_t count)
+{
+    int instructions = 0;
+    bool inside = false;
+    for (size_t at = HEADER_WORDS; at < count && words[at] >> 16; at += words[at] >> 16) {
+        uint32_t op = words[at] & 0xFFFF;
+        inside |= op == OP_FUNCTION;
+        instructions += inside && op != OP_LABEL;
+    }
+    return instructions;
+}
+
+/* Through spirv-opt -O; -1 when that is not to be had. */
+static int optimised_count(const void *spirv, size_t size)
+{
+    char from[] = "/tmp/matbenchXXXXXX", to[sizeof from + 4], command[2 * sizeof from + 64];
+    static uint32_t words[LARGEST_WORDS];
+    int file = mkstemp(from), count = -1;
+    snprintf(to, sizeof to, "%s.opt", from);
+    if (file < 0 || write(file, spirv, size) != (ssize_t)size || close(file))
+        return -1;
+    snprintf(command, sizeof command, "spirv-opt -O %s -o %s", from, to);
+    FILE *result = system(command) ? NULL : fopen(to, "rb");
+    if (result) {
+        count = count_instructions(words, fread(words, sizeof *words, LARGEST_WORDS, result));
+        fclose(result);
+    }
+    remove(from);
+    remove(to);
+    return count;
+}
+
+static char *read_text(const char *name, const char *suffix, char *path, size_t *size)
+{
+    snprintf(path, LONGEST_PATH, "%s/tests/bench/%s%s", SOURCE_FOLDER, name, suffix);
+    FILE *file = fopen(path, "rb");
+    char *text = calloc(1, 1 << 20);
+    if (!file || !text) {
+        free(text);
+        return NULL;
+    }
+    *size = fread(text, 1, (1 << 20) - 1, file);
+    fclose(file);
+    return text;
+}
+
+static int ours(const char *name)
+{
+    char path[LONGEST_PATH];
+    size_t size = 0, spirv_size = 0;
+    char *text = read_text(name, ".yaml", path, &size);
+    MatcOptions options;
+    matc_options_init(&options);
+    options.target = "spirv";
+    MatcDocument *document = matc_read(path, text ? text : "", size, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_SPIRV, &options);
+    const char *spirv = matc_output(program, MATC_SPIRV, &spirv_size);
+    int count = spirv ? optimised_count(spirv, spirv_size) : -1;
+    if (!spirv)
+        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+    matc_program_free(program);
+    matc_document_free(document);
+    free(text);
+    return count;
+}
+
+static int by_hand(const char *name)
+{
+    char path[LONGEST_PATH];
+    size_t size = 0, spirv_size = 0;
+    const char *log = "";
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    Compile c = {.arena = &arena, .options = &options};
+    char *text = read_text(name, ".frag", path, &size);
+    const char *spirv = text ? make_spirv(&c, text, &spirv_size, &log) : NULL;
+    int count = spirv ? optimised_count(spirv, spirv_size) : -1;
+    if (!spirv)
+        fprintf(stderr, "%s: %s\n", path, log);
+    arena_free(&arena);
+    free(text);
+    return count;
+}
+
+int bench_instructions(int argc, char **argv)
+{
+    (void)argc, (void)argv;
+    int status = 0;
+    printf("material        by hand     matc    ratio\n");
+    for (int i = 0; i < NAME_COUNT; i++) {
+        int hand = by_hand(names[i]), mine = ours(names[i]);
+        if (hand < 0 || mine < 0)
+            status = 1;
+        printf("%-14s %8d %8d %8.3f\n", names[i], hand, mine, (double)mine / hand);
+    }
+    return status;
+}

@@ -1,0 +1,16 @@
+/* What the benchmarks share: time, medians, tables. */
+#ifndef MATBENCH_H
+#define MATBENCH_H
+#include <stddef.h>
+
+/* Seconds on the monotonic clock. */
+double bench_now(void);
+/* Median of a list, which it sorts. */
+double bench_median(double *values, int count);
+/* Greatest resident memory of the process so far, in KiB. */
+long bench_peak_memory(void);
+
+/* One subcommand each; the exit status. */
+int bench_compile(int argc, char **argv);
+int bench_instructions(int argc, char **argv);
+#endif

@@ -1,0 +1,66 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout thesis
+
+in vec2 uv;
+in vec3 eyeNormal;
+uniform sampler2D carpenterTexture0;
+layout(location = 0) out vec4 fragment0;
+layout(location = 1) out vec4 fragment1;
+layout(location = 2) out vec4 fragment2;
+layout(location = 3) out vec4 fragment3;
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// Unit normal n to n.xy / sqrt(8 n.z + 8) + 1/2 in [0, 1]^2, in two forms that are equal for a unit n: this one for n.z >= 0,
+// and below it the direction of n.xy times the radius sqrt((1 - n.z) / 8), which holds its digits up to the singularity.
+// At (0, 0, -1) itself the direction is +x.
+vec2 encodeSpheremap(vec3 n) {
+    float square = dot(n.xy, n.xy);
+    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
+    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
+    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
+    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
+}
+
+// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+vec4 texel(sampler2D s, vec2 i, vec2 size) {
+    return texelFetch(s, ivec2(i), 0);
+}
+
+// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
+// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
+float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
+    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
+    vec2 at = fract(abs(uv)) * size;
+    vec2 low = side * floor(at);
+    vec2 weight = side * at - low;
+    low += size * vec2(lessThan(low, vec2(0.0)));
+    low -= size * step(size, low);
+    vec2 high = low + 1.0;
+    high -= size * step(size, high);
+    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+}
+
+void main() {
+    // normal
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
+    // Carpenter
+    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    // Blend
+    vec3 blend_1 = mix(mix(vec3(0.007843138, 0.039215688, 0.11372549), vec3(0.043137256, 0.2, 0.3764706), clamp((carpenter_1 - 0.3) * 5.5555553, 0.0, 1.0)), vec3(0.6117647, 0.49803922, 0.22745098), clamp((carpenter_1 - 0.48) * 50.0, 0.0, 1.0));
+    vec3 blend_2 = mix(mix(blend_1, vec3(0.09019608, 0.19607843, 0.043137256), clamp((carpenter_1 - 0.5) * 12.5, 0.0, 1.0)), vec3(0.2, 0.14509805, 0.09019608), clamp((carpenter_1 - 0.58) * 4.5454545, 0.0, 1.0));
+    vec3 blend = mix(blend_2, vec3(0.8862745, 0.8862745, 0.87058824), clamp((carpenter_1 - 0.8) * 6.6666665, 0.0, 1.0));
+    fragment1 = vec4(blend, 1.0);
+    fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+}

@@ -1,0 +1,86 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout thesis
+
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
+in vec2 uv;
+uniform mat3 matc_eyeFromWorld;
+uniform sampler2D carpenterTexture0;
+layout(location = 0) out vec4 fragment0;
+layout(location = 1) out vec4 fragment1;
+layout(location = 2) out vec4 fragment2;
+layout(location = 3) out vec4 fragment3;
+
+// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+vec4 texel(sampler2D s, vec2 i, vec2 size) {
+    return texelFetch(s, ivec2(i), 0);
+}
+
+// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
+// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
+float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
+    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
+    vec2 at = fract(abs(uv)) * size;
+    vec2 low = side * floor(at);
+    vec2 weight = side * at - low;
+    low += size * vec2(lessThan(low, vec2(0.0)));
+    low -= size * step(size, low);
+    vec2 high = low + 1.0;
+    high -= size * step(size, high);
+    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// Unit normal n to n.xy / sqrt(8 n.z + 8) + 1/2 in [0, 1]^2, in two forms that are equal for a unit n: this one for n.z >= 0,
+// and below it the direction of n.xy times the radius sqrt((1 - n.z) / 8), which holds its digits up to the singularity.
+// At (0, 0, -1) itself the direction is +x.
+vec2 encodeSpheremap(vec3 n) {
+    float square = dot(n.xy, n.xy);
+    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
+    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
+    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
+    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
+}
+
+void main() {
+    // BumpMap
+    float bumpMap_1 = 0.04 / max(length(worldNormal), 1e-30);
+    // UVTransform
+    vec2 uvTransform_1 = uv * vec2(4.0, 2.0);
+    // Checker
+    vec2 checker_1 = fract(uvTransform_1);
+    bool checker_2 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y);
+    vec2 checker_3 = fract(uvTransform_1 + vec2(0.05, 0.0));
+    // Carpenter
+    float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    // Checker
+    vec2 checker_4 = fract(uvTransform_1 + vec2(0.0, 0.05));
+    // BumpMap
+    float bumpMap_2 = (checker_2 ? 0.4 - carpenter : carpenter - 0.4) * 20.0;
+    float bumpMap_3 = checker_2 != ((0.5 <= checker_3.x) != (0.5 <= checker_3.y)) ? bumpMap_2 : checker_2 ? (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0;
+    float bumpMap_4 = checker_2 != ((0.5 <= checker_4.x) != (0.5 <= checker_4.y)) ? bumpMap_2 : checker_2 ? (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0;
+    vec3 bumpMap = cross(bumpMap_3 * bumpMap_1 * worldNormal + worldTangentU, bumpMap_4 * bumpMap_1 * worldNormal + worldTangentV);
+    // normal
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = vec4(encodeSpheremap(normal), 21.206507, 65504.0);
+    fragment1 = vec4(0.3529412, 0.16078432, 0.078431375, 1.0);
+    fragment2 = vec4(0.3, 0.3, 0.3, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+}

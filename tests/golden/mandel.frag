@@ -1,0 +1,60 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout thesis
+
+in vec3 localPosition;
+in vec3 eyeNormal;
+layout(location = 0) out vec4 fragment0;
+layout(location = 1) out vec4 fragment1;
+layout(location = 2) out vec4 fragment2;
+layout(location = 3) out vec4 fragment3;
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// Unit normal n to n.xy / sqrt(8 n.z + 8) + 1/2 in [0, 1]^2, in two forms that are equal for a unit n: this one for n.z >= 0,
+// and below it the direction of n.xy times the radius sqrt((1 - n.z) / 8), which holds its digits up to the singularity.
+// At (0, 0, -1) itself the direction is +x.
+vec2 encodeSpheremap(vec3 n) {
+    float square = dot(n.xy, n.xy);
+    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
+    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
+    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
+    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
+}
+
+// Mandelbrot set: c = 4 (fraction of p.xy) - 2, z from c on; the share of `iterations` steps z^2 + c that stay within
+// |z| <= 2, laid over [-1, 1]. Next to the set's edge rounding may change the number of steps.
+float mandel(vec3 p, int iterations) {
+    vec2 c = 4.0 * fract(p.xy) - 2.0;
+    vec2 z = c;
+    int steps = 0;
+    for (int k = 0; k < iterations; k++) {
+        z = vec2(z.x * z.x - z.y * z.y, 2.0 * z.x * z.y) + c;
+        if (dot(z, z) > 4.0) break;
+        steps++;
+    }
+    return 2.0 * float(steps) / max(float(iterations), 1.0) - 1.0;
+}
+
+void main() {
+    // normal
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
+    // XYZTransform
+    vec3 xyzTransform = mat3(vec3(0.4, 0.0, 0.0), vec3(0.0, 0.06798686, -0.39417988), vec3(0.0, 0.39417988, 0.06798686)) * localPosition + vec3(0.28, 0.4, 0.0);
+    // Mandel
+    float mandel_1 = mandel(xyzTransform, 16);
+    // Blend
+    vec3 blend_1 = mix(mix(vec3(0.003921569, 0.011764706, 0.043137256), vec3(0.011764706, 0.20784314, 0.33333334), clamp((mandel_1 + 0.9) * 2.0, 0.0, 1.0)), vec3(0.8862745, 0.6392157, 0.15686275), clamp((mandel_1 + 0.4) * 1.25, 0.0, 1.0));
+    vec3 blend = mix(blend_1, vec3(0.011764706, 0.003921569, 0.007843138), clamp((mandel_1 - 0.4) * 1.6666666, 0.0, 1.0));
+    fragment1 = vec4(blend, 1.0);
+    fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+}

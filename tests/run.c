@@ -1,0 +1,196 @@
+/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag; for every one in tests/errors/: the
+ * diagnostics beside it, <name>.err. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
+ * difference before you commit it. Under CI it does not update. */
+#include "matc.h"
+#include "compiler/output.h"
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LONGEST_PATH = 1024, MOST_FILES = 4096 };
+
+typedef struct {
+    bool update;
+    int passed, failed, updated;
+} Run;
+
+/* nftw has no user argument */
+static char *found[MOST_FILES];
+static int found_count;
+
+static bool has_suffix(const char *path, const char *suffix)
+{
+    size_t size = strlen(path), end = strlen(suffix);
+    return size > end && !strcmp(path + size - end, suffix);
+}
+
+static int remember(const char *path, const struct stat *info, int type, struct FTW *where)
+{
+    (void)info, (void)where;
+    if (type == FTW_F && found_count < MOST_FILES && (has_suffix(path, ".yaml") || has_suffix(path, ".json")))
+        found[found_count++] = strdup(path);
+    return 0;
+}
+
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+static void find_documents(const char *folder)
+{
+    for (int i = 0; i < found_count; i++)
+        free(found[i]);
+    found_count = 0;
+    nftw(folder, remember, 16, FTW_PHYS);
+    qsort(found, (size_t)found_count, sizeof *found, by_name);
+}
+
+static char *read_whole(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    *size = 0;
+    if (!file)
+        return NULL;
+    fseek(file, 0, SEEK_END);
+    long end = ftell(file);
+    rewind(file);
+    char *text = calloc(1, (size_t)end + 1);
+    *size = fread(text, 1, (size_t)end, file);
+    fclose(file);
+    return text;
+}
+
+static void show_difference(const char *path, const char *expected, const char *actual)
+{
+    int line = 1;
+    const char *a = expected ? expected : "", *b = actual;
+    while (*a && *a == *b) {
+        line += *a == '\n';
+        a++, b++;
+    }
+    while (a > expected && a[-1] != '\n' && expected)
+        a--, b--;
+    printf("%s:%d: differs\n  expected: %.*s\n  actual:   %.*s\n", path, line, (int)strcspn(a, "\n"), a,
+           (int)strcspn(b, "\n"), b);
+}
+
+static void compare(Run *run, const char *path, const char *actual)
+{
+    size_t size;
+    char *expected = read_whole(path, &size);
+    if (expected && !strcmp(expected, actual)) {
+        run->passed++;
+    } else if (run->update) {
+        const char *why = output_write(path, actual, strlen(actual));
+        printf(why ? "cannot write %s: %s\n" : "updated %s\n", path, why);
+        run->updated++;
+    } else {
+        run->failed++;
+        show_difference(path, expected, actual);
+    }
+    free(expected);
+}
+
+/* "examples/waves/Sin.yaml" -> "tests/golden/waves-Sin", then the material if there are several. */
+static void golden_path(char *path, const char *document, const char *material, const char *suffix)
+{
+    char name[LONGEST_PATH / 2];
+    snprintf(name, sizeof name, "%s", document + strlen("examples/"));
+    *strrchr(name, '.') = 0;
+    for (char *c = name; *c; c++)
+        if (*c == '/')
+            *c = '-';
+    snprintf(path, LONGEST_PATH, "tests/golden/%s%s%.200s%s", name, material ? "-" : "", material ? material : "", suffix);
+}
+
+static void run_material(Run *run, const MatcDocument *document, const char *name, int material)
+{
+    char path[LONGEST_PATH];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = false; /* test_valid does, for every target */
+    options.check = true;
+    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT | MATC_IR, &options);
+    const char *which = matc_material_count(document) > 1 ? matc_material_name(document, material) : NULL;
+    if (!matc_ok(program)) {
+        printf("%s: %s", name, matc_program_diagnostics(program, MATC_TEXT));
+        run->failed++;
+    } else {
+        golden_path(path, name, which, ".ir");
+        compare(run, path, matc_output(program, MATC_IR, NULL));
+        golden_path(path, name, which, ".frag");
+        compare(run, path, matc_output(program, MATC_FRAGMENT, NULL));
+    }
+    matc_program_free(program);
+}
+
+static MatcDocument *open_document(const char *name)
+{
+    size_t size;
+    MatcOptions options;
+    matc_options_init(&options);
+    char *text = read_whole(name, &size);
+    MatcDocument *document = matc_read(name, text ? text : "", size, &options);
+    free(text);
+    return document;
+}
+
+static void run_example(Run *run, const char *name)
+{
+    MatcDocument *document = open_document(name);
+    bool only_defs = strstr(name, "palette") != NULL; /* made to be included */
+    if (!matc_material_count(document) && !only_defs) {
+        printf("%s", matc_diagnostics(document, MATC_TEXT));
+        run->failed++;
+    }
+    for (int i = 0; i < matc_material_count(document); i++)
+        run_material(run, document, name, i);
+    matc_document_free(document);
+}
+
+/* All that is said of a faulty document, of its reading and of its compilation. */
+static void run_error(Run *run, const char *name)
+{
+    char path[LONGEST_PATH], *text = NULL;
+    size_t size;
+    FILE *all = open_memstream(&text, &size);
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = false;
+    MatcDocument *document = open_document(name);
+    fputs(matc_diagnostics(document, MATC_TEXT), all);
+    for (int i = 0; i < matc_material_count(document); i++) {
+        MatcProgram *program = matc_compile(document, i, MATC_FRAGMENT, &options);
+        fputs(matc_program_diagnostics(program, MATC_TEXT), all);
+        matc_program_free(program);
+    }
+    fclose(all);
+    snprintf(path, sizeof path, "%.*s.err", (int)(strrchr(name, '.') - name), name);
+    compare(run, path, text);
+    matc_document_free(document);
+    free(text);
+}
+
+int main(int argc, char **argv)
+{
+    Run run = {.update = argc > 2 && !strcmp(argv[2], "--update")};
+    if (argc < 2 || chdir(argv[1])) {
+        fputs("usage: run FOLDER [--update]\n", stderr);
+        return 2;
+    }
+    if (run.update && getenv("CI")) {
+        fputs("run: goldens are not updated under CI\n", stderr);
+        return 2;
+    }
+    find_documents("examples");
+    for (int i = 0; i < found_count; i++)
+        run_example(&run, found[i]);
+    find_documents("tests/errors");
+    for (int i = 0; i < found_count; i++)
+        run_error(&run, found[i]);
+    find_documents("/nonexistent");
+    printf("%d passed, %d failed\n", run.passed, run.failed);
+    if (run.updated)
+        printf("%d updated: read the difference\n", run.updated);
+    return run.failed || !(run.passed + run.updated);
+}

@@ -1,0 +1,396 @@
+/* The proof: what the emitted programs draw is what the oracle says, for every example, slot, level and target.
+ * tests/bounds.def says how far they may be apart, and the table at the end how far they are.
+ * VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says more of each fault. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/value/bounds.h"
+#include "tests/value/documents.h"
+#include "tests/value/draw.h"
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+typedef struct {
+    Target target;
+    int optimize;
+    Noise noise;
+} Variant;
+
+/* GroIMP's noise only where there is noise. */
+static const Variant variants[] = {
+    {TARGET_glsl330, 0, NOISE_lattice}, {TARGET_glsl330, 2, NOISE_lattice}, {TARGET_glsl110, 2, NOISE_lattice},
+    {TARGET_glsl450, 2, NOISE_lattice}, {TARGET_essl300, 2, NOISE_lattice}, {TARGET_glsl330, 2, NOISE_groimp},
+    {TARGET_glsl110, 2, NOISE_groimp},
+};
+enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_GROIMP + 1 };
+
+/* The worst that was seen for a subject. */
+typedef struct {
+    double miss;
+    char where[160];
+} Worst;
+
+enum { FAULTS = 200 };
+
+/* A slot of a material that some variants draw wrongly, or that cannot be drawn. */
+typedef struct {
+    char slot[160]; /* document, material and slot; equal ones are one fault */
+    int count;
+    double miss;
+    char worst[500];
+} Fault;
+
+/* What all workers share. */
+typedef struct {
+    DocumentList documents;
+    const Point *points;
+    atomic_int next;
+    pthread_mutex_t lock; /* of what follows */
+    Worst worst[SUBJECT_COUNT];
+    int fault_count, values;
+    Fault faults[FAULTS];
+    int programs, drawn;
+} Run;
+
+/* Programs that differ in nothing but their slot draw the same: without textures and uniforms, once is enough. */
+typedef struct {
+    uint64_t hash;
+    float *rgba[2];
+} Drawn;
+
+typedef struct {
+    Run *run;
+    Drawer core, compat;
+    Drawn *memo;
+    int memo_count, memo_room;
+    float scratch[2][POINT_COUNT * 4];
+} Worker;
+
+/* One material of a document: the oracle's values are made when they are first needed. */
+typedef struct {
+    Document *document;
+    int material;
+    Oracle *oracles[NOISES];
+    Hull *hulls[NOISES][2]; /* by noise and side */
+} Subject;
+
+static Fault *fault_of(Run *run, const char *slot)
+{
+    for (int i = 0; i < run->fault_count; i++)
+        if (!strcmp(run->faults[i].slot, slot))
+            return &run->faults[i];
+    if (run->fault_count == FAULTS)
+        return NULL;
+    Fault *fault = &run->faults[run->fault_count++];
+    snprintf(fault->slot, sizeof fault->slot, "%s", slot);
+    return fault;
+}
+
+__attribute__((format(printf, 4, 5))) static void add_fault(Run *run, const char *slot, double miss, const char *format,
+                                                            ...)
+{
+    va_list args;
+    pthread_mutex_lock(&run->lock);
+    Fault *fault = fault_of(run, slot);
+    if (fault && (miss > fault->miss || !fault->count)) {
+        va_start(args, format);
+        vsnprintf(fault->worst, sizeof fault->worst, format, args);
+        va_end(args);
+        fault->miss = miss;
+    }
+    if (fault)
+        fault->count++;
+    pthread_mutex_unlock(&run->lock);
+}
+
+static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool front)
+{
+    Hull **hulls = &s->hulls[noise][front];
+    if (*hulls)
+        return *hulls;
+    if (!s->oracles[noise])
+        s->oracles[noise] = oracle_open(s->document->graph, &(ReferenceContext){.noise = noise});
+    *hulls = calloc(POINT_COUNT, sizeof **hulls);
+    if (!*hulls)
+        abort();
+    points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, w->run->points, POINT_COUNT, front,
+                 &reach_float, *hulls);
+    return *hulls;
+}
+
+static void forget(Subject *s)
+{
+    for (int noise = 0; noise < NOISES; noise++) {
+        oracle_close(s->oracles[noise]);
+        for (int front = 0; front < 2; front++)
+            free(s->hulls[noise][front]);
+    }
+}
+
+static const char *input_names = "u v  x y z  px py pz";
+
+static void describe_point(const Point *p, char *text, size_t room)
+{
+    const float(*i)[3] = p->input;
+    snprintf(text, room, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0],
+             i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0], i[INPUT_P][1], i[INPUT_P][2]);
+}
+
+/* One slot of one material by one variant. */
+typedef struct {
+    Subject *subject;
+    Slot slot;
+    const Variant *variant;
+    int governing;
+    double bound;
+} Case;
+
+static void name_slot(const Case *c, char *text, size_t room)
+{
+    snprintf(text, room, "%s %s %s", document_name(c->subject->document),
+             matc_material_name(c->subject->document->document, c->subject->material), slot_table[c->slot].name);
+}
+
+static const char *variant_name(const Variant *v, bool front, char text[64])
+{
+    snprintf(text, 64, "%s -O%d %s%s", target_table[v->target].name, v->optimize, noise_names[v->noise],
+             front ? "" : " back");
+    return text;
+}
+
+/* The worst lane of all points against the oracle; one fault a draw. */
+static void compare(Worker *w, const Case *c, bool front, const float *rgba)
+{
+    ReferenceNoise noise = noise_for(c->variant->noise, c->variant->target);
+    const Hull *hulls = hulls_of(w, c->subject, noise, front);
+    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0;
+    double worst = 0;
+    for (int i = 0; i < POINT_COUNT; i++)
+        for (int k = 0; k < lanes; k++) {
+            double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
+            bad += miss > c->bound;
+            if (miss > worst) {
+                worst = miss;
+                point = i;
+                lane = k;
+            }
+        }
+    char name[160], variant[64];
+    name_slot(c, name, sizeof name);
+    pthread_mutex_lock(&w->run->lock);
+    w->run->values += POINT_COUNT * lanes;
+    Worst *record = &w->run->worst[c->governing];
+    if (worst > record->miss) {
+        record->miss = worst;
+        memcpy(record->where, name, sizeof name);
+    }
+    pthread_mutex_unlock(&w->run->lock);
+    if (!bad)
+        return;
+    char at[200];
+    describe_point(&w->run->points[point], at, sizeof at);
+    add_fault(w->run, name, worst,
+              "%s: %d values; worst %.2g, bound %.2g (%s): drawn %.9g, oracle %.9g in [%.9g, %.9g] at point %d: %s",
+              variant_name(c->variant, front, variant), bad, worst, c->bound, subject_name(c->governing),
+              rgba[4 * point + lane], hulls[point].value.lane[c->slot][lane], hulls[point].low.lane[c->slot][lane],
+              hulls[point].high.lane[c->slot][lane], point, at);
+}
+
+/* Of the text behind its comment, which names the slot. */
+static uint64_t hash_text(const char *text, Target target)
+{
+    uint64_t hash = 14695981039346656037u + (uint64_t)target;
+    const char *comment = strstr(text, "// matc");
+    for (const char *at = comment ? strchr(comment, '\n') : text; *at; at++)
+        hash = (hash ^ (unsigned char)*at) * 1099511628211u;
+    return hash;
+}
+
+static Drawn *remember(Worker *w, uint64_t hash)
+{
+    for (int i = 0; i < w->memo_count; i++)
+        if (w->memo[i].hash == hash)
+            return &w->memo[i];
+    if (w->memo_count == w->memo_room) {
+        w->memo_room = w->memo_room ? 2 * w->memo_room : 256;
+        w->memo = realloc(w->memo, (size_t)w->memo_room * sizeof *w->memo);
+        if (!w->memo)
+            abort();
+    }
+    w->memo[w->memo_count] = (Drawn){.hash = hash};
+    return &w->memo[w->memo_count++];
+}
+
+static bool draw_sides(Worker *w, const Shading *shading, float *const rgba[2])
+{
+    Drawer *drawer = shading->target == TARGET_glsl110 ? &w->compat : &w->core;
+    GLuint program = drawer_program(drawer, shading);
+    bool drawn = program != 0;
+    for (int front = strstr(shading->fragment, "gl_FrontFacing") ? 0 : 1; front < 2 && drawn; front++)
+        drawn = drawer_draw(drawer, program, shading, front, &rgba[front], 1);
+    drawer->gl->DeleteProgram(program);
+    pthread_mutex_lock(&w->run->lock);
+    w->run->drawn++;
+    pthread_mutex_unlock(&w->run->lock);
+    return drawn;
+}
+
+static void check_program(Worker *w, const Case *c, MatcProgram *program)
+{
+    Shading shading = {.fragment = matc_output(program, MATC_FRAGMENT, NULL),
+                       .target = c->variant->target,
+                       .program = program,
+                       .graph = c->subject->document->graph};
+    float *rgba[2] = {w->scratch[0], w->scratch[1]};
+    bool plain = !matc_texture_count(program) && !matc_uniform_count(program), drawn = false;
+    if (plain) {
+        Drawn *memo = remember(w, hash_text(shading.fragment, shading.target));
+        drawn = memo->rgba[1] != NULL;
+        for (int side = 0; side < 2 && !drawn; side++)
+            memo->rgba[side] = malloc(sizeof w->scratch[0]);
+        memcpy(rgba, memo->rgba, sizeof rgba);
+    }
+    if (!drawn && !draw_sides(w, &shading, rgba)) {
+        Drawer *drawer = shading.target == TARGET_glsl110 ? &w->compat : &w->core;
+        char name[160], variant[64];
+        name_slot(c, name, sizeof name);
+        add_fault(w->run, name, 1e9, "%s: %s", variant_name(c->variant, true, variant), drawer->error);
+        return;
+    }
+    compare(w, c, true, rgba[1]);
+    if (strstr(shading.fragment, "gl_FrontFacing"))
+        compare(w, c, false, rgba[0]);
+}
+
+static void check_variant(Worker *w, const Case *c)
+{
+    MatcOptions options = c->subject->document->options;
+    options.pass = "value";
+    options.slot = slot_table[c->slot].name;
+    options.target = target_table[c->variant->target].name;
+    options.noise = noise_names[c->variant->noise];
+    options.optimize = c->variant->optimize;
+    options.validate = false;
+    MatcProgram *program = matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
+    char name[160], variant[64];
+    name_slot(c, name, sizeof name);
+    if (matc_ok(program))
+        check_program(w, c, program);
+    else
+        add_fault(w->run, name, 1e9, "%s: %s", variant_name(c->variant, true, variant),
+                  matc_program_diagnostics(program, MATC_TEXT));
+    matc_program_free(program);
+    pthread_mutex_lock(&w->run->lock);
+    w->run->programs++;
+    pthread_mutex_unlock(&w->run->lock);
+}
+
+static void check_material(Worker *w, Document *document, int material)
+{
+    Subject subject = {.document = document, .material = material};
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        Subjects subjects;
+        subjects_of(document->graph->materials[material].node, (Slot)slot, &subjects);
+        int governing = subject_governing(&subjects);
+        for (int i = 0; i < VARIANTS; i++)
+            if (variants[i].noise == NOISE_lattice || subjects_noise(&subjects))
+                check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], governing, bound_table[governing].bound});
+    }
+    forget(&subject);
+}
+
+static void check_document(Worker *w, const char *path)
+{
+    Document document;
+    if (!document_open(&document, path)) {
+        add_fault(w->run, path, 1e9, "%s", document_fault(&document));
+        document_close(&document);
+        return;
+    }
+    for (int i = 0; i < document.graph->material_count; i++)
+        check_material(w, &document, i);
+    document_close(&document);
+}
+
+static void *work(void *user)
+{
+    Run *run = user;
+    Worker *w = calloc(1, sizeof *w);
+    if (!w)
+        abort();
+    w->run = run;
+    if (!drawer_open(&w->core, true, run->points, POINT_COUNT, 1, GL_RGBA32F) ||
+        !drawer_open(&w->compat, false, run->points, POINT_COUNT, 1, GL_RGBA32F)) {
+        add_fault(run, "no context", 1e9, "%s%s", w->core.error, w->compat.error);
+        free(w);
+        return NULL;
+    }
+    for (int i; (i = atomic_fetch_add(&run->next, 1)) < run->documents.count;) {
+        const char *only = getenv("VALUE_ONLY");
+        if (!only || strstr(run->documents.paths[i], only))
+            check_document(w, run->documents.paths[i]);
+    }
+    drawer_close(&w->core);
+    drawer_close(&w->compat);
+    for (int i = 0; i < w->memo_count; i++)
+        for (int side = 0; side < 2; side++)
+            free(w->memo[i].rgba[side]);
+    free(w->memo);
+    free(w);
+    return NULL;
+}
+
+static void print_table(const Run *run)
+{
+    print_message("%d programs, %d drawn, %d values\n", run->programs, run->drawn, run->values);
+    print_message("%-24s %9s %9s  worst at\n", "subject", "bound", "worst");
+    for (int i = 0; i < SUBJECT_COUNT; i++)
+        if (bound_table[i].bound > 0)
+            print_message("%-24s %9.2g %9.2g  %s\n", subject_name(i), bound_table[i].bound, run->worst[i].miss,
+                          run->worst[i].where);
+}
+
+enum { WORKERS_MOST = 8 };
+
+static void examples_draw_what_they_mean(void **state)
+{
+    (void)state;
+    static Run run;
+    static Point points[POINT_COUNT];
+    pthread_t workers[WORKERS_MOST];
+    long count = sysconf(_SC_NPROCESSORS_ONLN);
+    count = count < 1 ? 1 : count > WORKERS_MOST ? WORKERS_MOST : count;
+    points_make(points);
+    run.documents = documents_list(SOURCE_FOLDER);
+    run.points = points;
+    pthread_mutex_init(&run.lock, NULL);
+    assert_true(run.documents.count > 100);
+    for (long i = 0; i < count; i++)
+        assert_int_equal(pthread_create(&workers[i], NULL, work, &run), 0);
+    for (long i = 0; i < count; i++)
+        pthread_join(workers[i], NULL);
+    documents_free(&run.documents);
+    print_table(&run);
+    for (int i = 0; i < run.fault_count; i++)
+        print_error("%s (%d): %s\n", run.faults[i].slot, run.faults[i].count, run.faults[i].worst);
+    if (run.fault_count)
+        fail_msg("%d slots are wrong; points are given as %s", run.fault_count, input_names);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(examples_draw_what_they_mean),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

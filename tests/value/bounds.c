@@ -1,0 +1,111 @@
+/* Walks a material for the subjects of tests/bounds.def. */
+#include "bounds.h"
+#include <string.h>
+
+const Bound bound_table[SUBJECT_COUNT] = {
+#define KIND(name)                  KIND_##name
+#define WAVE(name)                  SUBJECT_WAVES + (int)WAVE_##name
+#define SLOT(name)                  SUBJECT_SLOTS + (int)SLOT_##name
+#define DEFAULT                     SUBJECT_DEFAULT
+#define BOUND(subject, bound, why) [subject] = {bound, why},
+#include "tests/bounds.def"
+#undef KIND
+#undef WAVE
+#undef SLOT
+#undef DEFAULT
+#undef BOUND
+};
+
+const char *subject_name(int subject)
+{
+    if (subject < SUBJECT_WAVES)
+        return kind_table[subject].name;
+    if (subject < SUBJECT_SLOTS)
+        return subject - SUBJECT_WAVES < WAVE_COUNT ? wave_table[subject - SUBJECT_WAVES].name : "Chain";
+    return subject < SUBJECT_DEFAULT ? slot_table[subject - SUBJECT_SLOTS].name : "default";
+}
+
+static void walk(const Node *node, Subjects *subjects);
+
+static void walk_wave(const Wave *wave, Subjects *subjects)
+{
+    if (!wave)
+        return;
+    subjects->has[SUBJECT_WAVES + (int)wave->kind] = true;
+    walk_wave(wave->first, subjects);
+    walk_wave(wave->second, subjects);
+}
+
+static void walk_value(const Value *value, Subjects *subjects)
+{
+    if (value->kind == VALUE_node)
+        walk(value->node, subjects);
+    else if (value->kind == VALUE_wave)
+        walk_wave(value->wave, subjects);
+    else if (value->kind == VALUE_items)
+        for (int i = 0; i < value->items->count; i++)
+            walk(value->items->item[i].input, subjects);
+}
+
+static void walk(const Node *node, Subjects *subjects)
+{
+    if (!node)
+        return;
+    subjects->has[SUBJECT_KINDS + (int)node->kind] = true;
+    for (int i = 0; i < kind_table[node->kind].count; i++)
+        walk_value(&node->params[i], subjects);
+}
+
+static void walk_phong(const Node *phong, Slot slot, Subjects *subjects)
+{
+    static const int params[SLOT_COUNT][2] = {
+        [SLOT_normal] = {P_Phong_input},
+        [SLOT_diffuse] = {P_Phong_diffuse},
+        [SLOT_alpha] = {P_Phong_diffuse},
+        [SLOT_specular] = {P_Phong_specular},
+        [SLOT_shininess] = {P_Phong_shininess},
+        [SLOT_transparency] = {P_Phong_transparency, P_Phong_diffuse},
+        [SLOT_transparencyShininess] = {P_Phong_transparencyShininess},
+        [SLOT_interpolatedTransparency] = {P_Phong_interpolatedTransparency},
+        [SLOT_diffuseTransparency] = {P_Phong_diffuseTransparency},
+        [SLOT_ambient] = {P_Phong_ambient},
+        [SLOT_emissive] = {P_Phong_emissive},
+        [SLOT_ior] = {P_Phong_input},
+    };
+    walk_value(&phong->params[params[slot][0] - kind_table[KIND_Phong].first], subjects);
+    if (slot == SLOT_transparency)
+        walk_value(&phong->params[params[slot][1] - kind_table[KIND_Phong].first], subjects);
+}
+
+/* Through switches, all of whose materials count. */
+static void walk_material(const Node *material, Slot slot, Subjects *subjects)
+{
+    subjects->has[SUBJECT_KINDS + (int)material->kind] = true;
+    if (material->kind == KIND_Phong)
+        walk_phong(material, slot, subjects);
+    else
+        for (int i = 0; i < kind_table[material->kind].count; i++)
+            if (material->params[i].kind == VALUE_node)
+                walk_material(material->params[i].node, slot, subjects);
+}
+
+void subjects_of(const Node *material, Slot slot, Subjects *subjects)
+{
+    memset(subjects, 0, sizeof *subjects);
+    subjects->has[SUBJECT_DEFAULT] = subjects->has[SUBJECT_SLOTS + (int)slot] = true;
+    walk_material(material, slot, subjects);
+}
+
+int subject_governing(const Subjects *subjects)
+{
+    int best = SUBJECT_DEFAULT;
+    for (int i = 0; i < SUBJECT_COUNT; i++)
+        if (subjects->has[i] && bound_table[i].bound > bound_table[best].bound)
+            best = i;
+    return best;
+}
+
+bool subjects_noise(const Subjects *subjects)
+{
+    return subjects->has[KIND_Turbulence] || subjects->has[KIND_VolumeTurbulence] || subjects->has[KIND_Granite];
+}

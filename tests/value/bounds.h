@@ -1,0 +1,27 @@
+/* How far a shader may be from the oracle: tests/bounds.def, by the kinds, waves and slots that a value is made of. */
+#ifndef MATC_VALUE_BOUNDS_H
+#define MATC_VALUE_BOUNDS_H
+#include "compiler/graph.h"
+
+/* A subject of the table is a kind, a wave or a slot, or none of them. */
+enum { SUBJECT_KINDS = 0, SUBJECT_WAVES = KIND_COUNT, SUBJECT_SLOTS = SUBJECT_WAVES + WAVE_COUNT + 1,
+       SUBJECT_DEFAULT = SUBJECT_SLOTS + SLOT_COUNT, SUBJECT_COUNT };
+
+typedef struct {
+    double bound; /* in units of max(1, |oracle|), outside of the hull */
+    const char *why;
+} Bound;
+extern const Bound bound_table[SUBJECT_COUNT]; /* bound 0: no row */
+
+typedef struct {
+    bool has[SUBJECT_COUNT];
+} Subjects;
+
+const char *subject_name(int subject);
+/* What the value of a slot is made of. */
+void subjects_of(const Node *material, Slot slot, Subjects *subjects);
+/* The subject whose bound counts: the one with the greatest. */
+int subject_governing(const Subjects *subjects);
+/* Whether lattice noise is among them. */
+bool subjects_noise(const Subjects *subjects);
+#endif

@@ -1,0 +1,99 @@
+/* Finds and reads documents. */
+#include "documents.h"
+#include <glob.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+
+static void add_matches(DocumentList *list, const char *folder, const char *pattern)
+{
+    char full[4096];
+    glob_t found = {0};
+    snprintf(full, sizeof full, "%s/%s", folder, pattern);
+    if (glob(full, 0, NULL, &found) == 0) {
+        list->paths = realloc(list->paths, ((size_t)list->count + found.gl_pathc) * sizeof *list->paths);
+        if (!list->paths)
+            abort();
+        for (size_t i = 0; i < found.gl_pathc; i++)
+            list->paths[list->count++] = strdup(found.gl_pathv[i]);
+    }
+    globfree(&found);
+}
+
+DocumentList documents_list(const char *folder)
+{
+    static const char *const patterns[] = {"examples/*.yaml", "examples/*.json", "examples/*/*.yaml",
+                                           "examples/*/*.json"};
+    DocumentList list = {0};
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++)
+        add_matches(&list, folder, patterns[i]);
+    if (list.count)
+        qsort(list.paths, (size_t)list.count, sizeof *list.paths, by_name);
+    return list;
+}
+
+void documents_free(DocumentList *list)
+{
+    for (int i = 0; i < list->count; i++)
+        free(list->paths[i]);
+    free(list->paths);
+    *list = (DocumentList){0};
+}
+
+static char *read_text(Arena *arena, const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return NULL;
+    Text text = text_new(arena);
+    char part[4096];
+    text_add(&text, "", 0);
+    for (size_t got; (got = fread(part, 1, sizeof part, file)) > 0;)
+        text_add(&text, part, got);
+    fclose(file);
+    *size = text.size;
+    return text.at;
+}
+
+bool document_open(Document *d, const char *path)
+{
+    size_t size = 0;
+    *d = (Document){.path = path};
+    char *text = read_text(&d->arena, path, &size);
+    if (!text)
+        return false;
+    matc_options_init(&d->options);
+    d->options.pixels = true;
+    d->document = matc_read(path, text, size, &d->options);
+    d->c = (Compile){.options = &d->options, .arena = &d->arena, .optimize = 2, .check = true};
+    Source source = {path, text, size};
+    ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
+    d->graph = compile_front(&d->c, 0, &d->tree);
+    return d->graph && matc_error_count(d->document) == 0;
+}
+
+const char *document_fault(Document *d)
+{
+    return d->document ? matc_diagnostics(d->document, MATC_TEXT) : "cannot be read";
+}
+
+const char *document_name(const Document *d)
+{
+    const char *found = strstr(d->path, "examples/");
+    return found ? found + strlen("examples/") : d->path;
+}
+
+void document_close(Document *d)
+{
+    matc_document_free(d->document);
+    arena_free(&d->arena);
+    *d = (Document){0};
+}
+
+void document_set_uniform(Document *d, int uniform, const double value[4])
+{
+    Uniform *u = (Uniform *)(uintptr_t)d->graph->uniforms[uniform]; /* made by us, in our arena */
+    memcpy(u->initial, value, sizeof u->initial);
+}

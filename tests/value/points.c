@@ -1,0 +1,189 @@
+/* Points and hulls. */
+#include "points.h"
+#include <string.h>
+
+const double point_ior = 1.25;
+const Reach reach_float = {4. / (1 << 23), 4. / (1 << 23)};
+const Reach reach_double = {1e-13, 1e-13};
+
+/* A sequence of numbers in [0, 1) for each dimension, evenly spread: multiples of an irrational number. */
+typedef struct {
+    int index;
+} Spread;
+
+static double spread(const Spread *s, int dimension)
+{
+    static const double root[] = {0.41421356237309505, 0.7320508075688772, 0.2360679774997898, 0.6457513110645907,
+                                  0.3166247903554,     0.605551275463989,  0.1231056256176605, 0.358898943540674,
+                                  0.795831523312719,   0.385164807134504,  0.567764362830022,  0.08276253029821967,
+                                  0.4031242374328485,  0.5574385243020004, 0.8556546004010439, 0.2801098892805187};
+    return fraction((s->index + 1) * root[dimension]);
+}
+
+static void random_direction(float v[3], const Spread *s, int dimension, float length)
+{
+    double z = 2 * spread(s, dimension) - 1, angle = 2 * M_PI * spread(s, dimension + 1), r = sqrt(1 - z * z);
+    v[0] = (float)(length * r * cos(angle));
+    v[1] = (float)(length * r * sin(angle));
+    v[2] = (float)(length * z);
+}
+
+enum { DIMENSION_U = 0, DIMENSION_X = 2, DIMENSION_P = 5, DIMENSION_N = 8, DIMENSION_DU = 10, DIMENSION_DV = 13 };
+
+/* A point in [-size, size] with a normal, tangents at any angle to it, of any length. */
+static Point random_point(int index, double size)
+{
+    static const float lengths[] = {1, 1, 1, 0.25f, 7};
+    Spread s = {index};
+    Point p;
+    memset(&p, 0, sizeof p);
+    for (int i = 0; i < 3; i++) {
+        if (i < 2)
+            p.input[INPUT_U][i] = (float)(size * (2 * spread(&s, DIMENSION_U + i) - 1));
+        p.input[INPUT_X][i] = (float)(size * (2 * spread(&s, DIMENSION_X + i) - 1));
+        p.input[INPUT_P][i] = (float)(size * (2 * spread(&s, DIMENSION_P + i) - 1));
+        p.input[INPUT_DU][i] = (float)(4 * spread(&s, DIMENSION_DU + i) - 2);
+        p.input[INPUT_DV][i] = (float)(4 * spread(&s, DIMENSION_DV + i) - 2);
+    }
+    random_direction(p.input[INPUT_N], &s, DIMENSION_N, lengths[index % 5]);
+    random_direction(p.input[INPUT_ray], &s, DIMENSION_DU, 1);
+    memcpy(p.input[INPUT_eyeN], p.input[INPUT_N], sizeof p.input[INPUT_N]);
+    return p;
+}
+
+/* All coordinates of one axis: u, x and px, or v, y and py, or z and pz. */
+static void set_axis(Point *p, int axis, float value)
+{
+    if (axis < 2)
+        p->input[INPUT_U][axis] = value;
+    p->input[INPUT_X][axis] = p->input[INPUT_P][axis] = value;
+}
+
+static void set_all(Point *p, float value)
+{
+    for (int axis = 0; axis < 3; axis++)
+        set_axis(p, axis, value);
+}
+
+typedef struct {
+    Point *at;
+    int count;
+} Points;
+
+static Point *add(Points *points, double size)
+{
+    if (points->count == POINT_COUNT)
+        return &points->at[POINT_COUNT - 1];
+    points->at[points->count] = random_point(points->count, size);
+    return &points->at[points->count++];
+}
+
+/* A border and the floats next to it. */
+static float beside(float border, int side)
+{
+    return side < 0 ? nextafterf(border, -INFINITY) : side > 0 ? nextafterf(border, INFINITY) : border;
+}
+
+static void add_borders(Points *points)
+{
+    static const float borders[] = {-2, -1.5f, -1, -0.5f, 0.25f, 0.5f, 1, 1.5f, 3, 1.f / 3};
+    for (int i = 0; i < (int)(sizeof borders / sizeof *borders); i++)
+        for (int side = -1; side <= 1; side++) {
+            for (int axis = 0; axis < 3; axis++)
+                set_axis(add(points, 2), axis, beside(borders[i], side));
+            set_all(add(points, 2), beside(borders[i], side));
+        }
+}
+
+static void add_specials(Points *points)
+{
+    static const float special[] = {0,     -0.f,  1e-8f, -1e-8f,    1e-30f,    -1e-30f,    65535, 65536, -65536, 1e6f,
+                                    -1e6f, 1e5f,  1e3f,  16777216., 123456.78f, -98765.43f, 1e-4f, 2e-4f, -3e-4f, 0.1f};
+    for (int i = 0; i < (int)(sizeof special / sizeof *special); i++) {
+        set_axis(add(points, 2), i % 3, special[i]);
+        set_all(add(points, 2), special[i]);
+    }
+    memset(add(points, 2)->input[INPUT_N], 0, sizeof points->at->input[INPUT_N]);
+    memset(add(points, 2)->input[INPUT_DU], 0, sizeof points->at->input[INPUT_DU]);
+    memset(add(points, 2)->input[INPUT_DV], 0, sizeof points->at->input[INPUT_DV]);
+}
+
+void points_make(Point points[POINT_COUNT])
+{
+    Points made = {points, 0};
+    add_borders(&made);
+    add_specials(&made);
+    for (int i = 0; i < 60; i++)
+        add(&made, (double[]){1e3, 1e5, 1e6}[i % 3]);
+    for (int i = 0; i < 60; i++)
+        add(&made, (double[]){0.1, 10, 40}[i % 3]);
+    while (made.count < POINT_COUNT)
+        add(&made, 2);
+    for (int i = 0; i < POINT_COUNT; i++) /* one normal in eye and world: eyeFromWorld is the identity */
+        memcpy(points[i].input[INPUT_eyeN], points[i].input[INPUT_N], sizeof points[i].input[INPUT_N]);
+}
+
+void point_surface(const Point *point, bool front, Surface *surface)
+{
+    static const Input input[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
+                                  [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
+    *surface = (Surface){.front = front};
+    for (Group group = 0; group < GROUP_R; group++)
+        for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
+            surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
+    surface->root[channel_id(GROUP_IOR, 0)] = point_ior;
+}
+
+enum { AXES = 8, CORNERS = 16 };
+
+/* Rows of a Hadamard matrix: any two axes meet in all four combinations of signs. */
+static double corner_sign(int corner, int axis) { return __builtin_parity((unsigned)(corner & (axis + 1 + 7 * (axis == 7)))) ? -1 : 1; }
+
+static void move(Surface *surface, int corner, const Reach *reach)
+{
+    const int axes[AXES] = {channel_id(GROUP_U, 0), channel_id(GROUP_U, 1), channel_id(GROUP_X, 0),
+                            channel_id(GROUP_X, 1), channel_id(GROUP_X, 2), channel_id(GROUP_P, 0),
+                            channel_id(GROUP_P, 1), channel_id(GROUP_P, 2)};
+    double part = corner % 3 == 2 ? 0.25 : 1; /* some corners lie closer */
+    for (int i = 0; i < AXES; i++) {
+        double *number = &surface->root[axes[i]];
+        *number += part * corner_sign(corner, i) * fmax(reach->relative * fabs(*number), reach->least);
+    }
+}
+
+static void widen(Hull *hull, const SlotValues *values)
+{
+    const double *v = &values->lane[0][0];
+    double *low = &hull->low.lane[0][0], *high = &hull->high.lane[0][0];
+    for (int i = 0; i < SLOT_COUNT * 4; i++) {
+        low[i] = fmin(low[i], v[i]);
+        high[i] = fmax(high[i], v[i]);
+    }
+}
+
+void points_hulls(Oracle *oracle, const Node *material, const Point *points, int count, bool front, const Reach *reach,
+                  Hull *hulls)
+{
+    for (int i = 0; i < count; i++) {
+        Surface here;
+        point_surface(&points[i], front, &here);
+        oracle_material(oracle, material, &here, &hulls[i].value);
+        hulls[i].low = hulls[i].high = hulls[i].value;
+        for (int corner = 0; corner < CORNERS; corner++) {
+            Surface there = here;
+            SlotValues values;
+            move(&there, corner, reach);
+            oracle_material(oracle, material, &there, &values);
+            widen(&hulls[i], &values);
+        }
+    }
+}
+
+double hull_miss(const Hull *hull, Slot slot, int lane, double number)
+{
+    double value = hull->value.lane[slot][lane], low = hull->low.lane[slot][lane], high = hull->high.lane[slot][lane];
+    double width = high - low, scale = fmax(1, fabs(value));
+    if (!isfinite(number))
+        return INFINITY;
+    return fmax(0, fmax(low - width - number, number - high - width)) / scale;
+}

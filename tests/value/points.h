@@ -1,0 +1,43 @@
+/* Surface points that tests shade, every number a float, and what the oracle says about them and their neighbourhood. */
+#ifndef MATC_VALUE_POINTS_H
+#define MATC_VALUE_POINTS_H
+#include "compiler/oracle.h"
+
+enum { POINT_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */
+_Static_assert(INPUT_P == 0 && INPUT_ray == POINT_VARYINGS - 1, "the varyings come first");
+
+typedef struct {
+    float input[POINT_VARYINGS][3]; /* by Input */
+} Point;
+
+enum { GRID_WIDTH = 32, GRID_HEIGHT = 20, POINT_COUNT = GRID_WIDTH * GRID_HEIGHT };
+
+/* Quasi-random ones in [-2, 2], large ones to 1e6, borders of cells with their neighbours, zeros, tiny ones; normals and
+ * tangents of any length, some of them zero. Always the same. */
+void points_make(Point points[POINT_COUNT]);
+
+extern const double point_ior; /* of every point */
+void point_surface(const Point *point, bool front, Surface *surface);
+
+/* How far the coordinates of a point are moved to see what lies around it: by `relative` of their size, by `least` if that
+ * is more. */
+typedef struct {
+    double relative, least;
+} Reach;
+extern const Reach reach_float;  /* four ulp of a float, of 1 at least */
+extern const Reach reach_double; /* for values that were computed in double precision */
+
+/* The value of every slot, and between what it varies nearby: where a function jumps or is steep, rounding alone leads from
+ * one to the other. */
+typedef struct {
+    SlotValues value, low, high;
+} Hull;
+
+/* hulls[i] belongs to points[i]. */
+void points_hulls(Oracle *oracle, const Node *material, const Point *points, int count, bool front, const Reach *reach,
+                  Hull *hulls);
+
+/* How far a number lies outside of the hull of a lane, in units of max(1, |value|). The hull is a sample of the
+ * neighbourhood: it is taken to be wider by its own width on both sides. */
+double hull_miss(const Hull *hull, Slot slot, int lane, double number);
+#endif
