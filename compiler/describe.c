@@ -125,7 +125,14 @@ int describe_field_lanes(const FieldRow *field)
     return field->encoding == ENCODING_spheremap ? 2 : field->encoding == ENCODING_pair ? 1 : field->count;
 }
 
-/* A "%s" right behind a word is a hint that is mostly empty. */
+/* A "%s" right behind a word or a closing quote is a hint that is mostly empty. */
+static bool is_hint(const char *format, const char *at)
+{
+    if (at == format || strchr(" \n", at[-1]))
+        return false;
+    return at[-1] != '\'' || (at - 1 != format && at[-2] != ' ');
+}
+
 void describe_message(Text *out, const DiagRow *diag)
 {
     const char *format = diag->format;
@@ -136,7 +143,7 @@ void describe_message(Text *out, const DiagRow *diag)
             text_char(out, *at);
         else if (*++at == '%')
             text_char(out, '%');
-        else if (at - 1 == format || strchr(" '\n", at[-2]))
+        else if (!is_hint(format, at - 1))
             text_put(out, "...");
     }
 }

@@ -182,7 +182,7 @@ static void put_fields(Text *out, Layout layout)
             continue;
         Text slot = text_new(out->arena);
         describe_field(&slot, field);
-        text_format(out, "  %-6d  %-5.*s  %-34s  %s\n", field->target, describe_field_lanes(field), "rgba" + field->lane,
+        text_format(out, "  %-6d  %-5.*s  %-42s  %s\n", field->target, describe_field_lanes(field), "rgba" + field->lane,
                     slot.at, encoding_names[field->encoding]);
     }
 }
@@ -193,7 +193,7 @@ static void explain_layouts(const Query *q)
         const LayoutRow *layout = &layout_table[i];
         if (!begins(q, layout->name))
             continue;
-        text_format(q->out, "%s (layout, %d targets of %s)\n%s\n\n  target  lanes  %-34s  encoding\n", layout->name,
+        text_format(q->out, "%s (layout, %d targets of %s)\n%s\n\n  target  lanes  %-42s  encoding\n", layout->name,
                     layout->targets, layout->format, layout->doc, "slot");
         put_fields(q->out, (Layout)i);
     }

@@ -438,7 +438,13 @@ static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsign
     const ProgramValue values[] = {{"dark", 3, c->dark}, {"specular", 3, c->specular}, {"transparency", 3, c->transparency},
                                    {"shininess", 1, &c->shininess}, {"absent", 1, &c->shininess}};
     const ViewProgram program = {vertex_text, fragment_text, unpack_text, &texture, 1, values, 5};
-    const ViewOptions options = {c->shape, texts->size, texts->size, 4, texts->screen, texts->light, gl};
+    const ViewOptions options = {.shape = c->shape,
+                                 .width = texts->size,
+                                 .height = texts->size,
+                                 .supersampling = 4,
+                                 .screen_text = texts->screen,
+                                 .light_text = texts->light,
+                                 .gl = gl};
     if (!view_render(&options, &program, rgb, error, sizeof error)) fail_msg("%s", error);
     const char *folder = getenv("TEST_GL_PICTURES");
     if (!folder) return;

@@ -74,6 +74,11 @@ bool document_open(Document *d, const char *path)
     return d->graph && matc_error_count(d->document) == 0;
 }
 
+bool document_is_library(const Document *d)
+{
+    return d->c.diags.count == 1 && d->c.diags.at[0].kind == DIAG_no_material;
+}
+
 const char *document_fault(Document *d)
 {
     return d->document ? matc_diagnostics(d->document, MATC_TEXT) : "cannot be read";

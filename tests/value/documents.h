@@ -24,8 +24,10 @@ typedef struct {
     Graph *graph; /* material i is the document's material i */
 } Document;
 
-/* False: the document has faults; see document_fault. A document without materials is no fault. */
+/* False: the document has faults; see document_fault. Close it in any case. */
 bool document_open(Document *d, const char *path);
+/* Its only fault is that it has no material: others include it. */
+bool document_is_library(const Document *d);
 const char *document_fault(Document *d);
 /* Folders of the path left out. */
 const char *document_name(const Document *d);

@@ -214,10 +214,10 @@ static bool set_textures(Drawer *d, GLuint program, const Shading *shading, GLui
     for (int i = 0; i < count && i < UNITS; i++) {
         MatcTexture t = matc_texture(shading->program, i);
         TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, t.linear, true};
+        d->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)i); /* making a texture binds it */
         names[i] = texture_make(d->gl, &spec);
         if (!names[i])
             return fail(d, d->gl->error);
-        texture_bind(d->gl, names[i], i);
         program_set(d->gl, program, &(ProgramValue){t.name, 1, &(float){(float)i}});
     }
     return count <= UNITS || fail(d, "too many textures");

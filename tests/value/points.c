@@ -1,5 +1,6 @@
 /* Points and hulls. */
 #include "points.h"
+#include <float.h>
 #include <string.h>
 
 const double point_ior = 1.25;
@@ -98,7 +99,8 @@ static void add_borders(Points *points)
 static void add_specials(Points *points)
 {
     static const float special[] = {0,     -0.f,  1e-8f, -1e-8f,    1e-30f,    -1e-30f,    65535, 65536, -65536, 1e6f,
-                                    -1e6f, 1e5f,  1e3f,  16777216., 123456.78f, -98765.43f, 1e-4f, 2e-4f, -3e-4f, 0.1f};
+                                    -1e6f, 1e5f,  1e3f,  123456.78f, -98765.43f, 1e-4f,     2e-4f, -3e-4f, 0.1f,
+                                    16777216., -1e9f, 1e12f, -1e18f, 1e30f, -3e38f, 1e-38f, FLT_MAX};
     for (int i = 0; i < (int)(sizeof special / sizeof *special); i++) {
         set_axis(add(points, 2), i % 3, special[i]);
         set_all(add(points, 2), special[i]);
@@ -134,21 +136,39 @@ void point_surface(const Point *point, bool front, Surface *surface)
     surface->root[channel_id(GROUP_IOR, 0)] = point_ior;
 }
 
-enum { AXES = 8, CORNERS = 16 };
+enum { AXES = 8, FRAME_LANES = 3 * LANES_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
 
-/* Rows of a Hadamard matrix: any two axes meet in all four combinations of signs. */
-static double corner_sign(int corner, int axis) { return __builtin_parity((unsigned)(corner & (axis + 1 + 7 * (axis == 7)))) ? -1 : 1; }
+/* Rows of a Hadamard matrix: any two of the eight axes meet in all four combinations of signs. */
+static double corner_sign(int corner, int axis) { return __builtin_parity((unsigned)(corner & (axis + 1))) ? -1 : 1; }
 
+static void shift(double *number, double part, const Reach *reach, double least)
+{
+    *number += part * fmax(reach->relative * fabs(*number), least);
+}
+
+/* Coordinates to the corners of boxes whose sizes no period of a pattern divides; normal and tangents by their rounding
+ * alone: a zero vector stays one. */
 static void move(Surface *surface, int corner, const Reach *reach)
 {
-    const int axes[AXES] = {channel_id(GROUP_U, 0), channel_id(GROUP_U, 1), channel_id(GROUP_X, 0),
-                            channel_id(GROUP_X, 1), channel_id(GROUP_X, 2), channel_id(GROUP_P, 0),
-                            channel_id(GROUP_P, 1), channel_id(GROUP_P, 2)};
-    double part = corner % 3 == 2 ? 0.25 : 1; /* some corners lie closer */
-    for (int i = 0; i < AXES; i++) {
-        double *number = &surface->root[axes[i]];
-        *number += part * corner_sign(corner, i) * fmax(reach->relative * fabs(*number), reach->least);
-    }
+    static const int axes[AXES] = {LANES_OF_GROUP * GROUP_U, LANES_OF_GROUP * GROUP_U + 1, LANES_OF_GROUP * GROUP_X,
+                                   LANES_OF_GROUP * GROUP_X + 1, LANES_OF_GROUP * GROUP_X + 2, LANES_OF_GROUP * GROUP_P,
+                                   LANES_OF_GROUP * GROUP_P + 1, LANES_OF_GROUP * GROUP_P + 2};
+    double part = 1 - fraction(corner * 0.61803398874989485);
+    for (int i = 0; i < AXES; i++)
+        shift(&surface->root[axes[i]], part * corner_sign(corner, i), reach, reach->least);
+    for (int i = 0; i < FRAME_LANES; i++)
+        shift(&surface->root[channel_id(GROUP_N, i)], part * corner_sign(corner, i + 2), reach, 0);
+}
+
+/* Where neighbouring floats lie far apart, a pattern may do anything between them. */
+static int corner_count(const Surface *surface)
+{
+    const double far = 1000;
+    for (Group group = GROUP_P; group <= GROUP_X; group++)
+        for (int lane = 0; lane < 3; lane++)
+            if (fabs(surface->root[channel_id(group, lane)]) > far)
+                return MANY_CORNERS;
+    return CORNERS;
 }
 
 static void widen(Hull *hull, const SlotValues *values)
@@ -169,7 +189,8 @@ void points_hulls(Oracle *oracle, const Node *material, const Point *points, int
         point_surface(&points[i], front, &here);
         oracle_material(oracle, material, &here, &hulls[i].value);
         hulls[i].low = hulls[i].high = hulls[i].value;
-        for (int corner = 0; corner < CORNERS; corner++) {
+        int corners = corner_count(&here);
+        for (int corner = 0; corner < corners; corner++) {
             Surface there = here;
             SlotValues values;
             move(&there, corner, reach);
@@ -177,6 +198,17 @@ void points_hulls(Oracle *oracle, const Node *material, const Point *points, int
             widen(&hulls[i], &values);
         }
     }
+}
+
+bool point_is_extreme(const Point *point)
+{
+    const float limit = 1 << 22;
+    const Input inputs[] = {INPUT_U, INPUT_X, INPUT_P};
+    for (int i = 0; i < 3; i++)
+        for (int lane = 0; lane < 3; lane++)
+            if (fabsf(point->input[inputs[i]][lane]) >= limit)
+                return true;
+    return false;
 }
 
 double hull_miss(const Hull *hull, Slot slot, int lane, double number)

@@ -4,6 +4,7 @@
 #include "compiler/oracle.h"
 
 enum { POINT_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */
+_Static_assert(GROUP_DU == GROUP_N + 1 && GROUP_DV == GROUP_N + 2, "normal and tangents side by side");
 _Static_assert(INPUT_P == 0 && INPUT_ray == POINT_VARYINGS - 1, "the varyings come first");
 
 typedef struct {
@@ -18,6 +19,9 @@ void points_make(Point points[POINT_COUNT]);
 
 extern const double point_ior; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);
+
+/* A coordinate is so large that floats cannot tell the parts of a pattern: of a shader it is only asked to write numbers. */
+bool point_is_extreme(const Point *point);
 
 /* How far the coordinates of a point are moved to see what lies around it: by `relative` of their size, by `least` if that
  * is more. */

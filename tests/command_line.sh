@@ -1,0 +1,125 @@
+#!/bin/sh
+# The command line of matc, from outside: command_line.sh MATC. Run from the project's root.
+set -u
+matc=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+passed=0
+failed=0
+
+# check NAME COMMAND...: the command must succeed
+check() {
+    name=$1
+    shift
+    if "$@" >"$work/out" 2>"$work/err"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name"
+        sed 's/^/    /' "$work/err" | head -5
+    fi
+}
+
+# status WANTED COMMAND...
+status() {
+    wanted=$1
+    shift
+    "$@" >"$work/stdout" 2>"$work/stderr"
+    got=$?
+    [ "$got" = "$wanted" ] || echo "exit status $got, wanted $wanted: $*" >&2
+    [ "$got" = "$wanted" ]
+}
+
+says() { grep -q -- "$1" "$work/stderr"; }
+prints() { grep -q -- "$1" "$work/stdout"; }
+# The second file names the same bytes as the first
+same() { cmp -s "$1" "$2"; }
+# Nothing but the files named lies in a folder
+only() {
+    folder=$1
+    shift
+    [ "$(ls "$folder" | tr '\n' ' ')" = "$* " ]
+}
+
+example=examples/checker.yaml
+fast="$matc --no-validate"
+
+check "writes to standard output" status 0 $fast $example
+check "a shader" prints '^#version 330 core'
+check "-o FILE" status 0 $fast $example -o "$work/a.frag"
+$fast $example >"$work/b.frag"
+check "the same bytes" same "$work/a.frag" "$work/b.frag"
+check "-oFILE" status 0 $fast $example -o"$work/c.frag"
+check "-o -" status 0 $fast $example -o -
+$fast - <$example >"$work/d.frag"
+check "standard input" same "$work/a.frag" "$work/d.frag"
+check "validates" status 0 "$matc" $example -o "$work/a.frag"
+
+check "no document is wrong usage" status 2 "$matc"
+check "an unknown option is wrong usage" status 2 "$matc" --frobnicate $example
+check "an unknown target is wrong usage" status 2 "$matc" --target=hlsl $example
+check "its name is said" says 'target'
+check "a missing file" status 1 "$matc" "$work/none.yaml"
+check "is named" says 'none.yaml'
+check "-o and -d exclude each other" status 2 "$matc" $example -o x -d y
+check "several documents need -d" status 2 "$matc" $example examples/wood.yaml -o "$work/x"
+
+printf 'material: Phong\ndiffuse: { map: Cheker }\n' >"$work/bad.yaml"
+echo precious >"$work/kept.frag"
+check "a fault is status 1" status 1 "$matc" "$work/bad.yaml" -o "$work/kept.frag"
+check "with its place" says 'bad.yaml:2:17: error: '
+echo precious >"$work/precious"
+check "an existing output is left as it was" same "$work/precious" "$work/kept.frag"
+check "JSON diagnostics" status 1 "$matc" --diagnostics=json "$work/bad.yaml"
+check "name the kind" says '"kind": "unknown_map"'
+mkdir "$work/none"
+check "nothing is written" status 1 "$matc" "$work/bad.yaml" -d "$work/none"
+check "not even a temporary file" test -z "$(ls "$work/none")"
+check "an output that cannot be written" status 1 $fast $example -o "$work/no/such/folder.frag"
+check "says why" says 'folder.frag'
+
+check "-d DIR" status 0 $fast -d "$work/many" $example examples/wood.yaml --emit=glsl,vertex,unpack,reflect,ir,dot,tree
+check "writes a file each" only "$work/many" checker.dot checker.frag checker.ir checker.json checker.tree \
+    checker.unpack.glsl checker.vert wood.dot wood.frag wood.ir wood.json wood.tree wood.unpack.glsl wood.vert
+check "one fault does not stop the others" status 1 $fast -d "$work/some" "$work/bad.yaml" $example
+check "the good one is written" only "$work/some" checker.frag
+printf 'materials:\n  red: { material: RGBA, r: 1 }\n  blue: { material: RGBA, b: 1 }\n' >"$work/two.yaml"
+check "several materials need a choice" status 1 $fast "$work/two.yaml"
+check "which lists them" says 'blue'
+check "--material" status 0 $fast --material red "$work/two.yaml"
+check "-d takes all" status 0 $fast -d "$work/two" "$work/two.yaml"
+check "one file each" only "$work/two" blue.frag red.frag
+
+check "spirv" status 0 "$matc" --target=spirv $example -o "$work/a.spv"
+check "has its magic number" test "$(od -An -tx4 -N4 "$work/a.spv" | tr -d ' ')" = 07230203
+
+check "-MD" status 0 $fast -MD examples/image.yaml -o "$work/image.frag"
+check "writes a depfile" grep -q "image.frag: examples/image.yaml" "$work/image.frag.d"
+check "that names the picture" grep -q "examples/tiles.png" "$work/image.frag.d"
+check "-MF and -MT" status 0 $fast -MD -MF "$work/deps" -MT goal examples/materials/marble.yaml -o "$work/m.frag"
+check "with the goal" grep -q "^goal: examples/materials/marble.yaml" "$work/deps"
+check "and the included file" grep -q "examples/materials/palette.yaml" "$work/deps"
+
+check "--textures" status 0 $fast --noise=groimp --textures "$work" examples/granite.yaml -o /dev/null
+check "writes the tables" test -s "$work/matc_permutation.ktx" -a -s "$work/matc_random.ktx"
+check "--eval" status 0 "$matc" --eval "u=0.3 v=0.4" $example
+check "prints every slot" test "$(wc -l <"$work/stdout")" = 12
+check "--eval with a bad point" status 2 "$matc" --eval "q=1" $example
+check "--stats" status 0 $fast --stats $example -o /dev/null
+check "on standard error" says 'lower'
+check "--list" status 0 "$matc" --list
+check "knows Wood" prints Wood
+check "--explain" status 0 "$matc" --explain Checker
+check "--explain of nothing" status 2 "$matc" --explain Nothing
+check "--schema" status 0 "$matc" --schema
+check "--help" status 0 "$matc" --help
+check "--version" status 0 "$matc" --version
+
+for level in 0 1 2; do
+    check "-O$level" status 0 $fast -O$level $example
+done
+LC_ALL=de_DE.UTF-8 $fast $example >"$work/german.frag"
+check "any locale" same "$work/b.frag" "$work/german.frag"
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

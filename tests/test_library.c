@@ -1,0 +1,343 @@
+/* The library: options, several materials, textures, uniforms, threads, and that no fault is silent. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "matc.h"
+#include <locale.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static MatcOptions quick(void)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = false;
+    options.check = true;
+    return options;
+}
+
+static MatcDocument *read_text(const char *text, const MatcOptions *options)
+{
+    return matc_read("test.yaml", text, strlen(text), options);
+}
+
+static char *compile_text(const char *text, unsigned output, const MatcOptions *options)
+{
+    MatcDocument *document = read_text(text, options);
+    MatcProgram *program = matc_compile(document, 0, output, options);
+    if (!matc_ok(program))
+        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+    assert_true(matc_ok(program));
+    char *result = strdup(matc_output(program, (MatcOutput)output, NULL));
+    matc_program_free(program);
+    matc_document_free(document);
+    return result;
+}
+
+static const char *const checker = "material: Phong\n"
+                                   "diffuse: { map: Checker, color1: 0.3, color2: { map: Granite } }\n"
+                                   "specular: { map: Granite }\n";
+
+static int count(const char *text, const char *word)
+{
+    int n = 0;
+    for (const char *at = text; (at = strstr(at, word)); at += strlen(word))
+        n++;
+    return n;
+}
+
+static void equal_subtrees_are_computed_once(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *text = compile_text(checker, MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "granite(localPosition)"), 1);
+    free(text);
+}
+
+static void a_filter_is_one_function(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *one = compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Granite } }\n", MATC_FRAGMENT, &options);
+    assert_int_equal(count(one, "smooth3DInput0("), 1 + 27); /* the definition and the calls */
+    assert_int_equal(count(one, "granite(p)"), 1);
+    char *two = compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, input: { map: Granite } } }\n",
+                             MATC_FRAGMENT, &options);
+    assert_int_equal(count(two, "granite(p)"), 1);
+    assert_int_equal(count(two, "smooth3DInput0("), 1 + 27);
+    assert_int_equal(count(two, "smooth3DInput1("), 1 + 27);
+    free(one);
+    free(two);
+}
+
+/* A subtree that cannot matter leaves no trace. */
+static void dead_parts_are_pruned(void **state)
+{
+    (void)state;
+    static const char *const documents[] = {
+        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ value: 0, input: { map: Granite } }, { value: 1, input: 0.5 }] }\n",
+        "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
+        "material: Phong\nambient: { map: Granite }\n", /* the layout has no ambient */
+        "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
+    MatcOptions options = quick();
+    for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
+        char *text = compile_text(documents[i], MATC_FRAGMENT, &options);
+        assert_null(strstr(text, "granite"));
+        assert_null(strstr(text, "urbulence"));
+        assert_null(strstr(text, "uv"));
+        free(text);
+    }
+}
+
+static void costly_arms_are_branches(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n", MATC_FRAGMENT,
+                              &options);
+    const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
+    assert_non_null(branch);
+    assert_non_null(call);
+    assert_true(branch < call);
+    free(text);
+    text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n", MATC_FRAGMENT, &options);
+    assert_null(strstr(text, "if ("));
+    free(text);
+}
+
+static void inputs_are_minimal(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    options.pass = "shadow";
+    char *text = compile_text("material: Phong\ndiffuse: { map: Granite }\n", MATC_FRAGMENT, &options);
+    assert_null(strstr(text, "in vec"));
+    assert_null(strstr(text, "discard"));
+    free(text);
+    text = compile_text("material: Phong\ntransparency: { map: Checker }\n", MATC_FRAGMENT, &options);
+    assert_non_null(strstr(text, "discard"));
+    assert_int_equal(count(text, "\nin "), 1);
+    free(text);
+}
+
+static void materials_are_listed(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    MatcDocument *document = read_text("materials:\n  a: { material: RGBA }\n  b: { material: Phong }\n", &options);
+    assert_int_equal(matc_material_count(document), 2);
+    assert_string_equal(matc_material_name(document, 1), "b");
+    assert_int_equal(matc_material_find(document, "b"), 1);
+    assert_int_equal(matc_material_find(document, "c"), -1);
+    MatcProgram *program = matc_compile(document, 7, MATC_FRAGMENT, &options);
+    assert_false(matc_ok(program));
+    assert_null(matc_output(program, MATC_FRAGMENT, NULL));
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+static void uniforms_have_defaults(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    MatcDocument *document = read_text("material: Phong\ndiffuse: { param: tint, default: [1, 0.5, 0.25] }\n"
+                                       "specular: { map: Julia, iterations: { param: steps, default: 12 } }\n",
+                                       &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    assert_int_equal(matc_uniform_count(program), 2);
+    MatcUniform tint = matc_uniform(program, 0), steps = matc_uniform(program, 1);
+    assert_string_equal(tint.name, "tint");
+    assert_int_equal(tint.lanes, 3);
+    assert_true(tint.initial[1] == 0.5 && !tint.whole);
+    assert_true(steps.whole && steps.initial[0] == 12);
+    assert_non_null(strstr(matc_output(program, MATC_FRAGMENT, NULL), "uniform int steps;"));
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+static void noise_tables_are_textures(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    options.noise = "groimp";
+    options.target = "glsl110";
+    MatcDocument *document = read_text("material: Phong\ndiffuse: { map: Granite }\n", &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    assert_int_equal(matc_texture_count(program), 3);
+    MatcTexture permutation = matc_texture(program, 0);
+    assert_string_equal(permutation.name, "matc_permutation");
+    assert_true(permutation.floats[0] == 45307 && permutation.floats[65535] == 54233);
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+static void unknown_options_are_named(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    assert_null(matc_options_fault(&options));
+    options.pass = "nonsense";
+    assert_string_equal(matc_options_fault(&options), "pass");
+    MatcDocument *document = read_text(checker, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    assert_false(matc_ok(program));
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+/* Every cut of a document is either read or refused with a place; nothing else happens. */
+static void cut_documents_are_refused(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    for (size_t size = 0; size <= strlen(checker); size++) {
+        MatcDocument *document = matc_read("cut.yaml", checker, size, &options);
+        assert_true(matc_material_count(document) || matc_error_count(document));
+        matc_document_free(document);
+    }
+}
+
+static void evaluation_reads_back(void **state)
+{
+    (void)state;
+    const char *fault;
+    MatcOptions options = quick();
+    MatcDocument *document = read_text("material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\n", &options);
+    char *values = matc_eval(document, 0, "u=0.5 v=1e-3", &options, &fault);
+    assert_non_null(values);
+    assert_non_null(strstr(values, "diffuse 0.1 0.2 0.30000000000000004\n"));
+    assert_non_null(strstr(values, "normal 0.0 0.0 1.0\n"));
+    free(values);
+    assert_null(matc_eval(document, 0, "u=half", &options, &fault));
+    assert_null(matc_eval(document, 0, "colour=1", &options, &fault));
+    assert_null(matc_eval(document, 3, "u=1", &options, &fault));
+    matc_document_free(document);
+}
+
+static void output_is_the_same_in_any_locale(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *before = compile_text(checker, MATC_FRAGMENT, &options);
+    const char *locales[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"};
+    for (size_t i = 0; i < sizeof locales / sizeof *locales; i++) {
+        if (!setlocale(LC_ALL, locales[i]))
+            continue;
+        char *after = compile_text(checker, MATC_FRAGMENT, &options);
+        assert_string_equal(before, after);
+        free(after);
+    }
+    setlocale(LC_ALL, "C");
+    free(before);
+}
+
+typedef struct {
+    const MatcDocument *document;
+    const char *expected;
+    int wrong;
+} Job;
+
+static void *compile_often(void *user)
+{
+    Job *job = user;
+    MatcOptions options = quick();
+    options.validate = true;
+    for (int i = 0; i < 20; i++) {
+        MatcProgram *program = matc_compile(job->document, 0, MATC_FRAGMENT, &options);
+        job->wrong += !matc_ok(program) || strcmp(matc_output(program, MATC_FRAGMENT, NULL), job->expected) != 0;
+        matc_program_free(program);
+    }
+    return NULL;
+}
+
+static void threads_share_a_document(void **state)
+{
+    (void)state;
+    enum { THREADS = 4 };
+    MatcOptions options = quick();
+    char *expected = compile_text(checker, MATC_FRAGMENT, &options);
+    MatcDocument *document = read_text(checker, &options);
+    pthread_t threads[THREADS];
+    Job jobs[THREADS];
+    for (int i = 0; i < THREADS; i++) {
+        jobs[i] = (Job){document, expected, 0};
+        assert_int_equal(pthread_create(&threads[i], NULL, compile_often, &jobs[i]), 0);
+    }
+    for (int i = 0; i < THREADS; i++) {
+        pthread_join(threads[i], NULL);
+        assert_int_equal(jobs[i].wrong, 0);
+    }
+    matc_document_free(document);
+    free(expected);
+}
+
+/* A chain of n maps through references, deeper than any nesting of the text. */
+static char *chain(int n)
+{
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    fputs("defs:\n  m0: &m0 { map: Wood }\n", out);
+    for (int i = 1; i < n; i++)
+        fprintf(out, "  m%d: &m%d { map: UVTransform, input: *m%d }\n", i, i, i - 1);
+    fprintf(out, "material: Phong\ndiffuse: *m%d\n", n - 1);
+    fclose(out);
+    return text;
+}
+
+static void deep_chains_are_bounded(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    static const int sizes[] = {200, 5000, 100000};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        char *text = chain(sizes[i]);
+        MatcDocument *document = read_text(text, &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        assert_true(matc_ok(program) || matc_error_count(document));
+        assert_true(sizes[i] > 200 || matc_ok(program));
+        matc_program_free(program);
+        matc_document_free(document);
+        free(text);
+    }
+}
+
+/* Long lists: an ordered one is searched by halving, so neither the shader nor the compiler nests deeply. */
+static void long_blends_are_searched(void **state)
+{
+    (void)state;
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    fputs("material: Phong\ndiffuse:\n  map: Blend\n  input: { map: Granite }\n  blend:\n", out);
+    for (int i = 0; i < 3000; i++)
+        fprintf(out, "  - { value: %d, input: { map: Wood, frequency: %d } }\n", i, i);
+    fclose(out);
+    for (int level = 0; level <= 2; level += 2) {
+        MatcOptions options = quick();
+        options.optimize = level;
+        options.validate = true;
+        free(compile_text(text, MATC_FRAGMENT, &options));
+    }
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(equal_subtrees_are_computed_once), cmocka_unit_test(a_filter_is_one_function),
+        cmocka_unit_test(dead_parts_are_pruned),            cmocka_unit_test(costly_arms_are_branches),
+        cmocka_unit_test(inputs_are_minimal),               cmocka_unit_test(materials_are_listed),
+        cmocka_unit_test(uniforms_have_defaults),           cmocka_unit_test(noise_tables_are_textures),
+        cmocka_unit_test(unknown_options_are_named),        cmocka_unit_test(cut_documents_are_refused),
+        cmocka_unit_test(evaluation_reads_back),            cmocka_unit_test(output_is_the_same_in_any_locale),
+        cmocka_unit_test(threads_share_a_document),         cmocka_unit_test(deep_chains_are_bounded),
+        cmocka_unit_test(long_blends_are_searched),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
