@@ -1,8 +1,9 @@
 /* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag; for every one in tests/errors/: the
- * diagnostics beside it, <name>.err. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
+ * diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
  * difference before you commit it. Under CI it does not update. */
 #include "matc.h"
-#include "compiler/output.h"
+#include "opt.h"
+#include "output.h"
 #include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +30,8 @@ static bool has_suffix(const char *path, const char *suffix)
 static int remember(const char *path, const struct stat *info, int type, struct FTW *where)
 {
     (void)info, (void)where;
-    if (type == FTW_F && found_count < MOST_FILES && (has_suffix(path, ".yaml") || has_suffix(path, ".json")))
+    bool wanted = has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
+    if (type == FTW_F && found_count < MOST_FILES && wanted && !has_suffix(path, ".out"))
         found[found_count++] = strdup(path);
     return 0;
 }
@@ -171,6 +173,44 @@ static void run_error(Run *run, const char *name)
     free(text);
 }
 
+static const struct {
+    const char *name;
+    bool (*run)(Ir *ir);
+} passes[] = {{"fold", opt_fold},     {"algebra", opt_algebra},   {"swizzle", opt_swizzle}, {"select", opt_select},
+              {"power", opt_power},   {"range", opt_range},       {"polish", opt_polish},   {"dead", opt_dead},
+              {"function", opt_function}};
+
+/* One pass on text IR; then the text again, and the check. */
+static void run_pass(Run *run, const char *name)
+{
+    char path[LONGEST_PATH];
+    size_t size;
+    const char *fault = "no such pass", *base = strrchr(name, '/') + 1;
+    Arena arena = {0};
+    Compile c = {.arena = &arena};
+    Graph graph = {0};
+    Text out = text_new(&arena);
+    char *text = read_whole(name, &size);
+    Ir *ir = ir_read(&c, text, &graph, &fault);
+    for (size_t i = 0; ir && i < sizeof passes / sizeof *passes; i++)
+        if (!strncmp(base, passes[i].name, strlen(passes[i].name)))
+            passes[i].run(ir);
+    fault = ir ? ir_check(ir) : fault;
+    if (ir)
+        ir_print(&out, ir);
+    if (fault) {
+        printf("%s: %s\n", name, fault);
+        run->failed++;
+    } else {
+        snprintf(path, sizeof path, "%.*s.out", (int)(strlen(name) - 3), name);
+        compare(run, path, out.at);
+    }
+    if (ir)
+        ir_done(ir);
+    arena_free(&arena);
+    free(text);
+}
+
 int main(int argc, char **argv)
 {
     Run run = {.update = argc > 2 && !strcmp(argv[2], "--update")};
@@ -188,7 +228,10 @@ int main(int argc, char **argv)
     find_documents("tests/errors");
     for (int i = 0; i < found_count; i++)
         run_error(&run, found[i]);
-    find_documents("/nonexistent");
+    find_documents("tests/ir");
+    for (int i = 0; i < found_count; i++)
+        run_pass(&run, found[i]);
+    find_documents("/nonexistent"); /* gives the list back */
     printf("%d passed, %d failed\n", run.passed, run.failed);
     if (run.updated)
         printf("%d updated: read the difference\n", run.updated);
