@@ -1,5 +1,5 @@
-/* matc --explain NAME: the page of a name. A name that several things have gives several pages; case counts only where a
- * name fits exactly. */
+/* matc --explain NAME: the page of a name; several pages where several things have it. Without a name that fits exactly,
+ * case does not count. */
 #include "describe.h"
 #include "matc.h"
 #include <math.h>
@@ -107,7 +107,7 @@ static void put_kind(Text *out, Kind kind, const char *preset)
     put_parameters(out, row, preset);
     text_put(out, "\nMeaning\n");
     put_indented(out, formula_table[kind].formula);
-    text_put(out, row->lowering == LOWERING_MATERIAL ? "\nSlots\n" : "\nChannels\n");
+    text_put(out, "\nAnswers\n");
     put_indented(out, formula_table[kind].answers);
     Text example = text_new(out->arena);
     describe_example(&example, kind, preset ? preset : row->name);
@@ -135,12 +135,13 @@ static void explain_waves(const Query *q)
             text_format(q->out, "%s (wave)\n%s\n\nExample\n  diffuse: { map: Gradient, waveForm: %s }\n",
                         wave_table[i].name, wave_table[i].doc, wave_table[i].name);
     if (begins(q, "Chain"))
-        text_put(q->out, "Chain (wave)\n" CHAIN_DOC "\n\nFields: name, type, default\n"
-                         "  first   wave    none  The one that comes first; none is v itself.\n"
-                         "  factor  number  1     Factor on its value.\n"
-                         "  shift   number  0     Added after the factor.\n"
-                         "  second  wave    none  The one that comes last.\n\nExample\n"
-                         "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, factor: 2, second: Abs } }\n");
+        text_put(q->out,
+                 "Chain (wave)\n" CHAIN_DOC "\n\nFields: name, type, default\n"
+                 "  first   wave    none  The one that comes first; none is v itself.\n"
+                 "  factor  number  1     Factor on its value.\n"
+                 "  shift   number  0     Added after the factor.\n"
+                 "  second  wave    none  The one that comes last.\n\nExample\n"
+                 "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, factor: 2, second: Abs } }\n");
 }
 
 static void explain_colors(const Query *q)
@@ -182,8 +183,8 @@ static void put_fields(Text *out, Layout layout)
             continue;
         Text slot = text_new(out->arena);
         describe_field(&slot, field);
-        text_format(out, "  %-6d  %-5.*s  %-42s  %s\n", field->target, describe_field_lanes(field), "rgba" + field->lane,
-                    slot.at, encoding_names[field->encoding]);
+        text_format(out, "  %-6d  %-5.*s  %-42s  %s\n", field->target, describe_field_lanes(field),
+                    &"rgba"[field->lane], slot.at, encoding_names[field->encoding]);
     }
 }
 

@@ -24,7 +24,7 @@ static void list_kinds(Text *out)
 
 static void list_presets(Text *out)
 {
-    put_heading(out, "Presets: maps with other defaults");
+    put_heading(out, "Presets (maps with other defaults)");
     for (int i = 0; i < preset_count; i++)
         if (is_preset_head(i))
             text_format(out, "  %-*s  %s: %s\n", NAME_WIDTH, preset_table[i].name,
@@ -33,7 +33,7 @@ static void list_presets(Text *out)
 
 static void list_aliases(Text *out)
 {
-    put_heading(out, "Aliases: other names of maps and materials");
+    put_heading(out, "Aliases (other names of maps and materials)");
     for (int i = 0; i < alias_count; i++)
         put_line(out, alias_table[i].alias, kind_table[alias_table[i].kind].name);
 }
@@ -62,11 +62,11 @@ char *matc_list(void)
     list_kinds(&out);
     list_presets(&out);
     list_aliases(&out);
-    LIST(&out, "Waves: functions of a number v", wave_table, WAVE_COUNT);
+    LIST(&out, "Waves (functions of a number v)", wave_table, WAVE_COUNT);
     put_line(&out, "Chain", CHAIN_DOC);
     list_colors(&out);
-    LIST(&out, "Channels: what a map can be asked for", channel_table, CHANNEL_COUNT);
-    LIST(&out, "Slots: what a material tells about a point", slot_table, SLOT_COUNT);
+    LIST(&out, "Channels (what a map can be asked for)", channel_table, CHANNEL_COUNT);
+    LIST(&out, "Slots (what a material tells about a point)", slot_table, SLOT_COUNT);
     LIST(&out, "Targets", target_table, TARGET_COUNT);
     LIST(&out, "Passes", pass_table, PASS_COUNT);
     LIST(&out, "Layouts", layout_table, LAYOUT_COUNT);

@@ -1,5 +1,5 @@
-/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what it
- * refuses, matc refuses too. */
+/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what
+ * it refuses, matc refuses too. */
 #include "compile.h"
 #include "describe.h"
 #include "matc.h"
@@ -24,7 +24,8 @@ static const char fixed_definitions[] =
     "      }\n"
     "    },\n"
     "    \"list\": {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 2, \"maxItems\": 4},\n"
-    "    \"constant\": {\"anyOf\": [{\"type\": \"number\"}, {\"$ref\": \"#/$defs/color\"}, {\"$ref\": \"#/$defs/list\"}]},\n"
+    "    \"constant\": {\"anyOf\": [{\"type\": \"number\"}, {\"$ref\": \"#/$defs/color\"}, {\"$ref\": "
+    "\"#/$defs/list\"}]},\n"
     "    \"numberParam\": {\"$ref\": \"#/$defs/param\", \"properties\": {\"default\": {\"type\": \"number\"}}},\n"
     "    \"number\": {\"anyOf\": [{\"type\": [\"number\", \"null\"]}, {\"$ref\": \"#/$defs/numberParam\"}]},\n"
     "    \"whole\": {\n"
@@ -48,7 +49,8 @@ static const char fixed_definitions[] =
     "      \"items\": {\n"
     "        \"type\": \"object\", \"additionalProperties\": false,\n"
     "        \"properties\": {\n"
-    "          \"value\": {\"description\": \"Where the item stands.\", \"$ref\": \"#/$defs/number\", \"default\": 0},\n"
+    "          \"value\": {\"description\": \"Where the item stands.\", \"$ref\": \"#/$defs/number\", \"default\": "
+    "0},\n"
     "          \"input\": {\"description\": \"The map there.\", \"$ref\": \"#/$defs/map\"}\n"
     "        }\n"
     "      }\n"
@@ -196,8 +198,10 @@ static void open_kind(Text *out, Kind kind, const char *suffix)
     bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
     text_format(out, "    \"%s%s\": {\n      \"description\": ", kind_table[kind].name, suffix);
     put_json(out, kind_table[kind].doc);
-    text_format(out, ",\n      \"type\": \"object\", \"required\": [\"%s\"], \"additionalProperties\": false,\n"
-                "      \"properties\": {\n", material ? "material" : "map");
+    text_format(out,
+                ",\n      \"type\": \"object\", \"required\": [\"%s\"], \"additionalProperties\": false,\n"
+                "      \"properties\": {\n",
+                material ? "material" : "map");
     put_kind_names(out, kind);
 }
 
@@ -225,9 +229,10 @@ static void put_document(Text *out, Kind kind)
 /* "name": any of the kinds of one sort, or a reference to one; `more` are further alternatives. */
 static void put_choice(Text *out, const char *name, bool material, const char *more)
 {
-    text_format(out, "    \"%s\": {\n      \"anyOf\": [\n%s        {\"$ref\": \"#/$defs/ref\"},\n"
-                "        {\"type\": \"object\", \"required\": [\"%s\"], \"oneOf\": [", name, more,
-                material ? "material" : "map");
+    text_format(out,
+                "    \"%s\": {\n      \"anyOf\": [\n%s        {\"$ref\": \"#/$defs/ref\"},\n"
+                "        {\"type\": \"object\", \"required\": [\"%s\"], \"oneOf\": [",
+                name, more, material ? "material" : "map");
     const char *comma = "";
     for (int kind = 0; kind < KIND_COUNT; kind++)
         if ((kind_table[kind].lowering == LOWERING_MATERIAL) == material) {
@@ -248,36 +253,38 @@ static void put_top(Text *out)
 
 static void put_outermost(Text *out)
 {
-    text_format(out,
-                "    \"defs\": {\n"
-                "      \"description\": \"Maps and materials to refer to by `ref:`.\",\n"
-                "      \"type\": [\"object\", \"null\"],\n"
-                "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}]}\n"
-                "    },\n"
-                "    \"include\": {\n"
-                "      \"description\": \"Files whose `defs:` count here too.\",\n"
-                "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n"
-                "    },\n"
-                "    \"materialsDocument\": {\n"
-                "      \"description\": \"Several materials in a file.\",\n"
-                "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
-                "      \"properties\": {\n"
-                "        \"materials\": {\n"
-                "          \"description\": \"A material a name.\",\n"
-                "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": {\"$ref\": \"#/$defs/material\"},\n"
-                "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
-                "        },\n"
-                "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
-                "        \"include\": {\"$ref\": \"#/$defs/include\"}\n"
-                "      }\n"
-                "    }\n",
-                LIMIT_NAME);
+    text_format(
+        out,
+        "    \"defs\": {\n"
+        "      \"description\": \"Maps and materials to refer to by `ref:`.\",\n"
+        "      \"type\": [\"object\", \"null\"],\n"
+        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}]}\n"
+        "    },\n"
+        "    \"include\": {\n"
+        "      \"description\": \"Files whose `defs:` count here too.\",\n"
+        "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n"
+        "    },\n"
+        "    \"materialsDocument\": {\n"
+        "      \"description\": \"Several materials in a file.\",\n"
+        "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
+        "      \"properties\": {\n"
+        "        \"materials\": {\n"
+        "          \"description\": \"A material a name.\",\n"
+        "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": {\"$ref\": "
+        "\"#/$defs/material\"},\n"
+        "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
+        "        },\n"
+        "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+        "        \"include\": {\"$ref\": \"#/$defs/include\"}\n"
+        "      }\n"
+        "    }\n",
+        LIMIT_NAME);
 }
 
 char *matc_schema(void)
 {
-    static const char any_value[] =
-        "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        {\"$ref\": \"#/$defs/param\"},\n";
+    static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
+                                    "{\"$ref\": \"#/$defs/param\"},\n";
     Arena arena = {0};
     Text out = text_new(&arena);
     text_put(&out, "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n"
@@ -286,7 +293,9 @@ char *matc_schema(void)
     put_top(&out);
     text_put(&out, "  \"$defs\": {\n");
     text_format(&out, fixed_definitions, LIMIT_NAME);
-    text_put(&out, "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, {\"$ref\": \"#/$defs/param\"}]},\n");
+    text_put(
+        &out,
+        "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, {\"$ref\": \"#/$defs/param\"}]},\n");
     put_color(&out);
     put_waves(&out);
     put_choice(&out, "map", false, any_value);

@@ -27,7 +27,8 @@ typedef struct {
     int errors;
 } DiagList;
 
-enum { NO_FILE = UINT32_MAX, MOST_DIAGS = 100 };
+#define NO_FILE UINT32_MAX
+enum { MOST_DIAGS = 100 };
 /* A span that belongs to no file. */
 #define NO_SPAN ((Span){0, 0, NO_FILE})
 

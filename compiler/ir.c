@@ -86,7 +86,7 @@ static Ref add_node(Ir *ir, const IrNode *node, uint32_t slot)
 static bool equal_node(const Ir *ir, const IrNode *a, const IrNode *b, const Ref *args)
 {
     return a->hash == b->hash && a->op == b->op && a->type == b->type && a->count == b->count &&
-           a->payload == b->payload && !memcmp(&ir->args[a->first], args, b->count * sizeof(Ref));
+           a->payload == b->payload && (!b->count || !memcmp(&ir->args[a->first], args, b->count * sizeof(Ref)));
 }
 
 static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)

@@ -258,8 +258,10 @@ int main(int argc, char **argv)
 {
     CommandLine line;
     const char *fault;
-    if (!options_read(&line, argc, argv, &fault))
+    if (!options_read(&line, argc, argv, &fault)) {
+        free(line.inputs);
         return usage(fault ? fault : "out of memory");
+    }
     line.compile.pixels = line.eval || line.textures;
     line.compile.measure = line.stats;
     int status = FINE;

@@ -89,7 +89,8 @@ static void put_main(Text *out, Kind kind, const char *path, const char *text)
     const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
     if (!fragment)
         fail(path, matc_diagnostics(document, MATC_TEXT));
-    text_format(out, "\n<details><summary>`main()` of its program for the pass %s</summary>\n\n```glsl\n%s```\n</details>\n",
+    text_format(out,
+                "\n<details><summary>`main()` of its program for the pass %s</summary>\n\n```glsl\n%s```\n</details>\n",
                 options.pass ? options.pass : "gbuffer", strstr(fragment, "void main()"));
     matc_program_free(program);
     matc_document_free(document);
@@ -167,7 +168,7 @@ static void put_kind(Text *out, Kind kind)
     put_aliases(out, kind);
     text_format(out, "\n```\n%s\n```\n", formula_table[kind].formula);
     put_parameters(out, row);
-    text_format(out, "\n%s: %s\n", is_material(kind) ? "Slots" : "Channels", formula_table[kind].answers);
+    text_format(out, "\nAnswers: %s\n", formula_table[kind].answers);
     put_example(out, kind, row->name);
     put_presets(out, kind);
 }
@@ -229,7 +230,7 @@ static void put_layouts(Text *out)
             const FieldRow *field = &field_table[k];
             if ((int)field->layout != i)
                 continue;
-            text_format(out, "| %d | %.*s | ", field->target, describe_field_lanes(field), "rgba" + field->lane);
+            text_format(out, "| %d | %.*s | ", field->target, describe_field_lanes(field), &"rgba"[field->lane]);
             describe_field(out, field);
             text_format(out, " | %s |\n", encoding_names[field->encoding]);
         }

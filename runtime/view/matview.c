@@ -25,7 +25,8 @@ static const char help_text[] =
     "Draws pictures of materials, in software, and prints the names of the files.\n"
     "\n"
     "  -o FILE              the picture; without -o and -d NAME.png, here\n"
-    "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several materials\n"
+    "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
+    "materials\n"
     "  --material=NAME      of `materials:`\n"
     "  --shape=SHAPE        sphere (default), plane, cube, torus\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
@@ -55,7 +56,7 @@ static const char *read_number(const char *text, long most, int *number)
     errno = 0;
     long value = strtol(text, &end, 10);
     if (*end || end == text || errno || value < 1 || value > most)
-        return "a number is missing, or too small or too great";
+        return "--size and --samples want a number from 1, of at most 8192 and 8";
     *number = (int)value;
     return NULL;
 }
@@ -163,8 +164,7 @@ static MatcDocument *read_document(const CommandLine *line, const char *path)
         complain(path, strerror(errno));
     if (file && !standard)
         fclose(file);
-    MatcDocument *document =
-        fine ? matc_read(standard ? "<stdin>" : path, text, size, &line->picture.compile) : NULL;
+    MatcDocument *document = fine ? matc_read(standard ? "<stdin>" : path, text, size, &line->picture.compile) : NULL;
     free(text);
     return document;
 }
@@ -173,12 +173,11 @@ static void path_of(const CommandLine *line, const char *input, const char *mate
 {
     const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input, *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
-    const char *folder = line->folder ? line->folder : ".";
     if (line->output)
         snprintf(path, LONGEST_PATH, "%s", line->output);
     else
-        snprintf(path, LONGEST_PATH, "%s%s%.*s%s%s.png", line->folder ? folder : "", line->folder ? "/" : "", size,
-                 strcmp(input, "-") ? stem : "-", material ? "." : "", material ? material : "");
+        snprintf(path, LONGEST_PATH, "%s%s%.*s%s%s.png", line->folder ? line->folder : "", line->folder ? "/" : "",
+                 size, stem, material ? "." : "", material ? material : "");
 }
 
 static int draw_material(const CommandLine *line, MatcDocument *document, int material, const char *path)
@@ -188,15 +187,14 @@ static int draw_material(const CommandLine *line, MatcDocument *document, int ma
     PngPicture picture = {view->width, view->height, 3, malloc((size_t)view->width * (size_t)view->height * 3)};
     if (!picture.bytes)
         abort();
-    bool done =
-        picture_draw(document, material, &line->picture, picture.bytes, &diagnostics, error, sizeof error);
+    bool done = picture_draw(document, material, &line->picture, picture.bytes, &diagnostics, error, sizeof error);
     fputs(diagnostics ? diagnostics : "", stderr);
-    if (done)
-        done = png_write(path, &picture, error, sizeof error);
+    if (!done && *error)
+        complain(path, error);
+    if (done && !(done = png_write(path, &picture, error, sizeof error)))
+        fprintf(stderr, "matview: error: %s\n", error);
     if (done)
         puts(path);
-    else if (*error)
-        complain(path, error);
     free(diagnostics);
     free(picture.bytes);
     return done ? FINE : FAULT;
@@ -255,10 +253,8 @@ int main(int argc, char **argv)
         abort();
     matc_options_init(&line.picture.compile);
     line.picture.compile.pixels = true;
-    line.picture.view = (ViewOptions){.width = 512,
-                                      .supersampling = 4,
-                                      .screen_text = view_text_screen,
-                                      .light_text = view_text_light};
+    line.picture.view =
+        (ViewOptions){.width = 512, .supersampling = 4, .screen_text = view_text_screen, .light_text = view_text_light};
     const char *fault = read_arguments(&line, argc, argv);
     int status = FINE;
     if (fault)

@@ -9,8 +9,8 @@ typedef struct {
     ViewOptions view;
 } PictureOptions;
 
-/* Draws a material into rgb, which has 3 bytes a pixel. False: see the program's diagnostics, then `error`, which stays empty
- * when they tell it. The diagnostics, from malloc, are "" when there are none. */
+/* Draws a material into rgb, which has 3 bytes a pixel. False: see the program's diagnostics, then `error`, which stays
+ * empty when they tell it. The diagnostics, from malloc, are "" when there are none. */
 bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, unsigned char *rgb,
                   char **diagnostics, char *error, size_t room);
 #endif

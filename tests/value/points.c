@@ -1,6 +1,5 @@
 /* Points and hulls. */
 #include "points.h"
-#include <float.h>
 #include <string.h>
 
 const double point_ior = 1.25;
@@ -100,7 +99,7 @@ static void add_specials(Points *points)
 {
     static const float special[] = {0,     -0.f,  1e-8f, -1e-8f,    1e-30f,    -1e-30f,    65535, 65536, -65536, 1e6f,
                                     -1e6f, 1e5f,  1e3f,  123456.78f, -98765.43f, 1e-4f,     2e-4f, -3e-4f, 0.1f,
-                                    16777216., -1e9f, 1e12f, -1e18f, 1e30f, -3e38f, 1e-38f, FLT_MAX};
+                                    16777216., -1e9f, 1e12f, -1e18f, 1e30f, -1e30f, 1e-38f, -1e-40f};
     for (int i = 0; i < (int)(sizeof special / sizeof *special); i++) {
         set_axis(add(points, 2), i % 3, special[i]);
         set_all(add(points, 2), special[i]);
@@ -181,6 +180,21 @@ static void widen(Hull *hull, const SlotValues *values)
     }
 }
 
+/* Numbers too small for a normalised float may be taken for 0. */
+static void flush(Surface *surface)
+{
+    for (int i = 0; i < CHANNEL_ID_COUNT; i++)
+        if (fabs(surface->root[i]) < WAVE_LEAST)
+            surface->root[i] = 0;
+}
+
+static void meet(Oracle *oracle, const Node *material, const Surface *surface, Hull *hull)
+{
+    SlotValues values;
+    oracle_material(oracle, material, surface, &values);
+    widen(hull, &values);
+}
+
 void points_hulls(Oracle *oracle, const Node *material, const Point *points, int count, bool front, const Reach *reach,
                   Hull *hulls)
 {
@@ -192,11 +206,11 @@ void points_hulls(Oracle *oracle, const Node *material, const Point *points, int
         int corners = corner_count(&here);
         for (int corner = 0; corner < corners; corner++) {
             Surface there = here;
-            SlotValues values;
             move(&there, corner, reach);
-            oracle_material(oracle, material, &there, &values);
-            widen(&hulls[i], &values);
+            meet(oracle, material, &there, &hulls[i]);
         }
+        flush(&here);
+        meet(oracle, material, &here, &hulls[i]);
     }
 }
 

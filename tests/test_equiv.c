@@ -1,0 +1,200 @@
+/* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every example, evaluated in double
+ * precision, have the values of the oracle, which knows neither. And an IR's text reads back as the same text. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/fold.h"
+#include "runtime/lib/carpenter.h"
+#include "tests/value/documents.h"
+#include "tests/value/points.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { STEP = 4, SAMPLES = POINT_COUNT / STEP, TEXTURES = 16 };
+static const double bound = 1e-9;
+
+/* Every STEPth of the points, but for those whose numbers lead out of the range in which doubles are as exact as wanted. */
+static int sample_points(Point samples[SAMPLES])
+{
+    static Point points[POINT_COUNT];
+    int count = 0;
+    points_make(points);
+    for (int i = 0; i < POINT_COUNT; i += STEP)
+        if (!point_is_extreme(&points[i]))
+            samples[count++] = points[i];
+    return count;
+}
+
+/* The textures of an IR, as the reference functions take them. */
+static void make_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[TEXTURES])
+{
+    assert_true(ir->texture_count <= TEXTURES);
+    for (size_t i = 0; i < ir->texture_count; i++) {
+        const IrTexture *t = &ir->textures[i];
+        textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .lanes = 1};
+        if (t->kind == TEXTURE_image) {
+            textures[i].lanes = 4;
+            textures[i].bytes = t->image->bytes;
+            continue;
+        }
+        double n[4];
+        float *floats = arena_alloc(arena, sizeof *floats * (size_t)t->width * (size_t)t->height);
+        for (int k = 0; k < 4; k++) {
+            double lanes[4];
+            value_number(&t->node->params[1 + k], TYPE_float, lanes);
+            n[k] = lanes[0];
+        }
+        carpenter_bake(n[0], n[1], n[2], (int64_t)n[3], t->width, t->height, floats);
+        textures[i].floats = floats;
+    }
+}
+
+static void make_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4])
+{
+    memset(inputs, 0, sizeof(double[INPUT_COUNT][4]));
+    for (int i = 0; i < POINT_VARYINGS; i++)
+        for (int lane = 0; lane < 3; lane++)
+            inputs[i][lane] = point->input[i][lane];
+    inputs[INPUT_front][0] = front;
+    inputs[INPUT_IOR][0] = point_ior;
+}
+
+typedef struct {
+    Document document;
+    Oracle *oracle;
+    const Point *points;
+    Hull *hulls[2]; /* by side */
+    int count, faults;
+    double worst;
+} Test;
+
+static void fault(Test *t, int material, Slot slot, const char *format, ...)
+{
+    va_list args;
+    t->faults++;
+    print_error("%s %s %s: ", document_name(&t->document), t->document.graph->materials[material].name,
+                slot_table[slot].name);
+    va_start(args, format);
+    vprint_error(format, args);
+    va_end(args);
+    print_error("\n");
+}
+
+/* One slot at one level: every point and both sides. */
+static void check_values(Test *t, int material, Slot slot, int level, const Ir *ir)
+{
+    Arena arena = {0};
+    ReferenceTexture textures[TEXTURES];
+    make_textures(&arena, ir, textures);
+    ReferenceContext context = {ir->noise, textures};
+    for (int i = 0; i < 2 * t->count; i++) {
+        bool front = i < t->count;
+        int point = i % t->count;
+        double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
+        make_inputs(&t->points[point], front, inputs);
+        ir_eval(ir, &context, (const double(*)[4])inputs, result);
+        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+            const Hull *hull = &t->hulls[front][point];
+            double miss = hull_miss(hull, slot, lane, result[0][lane]);
+            t->worst = fmax(t->worst, miss < bound ? miss : 0);
+            if (miss <= bound)
+                continue;
+            const float *x = t->points[point].input[INPUT_X], *u = t->points[point].input[INPUT_U];
+            fault(t, material, slot, "-O%d lane %d: %.17g, oracle %.17g at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g front=%d",
+                  level, lane, result[0][lane], hull->value.lane[slot][lane], u[0], u[1], x[0], x[1], x[2], front);
+            arena_free(&arena);
+            return;
+        }
+    }
+    arena_free(&arena);
+}
+
+static void check_text(Test *t, int material, Slot slot, Compile *c, const Ir *ir)
+{
+    const char *why = ir_check(ir), *wrong = "";
+    Text first = text_new(c->arena), second = text_new(c->arena);
+    if (why)
+        fault(t, material, slot, "ir_check: %s", why);
+    ir_print(&first, ir);
+    const Ir *back = ir_read(c, first.at, t->document.graph, &wrong);
+    if (!back) {
+        fault(t, material, slot, "ir_read: %s", wrong);
+        return;
+    }
+    ir_print(&second, back);
+    if (strcmp(first.at, second.at) != 0)
+        fault(t, material, slot, "the text changes when it is read and printed again");
+}
+
+static void check_slot(Test *t, int material, Slot slot)
+{
+    for (int level = 0; level <= 2; level++) {
+        Arena arena = {0};
+        Compile c = {.options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
+        Job job = {TARGET_glsl330, PASS_value, LAYOUT_thesis, slot, NOISE_lattice};
+        const Ir *ir = compile_ir(&c, t->document.graph, t->document.graph->materials[material].node, &job);
+        if (ir) {
+            check_values(t, material, slot, level, ir);
+            check_text(t, material, slot, &c, ir);
+        } else {
+            fault(t, material, slot, "-O%d: no IR", level);
+        }
+        arena_free(&arena);
+    }
+}
+
+static void check_material(Test *t, int material)
+{
+    ReferenceContext context = {.noise = REFERENCE_LATTICE};
+    t->oracle = oracle_open(t->document.graph, &context);
+    for (int front = 0; front < 2; front++) {
+        t->hulls[front] = calloc((size_t)t->count, sizeof **t->hulls);
+        assert_non_null(t->hulls[front]);
+        points_hulls(t->oracle, t->document.graph->materials[material].node, t->points, t->count, front, &reach_double,
+                     t->hulls[front]);
+    }
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        check_slot(t, material, (Slot)slot);
+    oracle_close(t->oracle);
+    for (int front = 0; front < 2; front++)
+        free(t->hulls[front]);
+}
+
+static void ir_means_what_the_oracle_says(void **state)
+{
+    (void)state;
+    static Point points[SAMPLES];
+    Test test = {.points = points, .count = sample_points(points)};
+    DocumentList list = documents_list(SOURCE_FOLDER);
+    const char *only = getenv("VALUE_ONLY");
+    assert_true(list.count > 100);
+    for (int i = 0; i < list.count; i++) {
+        if (only && !strstr(list.paths[i], only))
+            continue;
+        bool good = document_open(&test.document, list.paths[i]);
+        if (!good && !document_is_library(&test.document))
+            fail_msg("%s: %s", list.paths[i], document_fault(&test.document));
+        for (int material = 0; good && material < test.document.graph->material_count; material++)
+            check_material(&test, material);
+        document_close(&test.document);
+    }
+    documents_free(&list);
+    print_message("%d points on either side; worst difference within the bound of %.0e: %.1e\n", test.count, bound,
+                  test.worst);
+    assert_int_equal(test.faults, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ir_means_what_the_oracle_says),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
