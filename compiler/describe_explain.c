@@ -1,5 +1,5 @@
-/* matc --explain NAME: the page of a name; several pages where several things have it. Without a name that fits exactly,
- * case does not count. */
+/* matc --explain NAME: the page of a name; several pages where several things have it. Case does not count where no
+ * name fits exactly. */
 #include "describe.h"
 #include "matc.h"
 #include <math.h>

@@ -1,5 +1,5 @@
-/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what
- * it refuses, matc refuses too. */
+/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it;
+ * what it refuses, matc refuses too. */
 #include "compile.h"
 #include "describe.h"
 #include "matc.h"

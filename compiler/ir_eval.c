@@ -12,7 +12,8 @@ typedef struct {
 typedef struct {
     double (*value)[4]; /* by Ref; valid where known */
     uint8_t *known;
-    const FoldArg *arguments; /* of the function under way */
+    const IrFunction *function; /* under way */
+    const FoldArg *arguments;   /* of it */
 } Frame;
 
 static void eval(Evaluator *e, Frame *frame, Ref result);
@@ -25,12 +26,21 @@ static void load_argument(const Evaluator *e, const Frame *frame, Ref ref, FoldA
 
 static void eval_apply(Evaluator *e, const IrNode *node, const FoldArg *args, double *result)
 {
-    Frame inner = {.arguments = args};
-    Ref body = e->ir->functions[node->payload].result;
+    Frame inner = {.function = &e->ir->functions[node->payload], .arguments = args};
+    Ref body = inner.function->result;
     inner.value = arena_alloc(&e->scratch, sizeof *inner.value * (body + 1));
     inner.known = arena_zero(&e->scratch, body + 1);
     eval(e, &inner, body);
     memcpy(result, inner.value[body], sizeof *inner.value);
+}
+
+/* Its place among the arguments, which is not the number it was made with once others were dropped. */
+static int argument_number(const IrFunction *function, Ref argument)
+{
+    int i = 0;
+    while (function->arguments[i] != argument)
+        i++;
+    return i;
 }
 
 static void eval_node(Evaluator *e, Frame *frame, Ref ref)
@@ -53,7 +63,7 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
         memcpy(result, e->ir->graph->uniforms[node->payload]->initial, size);
         break;
     case OP_argument:
-        memcpy(result, frame->arguments[node->payload & 0xFF].numbers, size);
+        memcpy(result, frame->arguments[argument_number(frame->function, ref)].numbers, size);
         break;
     case OP_texture:
         result[0] = node->payload;

@@ -57,14 +57,23 @@ static void print_node(Text *out, const Ir *ir, Ref ref)
         text_format(out, " %%%u", ir_arg(ir, ref, i));
 }
 
-/* The functions whose result this node is. */
+/* The last node that a function's line speaks of: an argument that is not used may come after the result. */
+static Ref last_of(const IrFunction *function)
+{
+    Ref last = function->result;
+    for (int i = 0; i < function->count; i++)
+        last = function->arguments[i] > last ? function->arguments[i] : last;
+    return last;
+}
+
+/* The functions that are complete with this node. */
 static void print_functions(Text *out, const Ir *ir, Ref ref)
 {
     for (size_t f = 0; f < ir->function_count; f++) {
         const IrFunction *function = &ir->functions[f];
-        if (function->result != ref)
+        if (last_of(function) != ref)
             continue;
-        text_format(out, "function f%zu = %%%u", f, ref);
+        text_format(out, "function f%zu = %%%u", f, function->result);
         for (int i = 0; i < function->count; i++)
             text_format(out, " %%%u", function->arguments[i]);
         text_char(out, '\n');

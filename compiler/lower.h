@@ -37,6 +37,8 @@ Ref ask(Lower *l, const Node *map, Group group, const Env *env);
 void mark_head(Ir *ir, Ref value, uint8_t hint);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
 Ref as_group(Lower *l, Ref value, Group group);
+/* The type that holds colours of both types lane by lane. A float stands for all lanes and a vec2 for two, hence a vec3. */
+Type common_type(Type a, Type b);
 /* A parameter's value as IR, converted to the type. */
 Ref param_value(Lower *l, const Value *value, Type type);
 /* The map in a parameter, NULL if it has none. */

@@ -108,8 +108,7 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
         stops[i] = (Stop){param_value(l, &item->value, TYPE_float), ask(l, item->input, group, env)};
-        if (ir_lanes(l->ir, stops[i].result) > type_table[type].lanes)
-            type = ir_type(l->ir, stops[i].result);
+        type = i ? common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
     }
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);

@@ -30,10 +30,17 @@ Ref lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
     return constant(l, param_value(l, node_param(node, P_Graytone_value), TYPE_float), group);
 }
 
-/* a where the condition holds, else b, both widened to the wider type. */
+Type common_type(Type a, Type b)
+{
+    if ((a == TYPE_float && b == TYPE_vec2) || (a == TYPE_vec2 && b == TYPE_float))
+        return TYPE_vec3;
+    return type_table[a].lanes > type_table[b].lanes ? a : b;
+}
+
+/* a where the condition holds, else b, both widened to the type that holds both. */
 static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
 {
-    Type type = ir_lanes(l->ir, a) > ir_lanes(l->ir, b) ? ir_type(l->ir, a) : ir_type(l->ir, b);
+    Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
     return ir_select(l->ir, condition, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type));
 }
 
@@ -50,11 +57,17 @@ static Ref odd_sum(Lower *l, Ref q)
     return odd;
 }
 
+/* uv + (step_u, step_v), whole turns dropped first: far from the origin the step would be lost. */
+static Ref stepped(Lower *l, Ref uv, double step_u, double step_v)
+{
+    return add(l, ir_unary(l->ir, OP_fract, uv), ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
+}
+
 /* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
 static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 {
     if (step_u != 0 || step_v != 0)
-        uv = add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
+        uv = stepped(l, uv, step_u, step_v);
     return odd_sum(l, uv);
 }
 
@@ -108,9 +121,10 @@ static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Re
     Ref here = ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
     if (!is_derivative(group))
         return as_group(l, here, group);
-    double h = group == GROUP_DU ? step_u : step_v;
-    Ref step = ir_const(l->ir, TYPE_vec2, (double[]){group == GROUP_DU ? h : 0, group == GROUP_DV ? h : 0});
-    Ref there = ir_call(l->ir, function, (Ref[]){sampler, add(l, uv, step), size}, 3);
+    double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
+    bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
+    Ref beyond = turns ? stepped(l, uv, u, v) : add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){u, v}));
+    Ref there = ir_call(l->ir, function, (Ref[]){sampler, beyond, size}, 3);
     return as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
 }
 

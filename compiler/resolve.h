@@ -31,6 +31,9 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int mo
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
+/* A name that a uniform cannot have: GLSL's own, or one that matc gives. reserved.c */
+bool name_is_reserved(const char *name);
+
 /* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
 const char *suggest(Compile *c, const char *name, const char *(*names)(const void *user, int i), const void *user,
                     int count);

@@ -82,36 +82,6 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, int lea
     return true;
 }
 
-static bool is_reserved(const char *name)
-{
-    static const char *const words[] = {
-        "attribute", "const",      "uniform",   "varying",     "layout",     "centroid", "flat",     "smooth",
-        "break",     "continue",   "do",        "for",         "while",      "switch",   "case",     "default",
-        "if",        "else",       "in",        "out",         "inout",      "float",    "int",      "void",
-        "bool",      "true",       "false",     "discard",     "return",     "mat2",     "mat3",     "mat4",
-        "vec2",      "vec3",       "vec4",      "sampler2D",   "struct",     "lowp",     "mediump",  "highp",
-        "precision", "invariant",  "main",      "input",       "output",     "sample",   "texture",  "fixed",
-        "half",      "double",     "long",      "short",       "unsigned",   "uint",     "union",    "enum",
-        "typedef",   "template",   "this",      "packed",      "goto",       "inline",   "static",   "extern",
-        "external",  "interface",  "filter",    "common",      "partition",  "active",   "resource", "buffer",
-        "shared",    "patch",      "noise1",    "uv",          "position",   "normal",   "texcoord", "tangentU",
-        "tangentV",  "abs",        "sign",      "floor",       "ceil",       "fract",    "mod",      "min",
-        "max",       "clamp",      "mix",       "step",        "smoothstep", "length",   "distance", "dot",
-        "cross",     "normalize",  "sqrt",      "inversesqrt", "pow",        "exp",      "log",      "exp2",
-        "log2",      "sin",        "cos",       "tan",         "asin",       "acos",     "atan",     "radians",
-        "degrees",   "texelFetch", "texture2D", "textureSize"};
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-        if (!strcmp(words[i], name))
-            return true;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (!strcmp(input_table[i].glsl, name))
-            return true;
-    for (int i = 0; i < FUNCTION_COUNT; i++)
-        if (function_row(i)->name && !strcmp(function_row(i)->name, name))
-            return true;
-    return !strncmp(name, "gl_", 3) || !strncmp(name, "matc_", 5) || strstr(name, "__") || strlen(name) > LIMIT_NAME;
-}
-
 static bool is_identifier(const char *name)
 {
     if (!isalpha((unsigned char)name[0]))
@@ -164,7 +134,7 @@ static bool param(Resolver *r, const char *what, Tree *tree, int least, int most
             return false;
         }
     }
-    if (name->kind != TREE_scalar || !is_identifier(name->text) || is_reserved(name->text)) {
+    if (name->kind != TREE_scalar || !is_identifier(name->text) || name_is_reserved(name->text)) {
         diag_add(r->c, name->span, DIAG_param_reserved, name->kind == TREE_scalar ? name->text : "this");
         return false;
     }

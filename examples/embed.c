@@ -1,0 +1,43 @@
+/* matc in a program of your own: a material from a string to GLSL, with its uniforms. Build: link with libmatc. */
+#include "matc.h"
+#include <stdio.h>
+#include <string.h>
+
+static const char material[] = "material: Phong\n"
+                               "diffuse:\n"
+                               "  map: Checker\n"
+                               "  color1: { param: tint, default: [0.9, 0.4, 0.1] }\n"
+                               "  color2: 0.05\n"
+                               "  input: { map: UVTransform, scaleU: 8, scaleV: 4 }\n";
+
+static void print_program(const MatcProgram *program)
+{
+    puts(matc_output(program, MATC_FRAGMENT, NULL));
+    for (int i = 0; i < matc_uniform_count(program); i++) {
+        MatcUniform uniform = matc_uniform(program, i);
+        printf("// uniform %s: %d lanes, default %g", uniform.name, uniform.lanes, uniform.initial[0]);
+        for (int lane = 1; lane < uniform.lanes; lane++)
+            printf(", %g", uniform.initial[lane]);
+        putchar('\n');
+    }
+}
+
+int main(void)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    MatcDocument *document = matc_read("embedded.yaml", material, strlen(material), &options);
+    int status = 1;
+    if (matc_material_count(document)) {
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        if (matc_ok(program)) {
+            print_program(program);
+            status = 0;
+        }
+        fputs(matc_program_diagnostics(program, MATC_TEXT), stderr);
+        matc_program_free(program);
+    }
+    fputs(matc_diagnostics(document, MATC_TEXT), stderr);
+    matc_document_free(document);
+    return status;
+}
