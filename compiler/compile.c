@@ -98,6 +98,8 @@ void depend_on(Compile *c, const char *path)
 const char *path_beside(Compile *c, const char *from, const char *path)
 {
     const char *slash = strrchr(from, '/');
+    while (path[0] == '.' && path[1] == '/') /* so that a file has one name */
+        path += 2;
     if (path[0] == '/' || !slash)
         return path;
     Text joined = text_new(c->arena);

@@ -75,6 +75,13 @@ static bool needs_name(const Scope *e, Ref ref, int size)
 
 static void put_block(Scope *e, Text *out, int block, int depth);
 static void put_assignment(Scope *e, Text *out, const char *target, Ref value, int block, int depth);
+static bool put_else_if(Scope *e, Text *out, const char *target, Ref value, int block, int depth);
+
+/* A select that is an arm's value and nothing else's assigns to the outer target itself. */
+static bool is_tail(const Scope *e, Ref value, int block)
+{
+    return e->s.arm[value] && e->s.uses[value] == 1 && e->s.block[value] == block;
+}
 
 /* if (...) { ... target = a; } else { ... target = b; } */
 static void put_branch(Scope *e, Text *out, const char *target, Ref ref, int depth)
@@ -84,16 +91,38 @@ static void put_branch(Scope *e, Text *out, const char *target, Ref ref, int dep
     text_put(out, ") {\n");
     put_assignment(e, out, target, ir_arg(e->ir, ref, 1), e->s.arm[ref], depth + 1);
     indent(out, depth);
-    text_put(out, "} else {\n");
+    text_put(out, "} else ");
+    if (put_else_if(e, out, target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1, depth))
+        return;
+    text_put(out, "{\n");
     put_assignment(e, out, target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1, depth + 1);
     indent(out, depth);
     text_put(out, "}\n");
 }
 
-/* A select that is an arm's value and nothing else's assigns to the outer target itself. */
-static bool is_tail(const Scope *e, Ref value, int block)
+/* Whether a block has statements besides `value`'s own. */
+static bool has_statements(Scope *e, Ref value, int block)
 {
-    return e->s.arm[value] && e->s.uses[value] == 1 && e->s.block[value] == block;
+    for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref]) {
+        if (ref == value || e->done[ref])
+            continue;
+        int size = expression_size(e, ref);
+        e->size[ref] = (uint16_t)size; /* operands come first: the sizes above build on it */
+        if (needs_name(e, ref, size))
+            return true;
+    }
+    return false;
+}
+
+/* An arm that is nothing but another branch follows its `else` at once. */
+static bool put_else_if(Scope *e, Text *out, const char *target, Ref value, int block, int depth)
+{
+    if (!is_tail(e, value, block) || has_statements(e, value, block))
+        return false;
+    e->done[value] = 1;
+    e->names[value] = target;
+    put_branch(e, out, target, value, depth);
+    return true;
 }
 
 static void put_assignment(Scope *e, Text *out, const char *target, Ref value, int block, int depth)

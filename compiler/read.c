@@ -200,6 +200,8 @@ static bool read_object(Reader *r, Tree *object, int depth)
             return false;
         if (!strcmp(member.key, "<<")) {
             base = member.value;
+            if (base->kind != TREE_object)
+                return diag_add(r->c, base->span, DIAG_bad_merge, tree_describe(r->c, base));
             continue;
         }
         size_t count = object->count;

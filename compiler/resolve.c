@@ -73,6 +73,14 @@ Value default_value(Resolver *r, const ParamRow *row)
 
 static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
 
+static void put_number(Text *out, const ParamRow *row, double value)
+{
+    if (row->type == PARAM_Int)
+        text_int(out, (long)value);
+    else
+        text_double(out, value);
+}
+
 static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
     const double *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
@@ -80,9 +88,9 @@ static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const V
         if (lanes[i] >= row->low && lanes[i] <= row->high)
             continue;
         Text is = text_new(r->c->arena), low = text_new(r->c->arena), high = text_new(r->c->arena);
-        text_double(&is, lanes[i]);
-        text_double(&low, row->low);
-        text_double(&high, row->high);
+        put_number(&is, row, lanes[i]);
+        put_number(&low, row, row->low);
+        put_number(&high, row, row->high);
         diag_add(r->c, tree->span, DIAG_out_of_range, row->name, is.at, low.at, high.at);
         return false;
     }
@@ -187,10 +195,25 @@ static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value 
     return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && in_range(r, row, tree, value);
 }
 
+/* `diffuse: #ff0000` gives nothing, and a comment. */
+static void warn_of_comment(Resolver *r, const Tree *tree)
+{
+    const Source *source = &r->c->sources[tree->span.file];
+    if (tree->count || tree->span.start >= source->size)
+        return;
+    const char *at = source->text + tree->span.start;
+    at += strspn(at, " ");
+    uint32_t start = (uint32_t)(at - source->text);
+    if (*at == '#')
+        diag_add(r->c, (Span){start, start + 1 + (uint32_t)strspn(at + 1, "0123456789abcdefABCDEF"), tree->span.file},
+                 DIAG_unquoted_color);
+}
+
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     bool fine = true;
     if (tree_is_null(tree)) { /* null is as good as not written */
+        warn_of_comment(r, tree);
         *value = row->type == PARAM_Map && !row->lanes ? (Value){0} : default_value(r, row);
         return true;
     }
@@ -530,6 +553,8 @@ Graph *resolve(Compile *c, Tree *document)
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)
         return diag_add(c, many->value->span, DIAG_wrong_type, "materials", "an object", tree_describe(c, many->value));
+    if (many && !many->value->count)
+        return diag_add(c, many->value->span, DIAG_no_materials);
     Graph *graph = ARENA_NEW(c->arena, Graph);
     graph->material_count = many ? (int)many->value->count : 1;
     NamedMaterial *materials = ARENA_ARRAY(c->arena, NamedMaterial, graph->material_count);

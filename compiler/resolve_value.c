@@ -62,7 +62,9 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, int lea
 {
     if (tree->count < 2 || (int)tree->count < least || (int)tree->count > most) {
         Text wanted = text_new(r->c->arena);
-        if (least == most)
+        if (most == 1)
+            text_put(&wanted, "a number");
+        else if (least == most)
             text_format(&wanted, "%d numbers", least);
         else
             text_format(&wanted, "%d to %d numbers", least > 2 ? least : 2, most);

@@ -34,13 +34,15 @@ static const Variant variants[] = {
 };
 enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_GROIMP + 1 };
 
-/* The worst that was seen for a subject. */
+/* The worst that was seen of values that a subject takes part in. */
 typedef struct {
+    bool seen;
     double miss;
     char where[160];
 } Worst;
 
 enum { FAULTS = 200 };
+static const double SHARP = 1e-3;
 
 /* A slot of a material that some variants draw wrongly, or that cannot be drawn. */
 typedef struct {
@@ -57,7 +59,8 @@ typedef struct {
     atomic_int next;
     pthread_mutex_t lock; /* of what follows */
     Worst worst[SUBJECT_COUNT];
-    int fault_count, values;
+    int fault_count;
+    long values, sharp; /* compared; and of these, those whose hull and bound are below SHARP */
     Fault faults[FAULTS];
     int programs, drawn;
 } Run;
@@ -151,14 +154,17 @@ typedef struct {
     Subject *subject;
     Slot slot;
     const Variant *variant;
-    int governing;
+    const Subjects *subjects;
+    int governing; /* of the subjects */
     double bound;
+    bool changed;  /* the uniforms are not their defaults */
 } Case;
 
 static void name_slot(const Case *c, char *text, size_t room)
 {
-    snprintf(text, room, "%s %s %s", document_name(c->subject->document),
-             matc_material_name(c->subject->document->document, c->subject->material), slot_table[c->slot].name);
+    snprintf(text, room, "%s %s %s%s", document_name(c->subject->document),
+             matc_material_name(c->subject->document->document, c->subject->material), slot_table[c->slot].name,
+             c->changed ? " with other uniforms" : "");
 }
 
 static const char *variant_name(const Variant *v, bool front, char text[64])
@@ -168,18 +174,42 @@ static const char *variant_name(const Variant *v, bool front, char text[64])
     return text;
 }
 
+/* Keeps the worst of a draw for every subject, and counts what was compared. */
+static void record(Run *run, const Case *c, double worst, const char *name, int values, int sharp)
+{
+    pthread_mutex_lock(&run->lock);
+    run->values += values;
+    run->sharp += sharp;
+    for (int i = 0; i < SUBJECT_COUNT; i++) {
+        Worst *w = &run->worst[i];
+        if (!c->subjects->has[i] || (w->seen && worst <= w->miss))
+            continue;
+        w->seen = true;
+        w->miss = worst;
+        snprintf(w->where, sizeof w->where, "%s", name);
+    }
+    pthread_mutex_unlock(&run->lock);
+}
+
+static bool is_sharp(const Hull *hull, const Case *c, int lane)
+{
+    double width = hull->high.lane[c->slot][lane] - hull->low.lane[c->slot][lane];
+    return 3 * width / fmax(1, fabs(hull->value.lane[c->slot][lane])) + c->bound < SHARP;
+}
+
 /* The worst lane of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
     ReferenceNoise noise = noise_for(c->variant->noise, c->variant->target);
     const Hull *hulls = hulls_of(w, c->subject, noise, front);
-    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0;
+    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++)
         for (int k = 0; k < lanes; k++) {
             double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
             if (point_is_extreme(&w->run->points[i]) && isfinite(rgba[4 * i + k]))
                 continue;
+            sharp += is_sharp(&hulls[i], c, k);
             bad += miss > c->bound;
             if (miss > worst) {
                 worst = miss;
@@ -189,14 +219,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
         }
     char name[160], variant[64];
     name_slot(c, name, sizeof name);
-    pthread_mutex_lock(&w->run->lock);
-    w->run->values += POINT_COUNT * lanes;
-    Worst *record = &w->run->worst[c->governing];
-    if (worst > record->miss) {
-        record->miss = worst;
-        memcpy(record->where, name, sizeof name);
-    }
-    pthread_mutex_unlock(&w->run->lock);
+    record(w->run, c, worst, name, POINT_COUNT * lanes, sharp);
     if (!bad)
         return;
     char at[200];
@@ -297,7 +320,7 @@ static void check_variant(Worker *w, const Case *c)
     pthread_mutex_unlock(&w->run->lock);
 }
 
-static void check_material(Worker *w, Document *document, int material)
+static void check_material(Worker *w, Document *document, int material, bool changed)
 {
     Subject subject = {.document = document, .material = material};
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -306,9 +329,24 @@ static void check_material(Worker *w, Document *document, int material)
         int governing = subject_governing(&subjects);
         for (int i = 0; i < VARIANTS; i++)
             if (variants[i].noise == NOISE_lattice || subjects_noise(&subjects))
-                check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], governing, bound_table[governing].bound});
+                check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], &subjects, governing,
+                                         bound_table[governing].bound, changed});
     }
     forget(&subject);
+}
+
+/* Other values than the defaults, which programs and oracle must take from the uniforms alone. Counts stay whole. */
+static void change_uniforms(Document *document)
+{
+    for (int i = 0; i < document->graph->uniform_count; i++) {
+        const Uniform *u = document->graph->uniforms[i];
+        double value[4];
+        for (int lane = 0; lane < 4; lane++)
+            value[lane] = u->initial[lane] > 2 && u->initial[lane] == floor(u->initial[lane])
+                              ? u->initial[lane] + 1
+                              : (float)(u->initial[lane] * 0.625 + 0.0625 * (lane + 1));
+        document_set_uniform(document, i, value);
+    }
 }
 
 static void check_document(Worker *w, const char *path)
@@ -325,7 +363,12 @@ static void check_document(Worker *w, const char *path)
         return;
     }
     for (int i = 0; i < document.graph->material_count; i++)
-        check_material(w, &document, i);
+        check_material(w, &document, i, false);
+    if (document.graph->uniform_count) {
+        change_uniforms(&document);
+        for (int i = 0; i < document.graph->material_count; i++)
+            check_material(w, &document, i, true);
+    }
     document_close(&document);
 }
 
@@ -359,12 +402,15 @@ static void *work(void *user)
 
 static void print_table(const Run *run)
 {
-    print_message("%d programs, %d drawn, %d values\n", run->programs, run->drawn, run->values);
+    print_message("%d programs, %d drawn, %ld values, %.1f %% of them judged within %g\n", run->programs, run->drawn,
+                  run->values, 100. * (double)run->sharp / (double)run->values, SHARP);
     print_message("%-24s %9s %9s  worst at\n", "subject", "bound", "worst");
     for (int i = 0; i < SUBJECT_COUNT; i++)
-        if (bound_table[i].bound > 0)
+        if (run->worst[i].seen && bound_table[i].bound > 0)
             print_message("%-24s %9.2g %9.2g  %s\n", subject_name(i), bound_table[i].bound, run->worst[i].miss,
                           run->worst[i].where);
+        else if (run->worst[i].seen)
+            print_message("%-24s %9s %9.2g  %s\n", subject_name(i), "", run->worst[i].miss, run->worst[i].where);
 }
 
 enum { WORKERS_MOST = 8 };
@@ -388,15 +434,54 @@ static void examples_draw_what_they_mean(void **state)
         pthread_join(workers[i], NULL);
     documents_free(&run.documents);
     print_table(&run);
+    assert_true(run.fault_count || getenv("VALUE_ONLY") || run.sharp > 0.85 * (double)run.values);
     for (int i = 0; i < run.fault_count; i++)
         print_error("%s (%d): %s\n", run.faults[i].slot, run.faults[i].count, run.faults[i].worst);
     if (run.fault_count)
         fail_msg("%d slots are wrong; points are given as %s", run.fault_count, input_names);
 }
 
+/* What all else rests on: a fragment program gets the very floats of a point, on either side and in either context. */
+static void inputs_arrive_exactly(void **state)
+{
+    (void)state;
+    static Point points[POINT_COUNT];
+    static float front[POINT_COUNT * 4], back[POINT_COUNT * 4];
+    float *rgba[2] = {back, front};
+    points_make(points);
+    for (int core = 0; core < 2; core++)
+        for (int input = 0; input < POINT_VARYINGS; input++) {
+            Drawer drawer;
+            char text[512];
+            const char *type = type_table[input_table[input].type].name, *name = input_table[input].glsl;
+            snprintf(text, sizeof text,
+                     "#version %s\n%s %s %s;\n%svoid main() { %s = vec4(%s%s, gl_FrontFacing ? 1.0 : 0.0); }",
+                     core ? "330 core" : "110", core ? "in" : "varying", type, name, core ? "out vec4 c;\n" : "",
+                     core ? "c" : "gl_FragData[0]", name, input == INPUT_U ? ", 0.0" : "");
+            assert_true(drawer_open(&drawer, core, points, POINT_COUNT, 1, GL_RGBA32F));
+            Shading shading = {.fragment = text, .target = core ? TARGET_glsl330 : TARGET_glsl110};
+            GLuint program = drawer_program(&drawer, &shading);
+            if (!program)
+                fail_msg("%s", drawer.error);
+            for (int side = 0; side < 2; side++) {
+                assert_true(drawer_draw(&drawer, program, &shading, side, &rgba[side], 1));
+                for (int i = 0; i < POINT_COUNT; i++) {
+                    assert_true(rgba[side][4 * i + 3] == side);
+                    for (int lane = 0; lane < (input == INPUT_U ? 2 : 3); lane++) {
+                        float want = points[i].input[input][lane], got = rgba[side][4 * i + lane];
+                        if (got != want && !(got == 0 && fabsf(want) < WAVE_LEAST))
+                            fail_msg("%s, point %d: %.9g instead of %.9g", name, i, got, want);
+                    }
+                }
+            }
+            drawer_close(&drawer);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(inputs_arrive_exactly),
         cmocka_unit_test(examples_draw_what_they_mean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
