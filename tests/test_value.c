@@ -174,7 +174,7 @@ static const char *variant_name(const Variant *v, bool front, char text[64])
     return text;
 }
 
-/* Keeps the worst of a draw for every subject, and counts what was compared. */
+/* Keeps the worst of a draw, for the subject whose bound counts or, where none stands out, for all that take part. */
 static void record(Run *run, const Case *c, double worst, const char *name, int values, int sharp)
 {
     pthread_mutex_lock(&run->lock);
@@ -182,7 +182,8 @@ static void record(Run *run, const Case *c, double worst, const char *name, int 
     run->sharp += sharp;
     for (int i = 0; i < SUBJECT_COUNT; i++) {
         Worst *w = &run->worst[i];
-        if (!c->subjects->has[i] || (w->seen && worst <= w->miss))
+        bool counts = i == c->governing || (c->governing == SUBJECT_DEFAULT && !bound_table[i].bound);
+        if (!c->subjects->has[i] || !counts || (w->seen && worst <= w->miss))
             continue;
         w->seen = true;
         w->miss = worst;

@@ -41,13 +41,11 @@ vec2 encodeSpheremap(vec3 n) {
 void main() {
     // BumpMap
     float bumpMap_1 = 0.03 / max(length(worldNormal), 1e-30);
-    // UVTransform
-    vec2 uvTransform_1 = uv * vec2(6.0, 3.0);
     // Checker
-    vec2 checker_1 = fract(uvTransform_1);
+    vec2 checker_1 = fract(uv * vec2(6.0, 3.0));
     bool checker_2 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y);
-    vec2 checker_3 = fract(uvTransform_1 + vec2(0.05, 0.0));
-    vec2 checker_4 = fract(uvTransform_1 + vec2(0.0, 0.05));
+    vec2 checker_3 = fract(checker_1 + vec2(0.05, 0.0));
+    vec2 checker_4 = fract(checker_1 + vec2(0.0, 0.05));
     // BumpMap
     float bumpMap_2 = checker_2 ? -20.0 : 20.0;
     vec3 bumpMap_3 = (checker_2 != ((0.5 <= checker_3.x) != (0.5 <= checker_3.y)) ? bumpMap_2 : 0.0) * bumpMap_1 * worldNormal;

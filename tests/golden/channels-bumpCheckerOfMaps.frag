@@ -62,16 +62,14 @@ vec2 encodeSpheremap(vec3 n) {
 void main() {
     // BumpMap
     float bumpMap_1 = 0.04 / max(length(worldNormal), 1e-30);
-    // UVTransform
-    vec2 uvTransform_1 = uv * vec2(4.0, 2.0);
     // Checker
-    vec2 checker_1 = fract(uvTransform_1);
+    vec2 checker_1 = fract(uv * vec2(4.0, 2.0));
     bool checker_2 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y);
-    vec2 checker_3 = fract(uvTransform_1 + vec2(0.05, 0.0));
+    vec2 checker_3 = fract(checker_1 + vec2(0.05, 0.0));
     // Carpenter
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     // Checker
-    vec2 checker_4 = fract(uvTransform_1 + vec2(0.0, 0.05));
+    vec2 checker_4 = fract(checker_1 + vec2(0.0, 0.05));
     // BumpMap
     float bumpMap_2 = (checker_2 ? 0.4 - carpenter : carpenter - 0.4) * 20.0;
     float bumpMap_3 = checker_2 != ((0.5 <= checker_3.x) != (0.5 <= checker_3.y)) ? bumpMap_2 : checker_2 ? (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0;

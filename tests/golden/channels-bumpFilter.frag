@@ -61,7 +61,7 @@ vec3 smooth3DInput0(vec2 st) {
     // UVTransform
     vec2 uvTransform_1 = st * vec2(6.0, 3.0);
     // ImageMap
-    vec3 image = (imageBilinear(imageTexture0, uvTransform_1 + vec2(0.015625, 0.0), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform_1, vec2(64.0)).xyz) * 64.0;
+    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform_1) + vec2(0.015625, 0.0), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform_1, vec2(64.0)).xyz) * 64.0;
     return image;
 }
 
@@ -69,7 +69,7 @@ vec3 smooth3DInput1(vec2 st) {
     // UVTransform
     vec2 uvTransform_1 = st * vec2(6.0, 3.0);
     // ImageMap
-    vec3 image = (imageBilinear(imageTexture0, uvTransform_1 + vec2(0.0, 0.015625), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform_1, vec2(64.0)).xyz) * 64.0;
+    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform_1) + vec2(0.0, 0.015625), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform_1, vec2(64.0)).xyz) * 64.0;
     return image;
 }
 

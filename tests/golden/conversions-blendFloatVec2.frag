@@ -34,8 +34,8 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Blend
-    vec2 blend = mix(vec2(0.7), vec2(0.6, 0.2), clamp((localPosition.x + 0.6) * 0.8333333, 0.0, 1.0));
-    fragment1 = vec4(blend, 0.0, 1.0);
+    vec3 blend = mix(vec3(0.7), vec3(0.6, 0.2, 0.0), clamp((localPosition.x + 0.6) * 0.8333333, 0.0, 1.0));
+    fragment1 = vec4(blend, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }

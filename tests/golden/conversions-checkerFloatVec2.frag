@@ -35,7 +35,7 @@ void main() {
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Checker
     vec2 checker_1 = fract(uv * vec2(6.0, 3.0));
-    fragment1 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? vec4(0.7, 0.7, 0.0, 1.0) : vec4(0.6, 0.2, 0.0, 1.0);
+    fragment1 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? vec4(0.7, 0.7, 0.7, 1.0) : vec4(0.6, 0.2, 0.0, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -1,0 +1,168 @@
+/* Every example, through every pass and target and with either noise, is a program that glslang parses and links; its SPIR-V
+ * passes spirv-val where that is installed. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/value/documents.h"
+#include <pthread.h>
+#include <spawn.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { WORKERS_MOST = 8, MODULES_MOST = 1 << 14 };
+
+typedef struct {
+    DocumentList documents;
+    bool spirv_val; /* is there */
+    atomic_int next, programs, faults;
+    pthread_mutex_t lock;              /* of what follows */
+    uint64_t modules[MODULES_MOST];    /* hashes of the SPIR-V that was looked at */
+    int module_count;
+} Run;
+
+extern char **environ;
+
+static bool run_spirv_val(const char *argument)
+{
+    posix_spawn_file_actions_t actions;
+    pid_t process;
+    int status = -1;
+    char *const arguments[] = {"spirv-val", (char *)(uintptr_t)argument, NULL};
+    posix_spawn_file_actions_init(&actions);
+    if (!strcmp(argument, "--version"))
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 0x1 /* O_WRONLY */, 0);
+    if (posix_spawnp(&process, "spirv-val", &actions, NULL, arguments, environ) == 0)
+        waitpid(process, &status, 0);
+    posix_spawn_file_actions_destroy(&actions);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/* Not looked at before. */
+static bool is_new(Run *run, const char *words, size_t size)
+{
+    uint64_t hash = 14695981039346656037u;
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ (unsigned char)words[i]) * 1099511628211u;
+    pthread_mutex_lock(&run->lock);
+    int i = 0;
+    while (i < run->module_count && run->modules[i] != hash)
+        i++;
+    bool fresh = i == run->module_count;
+    if (fresh && run->module_count < MODULES_MOST)
+        run->modules[run->module_count++] = hash;
+    pthread_mutex_unlock(&run->lock);
+    return fresh;
+}
+
+static bool passes_spirv_val(Run *run, const char *words, size_t size)
+{
+    if (!run->spirv_val || !is_new(run, words, size))
+        return true;
+    char path[] = "/tmp/matc-test-XXXXXX";
+    int file = mkstemp(path);
+    bool written = file >= 0 && write(file, words, size) == (ssize_t)size;
+    if (file >= 0)
+        close(file);
+    bool valid = written && run_spirv_val(path);
+    remove(path);
+    return valid;
+}
+
+static void check_program(Run *run, const Document *d, int material, const MatcOptions *options)
+{
+    bool spirv = !strcmp(options->target, target_table[TARGET_spirv].name);
+    MatcProgram *program =
+        matc_compile(d->document, material, MATC_FRAGMENT | MATC_VERTEX | (spirv ? MATC_SPIRV : 0), options);
+    const char *what = NULL;
+    size_t size = 0;
+    const char *words = matc_output(program, MATC_SPIRV, &size);
+    if (!matc_ok(program))
+        what = matc_program_diagnostics(program, MATC_TEXT);
+    else if (!matc_output(program, MATC_FRAGMENT, NULL) || !matc_output(program, MATC_VERTEX, NULL))
+        what = "an output is missing";
+    else if (spirv && !passes_spirv_val(run, words, size))
+        what = "spirv-val refuses it";
+    atomic_fetch_add(&run->programs, 1);
+    if (what) {
+        atomic_fetch_add(&run->faults, 1);
+        fprintf(stderr, "%s %s, %s, pass %s, noise %s, -O%d: %s\n", document_name(d),
+                matc_material_name(d->document, material), options->target, options->pass, options->noise,
+                options->optimize, what);
+    }
+    matc_program_free(program);
+}
+
+/* As written only for one target: level 0 differs in its expressions, which are the same for all. */
+static void check_material(Run *run, const Document *d, int material)
+{
+    MatcOptions options = d->options;
+    options.validate = options.check = true;
+    for (int i = 0; i < TARGET_COUNT * PASS_COUNT * NOISE_COUNT * 2; i++) {
+        int target = i % TARGET_COUNT, rest = i / TARGET_COUNT;
+        options.target = target_table[target].name;
+        options.pass = pass_table[rest % PASS_COUNT].name;
+        options.noise = noise_names[rest / PASS_COUNT % NOISE_COUNT];
+        options.optimize = rest / PASS_COUNT / NOISE_COUNT ? 0 : 2;
+        if (options.optimize || target == TARGET_glsl330)
+            check_program(run, d, material, &options);
+    }
+}
+
+static void *work(void *user)
+{
+    Run *run = user;
+    for (int i; (i = atomic_fetch_add(&run->next, 1)) < run->documents.count;) {
+        Document document;
+        const char *only = getenv("VALUE_ONLY");
+        if (only && !strstr(run->documents.paths[i], only))
+            continue;
+        bool good = document_open(&document, run->documents.paths[i]);
+        if (!good && !document_is_library(&document)) {
+            atomic_fetch_add(&run->faults, 1);
+            fprintf(stderr, "%s: %s\n", run->documents.paths[i], document_fault(&document));
+        }
+        for (int material = 0; good && material < matc_material_count(document.document); material++)
+            check_material(run, &document, material);
+        document_close(&document);
+    }
+    return NULL;
+}
+
+static void examples_are_valid(void **state)
+{
+    (void)state;
+    static Run run;
+    pthread_t workers[WORKERS_MOST];
+    long count = sysconf(_SC_NPROCESSORS_ONLN);
+    count = count < 1 ? 1 : count > WORKERS_MOST ? WORKERS_MOST : count;
+    run.documents = documents_list(SOURCE_FOLDER);
+    run.spirv_val = run_spirv_val("--version");
+    pthread_mutex_init(&run.lock, NULL);
+    assert_true(run.documents.count > 100);
+    for (long i = 0; i < count; i++)
+        assert_int_equal(pthread_create(&workers[i], NULL, work, &run), 0);
+    for (long i = 0; i < count; i++)
+        pthread_join(workers[i], NULL);
+    documents_free(&run.documents);
+    print_message("%d programs; %s, %d different modules\n", run.programs,
+                  run.spirv_val ? "spirv-val" : "no spirv-val here", run.module_count);
+    assert_int_equal(run.faults, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(examples_are_valid),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

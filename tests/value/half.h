@@ -1,0 +1,14 @@
+/* Half floats, for tests of what RGBA16F targets hold. */
+#ifndef MATC_VALUE_HALF_H
+#define MATC_VALUE_HALF_H
+#include <math.h>
+#include <stdbool.h>
+
+/* The distance of half floats around a number. */
+static inline double half_step(double v) { return ldexp(1, fmax(ilogb(fmax(fabs(v), 1e-30)), -14) - 10); }
+/* Zero, or within the normal numbers: no infinity, no NaN, no denormal. */
+static inline bool half_is_plain(double v)
+{
+    return v == 0 || (isfinite(v) && fabs(v) >= ldexp(1, -14) && fabs(v) <= 65504);
+}
+#endif
