@@ -9,11 +9,6 @@ typedef struct {
     bool (*run)(Ir *ir);
 } PassRun;
 
-static const PassRun passes[] = {
-    {"fold", opt_fold},   {"algebra", opt_algebra}, {"swizzle", opt_swizzle},   {"select", opt_select},
-    {"power", opt_power}, {"range", opt_range},     {"function", opt_function},
-};
-
 /* What stands for old nodes and functions during a sweep. */
 typedef struct {
     Ref *node;
@@ -122,17 +117,17 @@ static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
     return !fault;
 }
 
+/* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
+ * and each gain may make room for another. */
 bool optimize(Compile *c, Ir *ir)
 {
-    static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range};
-    bool progress = false;
-    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
-        if (!run_pass(c, ir, &passes[i], &progress))
-            return false;
+    static const PassRun passes[] = {{"polish", opt_polish}, {"range", opt_range}, {"function", opt_function}};
+    bool progress = true;
     for (int round = 0; progress && round < MOST_ROUNDS; round++) {
         progress = false;
-        if (!run_pass(c, ir, &polish, &progress) || (progress && !run_pass(c, ir, &range, &progress)))
-            return false;
+        for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
+            if (!run_pass(c, ir, &passes[i], &progress))
+                return false;
     }
     return true;
 }

@@ -72,8 +72,8 @@ static void draw(Fixture *f, const char *chunk, const char *expression, GLuint t
     char library[4096], head[256], body[512];
     read_chunk(chunk, library);
     snprintf(head, sizeof head, "#version 330 core\nuniform sampler2D source;\nout vec4 c;\n");
-    snprintf(body, sizeof body,
-             "void main() { vec4 t = texelFetch(source, ivec2(gl_FragCoord.xy), 0); c = %s; }", expression);
+    snprintf(body, sizeof body, "void main() { vec4 t = texelFetch(source, ivec2(gl_FragCoord.xy), 0); c = %s; }",
+             expression);
     GLuint program = program_make(f->gl, &(ProgramText){.vertex = {vertex}, .fragment = {head, library, body}});
     if (!program)
         fail_msg("%s", f->gl->error);
@@ -153,8 +153,9 @@ static void packing_again_changes_nothing(void **state)
 /* Numbers beyond [0, 1] are taken into it, and no number is stored more than a step off. */
 static void anything_can_be_packed(void **state)
 {
-    static const float hard[] = {0, -0.f, 1, -1, 2, 1e30f, -1e30f, 3e38f, 1e-38f, 1e-8f, 0.99999994f, 1.0000001f, 127 / 127.5f,
-                                 126.99999f / 127.5f, 1e-45f};
+    static const float hard[] = {0,     -0.f,   1,     -1,          2,          1e30f,        -1e30f,
+                                 3e38f, 1e-38f, 1e-8f, 0.99999994f, 1.0000001f, 127 / 127.5f, 126.99999f / 127.5f,
+                                 1e-45f};
     enum { HARD = sizeof hard / sizeof *hard };
     Fixture *f = *state;
     for (int i = 0; i < TEXELS; i++)
@@ -262,7 +263,7 @@ static void hard_normals_come_back(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_code_survives),   cmocka_unit_test(packing_again_changes_nothing),
+        cmocka_unit_test(every_code_survives),    cmocka_unit_test(packing_again_changes_nothing),
         cmocka_unit_test(anything_can_be_packed), cmocka_unit_test(normals_come_back),
         cmocka_unit_test(hard_normals_come_back),
     };

@@ -54,7 +54,8 @@ static void make_points(Point points[POINT_COUNT])
         if (n[0] == 0 && n[1] == 0 && n[2] == 0)
             n[2] = 1; /* the listing has no guard */
         for (int lane = 0; lane < 2; lane++)
-            if (fabsf(points[i].input[INPUT_U][lane]) > 64) /* beyond, the listing's sum of two floors loses its last bit */
+            if (fabsf(points[i].input[INPUT_U][lane]) >
+                64) /* beyond, the listing's sum of two floors loses its last bit */
                 points[i].input[INPUT_U][lane] = fmodf(points[i].input[INPUT_U][lane], 64);
     }
 }
@@ -87,7 +88,8 @@ static void compare_normal(const Point *point, bool front, const float *theirs, 
     for (int lane = 0; lane < 2; lane++) {
         double step = half_step(truth[lane]) + FLOAT_ERROR;
         if (fabs(ours[lane] - truth[lane]) > step)
-            fail_msg("n.z %.9g: matc writes %.9g, the normal's code is %.9g", eye_z(point, front), ours[lane], truth[lane]);
+            fail_msg("n.z %.9g: matc writes %.9g, the normal's code is %.9g", eye_z(point, front), ours[lane],
+                     truth[lane]);
         if (eye_z(point, front) > -0.999 && fabs((double)ours[lane] - theirs[lane]) > step)
             fail_msg("n.z %.9g: matc writes %.9g, the thesis %.9g", eye_z(point, front), ours[lane], theirs[lane]);
         *neighbours += ours[lane] != theirs[lane];

@@ -25,8 +25,8 @@ typedef struct {
     DocumentList documents;
     bool spirv_val; /* is there */
     atomic_int next, programs, faults;
-    pthread_mutex_t lock;              /* of what follows */
-    uint64_t modules[MODULES_MOST];    /* hashes of the SPIR-V that was looked at */
+    pthread_mutex_t lock;           /* of what follows */
+    uint64_t modules[MODULES_MOST]; /* hashes of the SPIR-V that was looked at */
     int module_count;
 } Run;
 

@@ -38,6 +38,7 @@ static const struct {
     const char *doc;
 } commands[] = {
     {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share"},
+    {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it"},
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
 };
 

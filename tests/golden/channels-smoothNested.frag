@@ -1,7 +1,6 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout thesis
 
-in vec2 uv;
 in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out vec4 fragment0;
@@ -37,7 +36,7 @@ vec3 smooth3DInput0(vec3 p) {
     return volumeChecker;
 }
 
-vec3 smooth3DInput1(vec3 p, vec2 st) {
+vec3 smooth3DInput1(vec3 p) {
     // Smooth3D
     vec3 smooth3D_1 = smooth3DInput0(p + vec3(-0.15, -0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, -0.15, 0.0)) + smooth3DInput0(p - vec3(0.15)));
     vec3 smooth3D_2 = smooth3DInput0(p + vec3(-0.15, 0.0, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.0, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.0, -0.15)) + smooth3D_1));
@@ -56,24 +55,16 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Smooth3D
-    vec2 smooth3D_1 = uv - vec2(0.05);
-    vec2 smooth3D_2 = uv + vec2(-0.05, 0.0);
-    vec2 smooth3D_3 = uv + vec2(-0.05, 0.05);
-    vec2 smooth3D_4 = uv + vec2(0.0, -0.05);
-    vec2 smooth3D_5 = uv + vec2(0.0, 0.05);
-    vec2 smooth3D_6 = uv + vec2(0.05, -0.05);
-    vec2 smooth3D_7 = uv + vec2(0.05, 0.0);
-    vec2 smooth3D_8 = uv + vec2(0.05);
-    vec3 smooth3D_9 = smooth3DInput1(localPosition + vec3(-0.05, -0.05, 0.05), smooth3D_1) + (smooth3DInput1(localPosition + vec3(-0.05, -0.05, 0.0), smooth3D_1) + smooth3DInput1(localPosition - vec3(0.05), smooth3D_1));
-    vec3 smooth3D_10 = smooth3DInput1(localPosition + vec3(-0.05, 0.0, 0.05), smooth3D_2) + (smooth3DInput1(localPosition + vec3(-0.05, 0.0, 0.0), smooth3D_2) + (smooth3DInput1(localPosition + vec3(-0.05, 0.0, -0.05), smooth3D_2) + smooth3D_9));
-    vec3 smooth3D_11 = smooth3DInput1(localPosition + vec3(-0.05, 0.05, 0.05), smooth3D_3) + (smooth3DInput1(localPosition + vec3(-0.05, 0.05, 0.0), smooth3D_3) + (smooth3DInput1(localPosition + vec3(-0.05, 0.05, -0.05), smooth3D_3) + smooth3D_10));
-    vec3 smooth3D_12 = smooth3DInput1(localPosition + vec3(0.0, -0.05, 0.05), smooth3D_4) + (smooth3DInput1(localPosition + vec3(0.0, -0.05, 0.0), smooth3D_4) + (smooth3DInput1(localPosition + vec3(0.0, -0.05, -0.05), smooth3D_4) + smooth3D_11));
-    vec3 smooth3D_13 = smooth3DInput1(localPosition + vec3(0.0, 0.0, 0.05), uv) + (smooth3DInput1(localPosition, uv) + (smooth3DInput1(localPosition + vec3(0.0, 0.0, -0.05), uv) + smooth3D_12));
-    vec3 smooth3D_14 = smooth3DInput1(localPosition + vec3(0.0, 0.05, 0.05), smooth3D_5) + (smooth3DInput1(localPosition + vec3(0.0, 0.05, 0.0), smooth3D_5) + (smooth3DInput1(localPosition + vec3(0.0, 0.05, -0.05), smooth3D_5) + smooth3D_13));
-    vec3 smooth3D_15 = smooth3DInput1(localPosition + vec3(0.05, -0.05, 0.05), smooth3D_6) + (smooth3DInput1(localPosition + vec3(0.05, -0.05, 0.0), smooth3D_6) + (smooth3DInput1(localPosition + vec3(0.05, -0.05, -0.05), smooth3D_6) + smooth3D_14));
-    vec3 smooth3D_16 = smooth3DInput1(localPosition + vec3(0.05, 0.0, 0.05), smooth3D_7) + (smooth3DInput1(localPosition + vec3(0.05, 0.0, 0.0), smooth3D_7) + (smooth3DInput1(localPosition + vec3(0.05, 0.0, -0.05), smooth3D_7) + smooth3D_15));
-    vec3 smooth3D_17 = smooth3DInput1(localPosition + vec3(0.05), smooth3D_8) + (smooth3DInput1(localPosition + vec3(0.05, 0.05, 0.0), smooth3D_8) + (smooth3DInput1(localPosition + vec3(0.05, 0.05, -0.05), smooth3D_8) + smooth3D_16));
-    fragment1 = vec4(smooth3D_17 * 0.037037037, 1.0);
+    vec3 smooth3D_1 = smooth3DInput1(localPosition + vec3(-0.05, -0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(-0.05, -0.05, 0.0)) + smooth3DInput1(localPosition - vec3(0.05)));
+    vec3 smooth3D_2 = smooth3DInput1(localPosition + vec3(-0.05, 0.0, 0.05)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.0, 0.0)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.0, -0.05)) + smooth3D_1));
+    vec3 smooth3D_3 = smooth3DInput1(localPosition + vec3(-0.05, 0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.05, -0.05)) + smooth3D_2));
+    vec3 smooth3D_4 = smooth3DInput1(localPosition + vec3(0.0, -0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(0.0, -0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.0, -0.05, -0.05)) + smooth3D_3));
+    vec3 smooth3D_5 = smooth3DInput1(localPosition + vec3(0.0, 0.0, 0.05)) + (smooth3DInput1(localPosition) + (smooth3DInput1(localPosition + vec3(0.0, 0.0, -0.05)) + smooth3D_4));
+    vec3 smooth3D_6 = smooth3DInput1(localPosition + vec3(0.0, 0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(0.0, 0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.0, 0.05, -0.05)) + smooth3D_5));
+    vec3 smooth3D_7 = smooth3DInput1(localPosition + vec3(0.05, -0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(0.05, -0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.05, -0.05, -0.05)) + smooth3D_6));
+    vec3 smooth3D_8 = smooth3DInput1(localPosition + vec3(0.05, 0.0, 0.05)) + (smooth3DInput1(localPosition + vec3(0.05, 0.0, 0.0)) + (smooth3DInput1(localPosition + vec3(0.05, 0.0, -0.05)) + smooth3D_7));
+    vec3 smooth3D_9 = smooth3DInput1(localPosition + vec3(0.05)) + (smooth3DInput1(localPosition + vec3(0.05, 0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.05, 0.05, -0.05)) + smooth3D_8));
+    fragment1 = vec4(smooth3D_9 * 0.037037037, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }

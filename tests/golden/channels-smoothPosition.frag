@@ -45,7 +45,7 @@ void main() {
     vec3 smooth3D_5 = smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.5)) + (smooth3DInput0(localPosition) + (smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.5)) + smooth3D_4));
     vec3 smooth3D_6 = smooth3DInput0(localPosition + vec3(0.0, 0.5, 0.5)) + (smooth3DInput0(localPosition + vec3(0.0, 0.5, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, 0.5, -0.5)) + smooth3D_5));
     // Gradient
-    float gradient_1 = (smooth3DInput0(localPosition + vec3(0.1, -0.5, -0.5)) + smooth3D_6).x + smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.0)).x + smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.5)).x;
+    float gradient_1 = (smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.0)) + (smooth3DInput0(localPosition + vec3(0.1, -0.5, -0.5)) + smooth3D_6)).x + smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.5)).x;
     float gradient_2 = gradient_1 + smooth3DInput0(localPosition + vec3(0.1, 0.0, -0.5)).x + smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.0)).x + smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.5)).x;
     float gradient_3 = gradient_2 + smooth3DInput0(localPosition + vec3(0.1, 0.5, -0.5)).x + smooth3DInput0(localPosition + vec3(0.1, 0.5, 0.0)).x + smooth3DInput0(localPosition + vec3(0.1, 0.5, 0.5)).x;
     // Blend

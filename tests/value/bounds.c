@@ -3,10 +3,10 @@
 #include <string.h>
 
 const Bound bound_table[SUBJECT_COUNT] = {
-#define KIND(name)                  KIND_##name
-#define WAVE(name)                  SUBJECT_WAVES + (int)WAVE_##name
-#define SLOT(name)                  SUBJECT_SLOTS + (int)SLOT_##name
-#define DEFAULT                     SUBJECT_DEFAULT
+#define KIND(name)                 KIND_##name
+#define WAVE(name)                 SUBJECT_WAVES + (int)WAVE_##name
+#define SLOT(name)                 SUBJECT_SLOTS + (int)SLOT_##name
+#define DEFAULT                    SUBJECT_DEFAULT
 #define BOUND(subject, bound, why) [subject] = {bound, why},
 #include "tests/bounds.def"
 #undef KIND

@@ -4,8 +4,13 @@
 #include "compiler/graph.h"
 
 /* A subject of the table is a kind, a wave or a slot, or none of them. */
-enum { SUBJECT_KINDS = 0, SUBJECT_WAVES = KIND_COUNT, SUBJECT_SLOTS = SUBJECT_WAVES + WAVE_COUNT + 1,
-       SUBJECT_DEFAULT = SUBJECT_SLOTS + SLOT_COUNT, SUBJECT_COUNT };
+enum {
+    SUBJECT_KINDS = 0,
+    SUBJECT_WAVES = KIND_COUNT,
+    SUBJECT_SLOTS = SUBJECT_WAVES + WAVE_COUNT + 1,
+    SUBJECT_DEFAULT = SUBJECT_SLOTS + SLOT_COUNT,
+    SUBJECT_COUNT
+};
 
 typedef struct {
     double bound; /* in units of max(1, |oracle|), outside of the hull */

@@ -7,13 +7,11 @@
 #include "runtime/gl/context.h"
 #include "runtime/gl/framebuffer.h"
 
-enum { SHADING_TARGETS = 4 };
-
 /* A context with points in it, and a target for each of them. */
 typedef struct {
     GlContext *gl;
     bool core;
-    int count;        /* points */
+    int count; /* points */
     Framebuffer target;
     GLuint array, buffer;
     void (*bind_buffer_base)(GLenum target, GLuint index, GLuint buffer);
@@ -30,7 +28,7 @@ void drawer_close(Drawer *d);
 /* A fragment program and what it reads. */
 typedef struct {
     const char *fragment;
-    const char *library;  /* more GLSL to be linked in, or NULL */
+    const char *library; /* more GLSL to be linked in, or NULL */
     Target target;
     MatcProgram *program; /* its textures and uniforms, or NULL */
     const Graph *graph;   /* the uniforms' values, by name */

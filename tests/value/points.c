@@ -97,9 +97,9 @@ static void add_borders(Points *points)
 
 static void add_specials(Points *points)
 {
-    static const float special[] = {0,     -0.f,  1e-8f, -1e-8f,    1e-30f,    -1e-30f,    65535, 65536, -65536, 1e6f,
-                                    -1e6f, 1e5f,  1e3f,  123456.78f, -98765.43f, 1e-4f,     2e-4f, -3e-4f, 0.1f,
-                                    16777216., -1e9f, 1e12f, -1e18f, 1e30f, -1e30f, 1e-38f, -1e-40f};
+    static const float special[] = {0,    -0.f,      1e-8f, -1e-8f, 1e-30f,     -1e-30f,    65535,  65536,  -65536,
+                                    1e6f, -1e6f,     1e5f,  1e3f,   123456.78f, -98765.43f, 1e-4f,  2e-4f,  -3e-4f,
+                                    0.1f, 16777216., -1e9f, 1e12f,  -1e18f,     1e30f,      -1e30f, 1e-38f, -1e-40f};
     for (int i = 0; i < (int)(sizeof special / sizeof *special); i++) {
         set_axis(add(points, 2), i % 3, special[i]);
         set_all(add(points, 2), special[i]);
@@ -149,7 +149,7 @@ static void shift(double *number, double part, const Reach *reach, double least)
  * alone: a zero vector stays one. */
 static void move(Surface *surface, int corner, const Reach *reach)
 {
-    static const int axes[AXES] = {LANES_OF_GROUP * GROUP_U, LANES_OF_GROUP * GROUP_U + 1, LANES_OF_GROUP * GROUP_X,
+    static const int axes[AXES] = {LANES_OF_GROUP * GROUP_U,     LANES_OF_GROUP * GROUP_U + 1, LANES_OF_GROUP * GROUP_X,
                                    LANES_OF_GROUP * GROUP_X + 1, LANES_OF_GROUP * GROUP_X + 2, LANES_OF_GROUP * GROUP_P,
                                    LANES_OF_GROUP * GROUP_P + 1, LANES_OF_GROUP * GROUP_P + 2};
     double part = 1 - fraction(corner * 0.61803398874989485);
