@@ -21,15 +21,21 @@ static bool is_taken(const Scope *e, const char *name)
     return false;
 }
 
+static void put_suffix(Text *name, const char *mark, int number)
+{
+    text_put(name, mark);
+    text_int(name, number);
+}
+
 /* "checker" for a map's value, "checker_1" for a step on its way; a number tells several apart. */
 static const char *new_name(Scope *e, const IrNode *node)
 {
     Text name = text_new(e->scratch);
     text_put(&name, hint_name(node->hint));
     if (!node->head)
-        text_format(&name, "_%d", ++e->steps[node->hint]);
+        put_suffix(&name, "_", ++e->steps[node->hint]);
     else if (e->heads[node->hint]++)
-        text_format(&name, "%d", e->heads[node->hint]);
+        put_suffix(&name, "", e->heads[node->hint]);
     while (is_taken(e, name.at))
         text_put(&name, "Value");
     return name.at;
@@ -48,8 +54,9 @@ static void put_comment(Scope *e, Text *out, const IrNode *node, int depth)
         return;
     e->last_hint = node->hint;
     indent(out, depth);
-    text_format(out, "// %s\n",
-                node->hint < KIND_COUNT ? kind_table[node->hint].name : slot_table[node->hint - KIND_COUNT].name);
+    text_put(out, "// ");
+    text_put(out, node->hint < KIND_COUNT ? kind_table[node->hint].name : slot_table[node->hint - KIND_COUNT].name);
+    text_char(out, '\n');
 }
 
 static int expression_size(const Scope *e, Ref ref)
@@ -138,7 +145,8 @@ static void put_assignment(Scope *e, Text *out, const char *target, Ref value, i
     if (tail) {
         put_branch(e, out, target, value, depth);
     } else {
-        text_format(out, "%s = ", target);
+        text_put(out, target);
+        text_put(out, " = ");
         emit_expression(e, out, value, PRECEDENCE_any);
         text_put(out, ";\n");
     }
@@ -157,7 +165,9 @@ static void put_statement(Scope *e, Text *out, Ref ref, int depth)
     const char *name = new_name(e, node);
     put_comment(e, out, node, depth);
     indent(out, depth);
-    text_format(out, "%s %s", type_table[node->type].name, name);
+    text_put(out, type_table[node->type].name);
+    text_char(out, ' ');
+    text_put(out, name);
     if (e->s.arm[ref]) {
         text_put(out, ";\n");
         indent(out, depth);

@@ -39,7 +39,8 @@ void emit_constant(Text *out, const Ir *ir, Ref ref)
     bool equal = true;
     for (int i = 1; i < lanes; i++)
         equal &= lane[i] == lane[0];
-    text_format(out, "%s(", type_table[type].name);
+    text_put(out, type_table[type].name);
+    text_char(out, '(');
     for (int i = 0; i < (equal ? 1 : lanes); i++) {
         text_put(out, i ? ", " : "");
         text_float(out, lane[i]);
@@ -123,13 +124,16 @@ static void put_call(Scope *e, Text *out, Ref ref)
     bool by_lane = op_table[node->op].rule == RULE_widest;
     bool bounds =
         node->count == 3 && ir_lanes(e->ir, ir_arg(e->ir, ref, 1)) == 1 && ir_lanes(e->ir, ir_arg(e->ir, ref, 2)) == 1;
-    text_format(out, "%s(", op_table[node->op].glsl);
+    text_put(out, op_table[node->op].glsl);
+    text_char(out, '(');
     for (int i = 0; i < node->count; i++) {
         Ref arg = ir_arg(e->ir, ref, i);
         bool widen = by_lane && ir_lanes(e->ir, arg) < ir_lanes(e->ir, ref) && !may_be_float(node, i, bounds);
         text_put(out, i ? ", " : "");
-        if (widen)
-            text_format(out, "%s(", type_table[node->type].name);
+        if (widen) {
+            text_put(out, type_table[node->type].name);
+            text_char(out, '(');
+        }
         emit_expression(e, out, arg, PRECEDENCE_any);
         if (widen)
             text_char(out, ')');
@@ -145,7 +149,8 @@ static void put_vec(Scope *e, Text *out, Ref ref)
     while (equal < node->count && ir_arg(e->ir, ref, equal) == ir_arg(e->ir, ref, 0))
         equal++;
     bool all = equal == node->count && node->count == lanes, three = equal == 3 && lanes == 4 && node->count == 4;
-    text_format(out, "%s(", type_table[node->type].name);
+    text_put(out, type_table[node->type].name);
+    text_char(out, '(');
     for (int i = all || three ? equal - 1 : 0; i < node->count; i++) {
         text_put(out, i > (all || three ? equal - 1 : 0) ? ", " : "");
         text_put(out, three && i == 2 ? "vec3(" : "");
@@ -239,7 +244,9 @@ static void put_infix(Scope *e, Text *out, Ref ref, int own)
 {
     bool mixed = own == PRECEDENCE_equal; /* a < b != c < d is legal, and unreadable */
     emit_expression(e, out, ir_arg(e->ir, ref, 0), mixed ? PRECEDENCE_add : own);
-    text_format(out, " %s ", op_table[ir_at(e->ir, ref)->op].glsl);
+    text_char(out, ' ');
+    text_put(out, op_table[ir_at(e->ir, ref)->op].glsl);
+    text_char(out, ' ');
     /* left to right: the right operand must bind more tightly */
     emit_expression(e, out, ir_arg(e->ir, ref, 1), mixed ? PRECEDENCE_add : own + 1);
 }

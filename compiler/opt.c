@@ -118,16 +118,20 @@ static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
 }
 
 /* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
- * and each gain may make room for another. */
+ * and each gain may make room for another. Ranges and functions gain nothing new unless polishing did. */
 bool optimize(Compile *c, Ir *ir)
 {
-    static const PassRun passes[] = {{"polish", opt_polish}, {"range", opt_range}, {"function", opt_function}};
+    static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range}, function = {"function", opt_function};
     bool progress = true;
     for (int round = 0; progress && round < MOST_ROUNDS; round++) {
+        bool polished = false;
         progress = false;
-        for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
-            if (!run_pass(c, ir, &passes[i], &progress))
+        if (!run_pass(c, ir, &polish, &polished))
+            return false;
+        if (polished || round == 0)
+            if (!run_pass(c, ir, &range, &progress) || !run_pass(c, ir, &function, &progress))
                 return false;
+        progress |= polished;
     }
     return true;
 }

@@ -8,6 +8,8 @@ static Ref polish(Ir *ir, Ref ref, const void *user)
 {
     static const Rewrite rules[] = {rewrite_fold, rewrite_algebra, rewrite_swizzle, rewrite_select, rewrite_power};
     enum { RULE_COUNT = sizeof rules / sizeof *rules };
+    if (!ir_at(ir, ref)->count)
+        return ref; /* a leaf is as simple as can be */
     for (int run = 0, idle = 0; idle < RULE_COUNT && run < MOST_REWRITES * RULE_COUNT; run++) {
         Ref better = rules[run % RULE_COUNT](ir, ref, user);
         idle = better == ref ? idle + 1 : 0;
