@@ -118,20 +118,19 @@ static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
 }
 
 /* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
- * and each gain may make room for another. Ranges and functions gain nothing new unless polishing did. */
+ * and each gain may make room for another. Ranges and functions gain nothing new where nothing changed. */
 bool optimize(Compile *c, Ir *ir)
 {
     static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range}, function = {"function", opt_function};
-    bool progress = true;
-    for (int round = 0; progress && round < MOST_ROUNDS; round++) {
-        bool polished = false;
-        progress = false;
-        if (!run_pass(c, ir, &polish, &polished))
+    bool changed = true;
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        if (!run_pass(c, ir, &polish, &changed))
             return false;
-        if (polished || round == 0)
-            if (!run_pass(c, ir, &range, &progress) || !run_pass(c, ir, &function, &progress))
-                return false;
-        progress |= polished;
+        if (!changed)
+            break;
+        changed = false;
+        if (!run_pass(c, ir, &range, &changed) || !run_pass(c, ir, &function, &changed))
+            return false;
     }
     return true;
 }
