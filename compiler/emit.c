@@ -7,8 +7,12 @@ enum { LARGEST_EXPRESSION = 6, INDENT = 4, LONGEST_INDENT = 64 };
 
 static const char *hint_name(int hint)
 {
+    if (hint == HINT_SURFACE)
+        return "surface";
     return hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
 }
+
+static const char *hint_title(int hint) { return hint < KIND_COUNT ? kind_table[hint].name : hint_name(hint); }
 
 static bool is_taken(const Scope *e, const char *name)
 {
@@ -55,7 +59,7 @@ static void put_comment(Scope *e, Text *out, const IrNode *node, int depth)
     e->last_hint = node->hint;
     indent(out, depth);
     text_put(out, "// ");
-    text_put(out, node->hint < KIND_COUNT ? kind_table[node->hint].name : slot_table[node->hint - KIND_COUNT].name);
+    text_put(out, hint_title(node->hint));
     text_char(out, '\n');
 }
 

@@ -4,8 +4,6 @@
 #include "emit.h"
 #include "schedule.h"
 
-enum { HINT_COUNT = KIND_COUNT + SLOT_COUNT };
-
 typedef struct {
     Compile *c;
     const Ir *ir;

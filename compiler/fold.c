@@ -106,6 +106,12 @@ bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payl
     }
 }
 
+bool fold_lane(Op op, const double *args, double *result)
+{
+    *result = lane_value(op, args[0], args[1], args[2]);
+    return isfinite(*result);
+}
+
 bool fold_node(const Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count, double *result)
 {
     FoldArg values[FOLD_OPERANDS];

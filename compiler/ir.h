@@ -24,6 +24,9 @@ typedef struct {
 } OpRow;
 extern const OpRow op_table[OP_COUNT];
 
+/* What a node was made for: a Kind, KIND_COUNT + Slot, or the surface point that a pass starts from. */
+enum { HINT_SURFACE = KIND_COUNT + SLOT_COUNT, HINT_COUNT };
+
 typedef uint32_t Ref; /* number of a node; 0 is none */
 
 typedef struct {
@@ -144,5 +147,7 @@ void ir_dot(Text *out, const Ir *ir);
 Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault);
 
 /* The value of a node on constant operands; false when it has none (a texture, an input). fold.c. */
+/* One lane of an operation that works by lane; false when it is not finite. */
+bool fold_lane(Op op, const double *args, double *result);
 bool fold_node(const Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count, double *result);
 #endif

@@ -163,6 +163,7 @@ Ir *lower(Compile *c, const Graph *graph, const Node *material, Pass pass, Layou
     Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .cheap = c->optimize > 0};
     l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
     l.ir->noise = noise;
+    l.ir->hint = HINT_SURFACE;
     write_pass(&l, material, pass, layout, slot);
     return l.failed ? NULL : l.ir;
 }

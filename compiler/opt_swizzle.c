@@ -2,6 +2,8 @@
 #include "opt.h"
 #include <string.h>
 
+enum { KNOWN_DEPTH = 4 }; /* operations that are looked through for a lane that is known */
+
 static uint32_t lane_at(uint32_t lanes, int i) { return lanes >> 2 * i & 3; }
 
 /* The operand of a vec that holds a lane, and which lane of it that is. */
@@ -54,6 +56,36 @@ static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
     return narrow && ir_type(ir, made) != type ? 0 : made;
 }
 
+/* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that lane, say. */
+static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
+{
+    const IrNode *node = ir_at(ir, ref);
+    uint32_t inner = 0;
+    double args[3] = {0};
+    if (ir_lanes(ir, ref) == 1)
+        lane = 0;
+    if (node->op == OP_const) {
+        *value = ir_numbers(ir, ref)[lane];
+        return true;
+    }
+    if (node->op == OP_vec) {
+        Ref part = part_of(ir, ref, lane, &inner);
+        return depth && known_lane(ir, part, inner, depth - 1, value);
+    }
+    if (!depth || op_table[node->op].rule != RULE_widest)
+        return false;
+    int known = 0;
+    for (int i = 0; i < node->count; i++) {
+        bool found = known_lane(ir, ir_arg(ir, ref, i), lane, depth - 1, &args[i]);
+        if (found && node->op == OP_mul && args[i] == 0) {
+            *value = 0;
+            return true;
+        }
+        known += found;
+    }
+    return known == node->count && fold_lane((Op)node->op, args, value);
+}
+
 static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
 {
     uint32_t lanes = ir_at(ir, ref)->payload, composed = 0;
@@ -64,6 +96,9 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
         identity &= lane_at(lanes, i) == (uint32_t)i;
     if (identity)
         return a;
+    double value;
+    if (count == 1 && known_lane(ir, a, lane_at(lanes, 0), KNOWN_DEPTH, &value))
+        return ir_float(ir, value);
     if (ir_is(ir, a, OP_swizzle)) {
         for (int i = 0; i < count; i++)
             composed |= lane_at(ir_at(ir, a)->payload, (int)lane_at(lanes, i)) << 2 * i;

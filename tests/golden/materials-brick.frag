@@ -103,15 +103,13 @@ void main() {
     float gradient_1 = fract(xyzTransform.z) * 2.0 - 1.0;
     // Blend
     vec3 blend = mix(vec3(0.27450982, 0.24705882, 0.2), vec3(0.4862745, 0.4392157, 0.3647059), clamp(turbulence(localPosition * 14.0, 3, 2.0, 0.6) + 0.5, 0.0, 1.0));
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(xyzTransform * vec3(0.0, 0.0, 1.0) * 0.5);
     // VolumeTurbulence
     float volumeTurbulence_1 = turbulence(localPosition * 3.5, 11, 2.0, 0.5);
     // Blend
     vec3 blend2 = mix(mix(vec3(0.10980392, 0.015686275, 0.007843138), vec3(0.30588236, 0.050980393, 0.023529412), clamp((volumeTurbulence_1 + 0.8) * 1.1111112, 0.0, 1.0)), vec3(0.49803922, 0.14509805, 0.05882353), clamp((volumeTurbulence_1 - 0.1) * 1.25, 0.0, 1.0));
     // Gradient
-    float gradient_2 = ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? xyzTransform.x : xyzTransform.x + 0.5;
-    float gradient_3 = fract(gradient_2) * 2.0 - 1.0;
+    float gradient_2 = fract(0.5 <= fract(xyzTransform.z * 0.5) ? xyzTransform.x : xyzTransform.x + 0.5) * 2.0;
+    float gradient_3 = gradient_2 - 1.0;
     // Blend
     vec3 blend_1 = gradient_3 < -0.88 ? (gradient_3 < -0.93 ? blend : mix(blend, blend2, (gradient_3 + 0.93) * 20.0)) : blend2;
     vec3 blend3 = gradient_3 < 0.88 ? blend_1 : gradient_3 < 0.93 ? mix(blend2, blend, (gradient_3 - 0.88) * 20.0) : blend;

@@ -1,0 +1,200 @@
+/* Cameras, programs and their uniforms, values. */
+#include "scene.h"
+#include "runtime/gl/program.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+Space space_flat(void)
+{
+    return (Space){.world_from_local = mat4_identity(),
+                   .eye_from_world = mat4_identity(),
+                   .clip_from_eye = mat4_identity()};
+}
+
+Space space_camera(const float eye[3], const float target[3], float height)
+{
+    const float up[3] = {0.1f, -0.2f, 1}, near = 0.5f, far = 40;
+    Space space = space_flat();
+    space.eye_from_world = mat4_look_at(eye, target, up);
+    space.clip_from_eye = mat4_perspective(height, 1, near, far);
+    memcpy(space.eye, eye, sizeof space.eye);
+    return space;
+}
+
+Mat4 space_clip_from_world(const Space *space) { return mat4_multiply(&space->clip_from_eye, &space->eye_from_world); }
+
+void space_transform(const Mat4 *matrix, const double point[3], double w, double result[4])
+{
+    for (int row = 0; row < 4; row++) {
+        result[row] = matrix->m[12 + row] * w;
+        for (int column = 0; column < 3; column++)
+            result[row] += matrix->m[4 * column + row] * point[column];
+    }
+}
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void normalize(double a[3])
+{
+    double length = sqrt(dot(a, a));
+    for (int i = 0; i < 3 && length > 0; i++)
+        a[i] /= length;
+}
+
+/* The camera's axes are the rows of eye_from_world; no matrix is inverted here. */
+static void aim(const Space *space, double x, double y, double ray[3])
+{
+    double eye[3] = {x / space->clip_from_eye.m[0], y / space->clip_from_eye.m[5], -1};
+    for (int i = 0; i < 3; i++) {
+        ray[i] = 0;
+        for (int row = 0; row < 3; row++)
+            ray[i] += space->eye_from_world.m[4 * i + row] * eye[row];
+    }
+    normalize(ray);
+}
+
+Hit space_meet(const Space *space, double x, double y)
+{
+    Hit hit = {0};
+    double origin[3], u[3], v[3], from[3];
+    aim(space, x, y, hit.ray);
+    for (int i = 0; i < 3; i++) {
+        origin[i] = (double)space->plane[0][i] - space->eye[i];
+        u[i] = space->plane[1][i];
+        v[i] = space->plane[2][i];
+    }
+    for (int i = 0; i < 3; i++)
+        hit.normal[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
+    normalize(hit.normal);
+    hit.slope = dot(hit.ray, hit.normal);
+    double along = dot(origin, hit.normal) / hit.slope;
+    for (int i = 0; i < 3; i++) {
+        hit.position[i] = space->eye[i] + along * hit.ray[i];
+        from[i] = along * hit.ray[i] - origin[i];
+    }
+    hit.u = dot(from, u) / dot(u, u);
+    hit.v = dot(from, v) / dot(v, v);
+    hit.before = along > 0;
+    return hit;
+}
+
+static bool fail(Scene *scene, const char *first, const char *second)
+{
+    snprintf(scene->error, sizeof scene->error, "%s%s", first, second);
+    return false;
+}
+
+static bool read_document(Scene *scene, const char *text)
+{
+    char whole[8192];
+    size_t size = strlen(text);
+    bool path = size > 5 && !strcmp(text + size - 5, ".yaml");
+    FILE *file = path ? fopen(text, "rb") : NULL;
+    if (path && !file)
+        return fail(scene, "cannot read ", text);
+    if (file) {
+        size = fread(whole, 1, sizeof whole, file);
+        fclose(file);
+    }
+    scene->document = matc_read(path ? text : "test.yaml", path ? whole : text, size, &scene->options);
+    return matc_material_count(scene->document) == 1 || fail(scene, matc_diagnostics(scene->document, MATC_TEXT), "");
+}
+
+bool scene_open(Scene *scene, GlContext *gl, const char *text, const SceneOptions *options)
+{
+    *scene = (Scene){0};
+    matc_options_init(&scene->options);
+    scene->options.pass = options->pass;
+    scene->options.slot = options->slot;
+    scene->options.target = options->target;
+    scene->options.check = true;
+    if (!read_document(scene, text))
+        return false;
+    const unsigned outputs = MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK | MATC_REFLECT;
+    scene->program = matc_compile(scene->document, 0, outputs, &scene->options);
+    if (!matc_ok(scene->program))
+        return fail(scene, matc_program_diagnostics(scene->program, MATC_TEXT), "");
+    scene->name = program_make(gl, &(ProgramText){.vertex = {matc_output(scene->program, MATC_VERTEX, NULL)},
+                                                  .fragment = {matc_output(scene->program, MATC_FRAGMENT, NULL)}});
+    return scene->name || fail(scene, gl->error, "");
+}
+
+void scene_close(Scene *scene, GlContext *gl)
+{
+    gl->DeleteProgram(scene->name);
+    matc_program_free(scene->program);
+    matc_document_free(scene->document);
+    *scene = (Scene){0};
+}
+
+static void set_plane(const Scene *scene, GlContext *gl, const Space *space, const Mat4 *clip_from_world)
+{
+    static const char *const names[] = {"matc_planeOrigin", "matc_planeU", "matc_planeV"};
+    const float *m = clip_from_world->m;
+    for (int i = 0; i < 3; i++)
+        program_set(gl, scene->name, &(ProgramValue){names[i], 3, space->plane[i]});
+    program_set(gl, scene->name, &(ProgramValue){"matc_clipZ", 4, (float[4]){m[2], m[6], m[10], m[14]}});
+    program_set(gl, scene->name, &(ProgramValue){"matc_clipW", 4, (float[4]){m[3], m[7], m[11], m[15]}});
+}
+
+void scene_use(const Scene *scene, GlContext *gl, const Space *space)
+{
+    Mat4 clip_from_world = space_clip_from_world(space), world_from_clip = mat4_identity();
+    Mat3 eye_from_world = mat3_from_mat4(&space->eye_from_world), normal = mat3_normal(&space->world_from_local);
+    Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal);
+    mat4_inverse(&clip_from_world, &world_from_clip);
+    const ProgramValue values[] = {{"matc_worldFromLocal", 16, space->world_from_local.m},
+                                   {"matc_clipFromWorld", 16, clip_from_world.m},
+                                   {"matc_worldFromClip", 16, world_from_clip.m},
+                                   {"matc_worldNormalFromLocal", 9, normal.m},
+                                   {"matc_eyeNormalFromLocal", 9, eye_normal.m},
+                                   {"matc_eyeFromWorld", 9, eye_from_world.m},
+                                   {"matc_eyePosition", 3, space->eye},
+                                   {"matc_ior", 1, &(float){1}}};
+    gl->UseProgram(scene->name);
+    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+        program_set(gl, scene->name, &values[i]);
+    set_plane(scene, gl, space, &clip_from_world);
+}
+
+static void point_text(const Surface *surface, char *text, size_t room)
+{
+    int size = snprintf(text, room, "front=%d", surface->front);
+    for (int i = 0; i < CHANNEL_COUNT; i++) {
+        const ChannelRow *row = &channel_table[i];
+        if (row->group == GROUP_R || !strcmp(row->name, "w")) /* no surface sets these */
+            continue;
+        double value = surface->root[channel_id(row->group, row->lane)];
+        size += snprintf(text + size, room - (size_t)size, " %s=%.17g", row->name, value);
+    }
+}
+
+static bool read_slot(const char *text, Slot slot, double lanes[4])
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s ", slot_table[slot].name);
+    while (text && strncmp(text, name, strlen(name)) != 0)
+        text = (text = strchr(text, '\n')) ? text + 1 : NULL;
+    if (!text)
+        return false;
+    char *at = (char *)(uintptr_t)text + strlen(name);
+    for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++)
+        lanes[i] = strtod(at, &at);
+    return true;
+}
+
+bool scene_values(const Scene *scene, const Surface *surface, SlotValues *values)
+{
+    char point[2048];
+    const char *fault = NULL;
+    bool found = true;
+    point_text(surface, point, sizeof point);
+    *values = (SlotValues){0};
+    char *text = matc_eval(scene->document, 0, point, &scene->options, &fault);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        found = found && text && read_slot(text, (Slot)slot, values->lane[slot]);
+    free(text);
+    return found;
+}

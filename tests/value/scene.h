@@ -1,0 +1,53 @@
+/* Documents drawn as an engine draws them: from a camera, by matc's own vertex programs; and what the C reference says. */
+#ifndef MATC_VALUE_SCENE_H
+#define MATC_VALUE_SCENE_H
+#include "compiler/matc.h"
+#include "compiler/oracle.h"
+#include "runtime/gl/context.h"
+#include "runtime/gl/matrix.h"
+
+/* Where things are; all that the programs' own uniforms are made of. */
+typedef struct {
+    Mat4 world_from_local, eye_from_world, clip_from_eye;
+    float eye[3];
+    float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
+} Space;
+
+/* All spaces are one: what is drawn is seen along -z, without perspective. */
+Space space_flat(void);
+/* A perspective camera; `height` is the tangent of half its angle, the picture is square. */
+Space space_camera(const float eye[3], const float target[3], float height);
+Mat4 space_clip_from_world(const Space *space);
+/* mat4 times (x, y, z, w), in double. */
+void space_transform(const Mat4 *matrix, const double point[3], double w, double result[4]);
+
+/* Where the line of sight of a place of the picture, x and y in [-1, 1], meets the plane. */
+typedef struct {
+    double ray[3]; /* of unit length */
+    double u, v, position[3], normal[3]; /* the normal is U x V, of unit length */
+    double slope;                        /* ray times normal: below 0, the front is seen */
+    bool before;                         /* the eye: the plane is seen */
+} Hit;
+Hit space_meet(const Space *space, double x, double y);
+
+typedef struct {
+    const char *pass, *slot, *target; /* as MatcOptions; NULL is the default */
+} SceneOptions;
+
+/* A material's program, with its own vertex program. */
+typedef struct {
+    MatcOptions options;
+    MatcDocument *document;
+    MatcProgram *program;
+    GLuint name;
+    char error[4096];
+} Scene;
+
+/* `text` is YAML, or the path of a document if it ends in .yaml. False: see error. Close it in any case. */
+bool scene_open(Scene *scene, GlContext *gl, const char *text, const SceneOptions *options);
+void scene_close(Scene *scene, GlContext *gl);
+/* Makes it the current program and sets all that is not the material's. */
+void scene_use(const Scene *scene, GlContext *gl, const Space *space);
+/* The slots at a point, by matc_eval. */
+bool scene_values(const Scene *scene, const Surface *surface, SlotValues *values);
+#endif
