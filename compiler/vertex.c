@@ -79,7 +79,8 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
 }
 
-/* One triangle that covers the screen; the ray runs through two points of different depth, whatever the depth range. */
+/* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes
+ * it linear over the screen even where the near plane is oblique; it leads away from the eye whichever way z runs. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)
 {
     static const char *const names[] = {"mat4 matc_worldFromClip"};
@@ -97,9 +98,9 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     else
         text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n", index, index);
     if (ray)
-        text_put(out, "    vec4 near = matc_worldFromClip * vec4(corner, 0.0, 1.0);\n"
-                      "    vec4 far = matc_worldFromClip * vec4(corner, 0.5, 1.0);\n"
-                      "    worldRay = far.xyz / far.w - near.xyz / near.w;\n");
+        text_put(out, "    vec4 point = matc_worldFromClip * vec4(corner, 0.0, 1.0);\n"
+                      "    vec4 ahead = matc_worldFromClip[2];\n"
+                      "    worldRay = (ahead.xyz * point.w - point.xyz * ahead.w) * (ahead.w > 0.0 ? -1.0 : 1.0);\n");
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 

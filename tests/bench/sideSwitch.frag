@@ -1,5 +1,5 @@
 #version 450 core
-// sideSwitch.yaml as written by hand: one test of the side for everything.
+// sideSwitch.yaml as written by hand: one select a target; the transparency behind is 1 - a.
 
 layout(location = 4) in vec2 uv;
 layout(location = 6) in vec3 eyeNormal;
@@ -25,17 +25,11 @@ vec2 encodeSpheremap(vec3 n) {
 }
 
 void main() {
-    vec3 normal = safeNormalize(eyeNormal);
-    if (gl_FrontFacing) {
-        bvec2 upper = greaterThanEqual(fract(uv * vec2(8.0, 4.0)), vec2(0.5));
-        fragment0 = vec4(encodeSpheremap(normal), 48.993197, 65504.0);
-        fragment1 = upper.x != upper.y ? vec4(0.8, 0.7, 0.5, 1.0) : vec4(0.1, 0.2, 0.3, 1.0);
-        fragment2 = vec4(0.3, 0.3, 0.3, 1.0);
-        fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
-    } else {
-        fragment0 = vec4(encodeSpheremap(-normal), 4.0, 65504.0);
-        fragment1 = vec4(0.35, 0.03, 0.05, 1.0);
-        fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
-        fragment3 = vec4(0.1, 0.1, 0.1, 1.0);
-    }
+    bvec2 upper = greaterThanEqual(fract(uv * vec2(8.0, 4.0)), vec2(0.5));
+    vec3 squares = upper.x != upper.y ? vec3(0.8, 0.7, 0.5) : vec3(0.1, 0.2, 0.3);
+    vec3 normal = (gl_FrontFacing ? 1.0 : -1.0) * safeNormalize(eyeNormal);
+    fragment0 = vec4(encodeSpheremap(normal), gl_FrontFacing ? 48.993197 : 4.0, 65504.0);
+    fragment1 = vec4(gl_FrontFacing ? squares : vec3(0.35, 0.03, 0.05), 1.0);
+    fragment2 = vec4(vec3(gl_FrontFacing ? 0.3 : 0.0), 1.0);
+    fragment3 = vec4(vec3(gl_FrontFacing ? 0.0 : 0.1), 1.0);
 }

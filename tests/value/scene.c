@@ -8,9 +8,8 @@
 
 Space space_flat(void)
 {
-    return (Space){.world_from_local = mat4_identity(),
-                   .eye_from_world = mat4_identity(),
-                   .clip_from_eye = mat4_identity()};
+    return (Space){
+        .world_from_local = mat4_identity(), .eye_from_world = mat4_identity(), .clip_from_eye = mat4_identity()};
 }
 
 Space space_camera(const float eye[3], const float target[3], float height)
@@ -21,6 +20,14 @@ Space space_camera(const float eye[3], const float target[3], float height)
     space.clip_from_eye = mat4_perspective(height, 1, near, far);
     memcpy(space.eye, eye, sizeof space.eye);
     return space;
+}
+
+void space_change_depth(Space *space, SpaceDepth kind)
+{
+    const float oblique[4] = {0.2f, 0.3f, -1, -0.5f}, reversed[4] = {0, 0, 0, 0.5f};
+    float *m = space->clip_from_eye.m;
+    for (int i = 0; i < 4 && kind != SPACE_usual; i++)
+        m[4 * i + 2] = kind == SPACE_oblique ? oblique[i] - m[4 * i + 3] : reversed[i];
 }
 
 Mat4 space_clip_from_world(const Space *space) { return mat4_multiply(&space->clip_from_eye, &space->eye_from_world); }
@@ -78,6 +85,35 @@ Hit space_meet(const Space *space, double x, double y)
     hit.v = dot(from, v) / dot(v, v);
     hit.before = along > 0;
     return hit;
+}
+
+void surface_set3(Surface *surface, Group group, const double lanes[3])
+{
+    memcpy(&surface->root[channel_id(group, 0)], lanes, 3 * sizeof *lanes);
+}
+
+Surface space_surface(const Space *space, const Hit *hit, bool mesh)
+{
+    const double uv[3] = {hit->u, hit->v, 0}, local[3] = {2 * hit->u - 1, 2 * hit->v - 1, 0};
+    Surface s = {.front = hit->slope < 0};
+    s.root[channel_id(GROUP_IOR, 0)] = 1;
+    surface_set3(&s, GROUP_P, hit->position);
+    surface_set3(&s, GROUP_N, hit->normal);
+    for (int i = 0; i < 3; i++) {
+        s.root[channel_id(GROUP_DU, i)] = space->plane[1][i];
+        s.root[channel_id(GROUP_DV, i)] = space->plane[2][i];
+    }
+    surface_set3(&s, GROUP_U, uv);
+    surface_set3(&s, GROUP_X, mesh ? local : uv);
+    return s;
+}
+
+double space_depth(const Space *space, const double position[3])
+{
+    double clip[4];
+    Mat4 clip_from_world = space_clip_from_world(space);
+    space_transform(&clip_from_world, position, 1, clip);
+    return fmin(fmax(clip[2] / clip[3] / 2 + 0.5, 0), 1);
 }
 
 static bool fail(Scene *scene, const char *first, const char *second)

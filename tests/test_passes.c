@@ -1,0 +1,444 @@
+/* Every pass, drawn with matc's own vertex program as an engine would: planes, skies, shadows, surfaces, and what is read
+ * back of a G-buffer. What is to be seen is computed here from the camera, and by the C reference. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/value/half.h"
+#include "tests/value/scene.h"
+#include "tests/value/stage.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { SIDE = STAGE_SIDE, PIXELS = STAGE_PIXELS };
+
+#define STAGE ((Stage *)*state)
+
+static int set_up(void **state)
+{
+    Stage *stage = stage_new(true);
+    *state = stage;
+    if (*stage->error)
+        print_error("%s\n", stage->error);
+    return *stage->error != 0;
+}
+
+static int tear_down(void **state)
+{
+    stage_free(*state);
+    return 0;
+}
+
+static Scene open(Stage *stage, const char *text, const SceneOptions *options)
+{
+    Scene scene;
+    if (!scene_open(&scene, stage->gl, text, options))
+        fail_msg("%s", scene.error);
+    return scene;
+}
+
+static void draw(Stage *stage, const Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
+{
+    if (!stage_draw(stage, scene, space, mesh, target))
+        fail_msg("%s", stage->gl->error);
+}
+
+static void unpack(Stage *stage, const Scene *scene, const Framebuffer *source)
+{
+    if (!stage_unpack(stage, scene, source))
+        fail_msg("%s", stage->gl->error);
+}
+
+static SlotValues values_at(const Scene *scene, const Surface *surface)
+{
+    SlotValues values;
+    if (!scene_values(scene, surface, &values))
+        fail_msg("no values");
+    return values;
+}
+
+static double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; } /* of a pixel, in clip space */
+
+static double note(double error, double *worst)
+{
+    *worst = fmax(*worst, error);
+    return error;
+}
+
+/* Greatest difference of three lanes. */
+static double apart(const float *drawn, const double *want)
+{
+    return fmax(fabs(drawn[0] - want[0]), fmax(fabs(drawn[1] - want[1]), fabs(drawn[2] - want[2])));
+}
+
+/* A Checker of x may be either way. */
+static bool at_border(double x, double reach) { return fabs(2 * x - round(2 * x)) < 2 * reach; }
+
+/* A plane, as one without end or as a mesh of which u and v are from 0 to 1. */
+typedef struct {
+    Stage *stage;
+    const Scene *scene;
+    Space space;
+    bool mesh;
+} View;
+
+/* Greatest errors, and how many pixels they are of. */
+typedef struct {
+    double slots, normal, depth;
+    int shown, hidden;
+} Errors;
+
+/* Errors of the ray grow with the distance and as the plane is seen from aside. */
+static void compare_hit(const View *view, int i, const Hit *hit, Errors *errors)
+{
+    const Stage *s = view->stage;
+    Surface surface = space_surface(&view->space, hit, view->mesh);
+    SlotValues want = values_at(view->scene, &surface);
+    double eye[4], size = fmax(1, fmax(fabs(hit->u), fabs(hit->v))) / fabs(hit->slope);
+    space_transform(&view->space.eye_from_world, want.lane[SLOT_normal], 0, eye);
+    bool border = at_border(hit->u, 1e-6 * size) || at_border(hit->v, 1e-6 * size);
+    bool fine = note(apart(s->slot[READ_specular][i], want.lane[SLOT_specular]) / size, &errors->slots) < 4e-7;
+    fine &= note(apart(s->slot[READ_transparency][i], want.lane[SLOT_transparency]) / size, &errors->slots) < 4e-7;
+    fine &= note(apart(s->slot[READ_normal][i], eye), &errors->normal) < 2e-6;
+    fine &= note(fabs(s->z[i] - space_depth(&view->space, hit->position)), &errors->depth) < 1e-5;
+    fine &= border || apart(s->slot[READ_diffuse][i], want.lane[SLOT_diffuse]) == 0;
+    if (!fine)
+        fail_msg("pixel %d, %d, u %.7g, v %.7g, slope %.3g: specular %.9g, not %.9g; transparency %.9g, not %.9g; "
+                 "diffuse %.3g, not %.3g; depth %.9g, not %.9g; normal off by %.2g",
+                 i % SIDE, i / SIDE, hit->u, hit->v, hit->slope, s->slot[READ_specular][i][0],
+                 want.lane[SLOT_specular][0], s->slot[READ_transparency][i][0], want.lane[SLOT_transparency][0],
+                 s->slot[READ_diffuse][i][0], want.lane[SLOT_diffuse][0], s->z[i],
+                 space_depth(&view->space, hit->position), apart(s->slot[READ_normal][i], eye));
+}
+
+static double beyond(const Hit *hit) { return fmax(fabs(hit->u - 0.5), fabs(hit->v - 0.5)) - 0.5; }
+
+/* Draws the G-buffer in floats and looks at every pixel that does not lie on the horizon or the rim. */
+static void compare_plane(const View *view)
+{
+    Errors errors = {0};
+    Stage *s = view->stage;
+    draw(s, view->scene, &view->space, view->mesh ? &s->plane : NULL, &s->full);
+    unpack(s, view->scene, &s->full);
+    for (int i = 0; i < PIXELS; i++) {
+        Hit hit = space_meet(&view->space, middle(i % SIDE), middle(i / SIDE));
+        bool shown = hit.before && (!view->mesh || beyond(&hit) < 0);
+        if (fabs(hit.slope) < 1e-4 || (view->mesh && fabs(beyond(&hit)) < 1e-3))
+            continue;
+        if (shown != (s->color[1][i][0] != stage_cleared) || shown != (s->z[i] != stage_cleared_depth))
+            fail_msg("pixel %d, %d: shown %d, but %g, %g", i % SIDE, i / SIDE, shown, s->color[1][i][0], s->z[i]);
+        errors.shown += shown;
+        errors.hidden += !shown;
+        if (shown && fabs(hit.slope) > 0.02)
+            compare_hit(view, i, &hit, &errors);
+    }
+    print_message("%d pixels of it, %d of nothing: slots within %.1e, normal %.1e, depth %.1e\n", errors.shown,
+                  errors.hidden, errors.slots, errors.normal, errors.depth);
+    assert_true(errors.shown > PIXELS / 4 && errors.hidden > PIXELS / 20);
+}
+
+/* Texture coordinate, local position and world position show; so do the sides, where it is not `front_text`. */
+#define LOOKS(color)                                                                                                   \
+    "diffuse: { map: Checker, color1: [0.25, 0.5, 0.75], color2: " color " },\n"                                       \
+    "specular: { map: Gradient, direction: [0.11, -0.07, 0.05] },\n"                                                   \
+    "transparency: { map: Gradient, direction: [0.06, 0.09, -0.13], input: { map: XYZTransform, useGlobal: true } }"
+static const char plain_text[] = "{ material: Phong, " LOOKS("[1, 0.125, 0]") " }";
+static const char sides_text[] = "{ material: SideSwitch, frontShader: { material: Phong, " LOOKS(
+    "[1, 0.125, 0]") " },\n"
+                     "  backShader: { material: Phong, " LOOKS("[0, 0.5, 0.0625]") " } }";
+
+static void a_plane_is_met(void **state)
+{
+    static const float eyes[][3] = {{3, -4, 1.6f}, {-2, 3, 3}, {1, 5, -2}};
+    static const float plane[][3] = {{0.3f, -0.2f, -0.5f}, {1.1f, 0.4f, 0.1f}, {-0.28f, 0.77f, 0}};
+    Scene scene = open(*state, sides_text, &(SceneOptions){.pass = "plane"});
+    for (int i = 0; i < 6; i++) {
+        const float *eye = eyes[i / 2], target[3] = {0, 0.1f, 0.6f * eye[2]};
+        View view = {*state, &scene, space_camera(eye, target, 0.6f), false};
+        space_change_depth(&view.space, (SpaceDepth)(i % 3));
+        for (int k = 0; k < 3; k++) /* from both sides */
+            memcpy(view.space.plane[k], plane[i % 2 ? (3 - k) % 3 : k], sizeof plane[k]);
+        compare_plane(&view);
+    }
+    scene_close(&scene, STAGE->gl);
+}
+
+/* Turned, scaled by three numbers, moved. */
+static Mat4 placed(void)
+{
+    Mat4 turn = mat4_look_at((float[3]){0.2f, 0.1f, -0.15f}, (float[3]){0.6f, 0.3f, -0.75f}, (float[3]){0, 1, 0.3f});
+    const Mat4 scale = {{1.3f, 0, 0, 0, 0, 0.8f, 0, 0, 0, 0, 2.1f, 0, 0, 0, 0, 1}};
+    return mat4_multiply(&turn, &scale);
+}
+
+/* A mesh stands where the same plane would be met: turned, scaled by three numbers, moved; from both sides. */
+static void a_surface_stands_in_the_world(void **state)
+{
+    static const float eyes[][3] = {{2.5f, -2, 2}, {-2, 1.5f, -2.5f}};
+    Scene scene = open(*state, sides_text, &(SceneOptions){0});
+    for (int i = 0; i < 2; i++) {
+        View view = {*state, &scene, space_camera(eyes[i], (float[3]){0.1f, 0, 0}, 0.5f), true};
+        view.space.world_from_local = placed();
+        for (int k = 0; k < 3; k++) {
+            double result[4], corner[3] = {k ? 2 * (k == 1) : -1, k ? 2 * (k == 2) : -1, 0};
+            space_transform(&view.space.world_from_local, corner, k == 0, result);
+            for (int lane = 0; lane < 3; lane++)
+                view.space.plane[k][lane] = (float)result[lane];
+        }
+        compare_plane(&view);
+    }
+    scene_close(&scene, STAGE->gl);
+}
+
+/* One slot of all points, each a fragment of its own: nothing is interpolated. */
+static void compare_points(Stage *stage, const Space *space, const Points *points, GLuint array, const char *text,
+                           const SceneOptions *options, Slot slot)
+{
+    Scene scene = open(stage, text, options);
+    double worst = 0;
+    bool eye = !options->slot;
+    assert_true(stage_begin(stage, &stage->full));
+    scene_use(&scene, stage->gl, space);
+    stage->gl->BindVertexArray(array);
+    stage->gl->DrawArrays(GL_POINTS, 0, POINTS);
+    assert_true(stage_finish(stage, &stage->full));
+    if (eye)
+        unpack(stage, &scene, &stage->full);
+    for (int i = 0; i < POINTS; i++) {
+        SlotValues values = values_at(&scene, &points->surface[i]);
+        double *want = values.lane[slot], turned[4];
+        if (eye)
+            space_transform(&space->eye_from_world, want, 0, turned);
+        want = eye ? turned : want;
+        const float *drawn = (eye ? stage->slot[READ_normal] : stage->color[0])[points->pixel[i]];
+        if (!(note(apart(drawn, want), &worst) < 1e-5))
+            fail_msg("%s: %s: (%.9g, %.9g, %.9g), not (%.9g, %.9g, %.9g)", options->target, slot_table[slot].name,
+                     drawn[0], drawn[1], drawn[2], want[0], want[1], want[2]);
+    }
+    print_message("%s, %s: within %.1e\n", options->target, eye ? "normal of the eye" : slot_table[slot].name, worst);
+    scene_close(&scene, stage->gl);
+}
+/* The waves' normal is made of normal, tangents and texture coordinate. */
+static const char frame_text[] = "material: Phong\n"
+                                 "diffuse: { map: Gradient, direction: [0.5, -0.3, 0.7] }\n"
+                                 "specular:\n"
+                                 "  map: Gradient\n"
+                                 "  direction: [0.3, 0.7, -0.4]\n"
+                                 "  input: { map: XYZTransform, useGlobal: true }\n"
+                                 "input: { map: WaveMap, amplitude: 0.1, uCount: 0.5, vCount: 0.3 }\n";
+
+static void every_attribute_arrives(void **state)
+{
+    static const char *const targets[] = {"glsl330", "essl300", "glsl110"};
+    static Points points;
+    Stage *old = stage_new(false);
+    assert_string_equal(old->error, "");
+    Space space = space_camera((float[3]){2.5f, -2, 2}, (float[3]){0.1f, 0, 0}, 0.5f);
+    space.world_from_local = placed();
+    for (int i = 0; i < POINTS; i++) {
+        make_vertex(&space, i, &points);
+        put_surface(&space, i, &points);
+    }
+    for (int i = 0; i < 3; i++) {
+        GLuint names[2];
+        Stage *stage = i == 2 ? old : STAGE;
+        assert_true(gl_use(stage->gl));
+        upload(stage->gl, &points, names);
+        SceneOptions options = {.pass = "value", .target = targets[i]};
+        const Slot slots[] = {SLOT_diffuse, SLOT_specular, SLOT_normal};
+        for (int k = 0; k < 3; k++) {
+            options.slot = slot_table[slots[k]].name;
+            compare_points(stage, &space, &points, names[0], frame_text, &options, slots[k]);
+        }
+        compare_points(stage, &space, &points, names[0], plain_text, &options, SLOT_normal);
+        if (i == 0)
+            compare_points(stage, &space, &points, names[0], plain_text, &(SceneOptions){.target = "glsl330"},
+                           SLOT_normal);
+        stage->gl->DeleteVertexArrays(1, &names[0]);
+        stage->gl->DeleteBuffers(1, &names[1]);
+    }
+    stage_free(old);
+    assert_true(gl_use(STAGE->gl));
+}
+
+/* Greatest error of a sky in one direction, where a Checker of 6 u and 5 v is not near a border. */
+static void compare_sky(Stage *stage, const Scene *scene, const Space *space, double bound, double *worst)
+{
+    draw(stage, scene, space, NULL, &stage->full);
+    for (int i = 0; i < PIXELS; i++) {
+        Surface s;
+        Hit hit = space_meet(space, middle(i % SIDE), middle(i / SIDE));
+        const double *ray = hit.ray;
+        double u = atan2(ray[1], -ray[0]) / (2 * M_PI) + 0.5, v = acos(-ray[2]) / M_PI;
+        oracle_surface_default(&s);
+        surface_set3(&s, GROUP_P, ray);
+        surface_set3(&s, GROUP_X, ray);
+        surface_set3(&s, GROUP_N, (double[3]){-ray[0], -ray[1], -ray[2]});
+        surface_set3(&s, GROUP_U, (double[3]){u, v, 0});
+        if (at_border(6 * u, 6e-5) || at_border(5 * v, 5 * 4e-4) || fabs(ray[2]) < 1e-5)
+            continue;
+        SlotValues values = values_at(scene, &s);
+        double want[3];
+        for (int lane = 0; lane < 3; lane++)
+            want[lane] = values.lane[SLOT_diffuse][lane] + values.lane[SLOT_emissive][lane];
+        const float *drawn = stage->color[0][i];
+        if (!(note(apart(drawn, want) / fmax(1, want[1]), worst) < bound) || drawn[3] != 1)
+            fail_msg("ray (%.7g, %.7g, %.7g): (%.7g, %.7g, %.7g; %g), not (%.7g, %.7g, %.7g)", ray[0], ray[1], ray[2],
+                     drawn[0], drawn[1], drawn[2], drawn[3], want[0], want[1], want[2]);
+    }
+}
+
+static void a_sky_is_all_around(void **state)
+{
+    static const char checker[] =
+        "material: Phong\n"
+        "diffuse:\n"
+        "  map: Checker\n"
+        "  color1: { map: Gradient, direction: [0.5, 0.3, -0.4] }\n"
+        "  color2: [3, 2, 1]\n"
+        "  input: { map: UVTransform, scaleU: 6, scaleV: 5 }\n"
+        "emissive: { map: Gradient, direction: [0.2, 0.4, 1], input: { map: XYZTransform, useGlobal: true } }\n";
+    static const char *const texts[] = {checker, SOURCE_FOLDER "/examples/materials/sunSky.yaml"};
+    static const float ways[][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    const float eye[3] = {3, -2, 1};
+    for (int k = 0; k < 2; k++) {
+        double worst = 0;
+        Scene scene = open(*state, texts[k], &(SceneOptions){.pass = "sky"});
+        for (int i = 0; i < 6; i++) {
+            const float target[3] = {eye[0] + ways[i][0], eye[1] + ways[i][1], eye[2] + ways[i][2]};
+            Space space = space_camera(eye, target, 1);
+            space_change_depth(&space, (SpaceDepth)(i % 3));
+            compare_sky(*state, &scene, &space, k ? 2e-5 : 2e-6, &worst);
+        }
+        print_message("%s: within %.1e\n", k ? "SunSkyLight" : "Checker", worst);
+        scene_close(&scene, STAGE->gl);
+    }
+}
+
+/* A tilted plane, 8 pixels a square: no pixel's middle lies on a border. */
+static void compare_shadow(Stage *stage, const char *text, const char *pass)
+{
+    Scene scene = open(stage, text, &(SceneOptions){.pass = pass});
+    const char *fragment = matc_output(scene.program, MATC_FRAGMENT, NULL);
+    bool lets_light = !strcmp(pass, "shadow") && strstr(text, "transparency"), discards = strstr(fragment, "discard");
+    Space space = space_flat();
+    space.world_from_local.m[2] = 0.3f;
+    draw(stage, &scene, &space, &stage->plane, &stage->depth);
+    assert_int_equal(discards, lets_light);
+    if (!lets_light &&
+        (strstr(fragment, "\nin ") || !strstr(matc_output(scene.program, MATC_REFLECT, NULL), "\"inputs\": []")))
+        fail_msg("%s reads something:\n%s", pass, fragment);
+    for (int i = 0; i < PIXELS; i++) {
+        Surface s;
+        double x = middle(i % SIDE), y = middle(i / SIDE);
+        oracle_surface_default(&s);
+        surface_set3(&s, GROUP_U, (double[3]){(x + 1) / 2, (y + 1) / 2, 0});
+        SlotValues values = values_at(&scene, &s);
+        const double *t = values.lane[SLOT_transparency];
+        bool hidden = lets_light && (t[0] + t[1] + t[2]) / 3 > 0.5;
+        if (fabs(stage->z[i] - (hidden ? stage_cleared_depth : 0.5 + 0.15 * x)) > 1e-6)
+            fail_msg("%s, pixel %d, %d: transparency %g, depth %g", pass, i % SIDE, i / SIDE, t[0], stage->z[i]);
+    }
+    scene_close(&scene, stage->gl);
+}
+
+static void only_what_is_transparent_is_discarded(void **state)
+{
+#define SQUARES(one, other)                                                                                            \
+    "{ map: Checker, color1: " one ", color2: " other ", input: { map: UVTransform, scaleU: 4, scaleV: 4 } }"
+    static const char *const texts[] = {
+        "{ material: Phong, transparency: " SQUARES("1", "0") " }",
+        "{ material: Phong, transparency: " SQUARES("[1, 1, 0]", "[1, 0.4, 0]") " }",
+        "{ material: Phong, diffuse: " SQUARES("\"#ffffff60\"", "\"#ffffffa0\"") ", transparency: 0 }",
+        "{ material: Phong, diffuse: " SQUARES("1", "0") " }",
+        "{ material: Phong }",
+        "{ material: RGBA, r: 1 }",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        compare_shadow(*state, texts[i], "shadow");
+        compare_shadow(*state, texts[i], "depth");
+    }
+}
+
+enum { EXACT, PAIR }; /* to a half float; to a pair's seven bits */
+
+static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, int read, int lane, int how)
+{
+    const int pixel = (SIDE + 1) * SIDE / 2;
+    int from = slot == SLOT_shininess || slot == SLOT_transparencyShininess ? 0 : lane;
+    double value = values->lane[slot][from], greatest = how == PAIR ? 1 : 65504, least = how == PAIR ? 0 : -greatest;
+    double want = fmin(fmax(value, least), greatest), got = s->slot[read][pixel][lane];
+    double bound = how == PAIR ? 1 / 127.5 + 1e-6 : half_step(want) + 3e-6 * fabs(want);
+    if (!(fabs(got - want) <= bound))
+        fail_msg("%s: %.9g comes back as %.9g", slot_table[slot].name, value, got);
+}
+
+static void compare_round_trip(Stage *stage, const Scene *scene, const float direction[3], double *worst)
+{
+    const int pixel = (SIDE + 1) * SIDE / 2;
+    Space space = space_flat();
+    space.world_from_local = mat4_look_at((float[3]){0, 0, 0}, direction, (float[3]){0.3f, 1, 0.2f});
+    draw(stage, scene, &space, &stage->plane, &stage->half);
+    unpack(stage, scene, &stage->half);
+    Surface s;
+    oracle_surface_default(&s);
+    const float *normal = &space.world_from_local.m[8];
+    surface_set3(&s, GROUP_N, (double[3]){normal[0], normal[1], normal[2]});
+    s.front = normal[2] > 0;
+    SlotValues values = values_at(scene, &s);
+    const float *n = stage->slot[READ_normal][pixel];
+    const double *want = values.lane[SLOT_normal];
+    double chord = sqrt(pow(n[0] - want[0], 2) + pow(n[1] - want[1], 2) + pow(n[2] - want[2], 2));
+    if (!(note(2 * asin(chord / 2) * 180 / M_PI, worst) < 0.22))
+        fail_msg("normal (%g, %g, %g) comes back as (%g, %g, %g)", want[0], want[1], want[2], n[0], n[1], n[2]);
+    compare_slot(stage, &values, SLOT_shininess, READ_normal, 3, EXACT);
+    compare_slot(stage, &values, SLOT_transparencyShininess, READ_diffuse, 3, EXACT);
+    for (int lane = 0; lane < 3; lane++) {
+        compare_slot(stage, &values, SLOT_diffuse, READ_diffuse, lane, EXACT);
+        compare_slot(stage, &values, SLOT_specular, READ_specular, lane, EXACT);
+        compare_slot(stage, &values, SLOT_transparency, READ_transparency, lane, EXACT);
+        compare_slot(stage, &values, SLOT_emissive, READ_emissive, lane, PAIR);
+        compare_slot(stage, &values, SLOT_diffuseTransparency, READ_diffuseTransparency, lane, PAIR);
+    }
+}
+
+static void a_surface_comes_back(void **state)
+{
+    static const char *const texts[] = {
+        "{ material: Phong, diffuse: [0.1, 0.7, 0.33], specular: [0.9, 0.21, 0.05], transparency: [0.3, 0.6, 0.01],\n"
+        "  emissive: [0.2, 0.77, 0.999], diffuseTransparency: [0.45, 0.123, 0.6], shininess: 0.83,\n"
+        "  transparencyShininess: 0.4 }",
+        "{ material: Phong, diffuse: [-3.3, 1.0e+6, 1.0e-5], specular: [7.77, -1.0e+9, 0], transparency: [2, -1, 1],\n"
+        "  emissive: [5, -1, 1], diffuseTransparency: [0, 1, 1.5], shininess: 1, transparencyShininess: 0 }",
+    };
+    for (int k = 0; k < 2; k++) {
+        double worst = 0;
+        Scene scene = open(*state, texts[k], &(SceneOptions){0});
+        for (int i = 0; i < 40; i++) {
+            float direction[3] = {spread(3 * i), spread(3 * i + 1), spread(3 * i + 2)};
+            if (fabsf(direction[2]) > 0.4f)
+                compare_round_trip(*state, &scene, direction, &worst);
+        }
+        print_message("normals come back within %.3f degrees\n", worst);
+        scene_close(&scene, STAGE->gl);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_plane_is_met),
+        cmocka_unit_test(a_surface_stands_in_the_world),
+        cmocka_unit_test(every_attribute_arrives),
+        cmocka_unit_test(a_sky_is_all_around),
+        cmocka_unit_test(only_what_is_transparent_is_discarded),
+        cmocka_unit_test(a_surface_comes_back),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
