@@ -22,6 +22,11 @@ void *diag_add(Compile *c, Span span, DiagKind kind, ...)
     va_start(args, kind);
     text_format_list(&message, diag_table[kind].format, args);
     va_end(args);
+    for (size_t i = 0; i < c->diags.count; i++) { /* what is asked for several slots is said once */
+        const Diag *said = &c->diags.at[i];
+        if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) && !strcmp(said->message, message.at))
+            return NULL;
+    }
     Diag diag = {kind, diag_table[kind].severity, span, message.at};
     ARENA_PUSH(c->arena, c->diags.at, c->diags.count, c->diags.room, diag);
     c->diags.errors += diag.severity == SEVERITY_error;

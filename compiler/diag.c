@@ -31,6 +31,20 @@ Place source_place(const Source *source, uint32_t offset)
     return place;
 }
 
+/* Text of the document as a terminal may have it: control characters and what is not UTF-8 become question marks. */
+static void put_clean(Text *out, const char *text, size_t size)
+{
+    for (size_t i = 0; i < size;) {
+        int length = utf8_length((const unsigned char *)text + i, (const unsigned char *)text + size);
+        bool control = length == 1 && ((unsigned char)text[i] < 0x20 || text[i] == 0x7F) && text[i] != '\t' && text[i] != '\n';
+        if (!length || control)
+            text_char(out, '?');
+        else
+            text_add(out, text + i, (size_t)length);
+        i += length ? (size_t)length : 1;
+    }
+}
+
 static bool continues_character(char c) { return ((unsigned char)c & 0xC0) == 0x80; }
 
 /* The line under the source line: a caret at the span's start, tildes to its end, in display columns. */
@@ -55,11 +69,14 @@ void diag_print(Text *out, const Diag *diag, const Source *sources)
     }
     const Source *source = &sources[diag->span.file];
     Place place = source_place(source, diag->span.start);
-    text_format(out, "%s:%d:%d: %s: %s\n", source->name, place.line, place.column, severity_name[diag->severity],
-                diag->message);
+    text_format(out, "%s:%d:%d: %s: ", source->name, place.line, place.column, severity_name[diag->severity]);
+    put_clean(out, diag->message, strlen(diag->message));
+    text_char(out, '\n');
     if (!source->size || place.line_length > LONGEST_LINE)
         return;
-    text_format(out, "%5d | %.*s\n", place.line, place.line_length, place.line_start);
+    text_format(out, "%5d | ", place.line);
+    put_clean(out, place.line_start, (size_t)place.line_length);
+    text_char(out, '\n');
     put_caret(out, &place, diag->span.end - diag->span.start);
 }
 

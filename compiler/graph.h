@@ -33,6 +33,7 @@ typedef struct {
     const char *path; /* as written, joined to the document's folder */
     int width, height;
     const uint8_t *bytes; /* RGBA, row 0 is the bottom row */
+    bool opaque;          /* the file has no alpha: it is 1 everywhere */
     int index;            /* in the document's list of images */
 } Image;
 

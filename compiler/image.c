@@ -10,6 +10,7 @@ static const char *decode(Compile *c, const char *file, size_t size, Image *imag
     if (!png_image_begin_read_from_memory(&png, file, size))
         return arena_string(c->arena, png.message, strlen(png.message));
     const char *why = NULL;
+    image->opaque = !(png.format & PNG_FORMAT_FLAG_ALPHA);
     png.format = PNG_FORMAT_RGBA;
     png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB; /* 16-bit files keep their numbers: no gamma conversion */
     image->width = (int)png.width;

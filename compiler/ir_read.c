@@ -110,7 +110,7 @@ static Ref read_const(Scanner *s, Type type)
     double lanes[4] = {0};
     char text[LIMIT_NAME];
     for (int i = 0; i < type_table[type].lanes; i++)
-        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &lanes[i])) {
+        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &lanes[i]) || lanes[i] - lanes[i] != 0) {
             fail(s, "a constant lacks a number");
             return 0;
         }

@@ -55,16 +55,17 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     return mul(l, sum, number(l, 1.0 / 27));
 }
 
+/* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
 Ref lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     int function = make_function(l, param_node(node, P_Laplace3D_input), group, env);
-    Ref size = filter_size(l, node), around = 0;
-    for (int axis = 0; axis < 3; axis++)
-        for (int side = -1; side <= 1; side += 2) {
-            Ref value =
-                at_neighbour(l, function, env, size, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
-            around = around ? add(l, around, value) : value;
-        }
-    Ref centre = at_neighbour(l, function, env, size, 0, 0, 0);
-    return sub(l, mul(l, centre, number(l, 0.5)), mul(l, around, number(l, 1.0 / 12)));
+    Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, 0, 0, 0), sum = 0;
+    for (int n = 0; n < 6; n++) {
+        int axis = n / 2, side = n % 2 * 2 - 1;
+        Ref neighbour =
+            at_neighbour(l, function, env, size, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+        Ref difference = sub(l, centre, neighbour);
+        sum = n ? add(l, sum, difference) : difference;
+    }
+    return mul(l, sum, number(l, 1.0 / 12));
 }

@@ -138,8 +138,11 @@ Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
     const Image *picture = image->image;
     IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
-    return sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
+    Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
                         1.0 / picture->width, 1.0 / picture->height);
+    if (group == GROUP_R && picture->opaque)
+        return ir_vec(l->ir, TYPE_vec4, (Ref[]){ir_swizzle(l->ir, value, "xyz"), number(l, 1)}, 2);
+    return value;
 }
 
 Ref lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)

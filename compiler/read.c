@@ -21,23 +21,6 @@ typedef struct {
     int nodes;
 } Reader;
 
-/* Length of the UTF-8 sequence at `at`, 0 if it is none: overlong forms, surrogates and numbers past U+10FFFF are none. */
-static int utf8_length(const unsigned char *at, const unsigned char *end)
-{
-    if (at[0] < 0x80)
-        return 1;
-    int length = at[0] >= 0xF0 ? 4 : at[0] >= 0xE0 ? 3 : 2;
-    if (at[0] < 0xC2 || at[0] > 0xF4 || end - at < length)
-        return 0;
-    for (int i = 1; i < length; i++)
-        if ((at[i] & 0xC0) != 0x80)
-            return 0;
-    if ((at[0] == 0xE0 && at[1] < 0xA0) || (at[0] == 0xED && at[1] > 0x9F) || (at[0] == 0xF0 && at[1] < 0x90) ||
-        (at[0] == 0xF4 && at[1] > 0x8F))
-        return 0;
-    return length;
-}
-
 /* libyaml counts characters, a Span bytes. Fills the table between them; false where the text is not UTF-8. */
 static bool map_characters(Reader *r, const Source *source)
 {

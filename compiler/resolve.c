@@ -100,7 +100,7 @@ static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const V
 static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
     const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    if (*number == trunc(*number) && fabs(*number) < 2147483648.0)
+    if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* an int of GLSL */
         return true;
     diag_add(r->c, tree->span, DIAG_not_whole, row->name, tree_describe(r->c, tree));
     return false;
@@ -157,14 +157,16 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
     Item *item = ARENA_ARRAY(r->c->arena, Item, tree->count);
     Items *items = ARENA_NEW(r->c->arena, Items);
     *items = (Items){(int)tree->count, item};
-    bool fine = true, ordered = true;
+    bool fine = true;
+    const Item *descends = NULL;
     for (uint32_t i = 0; i < tree->count; i++) {
         fine &= resolve_item(r, tree->items[i], &item[i]);
         if (fine && i && item[i].value.kind == VALUE_number && item[i - 1].value.kind == VALUE_number)
-            ordered &= item[i].value.number[0] >= item[i - 1].value.number[0];
+            if (!descends && item[i].value.number[0] < item[i - 1].value.number[0])
+                descends = &item[i];
     }
-    if (!ordered)
-        diag_add(r->c, tree->span, DIAG_unordered_items);
+    if (descends)
+        diag_add(r->c, descends->span, DIAG_unordered_items);
     *value = (Value){.kind = VALUE_items, .items = items};
     return fine;
 }

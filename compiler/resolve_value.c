@@ -136,8 +136,12 @@ static bool param(Resolver *r, const char *what, Tree *tree, int least, int most
             return false;
         }
     }
-    if (name->kind != TREE_scalar || !is_identifier(name->text) || name_is_reserved(name->text)) {
-        diag_add(r->c, name->span, DIAG_param_reserved, name->kind == TREE_scalar ? name->text : "this");
+    if (name->kind != TREE_scalar || !is_identifier(name->text)) {
+        diag_add(r->c, name->span, DIAG_param_name, tree_describe(r->c, name));
+        return false;
+    }
+    if (name_is_reserved(name->text)) {
+        diag_add(r->c, name->span, DIAG_param_reserved, name->text);
         return false;
     }
     if (!initial) {
@@ -249,7 +253,11 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
 
 static bool matrix(Resolver *r, const Tree *tree, Transform *transform)
 {
-    if (tree->kind != TREE_list || tree->count != 16) {
+    if (tree->kind == TREE_list && tree->count != 16) {
+        diag_add(r->c, tree->span, DIAG_wrong_count, "matrix", "16 numbers, by rows", (int)tree->count);
+        return false;
+    }
+    if (tree->kind != TREE_list) {
         diag_add(r->c, tree->span, DIAG_wrong_type, "matrix", "a list of 16 numbers, by rows",
                  tree_describe(r->c, tree));
         return false;
@@ -307,12 +315,13 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
                 fine = false;
             }
         } else {
-            /* a lone number is meant for scale only */
-            int least = key == 2 && member->value->kind != TREE_list ? 1 : 3;
-            fine &= resolve_number(r, member->key, member->value, least, least == 1 ? 1 : 3, parts[key]);
+            /* a lone number is meant for scale only; a param may have one lane or three */
+            bool list = member->value->kind == TREE_list, one = key == 2 && !list;
+            bool param = member->value->kind == TREE_object;
+            fine &= resolve_number(r, member->key, member->value, one ? 1 : 3, one && !param ? 1 : 3, parts[key]);
             transform->kind = tree->count > 1          ? TRANSFORM_components
                               : key == 0               ? TRANSFORM_translation
-                              : key == 2 && least == 1 ? TRANSFORM_scale
+                              : key == 2 && one ? TRANSFORM_scale
                                                        : TRANSFORM_components;
         }
     }

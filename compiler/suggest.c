@@ -31,7 +31,7 @@ static int distance(const char *a, const char *b)
 const char *suggest(Compile *c, const char *name, const char *(*names)(const void *, int), const void *user, int count)
 {
     const char *best = NULL;
-    int best_distance = (int)strlen(name) / 3 + 1;
+    int size = (int)strlen(name), best_distance = size < 5 ? 1 : size / 3 + 1;
     for (int i = 0; i < count; i++) {
         const char *candidate = names(user, i);
         int d = candidate ? distance(name, candidate) : LONGEST;

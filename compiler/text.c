@@ -155,5 +155,21 @@ bool text_number(const char *string, size_t size, double *value)
     memcpy(copy, string, size);
     copy[size] = 0;
     *value = strtod(copy, &end);
-    return *end == 0 && end != copy && isfinite(*value);
+    return *end == 0 && end != copy;
+}
+
+int utf8_length(const unsigned char *at, const unsigned char *end)
+{
+    if (at[0] < 0x80)
+        return 1;
+    int length = at[0] >= 0xF0 ? 4 : at[0] >= 0xE0 ? 3 : 2;
+    if (at[0] < 0xC2 || at[0] > 0xF4 || end - at < length)
+        return 0;
+    for (int i = 1; i < length; i++)
+        if ((at[i] & 0xC0) != 0x80)
+            return 0;
+    if ((at[0] == 0xE0 && at[1] < 0xA0) || (at[0] == 0xED && at[1] > 0x9F) || (at[0] == 0xF0 && at[1] < 0x90) ||
+        (at[0] == 0xF4 && at[1] > 0x8F))
+        return 0;
+    return length;
 }

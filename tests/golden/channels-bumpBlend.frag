@@ -64,20 +64,20 @@ void main() {
     // UVTransform
     vec2 uvTransform_1 = uv * vec2(6.0, 3.0);
     // ImageMap
-    vec4 image = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
-    vec2 image_1 = fract(uvTransform_1);
+    vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
+    vec2 image_2 = fract(uvTransform_1);
     // Blend
     bool blend_1 = localPosition.x < 1.0;
     bool blend_2 = localPosition.x < -1.0;
     float blend_3 = (localPosition.x + 1.0) * 0.5;
     // BumpMap
-    float bumpMap_2 = (imageBilinear(imageTexture0, image_1 + vec2(0.015625, 0.0), vec2(64.0)).x - image.x) * 64.0;
-    float bumpMap_3 = (imageBilinear(imageTexture0, image_1 + vec2(0.0, 0.015625), vec2(64.0)).x - image.x) * 64.0;
+    float bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0;
+    float bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0;
     vec3 bumpMap = cross((blend_1 ? (blend_2 ? 0.0 : mix(0.0, bumpMap_2, blend_3)) : bumpMap_2) * bumpMap_1 * worldNormal + worldTangentU, (blend_1 ? (blend_2 ? 0.0 : mix(0.0, bumpMap_3, blend_3)) : bumpMap_3) * bumpMap_1 * worldNormal + worldTangentV);
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
-    fragment1 = vec4(image.xyz, 1.0);
+    fragment1 = vec4(image_1.xyz, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
-    fragment3 = vec4(vec3(1.0) - image.www, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }

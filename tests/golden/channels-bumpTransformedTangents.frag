@@ -66,15 +66,15 @@ void main() {
     // UVTransform
     vec2 uvTransform_1 = mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uv;
     // ImageMap
-    vec4 image = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
-    vec2 image_1 = fract(uvTransform_1);
+    vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
+    vec2 image_2 = fract(uvTransform_1);
     // BumpMap
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_1 + vec2(0.015625, 0.0), vec2(64.0)).x - image.x) * 64.0 * bumpMap_1 * worldNormal + uvTransform;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_1 + vec2(0.0, 0.015625), vec2(64.0)).x - image.x) * 64.0 * bumpMap_1 * worldNormal + uvTransform2;
+    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * bumpMap_1 * worldNormal + uvTransform;
+    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * bumpMap_1 * worldNormal + uvTransform2;
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
-    fragment1 = vec4(image.xyz, 1.0);
+    fragment1 = vec4(image_1.xyz, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
-    fragment3 = vec4(vec3(1.0) - image.www, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }

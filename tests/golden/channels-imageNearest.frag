@@ -45,8 +45,8 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // ImageMap
-    vec4 image = imageNearest(imageTexture0, uv * vec2(6.0, 3.0), vec2(64.0));
-    fragment1 = vec4(image.xyz, 1.0);
+    vec4 image = vec4(imageNearest(imageTexture0, uv * vec2(6.0, 3.0), vec2(64.0)).xyz, 1.0);
+    fragment1 = image;
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
-    fragment3 = vec4(vec3(1.0) - image.www, 1.0);
+    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -115,10 +115,12 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Blend
-    float blend_1 = laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x + laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x;
-    float blend_2 = blend_1 + laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x + laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x + laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x;
-    float blend_3 = laplace3DInput0(localPosition).x * 0.5 - blend_2 * 0.083333336;
-    vec3 blend = mix(mix(vec3(0.8862745, 0.85490197, 0.76862746), vec3(0.21176471, 0.27450982, 0.25490198), clamp((blend_3 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011764706, 0.023529412, 0.023529412), clamp(blend_3 * 5.0, 0.0, 1.0));
+    float blend_1 = laplace3DInput0(localPosition).x;
+    float blend_2 = blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + (blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x);
+    float blend_3 = blend_2 + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x) + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x);
+    float blend_4 = blend_3 + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x) + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x);
+    float blend_5 = blend_4 * 0.083333336;
+    vec3 blend = mix(mix(vec3(0.8862745, 0.85490197, 0.76862746), vec3(0.21176471, 0.27450982, 0.25490198), clamp((blend_5 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011764706, 0.023529412, 0.023529412), clamp(blend_5 * 5.0, 0.0, 1.0));
     fragment1 = vec4(blend, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);

@@ -104,10 +104,12 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Blend
-    float blend_1 = laplace3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)).x + laplace3DInput0(localPosition + vec3(0.1, 0.0, 0.0)).x + laplace3DInput0(localPosition + vec3(0.0, -0.1, 0.0)).x;
-    float blend_2 = blend_1 + laplace3DInput0(localPosition + vec3(0.0, 0.1, 0.0)).x + laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.1)).x + laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.1)).x;
-    float blend_3 = laplace3DInput0(localPosition).x * 0.5 - blend_2 * 0.083333336;
-    vec3 blend = mix(mix(vec3(0.011764706, 0.011764706, 0.043137256), vec3(0.14509805, 0.21176471, 0.4627451), clamp((blend_3 + 0.12) * 8.333333, 0.0, 1.0)), vec3(0.92941177, 0.8, 0.6156863), clamp(blend_3 * 8.333333, 0.0, 1.0));
+    float blend_1 = laplace3DInput0(localPosition).x;
+    float blend_2 = blend_1 - laplace3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)).x + (blend_1 - laplace3DInput0(localPosition + vec3(0.1, 0.0, 0.0)).x);
+    float blend_3 = blend_2 + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.1, 0.0)).x) + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.1, 0.0)).x);
+    float blend_4 = blend_3 + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.1)).x) + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.1)).x);
+    float blend_5 = blend_4 * 0.083333336;
+    vec3 blend = mix(mix(vec3(0.011764706, 0.011764706, 0.043137256), vec3(0.14509805, 0.21176471, 0.4627451), clamp((blend_5 + 0.12) * 8.333333, 0.0, 1.0)), vec3(0.92941177, 0.8, 0.6156863), clamp(blend_5 * 8.333333, 0.0, 1.0));
     fragment1 = vec4(blend, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);

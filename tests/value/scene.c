@@ -108,6 +108,19 @@ Surface space_surface(const Space *space, const Hit *hit, bool mesh)
     return s;
 }
 
+void space_place(Space *space)
+{
+    const Mat4 stretch = {{1.3f, 0, 0, 0, 0, 0.8f, 0, 0, 0, 0, 2.1f, 0, 0, 0, 0, 1}};
+    Mat4 turn = mat4_look_at((float[3]){0.2f, 0.1f, -0.15f}, (float[3]){0.6f, 0.3f, -0.75f}, (float[3]){0, 1, 0.3f});
+    space->world_from_local = mat4_multiply(&turn, &stretch);
+    for (int k = 0; k < 3; k++) {
+        double world[4], local[3] = {k ? 2 * (k == 1) : -1, k ? 2 * (k == 2) : -1, 0};
+        space_transform(&space->world_from_local, local, k == 0, world);
+        for (int lane = 0; lane < 3; lane++)
+            space->plane[k][lane] = (float)world[lane];
+    }
+}
+
 double space_depth(const Space *space, const double position[3])
 {
     double clip[4];

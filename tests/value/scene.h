@@ -18,6 +18,8 @@ Space space_flat(void);
 /* A perspective camera; `height` is the tangent of half its angle, the picture is square. */
 Space space_camera(const float eye[3], const float target[3], float height);
 Mat4 space_clip_from_world(const Space *space);
+/* Turns, stretches by three numbers and moves what is drawn; the plane becomes that of SHAPE_plane. */
+void space_place(Space *space);
 /* As usual; a near plane as a water's reflection wants it, (0.2, 0.3, -1, -0.5) in the eye's space; z from 1 at the near plane
  * to 0 at infinity. */
 typedef enum { SPACE_usual, SPACE_oblique, SPACE_reversed } SpaceDepth;
