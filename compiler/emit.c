@@ -213,6 +213,47 @@ static Scope new_scope(Compile *c, const Ir *ir, const Job *job, Interface *inte
     return e;
 }
 
+static bool has_kernel(const Ir *ir, int function)
+{
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_kernel) && ir_at(ir, ref)->payload == (uint32_t)function)
+            return true;
+    return false;
+}
+
+static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
+{
+    for (int i = 0; i < function->count; i++) {
+        Type type = ir_type(ir, function->arguments[i]);
+        text_put(out, i ? ", " : "");
+        text_format(out, "%s %s", type_table[type].name, type == TYPE_vec3 ? "p" : "st");
+    }
+}
+
+/* The sum over the neighbourhood, as a loop that a driver need not unroll. */
+static void put_kernel(Compile *c, Text *out, const Ir *ir, int number)
+{
+    const IrFunction *function = &ir->functions[number];
+    const char *type = type_table[ir_type(ir, function->result)].name, *name = function_name(c, ir, number);
+    text_format(out, "%s %sSum(", type, name);
+    put_parameters(out, ir, function);
+    bool scalar = ir_type(ir, function->result) == TYPE_float;
+    text_format(out, ", vec3 size) {\n    %s sum = ", type);
+    text_format(out, scalar ? "0.0;\n" : "%s(0.0);\n", type);
+    for (int axis = 0; axis < 3; axis++) {
+        indent(out, axis + 1);
+        text_format(out, "for (float %c = -0.5; %c < 1.0; %c += 0.5)\n", "ijk"[axis], "ijk"[axis], "ijk"[axis]);
+    }
+    indent(out, 4);
+    text_format(out, "sum += %s(", name);
+    for (int i = 0; i < function->count; i++) {
+        bool position = ir_type(ir, function->arguments[i]) == TYPE_vec3;
+        text_put(out, i ? ", " : "");
+        text_put(out, position ? "p + vec3(i, j, k) * size" : "st + vec2(i, j) * size.xy");
+    }
+    text_put(out, ");\n    return sum;\n}\n\n");
+}
+
 static void put_function(Compile *c, Text *out, const Ir *ir, const Job *job, Interface *interface, int number)
 {
     Arena scratch = {0};
@@ -221,10 +262,7 @@ static void put_function(Compile *c, Text *out, const Ir *ir, const Job *job, In
     e.function = function;
     e.s = schedule(ir, &function->result, 1, c->optimize > 0, &scratch);
     text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(c, ir, number));
-    for (int i = 0; i < function->count; i++) {
-        Type type = ir_type(ir, function->arguments[i]);
-        text_format(out, "%s%s %s", i ? ", " : "", type_table[type].name, type == TYPE_vec3 ? "p" : "st");
-    }
+    put_parameters(out, ir, function);
     text_put(out, ") {\n");
     put_needed(&e, out, function->result, 1);
     text_put(out, "    return ");
@@ -282,8 +320,11 @@ const char *emit_fragment(Compile *c, const Ir *given, const Job *job, Interface
     *interface = (Interface){.uniforms = ARENA_ARRAY(c->arena, bool, ir.graph->uniform_count),
                              .textures = ARENA_ARRAY(c->arena, bool, ir.texture_count)};
     Text functions = text_new(c->arena), body = text_new(c->arena), out = text_new(c->arena);
-    for (size_t f = 0; f < ir.function_count; f++)
+    for (size_t f = 0; f < ir.function_count; f++) {
         put_function(c, &functions, &ir, job, interface, (int)f);
+        if (has_kernel(&ir, (int)f))
+            put_kernel(c, &functions, &ir, (int)f);
+    }
     put_main(c, &body, &ir, job, interface);
     emit_declarations(c, &out, &ir, job, interface);
     for (size_t i = 0; i < interface->chunks.count; i++) {

@@ -231,7 +231,9 @@ static void put_special(Scope *e, Text *out, Ref ref)
         put_list(e, out, ref);
         break;
     case OP_apply:
+    case OP_kernel:
         text_put(out, function_name(e->c, e->ir, (int)node->payload));
+        text_put(out, node->op == OP_kernel ? "Sum" : "");
         put_list(e, out, ref);
         break;
     default:

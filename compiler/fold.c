@@ -95,6 +95,7 @@ bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payl
     case OP_call:
         return fold_call(context, (int)payload, args, count, result);
     case OP_apply:
+    case OP_kernel:
     case OP_const:
     case OP_input:
     case OP_uniform:

@@ -212,6 +212,16 @@ Ref ir_apply(Ir *ir, int function, const Ref *args)
     return ir_make(ir, OP_apply, ir_type(ir, f->result), (uint32_t)function, args, f->count);
 }
 
+Ref ir_kernel(Ir *ir, int function, const Ref *args, Ref size)
+{
+    const IrFunction *f = &ir->functions[function];
+    Ref all[8];
+    for (int i = 0; i < f->count; i++)
+        all[i] = args[i];
+    all[f->count] = size;
+    return ir_make(ir, OP_kernel, ir_type(ir, f->result), (uint32_t)function, all, f->count + 1);
+}
+
 /* Narrowing to a float takes the mean, to a vector the first lanes; widening fills as the table says. */
 Ref ir_convert(Ir *ir, Ref a, Type type)
 {
@@ -276,7 +286,7 @@ uint8_t *ir_live(const Ir *ir, Arena *arena)
             continue;
         for (int i = 0; i < node->count; i++)
             live[ir->args[node->first + (uint32_t)i]] = 1;
-        if (node->op == OP_apply)
+        if (ir_applies(ir, ref))
             live[ir->functions[node->payload].result] = 1;
     }
     live[0] = 0;
@@ -294,6 +304,14 @@ int ir_cost(const Ir *ir, Ref ref)
     return op_table[node->op].cost * lanes;
 }
 
+/* What the function that a node runs costs, by the costs of single runs. */
+static double applied_cost(const Ir *ir, Ref ref, const double *cost)
+{
+    if (!ir_applies(ir, ref))
+        return 0;
+    return cost[ir_at(ir, ref)->payload] * (ir_is(ir, ref, OP_kernel) ? KERNEL_POINTS : 1);
+}
+
 /* Cost of one run of each function, calls within included; functions come before their callers. */
 static void function_costs(const Ir *ir, Arena *arena, double *cost)
 {
@@ -304,7 +322,7 @@ static void function_costs(const Ir *ir, Arena *arena, double *cost)
         for (Ref ref = ir->functions[f].result; ref > 0; ref--) {
             if (!seen[ref])
                 continue;
-            cost[f] += ir_cost(ir, ref) + (ir_is(ir, ref, OP_apply) ? cost[ir_at(ir, ref)->payload] : 0);
+            cost[f] += ir_cost(ir, ref) + applied_cost(ir, ref, cost);
             for (int i = 0; i < ir_at(ir, ref)->count; i++)
                 seen[ir_arg(ir, ref, i)] = 1;
         }
@@ -324,7 +342,7 @@ void ir_measure(const Ir *ir, int *nodes, int *cost)
         *nodes += live[ref];
         if (!main_live[ref])
             continue;
-        total += ir_cost(ir, ref) + (ir_is(ir, ref, OP_apply) ? function_cost[ir_at(ir, ref)->payload] : 0);
+        total += ir_cost(ir, ref) + applied_cost(ir, ref, function_cost);
         for (int i = 0; i < ir_at(ir, ref)->count; i++)
             main_live[ir_arg(ir, ref, i)] = 1;
     }

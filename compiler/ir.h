@@ -35,7 +35,7 @@ typedef struct {
     uint8_t head;            /* it is the value of its hint's map or slot, not a step on the way; for names only */
     uint32_t first;          /* of its operands in args */
     uint32_t payload;        /* const: first of its numbers; input: Input; uniform: index; texture: index;
-                                argument: whose set << 8 | its number; swizzle: two bits a lane; call: function; apply: function number */
+                                argument: whose set << 8 | its number; kernel: as apply; swizzle: two bits a lane; call: function; apply: function number */
     uint32_t hash;
 } IrNode;
 
@@ -102,6 +102,8 @@ static inline int ir_lanes(const Ir *ir, Ref ref) { return type_table[ir->nodes[
 static inline bool ir_is(const Ir *ir, Ref ref, Op op) { return ir->nodes[ref].op == op; }
 /* The numbers of a constant. */
 static inline const double *ir_numbers(const Ir *ir, Ref ref) { return &ir->numbers[ir->nodes[ref].payload]; }
+/* It runs a function of the program, which its payload numbers. */
+static inline bool ir_applies(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_apply) || ir_is(ir, ref, OP_kernel); }
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
@@ -123,6 +125,9 @@ Ref ir_swizzle_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
 Ref ir_vec(Ir *ir, Type type, const Ref *parts, int count);
 Ref ir_call(Ir *ir, int function, const Ref *args, int count);
 Ref ir_apply(Ir *ir, int function, const Ref *args);
+/* The sum of a function over the KERNEL_POINTS around its arguments, half of `size` apart; a loop in GLSL. */
+enum { KERNEL_POINTS = 27 };
+Ref ir_kernel(Ir *ir, int function, const Ref *args, Ref size);
 /* The conversion table. */
 Ref ir_convert(Ir *ir, Ref a, Type type);
 /* Arguments of a function to be; then, when its result is made, the function. Functions that it calls come before it. */

@@ -10,6 +10,10 @@ static const char *check_arity(const Ir *ir, const IrNode *node)
         return "a node has the wrong number of operands";
     if (node->op == OP_call && strlen(function_arguments((int)node->payload)) != node->count)
         return "a call has the wrong number of arguments";
+    if (node->op == OP_kernel &&
+        (node->payload >= ir->function_count || ir->functions[node->payload].count + 1 != node->count ||
+         ir_type(ir, ir->args[node->first + node->count - 1u]) != TYPE_vec3))
+        return "a kernel does not fit its function";
     if (node->op == OP_apply &&
         (node->payload >= ir->function_count || ir->functions[node->payload].count != node->count))
         return "an application does not fit its function";
@@ -100,6 +104,7 @@ static const char *check_special(const Ir *ir, Ref ref)
     case OP_call:
         return check_call(ir, ref);
     case OP_apply:
+    case OP_kernel:
         return check_apply(ir, ref);
     default:
         return NULL;

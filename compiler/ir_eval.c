@@ -43,6 +43,24 @@ static int argument_number(const IrFunction *function, Ref argument)
     return i;
 }
 
+/* The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
+static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, double *result)
+{
+    FoldArg moved[FOLD_OPERANDS];
+    const double *size = args[node->count - 1].numbers;
+    for (int n = 0; n < KERNEL_POINTS; n++) {
+        const double offset[3] = {0.5 * (n / 9 - 1) * size[0], 0.5 * (n / 3 % 3 - 1) * size[1], 0.5 * (n % 3 - 1) * size[2]};
+        double value[4] = {0};
+        memcpy(moved, args, sizeof moved);
+        for (int i = 0; i < node->count - 1; i++)
+            for (int lane = 0; lane < type_table[args[i].type].lanes; lane++)
+                moved[i].numbers[lane] += offset[lane];
+        eval_apply(e, node, moved, value);
+        for (int lane = 0; lane < type_table[node->type].lanes; lane++)
+            result[lane] += value[lane];
+    }
+}
+
 static void eval_node(Evaluator *e, Frame *frame, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
@@ -70,6 +88,9 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
         break;
     case OP_apply:
         eval_apply(e, node, args, result);
+        break;
+    case OP_kernel:
+        eval_kernel(e, node, args, result);
         break;
     default:
         if (node->op == OP_call) /* a sampler has no lanes; the reference gets its number */

@@ -41,6 +41,7 @@ static void print_payload(Text *out, const Ir *ir, const IrNode *node)
         text_format(out, " %s", function_row((int)node->payload)->name);
         break;
     case OP_apply:
+    case OP_kernel:
         text_format(out, " f%u", node->payload);
         break;
     default:
@@ -117,7 +118,7 @@ void ir_dot(Text *out, const Ir *ir)
         text_put(out, "\"];\n");
         for (int i = 0; i < node->count; i++)
             text_format(out, "  n%u -> n%u;\n", ir_arg(ir, ref, i), ref);
-        if (node->op == OP_apply)
+        if (ir_applies(ir, ref))
             text_format(out, "  n%u -> n%u [style=dashed];\n", ir->functions[node->payload].result, ref);
     }
     for (int i = 0; i < ir->output_count; i++)

@@ -81,7 +81,7 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
 {
     char text[LIMIT_NAME + 8];
     if (op != OP_input && op != OP_uniform && op != OP_argument && op != OP_texture && op != OP_swizzle &&
-        op != OP_call && op != OP_apply)
+        op != OP_call && op != OP_apply && op != OP_kernel)
         return true;
     if (!word(s, text, sizeof text))
         return fail(s, "a node ends too early");
@@ -92,7 +92,7 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
         found = find(text, call_name, FUNCTION_COUNT);
     else if (op == OP_swizzle)
         found = read_lanes(text, type, payload) ? (int)*payload : -1;
-    else if (op == OP_apply && text[0] == 'f')
+    else if ((op == OP_apply || op == OP_kernel) && text[0] == 'f')
         found = atoi(text + 1);
     else if (op == OP_argument && strchr(text, '.'))
         found = atoi(text) << 8 | atoi(strchr(text, '.') + 1);

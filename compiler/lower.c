@@ -174,3 +174,14 @@ Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *e
     Ref f = mul(l, ir_call(l->ir, FN_turbulence, args, 4), octave_scale(l, omega, n));
     return as_group(l, through_wave(l, node, f), group);
 }
+
+/* Cost of a value down to `limit`, shared parts counted as often as they are met: an upper bound. */
+int cost_below(const Ir *ir, Ref ref, int limit)
+{
+    int cost = ir_cost(ir, ref);
+    if (ir_applies(ir, ref))
+        return limit;
+    for (int i = 0; i < ir_at(ir, ref)->count && cost < limit; i++)
+        cost += cost_below(ir, ir_arg(ir, ref, i), limit - cost);
+    return cost;
+}

@@ -46,6 +46,8 @@ const Node *param_node(const Node *node, int param);
 bool param_is_set(const Value *value);
 /* Reports a param where the value must be known. */
 void reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
+/* Cost of a value, up to `limit`: an upper bound, as shared parts count as often as they are met. */
+int cost_below(const Ir *ir, Ref ref, int limit);
 /* One material slot, by its name. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The shading normal in eye space, unit length, turned to the viewer. */

@@ -76,17 +76,6 @@ static bool strictly_ascending(const Ir *ir, const Stop *stops, int count)
     return true;
 }
 
-/* Cost of a value down to `limit`, shared parts counted as often as they are met: an upper bound. */
-static int cost_below(const Ir *ir, Ref ref, int limit)
-{
-    int cost = ir_cost(ir, ref);
-    if (ir_is(ir, ref, OP_apply))
-        return limit;
-    for (int i = 0; i < ir_at(ir, ref)->count && cost < limit; i++)
-        cost += cost_below(ir, ir_arg(ir, ref, i), limit - cost);
-    return cost;
-}
-
 static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
 {
     int cost = 0;

@@ -2,6 +2,8 @@
  * Filters within filters are functions that call functions: the program grows by one function for each. */
 #include "lower.h"
 
+enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 evaluations are a loop */
+
 /* What the input reads of the root, replaced by the function's arguments: position and texture coordinate. */
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
@@ -44,15 +46,21 @@ static Ref filter_size(Lower *l, const Node *node)
     return ir_vec(l->ir, TYPE_vec3, size, 3);
 }
 
+/* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input would take them minutes to
+ * compile: it is summed in a loop. */
 Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     int function = make_function(l, param_node(node, P_Smooth3D_input), group, env);
     Ref size = filter_size(l, node), sum = 0;
-    for (int n = 0; n < 27; n++) {
+    bool costly = cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
+    if (costly)
+        sum = ir_kernel(l->ir, function,
+                        (Ref[]){env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")}, size);
+    for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
         Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
         sum = n ? add(l, sum, value) : value;
     }
-    return mul(l, sum, number(l, 1.0 / 27));
+    return mul(l, sum, number(l, 1.0 / KERNEL_POINTS));
 }
 
 /* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */

@@ -37,7 +37,7 @@ static Ref remake(Ir *ir, Ref ref, const Moves *moves)
 {
     const IrNode node = ir->nodes[ref];
     Ref args[UINT8_MAX];
-    uint32_t payload = node.op == OP_apply ? moves->function[node.payload] : node.payload;
+    uint32_t payload = ir_applies(ir, ref) ? moves->function[node.payload] : node.payload;
     bool same = payload == node.payload;
     for (int i = 0; i < node.count; i++) {
         Ref old = ir->args[node.first + (uint32_t)i];

@@ -20,7 +20,7 @@ static int *renumber_functions(const Ir *ir, const uint8_t *live, Arena *scratch
     for (size_t f = 0; f < ir->function_count; f++)
         number[f] = -1;
     for (Ref ref = 1; ref < ir->count; ref++)
-        if (live[ref] && ir_is(ir, ref, OP_apply))
+        if (live[ref] && ir_applies(ir, ref))
             number[ir_at(ir, ref)->payload] = 0;
     for (size_t f = 0; f < ir->function_count; f++)
         if (number[f] == 0)
@@ -37,7 +37,7 @@ static void compact_node(Ir *ir, IrNode node, const Ref *moved, const int *numbe
         node.payload = (uint32_t)ir->number_count;
         ir->number_count += lanes;
     }
-    if (node.op == OP_apply)
+    if (node.op == OP_apply || node.op == OP_kernel)
         node.payload = (uint32_t)number[node.payload];
     for (int i = 0; i < node.count; i++)
         ir->args[ir->arg_count + (size_t)i] = moved[ir->args[node.first + (uint32_t)i]];

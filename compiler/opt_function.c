@@ -46,9 +46,11 @@ static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
 {
     const Plan *plan = user;
     const IrNode node = *ir_at(ir, ref);
-    if (node.op != OP_apply || node.payload >= plan->count)
+    if (!ir_applies(ir, ref) || node.payload >= plan->count)
         return ref;
     uint32_t f = node.payload, all = (1u << ir->functions[f].count) - 1;
+    if (!plan->read[f] && node.op == OP_kernel)
+        return ir_binary(ir, OP_mul, ir->functions[f].result, ir_float(ir, KERNEL_POINTS));
     if (!plan->read[f])
         return ir->functions[f].result;
     if (plan->read[f] == all)
@@ -58,9 +60,9 @@ static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
     Ref args[32];
     int count = 0;
     for (int i = 0; i < node.count; i++)
-        if (plan->read[f] >> i & 1)
+        if (plan->read[f] >> i & 1 || i == ir->functions[f].count) /* a kernel's size stays */
             args[count++] = ir_arg(ir, ref, i);
-    return ir_make(ir, OP_apply, (Type)node.type, (uint32_t)plan->trimmed[f] - 1, args, count);
+    return ir_make(ir, (Op)node.op, (Type)node.type, (uint32_t)plan->trimmed[f] - 1, args, count);
 }
 
 bool opt_function(Ir *ir)

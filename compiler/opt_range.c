@@ -112,6 +112,8 @@ static Interval node_range(const Ir *ir, Ref ref, const Ranges *r)
         return all;
     case OP_call:
         return function_range((int)node->payload);
+    case OP_kernel:
+        return times(range_of(r, ir->functions[node->payload].result), (Interval){KERNEL_POINTS, KERNEL_POINTS});
     case OP_apply:
         return range_of(r, ir->functions[node->payload].result);
     default:
@@ -124,7 +126,7 @@ static bool within(const Ir *ir, Ref ref, Interval range, double low, double hig
 {
     const double slack = 1e-5;
     Op op = (Op)ir_at(ir, ref)->op;
-    bool exact = op != OP_add && op != OP_sub && op != OP_mul && op != OP_mix && op != OP_apply && op != OP_vec &&
+    bool exact = op != OP_add && op != OP_sub && op != OP_mul && op != OP_mix && op != OP_apply && op != OP_kernel && op != OP_vec &&
                  op != OP_select && op != OP_swizzle;
     double spare = exact ? 0 : slack;
     return range.low >= low + spare * fabs(low) && range.high <= high - spare * fabs(high);

@@ -38,7 +38,7 @@ static void use_arms(const Ir *ir, Schedule *s, Ref ref)
     use(s, ir_arg(ir, ref, 2), other);
 }
 
-static double node_cost(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_apply) ? BRANCH_COST : ir_cost(ir, ref); }
+static double node_cost(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? BRANCH_COST : ir_cost(ir, ref); }
 
 static void place(const Ir *ir, Schedule *s, const Ref *roots, int count, const uint8_t *branch)
 {

@@ -50,21 +50,22 @@ vec3 smooth3DInput1(vec3 p) {
     return smooth3D_9 * 0.037037037;
 }
 
+vec3 smooth3DInput1Sum(vec3 p, vec3 size) {
+    vec3 sum = vec3(0.0);
+    for (float i = -0.5; i < 1.0; i += 0.5)
+        for (float j = -0.5; j < 1.0; j += 0.5)
+            for (float k = -0.5; k < 1.0; k += 0.5)
+                sum += smooth3DInput1(p + vec3(i, j, k) * size);
+    return sum;
+}
+
 void main() {
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Smooth3D
-    vec3 smooth3D_1 = smooth3DInput1(localPosition + vec3(-0.05, -0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(-0.05, -0.05, 0.0)) + smooth3DInput1(localPosition - vec3(0.05)));
-    vec3 smooth3D_2 = smooth3DInput1(localPosition + vec3(-0.05, 0.0, 0.05)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.0, 0.0)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.0, -0.05)) + smooth3D_1));
-    vec3 smooth3D_3 = smooth3DInput1(localPosition + vec3(-0.05, 0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(-0.05, 0.05, -0.05)) + smooth3D_2));
-    vec3 smooth3D_4 = smooth3DInput1(localPosition + vec3(0.0, -0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(0.0, -0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.0, -0.05, -0.05)) + smooth3D_3));
-    vec3 smooth3D_5 = smooth3DInput1(localPosition + vec3(0.0, 0.0, 0.05)) + (smooth3DInput1(localPosition) + (smooth3DInput1(localPosition + vec3(0.0, 0.0, -0.05)) + smooth3D_4));
-    vec3 smooth3D_6 = smooth3DInput1(localPosition + vec3(0.0, 0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(0.0, 0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.0, 0.05, -0.05)) + smooth3D_5));
-    vec3 smooth3D_7 = smooth3DInput1(localPosition + vec3(0.05, -0.05, 0.05)) + (smooth3DInput1(localPosition + vec3(0.05, -0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.05, -0.05, -0.05)) + smooth3D_6));
-    vec3 smooth3D_8 = smooth3DInput1(localPosition + vec3(0.05, 0.0, 0.05)) + (smooth3DInput1(localPosition + vec3(0.05, 0.0, 0.0)) + (smooth3DInput1(localPosition + vec3(0.05, 0.0, -0.05)) + smooth3D_7));
-    vec3 smooth3D_9 = smooth3DInput1(localPosition + vec3(0.05)) + (smooth3DInput1(localPosition + vec3(0.05, 0.05, 0.0)) + (smooth3DInput1(localPosition + vec3(0.05, 0.05, -0.05)) + smooth3D_8));
-    fragment1 = vec4(smooth3D_9 * 0.037037037, 1.0);
+    vec3 smooth3D = smooth3DInput1Sum(localPosition, vec3(0.1)) * 0.037037037;
+    fragment1 = vec4(smooth3D, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
 }
