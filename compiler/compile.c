@@ -122,18 +122,10 @@ Graph *compile_front(Compile *c, uint32_t source, Tree **tree)
     return graph;
 }
 
-ReferenceNoise noise_for(Noise noise, Target target)
-{
-    return noise == NOISE_groimp      ? REFERENCE_GROIMP
-           : target == TARGET_glsl110 ? REFERENCE_LATTICE_FLOAT
-                                      : REFERENCE_LATTICE;
-}
-
 /* Lowered and optimised; NULL: see the diagnostics. */
 Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
-    ReferenceNoise noise = noise_for(job->noise, job->target);
-    Ir *ir = lower(c, graph, material, job->pass, job->layout, job->slot, noise);
+    Ir *ir = lower(c, graph, material, job);
     if (!ir)
         return NULL;
     if (c->measure) {

@@ -46,6 +46,15 @@ typedef struct Compile {
     bool measure; /* keep statistics of every stage */
 } Compile;
 
+/* What a program is written for. */
+typedef struct {
+    Target target;
+    Pass pass;
+    Layout layout;
+    Slot slot;
+    Noise noise;
+} Job;
+
 /* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
 void *diag_add(Compile *c, Span span, DiagKind kind, ...);
 /* Marks the end of a stage for --stats. */

@@ -4,15 +4,6 @@
 #include "ir.h"
 #include "link.h"
 
-/* What a program is written for, and what it turned out to need. */
-typedef struct {
-    Target target;
-    Pass pass;
-    Layout layout;
-    Slot slot;
-    Noise noise;
-} Job;
-
 /* What the fragment program declares; the vertex program and the reflection go by it. */
 typedef struct {
     bool inputs[INPUT_COUNT];

@@ -91,6 +91,8 @@ typedef struct Ir {
     Ref (*simplify)(struct Ir *ir, Ref ref);
 } Ir;
 
+/* The lattice noise that a target's programs compute, for the references. lower.c */
+ReferenceNoise noise_for(Noise noise, Target target);
 Ir *ir_new(Compile *c, const Graph *graph);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);

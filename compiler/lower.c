@@ -185,3 +185,10 @@ int cost_below(const Ir *ir, Ref ref, int limit)
         cost += cost_below(ir, ir_arg(ir, ref, i), limit - cost);
     return cost;
 }
+
+ReferenceNoise noise_for(Noise noise, Target target)
+{
+    return noise == NOISE_groimp      ? REFERENCE_GROIMP
+           : target == TARGET_glsl110 ? REFERENCE_LATTICE_FLOAT
+                                      : REFERENCE_LATTICE;
+}

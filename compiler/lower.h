@@ -24,13 +24,13 @@ typedef struct {
     Memo *memo;
     size_t memo_count, memo_mask;
     int env_count;
+    const Job *job;
     bool cheap;  /* forms that are cheaper but not the plainest: -O1 and up */
     bool failed; /* a diagnostic was made */
 } Lower;
 
-/* What one slot of a material's layout, pass or value needs. NULL ir: see the diagnostics. */
-Ir *lower(Compile *c, const Graph *graph, const Node *material, Pass pass, Layout layout, Slot slot,
-          ReferenceNoise noise);
+/* What a job's program computes of a material. NULL: see the diagnostics. */
+Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
 Ref ask(Lower *l, const Node *map, Group group, const Env *env);

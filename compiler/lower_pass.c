@@ -43,7 +43,9 @@ static Env plane_env(Lower *l)
     Ref uv = ir_vec(ir, TYPE_vec3, (Ref[]){u, v, number(l, 0)}, 3);
     Ref point = ir_vec(ir, TYPE_vec4, (Ref[]){p, number(l, 1)}, 2);
     Ref z = dot(l, ir_input(ir, INPUT_clipZ), point), w = dot(l, ir_input(ir, INPUT_clipW), point);
-    Ref depth = add(l, mul(l, quotient(l, z, nonzero(l, w)), number(l, 0.5)), number(l, 0.5));
+    Ref depth = quotient(l, z, nonzero(l, w));
+    if (l->job->target != TARGET_spirv) /* Vulkan's clip space has depth in [0, 1] already */
+        depth = add(l, mul(l, depth, number(l, 0.5)), number(l, 0.5));
     ir_output(ir, OUT_discard, 0, ir_binary(ir, OP_le, along, number(l, 0)));
     ir_output(ir, OUT_depth, 0, ir_ternary(ir, OP_clamp, depth, number(l, 0), number(l, 1)));
     env.root[GROUP_P] = p;
@@ -134,13 +136,14 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
     ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
 }
 
-static void write_pass(Lower *l, const Node *material, Pass pass, Layout layout, Slot slot)
+static void write_pass(Lower *l, const Node *material)
 {
-    Env env = pass == PASS_plane ? plane_env(l) : pass == PASS_sky ? sky_env(l) : surface_env(l);
-    switch (pass) {
+    const Job *job = l->job;
+    Env env = job->pass == PASS_plane ? plane_env(l) : job->pass == PASS_sky ? sky_env(l) : surface_env(l);
+    switch (job->pass) {
     case PASS_gbuffer:
     case PASS_plane:
-        write_layout(l, layout, material, &env);
+        write_layout(l, job->layout, material, &env);
         break;
     case PASS_sky:
         write_sky(l, material, &env);
@@ -149,7 +152,7 @@ static void write_pass(Lower *l, const Node *material, Pass pass, Layout layout,
         write_shadow(l, material, &env);
         break;
     case PASS_value:
-        ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, lower_slot(l, material, slot, &env), TYPE_vec4));
+        ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
         break;
     case PASS_depth:
     case PASS_COUNT:
@@ -157,13 +160,12 @@ static void write_pass(Lower *l, const Node *material, Pass pass, Layout layout,
     }
 }
 
-Ir *lower(Compile *c, const Graph *graph, const Node *material, Pass pass, Layout layout, Slot slot,
-          ReferenceNoise noise)
+Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
-    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .cheap = c->optimize > 0};
+    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = c->optimize > 0};
     l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
-    l.ir->noise = noise;
+    l.ir->noise = noise_for(job->noise, job->target);
     l.ir->hint = HINT_SURFACE;
-    write_pass(&l, material, pass, layout, slot);
+    write_pass(&l, material);
     return l.failed ? NULL : l.ir;
 }

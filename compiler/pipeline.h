@@ -16,7 +16,5 @@ Graph *compile_front(Compile *c, uint32_t source, Tree **tree);
 Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *job);
 /* Ir -> GLSL -> valid. */
 bool compile_back(Compile *c, const Ir *ir, const Job *job, Products *products);
-/* The lattice noise that a target's programs compute. */
-ReferenceNoise noise_for(Noise noise, Target target);
 double stage_now(void);
 #endif
