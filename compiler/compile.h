@@ -19,7 +19,7 @@ enum {
     LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
     LIMIT_NAME = 64,            /* letters of a name */
     LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
-    LIMIT_WALK = 256,            /* items of a Blend that are tried one after the other */
+    LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
     LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
 };
 

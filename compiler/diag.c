@@ -36,7 +36,8 @@ static void put_clean(Text *out, const char *text, size_t size)
 {
     for (size_t i = 0; i < size;) {
         int length = utf8_length((const unsigned char *)text + i, (const unsigned char *)text + size);
-        bool control = length == 1 && ((unsigned char)text[i] < 0x20 || text[i] == 0x7F) && text[i] != '\t' && text[i] != '\n';
+        bool control =
+            length == 1 && ((unsigned char)text[i] < 0x20 || text[i] == 0x7F) && text[i] != '\t' && text[i] != '\n';
         if (!length || control)
             text_char(out, '?');
         else

@@ -49,7 +49,8 @@ static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, d
     FoldArg moved[FOLD_OPERANDS];
     const double *size = args[node->count - 1].numbers;
     for (int n = 0; n < KERNEL_POINTS; n++) {
-        const double offset[3] = {0.5 * (n / 9 - 1) * size[0], 0.5 * (n / 3 % 3 - 1) * size[1], 0.5 * (n % 3 - 1) * size[2]};
+        const double offset[3] = {0.5 * (n / 9 - 1) * size[0], 0.5 * (n / 3 % 3 - 1) * size[1],
+                                  0.5 * (n % 3 - 1) * size[2]};
         double value[4] = {0};
         memcpy(moved, args, sizeof moved);
         for (int i = 0; i < node->count - 1; i++)

@@ -54,8 +54,8 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     Ref size = filter_size(l, node), sum = 0;
     bool costly = cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
     if (costly)
-        sum = ir_kernel(l->ir, function,
-                        (Ref[]){env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")}, size);
+        sum =
+            ir_kernel(l->ir, function, (Ref[]){env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")}, size);
     for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
         Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
         sum = n ? add(l, sum, value) : value;

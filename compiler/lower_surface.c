@@ -139,7 +139,7 @@ Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     const Image *picture = image->image;
     IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
     Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
-                        1.0 / picture->width, 1.0 / picture->height);
+                             1.0 / picture->width, 1.0 / picture->height);
     if (group == GROUP_R && picture->opaque)
         return ir_vec(l->ir, TYPE_vec4, (Ref[]){ir_swizzle(l->ir, value, "xyz"), number(l, 1)}, 2);
     return value;

@@ -349,7 +349,8 @@ static const char *read_point(Surface *surface, const char *point)
         size_t size = strcspn(at, " ,\t\n"), name = strcspn(at, "=");
         char key[16] = {0};
         double value;
-        if (name >= size || name >= sizeof key || !text_number(at + name + 1, size - name - 1, &value) || !isfinite(value))
+        if (name >= size || name >= sizeof key || !text_number(at + name + 1, size - name - 1, &value) ||
+            !isfinite(value))
             return "a point is a list of channel=number";
         memcpy(key, at, name);
         if (!strcmp(key, "front"))

@@ -121,7 +121,8 @@ static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
  * and each gain may make room for another. Ranges and functions gain nothing new where nothing changed. */
 bool optimize(Compile *c, Ir *ir)
 {
-    static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range}, function = {"function", opt_function};
+    static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range},
+                         function = {"function", opt_function};
     bool changed = true;
     for (int round = 0; round < MOST_ROUNDS; round++) {
         if (!run_pass(c, ir, &polish, &changed))

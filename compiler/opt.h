@@ -16,7 +16,7 @@ bool opt_function(Ir *ir); /* functions that do not use their arguments, or not 
 bool opt_polish(Ir *ir);   /* the local rules together, with what is known of uses */
 /* The local rules of fold, algebra, swizzle, select and power, until none applies: for nodes as they are made. */
 Ref opt_simplify(Ir *ir, Ref ref);
-bool opt_dead(Ir *ir);     /* drops what the outputs do not reach */
+bool opt_dead(Ir *ir); /* drops what the outputs do not reach */
 
 /* One sweep over the live nodes, operands first: each is remade on its new operands and given to `rewrite`, which returns
  * what stands for it, or the node itself. */

@@ -126,8 +126,8 @@ static bool within(const Ir *ir, Ref ref, Interval range, double low, double hig
 {
     const double slack = 1e-5;
     Op op = (Op)ir_at(ir, ref)->op;
-    bool exact = op != OP_add && op != OP_sub && op != OP_mul && op != OP_mix && op != OP_apply && op != OP_kernel && op != OP_vec &&
-                 op != OP_select && op != OP_swizzle;
+    bool exact = op != OP_add && op != OP_sub && op != OP_mul && op != OP_mix && op != OP_apply && op != OP_kernel &&
+                 op != OP_vec && op != OP_select && op != OP_swizzle;
     double spare = exact ? 0 : slack;
     return range.low >= low + spare * fabs(low) && range.high <= high - spare * fabs(high);
 }

@@ -19,6 +19,10 @@ typedef struct {
 /* NULL: see the diagnostics. */
 Graph *resolve(Compile *c, Tree *document);
 
+/* Keys of the outermost level that stand beside a material's own. */
+bool is_document_key(const char *key);
+/* A map or a material, made once however often it is met; `outermost`: the document itself. resolve.c */
+const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault);
 /* A map: number, list, colour, param, reference or object. NULL for none and for a fault; *fault tells. */
 const Node *resolve_map(Resolver *r, Tree *tree, bool *fault);
 const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);

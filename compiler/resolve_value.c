@@ -319,10 +319,10 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
             bool list = member->value->kind == TREE_list, one = key == 2 && !list;
             bool param = member->value->kind == TREE_object;
             fine &= resolve_number(r, member->key, member->value, one ? 1 : 3, one && !param ? 1 : 3, parts[key]);
-            transform->kind = tree->count > 1          ? TRANSFORM_components
-                              : key == 0               ? TRANSFORM_translation
+            transform->kind = tree->count > 1   ? TRANSFORM_components
+                              : key == 0        ? TRANSFORM_translation
                               : key == 2 && one ? TRANSFORM_scale
-                                                       : TRANSFORM_components;
+                                                : TRANSFORM_components;
         }
     }
     return fine;

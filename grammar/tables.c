@@ -90,14 +90,14 @@ const KindRow kind_table[KIND_COUNT] = {
 
 /* The kind that follows each heading: an enumerator that the kind behind it has too. */
 enum {
-#define SECTION(name, title)                      SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
-#define MATERIAL(name, doc)                       SECTION_KIND_##name,
-#define MAP(name, function, lowering, cost, doc)  SECTION_KIND_##name,
+#define SECTION(name, title)                     SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
+#define MATERIAL(name, doc)                      SECTION_KIND_##name,
+#define MAP(name, function, lowering, cost, doc) SECTION_KIND_##name,
 #define PARAM(kind, name, type, init, range, doc)
 #define ALIAS(alias, name)
 #define PRESET(name, map, param, init, doc)
 #include "materials.def"
-#define SECTION(name, title)                      SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
+#define SECTION(name, title) SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
 #include "maps.def"
 #undef MATERIAL
 #undef MAP

@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 #ifndef M_PI
-#define M_PI 3.14159265358979323846
-#define M_E 2.71828182845904523536
+#define M_PI   3.14159265358979323846
+#define M_E    2.71828182845904523536
 #define M_LN10 2.30258509299404568402
 #endif
 
@@ -39,10 +39,10 @@ static inline double clamp(double v, double low, double high) { return v < low ?
 static inline double fraction(double v) { return v - floor(v); }
 
 /* Limits of the waves: exp stays below the greatest float, log above the least normal one. */
-#define WAVE_EXP_LIMIT 88.0
+#define WAVE_EXP_LIMIT  88.0
 #define WAVE_EXP2_LIMIT 127.0
-#define WAVE_LEAST 1.17549435e-38
-#define WAVE_PHI 1.61803398874989484820
+#define WAVE_LEAST      1.17549435e-38
+#define WAVE_PHI        1.61803398874989484820
 
 /* L_0 of semantics.md 3.1 with table offset 0, and (L_0, L_8, L_16): value-plus-gradient lattice noise. */
 double reference_lattice(ReferenceNoise noise, const double p[3]);

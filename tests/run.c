@@ -102,7 +102,8 @@ static void golden_path(char *path, const char *document, const char *material, 
     for (char *c = name; *c; c++)
         if (*c == '/')
             *c = '-';
-    snprintf(path, LONGEST_PATH, "tests/golden/%s%s%.200s%s", name, material ? "-" : "", material ? material : "", suffix);
+    snprintf(path, LONGEST_PATH, "tests/golden/%s%s%.200s%s", name, material ? "-" : "", material ? material : "",
+             suffix);
 }
 
 static void run_material(Run *run, const MatcDocument *document, const char *name, int material)
@@ -176,9 +177,9 @@ static void run_error(Run *run, const char *name)
 static const struct {
     const char *name;
     bool (*run)(Ir *ir);
-} passes[] = {{"fold", opt_fold},     {"algebra", opt_algebra},   {"swizzle", opt_swizzle}, {"select", opt_select},
-              {"power", opt_power},   {"range", opt_range},       {"polish", opt_polish},   {"dead", opt_dead},
-              {"function", opt_function}};
+} passes[] = {{"fold", opt_fold},     {"algebra", opt_algebra}, {"swizzle", opt_swizzle},
+              {"select", opt_select}, {"power", opt_power},     {"range", opt_range},
+              {"polish", opt_polish}, {"dead", opt_dead},       {"function", opt_function}};
 
 /* One pass on text IR; then the text again, and the check. */
 static void run_pass(Run *run, const char *name)

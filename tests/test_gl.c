@@ -28,7 +28,8 @@ static GlContext *open_context(bool core)
 {
     char error[512] = "";
     GlContext *gl = gl_open(GL_KIND_osmesa, core, error, sizeof error);
-    if (!gl) fail_msg("%s", error);
+    if (!gl)
+        fail_msg("%s", error);
     return gl;
 }
 
@@ -37,8 +38,9 @@ static void context_opens(void **state)
     (void)state;
     for (int core = 0; core < 2; core++) {
         GlContext *gl = open_context(core);
-        print_message("%s: GL %s; GLSL %s; %s; %d texels, %d units, %d targets\n", core ? "core" : "compatibility", gl->version,
-                      gl->language, gl->renderer, gl->max_texture_size, gl->max_texture_units, gl->max_draw_buffers);
+        print_message("%s: GL %s; GLSL %s; %s; %d texels, %d units, %d targets\n", core ? "core" : "compatibility",
+                      gl->version, gl->language, gl->renderer, gl->max_texture_size, gl->max_texture_units,
+                      gl->max_draw_buffers);
         assert_true(gl->major > 3 || (gl->major == 3 && gl->minor >= 3) || !core);
         gl_close(gl);
     }
@@ -71,14 +73,17 @@ static const Language languages[] = {
     {false, "attribute vec3 position; void main() { gl_Position = vec4(position, 1.); }",
      "#version 110\n#extension GL_ARB_draw_buffers : require\n"
      "uniform vec4 value; void main() { gl_FragData[0] = value; gl_FragData[1] = 2. * value; }"},
-    {true, "#version 330 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
+    {true,
+     "#version 330 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
      "#version 330 core\nuniform vec4 value; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;"
      "void main() { a = value; b = 2. * value; }"},
     {true, "#version 330 core\nin vec3 position; void main() { gl_Position = vec4(position, 1.); }",
      "#version 330 core\nuniform vec4 value; out vec4 first; out vec4 second;"
      "void main() { first = value; second = 2. * value; }"},
-    {true, "#version 450 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
-     "#version 450 core\nlayout(location = 0) uniform vec4 value; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;"
+    {true,
+     "#version 450 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
+     "#version 450 core\nlayout(location = 0) uniform vec4 value; layout(location = 0) out vec4 a; layout(location = "
+     "1) out vec4 b;"
      "void main() { a = value; b = 2. * value; }"},
     {true, "#version 300 es\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
      "#version 300 es\nprecision highp float; uniform vec4 value;"
@@ -88,9 +93,11 @@ static const Language languages[] = {
 static GLuint make_program(GlContext *gl, const Language *language)
 {
     static const char *const outputs[] = {"first", "second"};
-    GLuint program = program_make(gl, &(ProgramText){
-        .vertex = {language->vertex}, .fragment = {language->fragment}, .outputs = outputs, .output_count = 2});
-    if (!program) fail_msg("%s", gl->error);
+    GLuint program = program_make(
+        gl, &(ProgramText){
+                .vertex = {language->vertex}, .fragment = {language->fragment}, .outputs = outputs, .output_count = 2});
+    if (!program)
+        fail_msg("%s", gl->error);
     return program;
 }
 
@@ -108,7 +115,8 @@ static void draw_constant(GlContext *gl, GLuint program, GLenum format)
     mesh_draw(gl, &plane);
     for (int color = 0; color < 2; color++) {
         assert_true(framebuffer_read(gl, &target, color, texels));
-        for (int i = 0; i < 5 * 3 * 4; i++) assert_true(texels[i] == (float)(color + 1) * value[i % 4]);
+        for (int i = 0; i < 5 * 3 * 4; i++)
+            assert_true(texels[i] == (float)(color + 1) * value[i % 4]);
     }
     assert_false(framebuffer_read(gl, &target, 2, texels));
     mesh_delete(gl, &plane);
@@ -136,7 +144,9 @@ static void faults_are_said(void **state)
     (void)state;
     GlContext *gl = open_context(true);
     const char *good = languages[1].vertex;
-    assert_int_equal(program_make(gl, &(ProgramText){.vertex = {good}, .fragment = {"#version 330 core\nvoid main() { x = 1.; }"}}), 0);
+    assert_int_equal(
+        program_make(gl, &(ProgramText){.vertex = {good}, .fragment = {"#version 330 core\nvoid main() { x = 1.; }"}}),
+        0);
     assert_int_equal(strncmp(gl->error, "fragment: ", 10), 0);
     assert_non_null(strstr(gl->error, "x"));
     assert_int_equal(program_make(gl, &(ProgramText){.vertex = {good}}), 0);
@@ -212,7 +222,8 @@ static const ShapeVertex *vertex_at(const Shape *shape, float u, float v)
     const ShapeVertex *best = shape->vertices;
     for (int i = 0; i < shape->vertex_count; i++) {
         const ShapeVertex *w = &shape->vertices[i];
-        if (hypotf(w->uv[0] - u, w->uv[1] - v) < hypotf(best->uv[0] - u, best->uv[1] - v)) best = w;
+        if (hypotf(w->uv[0] - u, w->uv[1] - v) < hypotf(best->uv[0] - u, best->uv[1] - v))
+            best = w;
     }
     return best;
 }
@@ -237,7 +248,8 @@ static void shapes_are_oriented(void **state)
         for (int i = 0; i < shape.index_count; i += 3) {
             const ShapeVertex *t[3];
             float a[3], b[3], turn = 0;
-            for (int k = 0; k < 3; k++) t[k] = &shape.vertices[shape.indices[i + k]];
+            for (int k = 0; k < 3; k++)
+                t[k] = &shape.vertices[shape.indices[i + k]];
             for (int k = 0; k < 3; k++) {
                 a[k] = t[1]->position[k] - t[0]->position[k];
                 b[k] = t[2]->position[k] - t[0]->position[k];
@@ -255,7 +267,8 @@ static void derivatives_are_those_of_the_position(void **state)
 {
     (void)state;
     for (int kind = 0; kind < SHAPE_count; kind++) {
-        if (kind == SHAPE_cube) continue; /* six patches share their uv */
+        if (kind == SHAPE_cube)
+            continue; /* six patches share their uv */
         Shape shape;
         assert_true(shape_make((ShapeKind)kind, &shape));
         float step = kind == SHAPE_plane ? 1 : 1.f / 192;
@@ -274,7 +287,8 @@ static void matrices_invert(void **state)
     Mat4 lens = mat4_perspective(0.3f, 1.5f, 1, 10), all = mat4_multiply(&lens, &camera), back, one;
     assert_true(mat4_inverse(&all, &back));
     one = mat4_multiply(&back, &all);
-    for (int i = 0; i < 16; i++) assert_float_equal(one.m[i], (i % 5 == 0), 1e-4);
+    for (int i = 0; i < 16; i++)
+        assert_float_equal(one.m[i], (i % 5 == 0), 1e-4);
     assert_false(mat4_inverse(&(Mat4){{0}}, &back));
     Mat4 stretched = {{2, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}; /* a mirror, too */
     Mat3 normal = mat3_normal(&stretched);
@@ -291,14 +305,16 @@ static void png_comes_back(void **state)
     for (int lanes = 3; lanes <= 4; lanes++) {
         uint8_t bytes[W * H * 4];
         PngPicture back, picture = {W, H, lanes, bytes};
-        for (int i = 0; i < W * H * lanes; i++) bytes[i] = (uint8_t)(i * 37 + lanes);
+        for (int i = 0; i < W * H * lanes; i++)
+            bytes[i] = (uint8_t)(i * 37 + lanes);
         assert_true(png_write(path, &picture, error, sizeof error));
         assert_true(png_write(path, &picture, error, sizeof error)); /* over the first one */
         assert_true(png_read(path, &back, error, sizeof error));
         assert_int_equal(back.width, W);
         assert_int_equal(back.height, H);
         for (int i = 0; i < W * H; i++)
-            for (int k = 0; k < 4; k++) assert_int_equal(back.bytes[4 * i + k], k < lanes ? bytes[lanes * i + k] : 255);
+            for (int k = 0; k < 4; k++)
+                assert_int_equal(back.bytes[4 * i + k], k < lanes ? bytes[lanes * i + k] : 255);
         free(back.bytes);
     }
     remove(path);
@@ -315,8 +331,8 @@ static void write_bytes(const char *path, const void *bytes, size_t size)
 static void bad_png_is_refused(void **state)
 {
     (void)state;
-    static const uint8_t huge[] = {137, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0, 1, 0, 0, 0, 1, 0, 0,
-                                   8, 2, 0, 0, 0, 0x97, 0x6f, 0x8b, 0x1d};
+    static const uint8_t huge[] = {137, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I',  'H',  'D',  'R', 0,
+                                   1,   0,   0,   0,   1,  0,  0,  8,  2, 0, 0, 0,  0x97, 0x6f, 0x8b, 0x1d};
     const char *path = "test_gl_bad.png";
     char error[256] = "";
     PngPicture picture;
@@ -347,7 +363,8 @@ static void encoding_is_srgb(void **state)
 static char *read_text(const char *path)
 {
     FILE *file = fopen(path, "rb");
-    if (!file) fail_msg("%s is missing", path);
+    if (!file)
+        fail_msg("%s is missing", path);
     char *text = calloc(1, 1 << 16);
     assert_non_null(text);
     size_t size = fread(text, 1, (1 << 16) - 1, file);
@@ -357,54 +374,37 @@ static char *read_text(const char *path)
 }
 
 /* A material by hand: plain floats in the four targets; a checker of two colours, or what the uniforms say. */
-static const char vertex_text[] =
-    "#version 330 core\n"
-    LINES(
-        layout(location = 0) in vec3 position;
-        layout(location = 1) in vec3 normal;
-        layout(location = 2) in vec2 texcoord;
-        uniform mat4 matc_worldFromLocal;
-        uniform mat4 matc_clipFromWorld;
-        uniform mat3 matc_eyeNormalFromLocal;
-        out vec3 eyeNormal;
-        out vec2 uv;
-        void main()
-        {
-            eyeNormal = matc_eyeNormalFromLocal * normal;
-            uv = texcoord;
-            gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.));
-        });
-static const char fragment_text[] =
-    "#version 330 core\n"
-    LINES(
-        in vec3 eyeNormal;
-        in vec2 uv;
-        uniform vec3 dark;
-        uniform vec3 specular;
-        uniform vec3 transparency;
-        uniform float shininess;
-        uniform sampler2D image;
-        layout(location = 0) out vec4 a;
-        layout(location = 1) out vec4 b;
-        layout(location = 2) out vec4 c;
-        layout(location = 3) out vec4 d;
-        void main()
-        {
-            vec3 n = normalize(eyeNormal);
-            a = vec4(gl_FrontFacing ? n : -n, shininess);
-            b = vec4(mix(dark, texture(image, uv).rgb, mod(floor(uv.x * 16.) + floor(uv.y * 8.), 2.)), 0.);
-            c = vec4(specular, 0.);
-            d = vec4(transparency, 0.);
-        });
+static const char vertex_text[] = "#version 330 core\n" LINES(
+    layout(location = 0) in vec3 position; layout(location = 1) in vec3 normal; layout(location = 2) in vec2 texcoord;
+    uniform mat4 matc_worldFromLocal; uniform mat4 matc_clipFromWorld; uniform mat3 matc_eyeNormalFromLocal;
+    out vec3 eyeNormal; out vec2 uv; void main() {
+        eyeNormal = matc_eyeNormalFromLocal * normal;
+        uv = texcoord;
+        gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.));
+    });
+static const char fragment_text[] = "#version 330 core\n" LINES(
+    in vec3 eyeNormal; in vec2 uv; uniform vec3 dark; uniform vec3 specular; uniform vec3 transparency;
+    uniform float shininess; uniform sampler2D image; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;
+    layout(location = 2) out vec4 c; layout(location = 3) out vec4 d; void main() {
+        vec3 n = normalize(eyeNormal);
+        a = vec4(gl_FrontFacing ? n : -n, shininess);
+        b = vec4(mix(dark, texture(image, uv).rgb, mod(floor(uv.x * 16.) + floor(uv.y * 8.), 2.)), 0.);
+        c = vec4(specular, 0.);
+        d = vec4(transparency, 0.);
+    });
 static const char unpack_text[] = LINES(
-    struct Surface { vec3 normal; vec3 diffuse; vec3 specular; float shininess; vec3 transparency;
-                     float transparencyShininess; vec3 diffuseTransparency; vec3 emissive; };
-    uniform sampler2D matc_gbuffer0;
-    uniform sampler2D matc_gbuffer1;
-    uniform sampler2D matc_gbuffer2;
-    uniform sampler2D matc_gbuffer3;
-    Surface unpackSurface(ivec2 pixel)
-    {
+    struct Surface {
+        vec3 normal;
+        vec3 diffuse;
+        vec3 specular;
+        float shininess;
+        vec3 transparency;
+        float transparencyShininess;
+        vec3 diffuseTransparency;
+        vec3 emissive;
+    };
+    uniform sampler2D matc_gbuffer0; uniform sampler2D matc_gbuffer1; uniform sampler2D matc_gbuffer2;
+    uniform sampler2D matc_gbuffer3; Surface unpackSurface(ivec2 pixel) {
         vec4 a = texelFetch(matc_gbuffer0, pixel, 0);
         return Surface(a.xyz, texelFetch(matc_gbuffer1, pixel, 0).rgb, texelFetch(matc_gbuffer2, pixel, 0).rgb, a.w,
                        texelFetch(matc_gbuffer3, pixel, 0).rgb, 0., vec3(0.), vec3(0.));
@@ -435,8 +435,11 @@ static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsign
 {
     char error[4096] = "";
     const ViewTexture texture = {"image", {1, 1, 4, c->light, NULL, true, true}};
-    const ProgramValue values[] = {{"dark", 3, c->dark}, {"specular", 3, c->specular}, {"transparency", 3, c->transparency},
-                                   {"shininess", 1, &c->shininess}, {"absent", 1, &c->shininess}};
+    const ProgramValue values[] = {{"dark", 3, c->dark},
+                                   {"specular", 3, c->specular},
+                                   {"transparency", 3, c->transparency},
+                                   {"shininess", 1, &c->shininess},
+                                   {"absent", 1, &c->shininess}};
     const ViewProgram program = {vertex_text, fragment_text, unpack_text, &texture, 1, values, 5};
     const ViewOptions options = {.shape = c->shape,
                                  .width = texts->size,
@@ -445,12 +448,15 @@ static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsign
                                  .screen_text = texts->screen,
                                  .light_text = texts->light,
                                  .gl = gl};
-    if (!view_render(&options, &program, rgb, error, sizeof error)) fail_msg("%s", error);
+    if (!view_render(&options, &program, rgb, error, sizeof error))
+        fail_msg("%s", error);
     const char *folder = getenv("TEST_GL_PICTURES");
-    if (!folder) return;
+    if (!folder)
+        return;
     char path[512];
     snprintf(path, sizeof path, "%s/%s.png", folder, c->name);
-    if (!png_write(path, &(PngPicture){texts->size, texts->size, 3, rgb}, error, sizeof error)) fail_msg("%s", error);
+    if (!png_write(path, &(PngPicture){texts->size, texts->size, 3, rgb}, error, sizeof error))
+        fail_msg("%s", error);
 }
 
 static void assert_shows_something(const unsigned char *rgb, int size)
@@ -461,7 +467,8 @@ static void assert_shows_something(const unsigned char *rgb, int size)
         least = rgb[i] < least ? rgb[i] : least;
         most = rgb[i] > most ? rgb[i] : most;
     }
-    for (int k = 0; k < 3; k++) differing |= middle[k] != corner[k];
+    for (int k = 0; k < 3; k++)
+        differing |= middle[k] != corner[k];
     assert_true(differing);
     assert_true(most - least > 60);
 }
@@ -469,8 +476,8 @@ static void assert_shows_something(const unsigned char *rgb, int size)
 static void materials_are_seen(void **state)
 {
     (void)state;
-    Texts texts = {read_text(SOURCE_FOLDER "/runtime/view/screen.glsl"), read_text(SOURCE_FOLDER "/runtime/view/light.glsl"),
-                   getenv("TEST_GL_PICTURES") ? 384 : 96};
+    Texts texts = {read_text(SOURCE_FOLDER "/runtime/view/screen.glsl"),
+                   read_text(SOURCE_FOLDER "/runtime/view/light.glsl"), getenv("TEST_GL_PICTURES") ? 384 : 96};
     unsigned char *rgb = malloc((size_t)texts.size * (size_t)texts.size * 3);
     assert_non_null(rgb);
     GlContext *gl = open_context(true);
@@ -490,7 +497,8 @@ static void view_refuses(void **state)
     (void)state;
     char error[512] = "";
     unsigned char rgb[3];
-    ViewProgram program = {.vertex_text = vertex_text, .fragment_text = "#version 330 core\nwrong", .unpack_text = unpack_text};
+    ViewProgram program = {
+        .vertex_text = vertex_text, .fragment_text = "#version 330 core\nwrong", .unpack_text = unpack_text};
     ViewOptions options = {.width = 1, .height = 1, .screen_text = "void main() { }", .light_text = "void main() { }"};
     assert_false(view_render(&options, &program, rgb, error, sizeof error));
     assert_int_equal(strncmp(error, "fragment: ", 10), 0);
@@ -504,20 +512,13 @@ static void view_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(context_opens),
-        cmocka_unit_test(two_contexts_take_turns),
-        cmocka_unit_test(every_language_draws),
-        cmocka_unit_test(faults_are_said),
-        cmocka_unit_test(depth_only_is_complete),
-        cmocka_unit_test(textures_keep_their_numbers),
-        cmocka_unit_test(shapes_are_oriented),
-        cmocka_unit_test(derivatives_are_those_of_the_position),
-        cmocka_unit_test(matrices_invert),
-        cmocka_unit_test(png_comes_back),
-        cmocka_unit_test(bad_png_is_refused),
-        cmocka_unit_test(encoding_is_srgb),
-        cmocka_unit_test(materials_are_seen),
-        cmocka_unit_test(view_refuses),
+        cmocka_unit_test(context_opens),          cmocka_unit_test(two_contexts_take_turns),
+        cmocka_unit_test(every_language_draws),   cmocka_unit_test(faults_are_said),
+        cmocka_unit_test(depth_only_is_complete), cmocka_unit_test(textures_keep_their_numbers),
+        cmocka_unit_test(shapes_are_oriented),    cmocka_unit_test(derivatives_are_those_of_the_position),
+        cmocka_unit_test(matrices_invert),        cmocka_unit_test(png_comes_back),
+        cmocka_unit_test(bad_png_is_refused),     cmocka_unit_test(encoding_is_srgb),
+        cmocka_unit_test(materials_are_seen),     cmocka_unit_test(view_refuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -63,14 +63,17 @@ static void a_filter_is_one_function(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    char *one = compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Wood } }\n", MATC_FRAGMENT, &options);
+    char *one =
+        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Wood } }\n", MATC_FRAGMENT, &options);
     assert_int_equal(count(one, "smooth3DInput0("), 1 + 27); /* the definition and the calls */
     assert_int_equal(count(one, "wood(p)"), 1);
-    char *two = compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, input: { map: Wood } } }\n",
-                             MATC_FRAGMENT, &options);
+    char *two =
+        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, input: { map: Wood } } }\n",
+                     MATC_FRAGMENT, &options);
     assert_int_equal(count(two, "wood(p)"), 1);
     assert_int_equal(count(two, "smooth3DInput0("), 1 + 27);
-    assert_int_equal(count(two, "smooth3DInput1"), 2 + 2); /* itself costly: it and its sum, a loop, each defined and called once */
+    assert_int_equal(count(two, "smooth3DInput1"),
+                     2 + 2); /* itself costly: it and its sum, a loop, each defined and called once */
     free(one);
     free(two);
 }
@@ -80,7 +83,8 @@ static void dead_parts_are_pruned(void **state)
 {
     (void)state;
     static const char *const documents[] = {
-        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ value: 0, input: { map: Granite } }, { value: 1, input: 0.5 }] }\n",
+        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ value: 0, input: { map: Granite } }, { value: 1, "
+        "input: 0.5 }] }\n",
         "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
         "material: Phong\nambient: { map: Granite }\n", /* the layout has no ambient */
         "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
@@ -98,14 +102,15 @@ static void costly_arms_are_branches(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    char *text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n", MATC_FRAGMENT,
-                              &options);
+    char *text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n",
+                              MATC_FRAGMENT, &options);
     const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
     assert_non_null(branch);
     assert_non_null(call);
     assert_true(branch < call);
     free(text);
-    text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n", MATC_FRAGMENT, &options);
+    text =
+        compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n", MATC_FRAGMENT, &options);
     assert_null(strstr(text, "if ("));
     free(text);
 }
@@ -330,13 +335,20 @@ static void long_blends_are_searched(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_subtrees_are_computed_once), cmocka_unit_test(a_filter_is_one_function),
-        cmocka_unit_test(dead_parts_are_pruned),            cmocka_unit_test(costly_arms_are_branches),
-        cmocka_unit_test(inputs_are_minimal),               cmocka_unit_test(materials_are_listed),
-        cmocka_unit_test(uniforms_have_defaults),           cmocka_unit_test(noise_tables_are_textures),
-        cmocka_unit_test(unknown_options_are_named),        cmocka_unit_test(cut_documents_are_refused),
-        cmocka_unit_test(evaluation_reads_back),            cmocka_unit_test(output_is_the_same_in_any_locale),
-        cmocka_unit_test(threads_share_a_document),         cmocka_unit_test(deep_chains_are_bounded),
+        cmocka_unit_test(equal_subtrees_are_computed_once),
+        cmocka_unit_test(a_filter_is_one_function),
+        cmocka_unit_test(dead_parts_are_pruned),
+        cmocka_unit_test(costly_arms_are_branches),
+        cmocka_unit_test(inputs_are_minimal),
+        cmocka_unit_test(materials_are_listed),
+        cmocka_unit_test(uniforms_have_defaults),
+        cmocka_unit_test(noise_tables_are_textures),
+        cmocka_unit_test(unknown_options_are_named),
+        cmocka_unit_test(cut_documents_are_refused),
+        cmocka_unit_test(evaluation_reads_back),
+        cmocka_unit_test(output_is_the_same_in_any_locale),
+        cmocka_unit_test(threads_share_a_document),
+        cmocka_unit_test(deep_chains_are_bounded),
         cmocka_unit_test(long_blends_are_searched),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -61,7 +61,8 @@ static char *find_example(Kind kind, const char *name, char *stem, char *path)
     else
         strcpy(stem, kind_table[kind].function);
     for (size_t size = strlen(stem); size; stem[size] = 0) {
-        int length = snprintf(path, LONGEST_PATH, "%s/%s%s.yaml", examples, is_material(kind) ? "materials/" : "", stem);
+        int length =
+            snprintf(path, LONGEST_PATH, "%s/%s%s.yaml", examples, is_material(kind) ? "materials/" : "", stem);
         char *text = length < LONGEST_PATH ? read_file_text(path) : NULL;
         if (text)
             return text;

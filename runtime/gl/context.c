@@ -13,9 +13,10 @@ static const GlBackend *const backends[GL_KIND_count] = {
 static bool load(GlContext *gl)
 {
     const GlBackend *backend = backends[gl->kind];
-#define F(NAME, Name) \
-    gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name); \
-    if (!gl->Name) return gl_fail(gl, "the driver has no gl" #Name);
+#define F(NAME, Name)                                                                                                  \
+    gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name);                                                \
+    if (!gl->Name)                                                                                                     \
+        return gl_fail(gl, "the driver has no gl" #Name);
     GL_FUNCTIONS(F)
 #undef F
     return true;
@@ -49,8 +50,10 @@ static void set_defaults(const GlContext *gl)
 static bool start(GlContext *gl)
 {
     gl->state = backends[gl->kind]->open(gl->core, gl->error, sizeof gl->error);
-    if (!gl->state) return false;
-    if (!load(gl)) return false;
+    if (!gl->state)
+        return false;
+    if (!load(gl))
+        return false;
     describe(gl);
     set_defaults(gl);
     return gl_check(gl, "opening the context");
@@ -69,7 +72,8 @@ GlContext *gl_open(GlKind kind, bool core, char *error, size_t room)
     }
     gl->kind = kind;
     gl->core = core;
-    if (start(gl)) return gl;
+    if (start(gl))
+        return gl;
     message_fail(error, room, "%s", gl->error);
     gl_close(gl);
     return NULL;
@@ -82,8 +86,10 @@ bool gl_use(GlContext *gl)
 
 void gl_close(GlContext *gl)
 {
-    if (!gl) return;
-    if (gl->state) backends[gl->kind]->close(gl->state);
+    if (!gl)
+        return;
+    if (gl->state)
+        backends[gl->kind]->close(gl->state);
     free(gl);
 }
 
@@ -99,19 +105,27 @@ bool gl_fail(GlContext *gl, const char *format, ...)
 static const char *error_name(GLenum error)
 {
     switch (error) {
-    case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
-    case GL_INVALID_FRAMEBUFFER_OPERATION: return "GL_INVALID_FRAMEBUFFER_OPERATION";
-    case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
-    default: return "an unknown GL error";
+    case GL_INVALID_ENUM:
+        return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+        return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+        return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+        return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+        return "GL_OUT_OF_MEMORY";
+    default:
+        return "an unknown GL error";
     }
 }
 
 bool gl_check(GlContext *gl, const char *doing)
 {
     GLenum first = gl->GetError();
-    if (first == GL_NO_ERROR) return true;
-    for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {} /* bounded: a lost context never runs out of errors */
+    if (first == GL_NO_ERROR)
+        return true;
+    for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {
+    } /* bounded: a lost context never runs out of errors */
     return gl_fail(gl, "%s: %s", doing, error_name(first));
 }

@@ -14,8 +14,8 @@ typedef enum {
 
 typedef struct GlContext {
     GlKind kind;
-    bool core;             /* a core profile: VAOs compulsory, GLSL from 1.40 on; false: compatibility, GLSL from 1.10 on */
-    int major, minor;      /* of the GL version */
+    bool core;        /* a core profile: VAOs compulsory, GLSL from 1.40 on; false: compatibility, GLSL from 1.10 on */
+    int major, minor; /* of the GL version */
     const char *version;   /* GL_VERSION; the driver's text */
     const char *renderer;  /* GL_RENDERER */
     const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the greatest there is */
@@ -40,8 +40,7 @@ bool gl_use(GlContext *gl);
 void gl_close(GlContext *gl);
 
 /* Writes gl->error and returns false. */
-__attribute__((format(printf, 2, 3)))
-bool gl_fail(GlContext *gl, const char *format, ...);
+__attribute__((format(printf, 2, 3))) bool gl_fail(GlContext *gl, const char *format, ...);
 
 /* True when no GL error stands; otherwise gl->error is "<doing>: GL_..." and all standing errors are dropped. */
 bool gl_check(GlContext *gl, const char *doing);

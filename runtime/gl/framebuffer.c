@@ -4,10 +4,11 @@
 
 static bool check_spec(GlContext *gl, const FramebufferSpec *spec)
 {
-    if (spec->width < 1 || spec->height < 1) return gl_fail(gl, "a framebuffer needs at least one pixel");
+    if (spec->width < 1 || spec->height < 1)
+        return gl_fail(gl, "a framebuffer needs at least one pixel");
     if (spec->width > gl->max_texture_size || spec->height > gl->max_texture_size)
-        return gl_fail(gl, "a framebuffer of %d x %d is larger than the driver's %d",
-                       spec->width, spec->height, gl->max_texture_size);
+        return gl_fail(gl, "a framebuffer of %d x %d is larger than the driver's %d", spec->width, spec->height,
+                       gl->max_texture_size);
     int most = gl->max_draw_buffers < FRAMEBUFFER_COLORS ? gl->max_draw_buffers : FRAMEBUFFER_COLORS;
     if (spec->color_count < 0 || spec->color_count > most)
         return gl_fail(gl, "%d colour targets are asked for, the driver has 0 to %d", spec->color_count, most);
@@ -25,8 +26,8 @@ static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLe
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mip maps */
-    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0,
-                   depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, NULL);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0, depth ? GL_DEPTH_COMPONENT : GL_RGBA,
+                   GL_FLOAT, NULL);
     return texture;
 }
 
@@ -38,7 +39,8 @@ static void attach(const GlContext *gl, Framebuffer *f)
         f->colors[i] = make_texture(gl, &f->spec, f->spec.color_format);
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_TEXTURE_2D, f->colors[i], 0);
     }
-    if (!f->spec.depth) return;
+    if (!f->spec.depth)
+        return;
     f->depth = make_texture(gl, &f->spec, GL_DEPTH_COMPONENT32F);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, f->depth, 0);
 }
@@ -47,22 +49,29 @@ static bool check_complete(GlContext *gl)
 {
     GLenum status = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
     switch (status) {
-    case GL_FRAMEBUFFER_COMPLETE: return true;
-    case GL_FRAMEBUFFER_UNSUPPORTED: return gl_fail(gl, "the driver cannot draw to a framebuffer of these formats");
-    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: return gl_fail(gl, "a framebuffer's texture cannot be drawn to");
-    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT: return gl_fail(gl, "a framebuffer needs a colour target or depth");
-    default: return gl_fail(gl, "a framebuffer is incomplete: 0x%04X", status);
+    case GL_FRAMEBUFFER_COMPLETE:
+        return true;
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+        return gl_fail(gl, "the driver cannot draw to a framebuffer of these formats");
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+        return gl_fail(gl, "a framebuffer's texture cannot be drawn to");
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+        return gl_fail(gl, "a framebuffer needs a colour target or depth");
+    default:
+        return gl_fail(gl, "a framebuffer is incomplete: 0x%04X", status);
     }
 }
 
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made)
 {
     memset(made, 0, sizeof *made);
-    if (!check_spec(gl, spec)) return false;
+    if (!check_spec(gl, spec))
+        return false;
     made->spec = *spec;
     attach(gl, made);
     framebuffer_use(gl, made); /* before the check: GL 3 counts missing draw buffers as incomplete */
-    if (gl_check(gl, "making a framebuffer") && check_complete(gl)) return true;
+    if (gl_check(gl, "making a framebuffer") && check_complete(gl))
+        return true;
     framebuffer_delete(gl, made);
     return false;
 }
@@ -71,7 +80,8 @@ void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)
 {
     static const GLenum none = GL_NONE;
     GLenum targets[FRAMEBUFFER_COLORS];
-    for (int i = 0; i < FRAMEBUFFER_COLORS; i++) targets[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
+    for (int i = 0; i < FRAMEBUFFER_COLORS; i++)
+        targets[i] = GL_COLOR_ATTACHMENT0 + (GLenum)i;
     int count = framebuffer->spec.color_count;
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer->name);
     gl->DrawBuffers(count ? count : 1, count ? targets : &none);
@@ -81,14 +91,15 @@ void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)
 
 static bool inside(const FramebufferSpec *spec, const FramebufferPart *part)
 {
-    return part->color >= 0 && part->color < spec->color_count
-        && part->x >= 0 && part->width >= 0 && part->width <= spec->width - part->x
-        && part->y >= 0 && part->height >= 0 && part->height <= spec->height - part->y;
+    return part->color >= 0 && part->color < spec->color_count && part->x >= 0 && part->width >= 0 &&
+           part->width <= spec->width - part->x && part->y >= 0 && part->height >= 0 &&
+           part->height <= spec->height - part->y;
 }
 
 bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer, const FramebufferPart *part, float *rgba)
 {
-    if (!inside(&framebuffer->spec, part)) return gl_fail(gl, "reading outside of a framebuffer");
+    if (!inside(&framebuffer->spec, part))
+        return gl_fail(gl, "reading outside of a framebuffer");
     gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer->name);
     gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)part->color);
     gl->ReadPixels(part->x, part->y, part->width, part->height, GL_RGBA, GL_FLOAT, rgba);

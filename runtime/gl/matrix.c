@@ -2,17 +2,15 @@
 #include "matrix.h"
 #include <math.h>
 
-Mat4 mat4_identity(void)
-{
-    return (Mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
-}
+Mat4 mat4_identity(void) { return (Mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; }
 
 static void multiply(int n, const float *a, const float *b, float *result)
 {
     for (int column = 0; column < n; column++) {
         for (int row = 0; row < n; row++) {
             double sum = 0;
-            for (int k = 0; k < n; k++) sum += (double)a[n * k + row] * b[n * column + k];
+            for (int k = 0; k < n; k++)
+                sum += (double)a[n * k + row] * b[n * column + k];
             result[n * column + row] = (float)sum;
         }
     }
@@ -49,15 +47,13 @@ static void cross(const double a[3], const double b[3], double result[3])
         result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 static void normalize(double a[3])
 {
     double length = sqrt(dot(a, a));
-    for (int i = 0; length > 0 && i < 3; i++) a[i] /= length;
+    for (int i = 0; length > 0 && i < 3; i++)
+        a[i] /= length;
 }
 
 Mat4 mat4_look_at(const float eye[3], const float target[3], const float up[3])
@@ -71,7 +67,8 @@ Mat4 mat4_look_at(const float eye[3], const float target[3], const float up[3])
     const double *axes[3] = {x, y, z};
     Mat4 result = mat4_identity();
     for (int row = 0; row < 3; row++) {
-        for (int column = 0; column < 3; column++) result.m[4 * column + row] = (float)axes[row][column];
+        for (int column = 0; column < 3; column++)
+            result.m[4 * column + row] = (float)axes[row][column];
         result.m[12 + row] = (float)-dot(axes[row], from);
     }
     return result;
@@ -92,14 +89,18 @@ static bool eliminate(double rows[4][8], int column)
 {
     int best = column;
     for (int row = column + 1; row < 4; row++)
-        if (fabs(rows[row][column]) > fabs(rows[best][column])) best = row;
+        if (fabs(rows[row][column]) > fabs(rows[best][column]))
+            best = row;
     double pivot = rows[best][column];
-    if (!(fabs(pivot) > 0)) return false; /* singular, or NaN */
+    if (!(fabs(pivot) > 0))
+        return false; /* singular, or NaN */
     swap_rows(rows, column, best);
-    for (int i = 0; i < 8; i++) rows[column][i] /= pivot;
+    for (int i = 0; i < 8; i++)
+        rows[column][i] /= pivot;
     for (int row = 0; row < 4; row++) {
         double factor = rows[row][column];
-        for (int i = 0; row != column && i < 8; i++) rows[row][i] -= factor * rows[column][i];
+        for (int i = 0; row != column && i < 8; i++)
+            rows[row][i] -= factor * rows[column][i];
     }
     return true;
 }
@@ -108,19 +109,23 @@ bool mat4_inverse(const Mat4 *a, Mat4 *inverse)
 {
     double rows[4][8] = {{0}};
     for (int row = 0; row < 4; row++) {
-        for (int column = 0; column < 4; column++) rows[row][column] = a->m[4 * column + row];
+        for (int column = 0; column < 4; column++)
+            rows[row][column] = a->m[4 * column + row];
         rows[row][4 + row] = 1;
     }
     for (int column = 0; column < 4; column++)
-        if (!eliminate(rows, column)) return false;
-    for (int i = 0; i < 16; i++) inverse->m[i] = (float)rows[i % 4][4 + i / 4];
+        if (!eliminate(rows, column))
+            return false;
+    for (int i = 0; i < 16; i++)
+        inverse->m[i] = (float)rows[i % 4][4 + i / 4];
     return true;
 }
 
 Mat3 mat3_from_mat4(const Mat4 *a)
 {
     Mat3 result;
-    for (int i = 0; i < 9; i++) result.m[i] = a->m[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 9; i++)
+        result.m[i] = a->m[4 * (i / 3) + i % 3];
     return result;
 }
 
@@ -128,10 +133,13 @@ Mat3 mat3_from_mat4(const Mat4 *a)
 Mat3 mat3_normal(const Mat4 *a)
 {
     double columns[3][3], cofactors[3][3];
-    for (int i = 0; i < 9; i++) columns[i / 3][i % 3] = a->m[4 * (i / 3) + i % 3];
-    for (int i = 0; i < 3; i++) cross(columns[(i + 1) % 3], columns[(i + 2) % 3], cofactors[i]);
+    for (int i = 0; i < 9; i++)
+        columns[i / 3][i % 3] = a->m[4 * (i / 3) + i % 3];
+    for (int i = 0; i < 3; i++)
+        cross(columns[(i + 1) % 3], columns[(i + 2) % 3], cofactors[i]);
     double sign = dot(columns[0], cofactors[0]) < 0 ? -1 : 1;
     Mat3 result;
-    for (int i = 0; i < 9; i++) result.m[i] = (float)(sign * cofactors[i / 3][i % 3]);
+    for (int i = 0; i < 9; i++)
+        result.m[i] = (float)(sign * cofactors[i / 3][i % 3]);
     return result;
 }

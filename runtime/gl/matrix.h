@@ -3,8 +3,12 @@
 #define MATC_GL_MATRIX_H
 #include <stdbool.h>
 
-typedef struct { float m[16]; } Mat4;
-typedef struct { float m[9]; } Mat3;
+typedef struct {
+    float m[16];
+} Mat4;
+typedef struct {
+    float m[9];
+} Mat3;
 
 Mat4 mat4_identity(void);
 Mat4 mat4_multiply(const Mat4 *a, const Mat4 *b); /* a b: b is applied first */

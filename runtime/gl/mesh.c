@@ -41,13 +41,15 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
 {
     Shape shape;
     memset(made, 0, sizeof *made);
-    if (!shape_make(kind, &shape)) return gl_fail(gl, "no such shape, or out of memory");
+    if (!shape_make(kind, &shape))
+        return gl_fail(gl, "no such shape, or out of memory");
     gl->GenVertexArrays(1, &made->array);
     gl->GenBuffers(2, made->buffers);
     upload(gl, made, &shape);
     made->index_count = shape.index_count;
     shape_free(&shape);
-    if (gl_check(gl, "making a mesh")) return true;
+    if (gl_check(gl, "making a mesh"))
+        return true;
     mesh_delete(gl, made);
     return false;
 }

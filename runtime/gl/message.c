@@ -5,7 +5,8 @@
 
 bool message_fail(char *error, size_t room, const char *format, ...)
 {
-    if (!error || room == 0) return false; /* the caller does not want to know */
+    if (!error || room == 0)
+        return false; /* the caller does not want to know */
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(error, room, format, arguments);

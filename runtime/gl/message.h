@@ -5,6 +5,5 @@
 #include <stddef.h>
 
 /* Formats into `error`, cut to `room` bytes; `error` may be NULL. Returns false: a guard is `return message_fail(...)`. */
-__attribute__((format(printf, 3, 4)))
-bool message_fail(char *error, size_t room, const char *format, ...);
+__attribute__((format(printf, 3, 4))) bool message_fail(char *error, size_t room, const char *format, ...);
 #endif

@@ -21,7 +21,8 @@ static void *open_library(void)
     static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         void *library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
-        if (library) return library; /* never closed: LLVM's destructors do not survive an unload, and a next dlopen is free */
+        if (library)
+            return library; /* never closed: LLVM's destructors do not survive an unload, and a next dlopen is free */
     }
     return NULL;
 }
@@ -30,17 +31,18 @@ static void *open_library(void)
 static bool find(void *library, const char *name, void *function, size_t size)
 {
     void *symbol = dlsym(library, name);
-    if (!symbol || size != sizeof symbol) return false;
+    if (!symbol || size != sizeof symbol)
+        return false;
     memcpy(function, &symbol, sizeof symbol);
     return true;
 }
 
 static bool find_all(Osmesa *o, void *library)
 {
-    return find(library, "OSMesaCreateContextAttribs", &o->create, sizeof o->create)
-        && find(library, "OSMesaDestroyContext", &o->destroy, sizeof o->destroy)
-        && find(library, "OSMesaMakeCurrent", &o->make_current, sizeof o->make_current)
-        && find(library, "OSMesaGetProcAddress", &o->get_proc, sizeof o->get_proc);
+    return find(library, "OSMesaCreateContextAttribs", &o->create, sizeof o->create) &&
+           find(library, "OSMesaDestroyContext", &o->destroy, sizeof o->destroy) &&
+           find(library, "OSMesaMakeCurrent", &o->make_current, sizeof o->make_current) &&
+           find(library, "OSMesaGetProcAddress", &o->get_proc, sizeof o->get_proc);
 }
 
 /* Highest version first: OSMesa answers NULL for a version or profile that it lacks. */
@@ -49,14 +51,19 @@ static OSMesaContext create(const Osmesa *o, bool core)
     static const int versions[][2] = {{4, 5}, {3, 3}, {3, 0}, {2, 1}};
     for (size_t i = 0; i < (core ? 2u : 4u); i++) { /* core profiles begin at 3.2, and the emitted GLSL at 3.3 */
         const int attributes[] = {
-            OSMESA_FORMAT, OSMESA_RGBA,
-            OSMESA_PROFILE, core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
-            OSMESA_CONTEXT_MAJOR_VERSION, versions[i][0],
-            OSMESA_CONTEXT_MINOR_VERSION, versions[i][1],
+            OSMESA_FORMAT,
+            OSMESA_RGBA,
+            OSMESA_PROFILE,
+            core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
+            OSMESA_CONTEXT_MAJOR_VERSION,
+            versions[i][0],
+            OSMESA_CONTEXT_MINOR_VERSION,
+            versions[i][1],
             0,
         };
         OSMesaContext context = o->create(attributes, NULL);
-        if (context) return context;
+        if (context)
+            return context;
     }
     return NULL;
 }
@@ -67,26 +74,28 @@ static bool osmesa_use(void *state)
     return o->make_current(o->context, o->window, GL_UNSIGNED_BYTE, 1, 1) == GL_TRUE;
 }
 
-static GlProc osmesa_load(void *state, const char *name)
-{
-    return ((Osmesa *)state)->get_proc(name);
-}
+static GlProc osmesa_load(void *state, const char *name) { return ((Osmesa *)state)->get_proc(name); }
 
 static void osmesa_close(void *state)
 {
     Osmesa *o = state;
-    if (o->context) o->destroy(o->context); /* a current context stops being current, says Mesa */
+    if (o->context)
+        o->destroy(o->context); /* a current context stops being current, says Mesa */
     free(o);
 }
 
 static bool start(Osmesa *o, bool core, char *error, size_t room)
 {
     void *library = open_library();
-    if (!library) return message_fail(error, room, "no libOSMesa.so.8 or .6 found (Debian: libosmesa6)");
-    if (!find_all(o, library)) return message_fail(error, room, "libOSMesa is older than Mesa 11.2");
+    if (!library)
+        return message_fail(error, room, "no libOSMesa.so.8 or .6 found (Debian: libosmesa6)");
+    if (!find_all(o, library))
+        return message_fail(error, room, "libOSMesa is older than Mesa 11.2");
     o->context = create(o, core);
-    if (!o->context) return message_fail(error, room, "OSMesa has no %s context", core ? "core OpenGL 3.3" : "OpenGL 2.1");
-    if (!osmesa_use(o)) return message_fail(error, room, "OSMesa does not make its context current");
+    if (!o->context)
+        return message_fail(error, room, "OSMesa has no %s context", core ? "core OpenGL 3.3" : "OpenGL 2.1");
+    if (!osmesa_use(o))
+        return message_fail(error, room, "OSMesa does not make its context current");
     return true;
 }
 
@@ -97,7 +106,8 @@ static void *osmesa_open(bool core, char *error, size_t room)
         message_fail(error, room, "out of memory");
         return NULL;
     }
-    if (start(o, core, error, room)) return o;
+    if (start(o, core, error, room))
+        return o;
     osmesa_close(o);
     return NULL;
 }

@@ -14,10 +14,13 @@ static FILE *open_new(const char *path, char name[NAME_LIMIT], char *error, size
 {
     for (int i = 0; i < NAME_TRIES; i++) {
         int length = snprintf(name, NAME_LIMIT, "%s.%d.tmp", path, i);
-        if (length < 0 || length >= NAME_LIMIT) return message_fail(error, room, "the path is too long"), NULL;
+        if (length < 0 || length >= NAME_LIMIT)
+            return message_fail(error, room, "the path is too long"), NULL;
         FILE *file = fopen(name, "wbx"); /* x: never another writer's */
-        if (file) return file;
-        if (errno != EEXIST) break;
+        if (file)
+            return file;
+        if (errno != EEXIST)
+            break;
     }
     return message_fail(error, room, "%s: %s", path, strerror(errno)), NULL;
 }
@@ -36,22 +39,28 @@ static bool write_file(FILE *file, const PngPicture *picture, char *error, size_
 
 static bool check_picture(const PngPicture *picture, char *error, size_t room)
 {
-    if (picture->width < 1 || picture->width > PNG_SIZE_LIMIT || picture->height < 1 || picture->height > PNG_SIZE_LIMIT)
+    if (picture->width < 1 || picture->width > PNG_SIZE_LIMIT || picture->height < 1 ||
+        picture->height > PNG_SIZE_LIMIT)
         return message_fail(error, room, "a picture is 1 to %d pixels wide and high", PNG_SIZE_LIMIT);
-    if (picture->lanes != 3 && picture->lanes != 4) return message_fail(error, room, "a picture has 3 or 4 lanes");
+    if (picture->lanes != 3 && picture->lanes != 4)
+        return message_fail(error, room, "a picture has 3 or 4 lanes");
     return true;
 }
 
 bool png_write(const char *path, const PngPicture *picture, char *error, size_t room)
 {
     char name[NAME_LIMIT];
-    if (!check_picture(picture, error, room)) return false;
+    if (!check_picture(picture, error, room))
+        return false;
     FILE *file = open_new(path, name, error, room);
-    if (!file) return false;
+    if (!file)
+        return false;
     bool written = write_file(file, picture, error, room);
     bool closed = fclose(file) == 0; /* a full disk is noticed here */
-    if (written && closed && rename(name, path) == 0) return true;
-    if (written) message_fail(error, room, "%s: %s", path, strerror(errno));
+    if (written && closed && rename(name, path) == 0)
+        return true;
+    if (written)
+        message_fail(error, room, "%s: %s", path, strerror(errno));
     remove(name);
     return false;
 }
@@ -95,10 +104,12 @@ static void allocate(Reader *reader)
     picture->height = (int)png_get_image_height(reader->png, reader->info);
     picture->lanes = 4;
     size_t stride = (size_t)picture->width * 4;
-    if (png_get_rowbytes(reader->png, reader->info) != stride) png_error(reader->png, "unknown kind of pixels");
+    if (png_get_rowbytes(reader->png, reader->info) != stride)
+        png_error(reader->png, "unknown kind of pixels");
     picture->bytes = malloc(stride * (size_t)picture->height);
     reader->rows = malloc(sizeof *reader->rows * (size_t)picture->height);
-    if (!picture->bytes || !reader->rows) png_error(reader->png, "out of memory");
+    if (!picture->bytes || !reader->rows)
+        png_error(reader->png, "out of memory");
     for (int i = 0; i < picture->height; i++)
         reader->rows[i] = picture->bytes + stride * (size_t)(picture->height - 1 - i);
 }
@@ -106,7 +117,8 @@ static void allocate(Reader *reader)
 /* No variables here: setjmp may lose them. */
 static bool read_pixels(Reader *reader)
 {
-    if (setjmp(png_jmpbuf(reader->png))) return false;
+    if (setjmp(png_jmpbuf(reader->png)))
+        return false;
     png_init_io(reader->png, reader->file);
     png_set_user_limits(reader->png, PNG_SIZE_LIMIT, PNG_SIZE_LIMIT);
     png_read_info(reader->png, reader->info);
@@ -119,12 +131,15 @@ static bool read_pixels(Reader *reader)
 static bool read_file(Reader *reader)
 {
     reader->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning);
-    if (reader->png) reader->info = png_create_info_struct(reader->png);
-    if (!reader->info) snprintf(reader->message, sizeof reader->message, "out of memory");
+    if (reader->png)
+        reader->info = png_create_info_struct(reader->png);
+    if (!reader->info)
+        snprintf(reader->message, sizeof reader->message, "out of memory");
     bool done = reader->info && read_pixels(reader);
     png_destroy_read_struct(&reader->png, &reader->info, NULL);
     free(reader->rows);
-    if (done) return true;
+    if (done)
+        return true;
     free(reader->picture.bytes);
     return false;
 }
@@ -134,10 +149,12 @@ bool png_read(const char *path, PngPicture *picture, char *error, size_t room)
     Reader reader = {0};
     *picture = (PngPicture){0};
     reader.file = fopen(path, "rb");
-    if (!reader.file) return message_fail(error, room, "%s: %s", path, strerror(errno));
+    if (!reader.file)
+        return message_fail(error, room, "%s: %s", path, strerror(errno));
     bool done = read_file(&reader);
     fclose(reader.file);
-    if (!done) return message_fail(error, room, "%s: %s", path, reader.message);
+    if (!done)
+        return message_fail(error, room, "%s: %s", path, reader.message);
     *picture = reader.picture;
     return true;
 }

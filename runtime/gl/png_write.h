@@ -9,7 +9,7 @@ enum { PNG_SIZE_LIMIT = 16384 }; /* greatest width and height, read or written *
 
 typedef struct {
     int width, height;
-    int lanes;      /* 3: RGB, 4: RGBA (straight alpha); a byte each, rows not padded */
+    int lanes; /* 3: RGB, 4: RGBA (straight alpha); a byte each, rows not padded */
     uint8_t *bytes;
 } PngPicture;
 

@@ -7,11 +7,11 @@ enum { PROGRAM_PIECES = 6 }; /* texts that one stage may be put together from */
 
 /* What a program is made of. Locations that a text itself declares need no names here. */
 typedef struct {
-    const char *vertex[PROGRAM_PIECES];   /* read one after the other; NULL ends the list */
+    const char *vertex[PROGRAM_PIECES]; /* read one after the other; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];
-    const char *const *attributes;        /* name i is bound to vertex attribute i; NULL: those of mesh.h */
+    const char *const *attributes; /* name i is bound to vertex attribute i; NULL: those of mesh.h */
     int attribute_count;
-    const char *const *outputs;           /* name i is bound to colour target i: `out` variables of GLSL 1.30 to 3.20;
+    const char *const *outputs; /* name i is bound to colour target i: `out` variables of GLSL 1.30 to 3.20;
                                              gl_FragData and layout(location) need none */
     int output_count;
 } ProgramText;

@@ -4,17 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
+#define PI           3.14159265358979323846
 #define TORUS_RADIUS 0.7 /* of the circle in the tube's middle */
-#define TORUS_TUBE 0.3
+#define TORUS_TUBE   0.3
 
 /* Fills all but uv, which is set already. `patch` counts from 0. */
 typedef void Surface(int patch, double u, double v, ShapeVertex *vertex);
 
-static void put(float to[3], double x, double y, double z)
-{
-    to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
-}
+static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
 
 /* P = (cos a cos b, sin a cos b, sin b), a = 2 pi u, b = pi (v - 1/2). */
 static void sphere(int patch, double u, double v, ShapeVertex *vertex)
@@ -41,10 +38,10 @@ static void plane(int patch, double u, double v, ShapeVertex *vertex)
 /* P = n + (2u - 1) a + (2v - 1) b with a x b = n. */
 static void cube(int patch, double u, double v, ShapeVertex *vertex)
 {
-    static const signed char faces[6][3][3] = { /* n, a, b */
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
-        {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+    static const signed char faces[6][3][3] = {
+        /* n, a, b */
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},   {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
     };
     const signed char *n = faces[patch][0], *a = faces[patch][1], *b = faces[patch][2];
     double s = 2 * u - 1, t = 2 * v - 1;
@@ -80,15 +77,13 @@ static const struct {
     [SHAPE_torus] = {"torus", torus, 1, 192, 96},
 };
 
-const char *shape_name(ShapeKind kind)
-{
-    return (unsigned)kind < SHAPE_count ? kinds[kind].name : "?";
-}
+const char *shape_name(ShapeKind kind) { return (unsigned)kind < SHAPE_count ? kinds[kind].name : "?"; }
 
 bool shape_find(const char *name, ShapeKind *kind)
 {
     for (int i = 0; i < SHAPE_count; i++) {
-        if (strcmp(kinds[i].name, name) != 0) continue;
+        if (strcmp(kinds[i].name, name) != 0)
+            continue;
         *kind = (ShapeKind)i;
         return true;
     }
@@ -125,13 +120,15 @@ static uint32_t *fill_indices(ShapeKind kind, uint32_t first, uint32_t *next)
 bool shape_make(ShapeKind kind, Shape *made)
 {
     memset(made, 0, sizeof *made);
-    if ((unsigned)kind >= SHAPE_count) return false;
+    if ((unsigned)kind >= SHAPE_count)
+        return false;
     int corners = (kinds[kind].columns + 1) * (kinds[kind].rows + 1);
     made->vertex_count = kinds[kind].patches * corners;
     made->index_count = kinds[kind].patches * kinds[kind].columns * kinds[kind].rows * 6;
     made->vertices = calloc((size_t)made->vertex_count, sizeof *made->vertices);
     made->indices = calloc((size_t)made->index_count, sizeof *made->indices);
-    if (!made->vertices || !made->indices) return shape_free(made), false;
+    if (!made->vertices || !made->indices)
+        return shape_free(made), false;
     ShapeVertex *vertex = made->vertices;
     uint32_t *index = made->indices;
     for (int patch = 0; patch < kinds[kind].patches; patch++) {

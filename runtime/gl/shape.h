@@ -15,7 +15,7 @@ typedef enum {
 
 typedef struct {
     float position[3];
-    float normal[3];   /* unit length */
+    float normal[3]; /* unit length */
     float uv[2];
     float tangentU[3]; /* dP/du: not of unit length, zero at a pole of the sphere */
     float tangentV[3]; /* dP/dv */

@@ -3,12 +3,15 @@
 
 static bool check_spec(GlContext *gl, const TextureSpec *spec)
 {
-    if (spec->width < 1 || spec->height < 1) return gl_fail(gl, "a texture needs at least one texel");
+    if (spec->width < 1 || spec->height < 1)
+        return gl_fail(gl, "a texture needs at least one texel");
     if (spec->width > gl->max_texture_size || spec->height > gl->max_texture_size)
-        return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d",
-                       spec->width, spec->height, gl->max_texture_size);
-    if (spec->lanes != 1 && spec->lanes != 4) return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->lanes);
-    if (!spec->bytes == !spec->floats) return gl_fail(gl, "a texture is of bytes or of floats");
+        return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d", spec->width, spec->height,
+                       gl->max_texture_size);
+    if (spec->lanes != 1 && spec->lanes != 4)
+        return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->lanes);
+    if (!spec->bytes == !spec->floats)
+        return gl_fail(gl, "a texture is of bytes or of floats");
     return true;
 }
 
@@ -35,13 +38,15 @@ static void upload(const GlContext *gl, const TextureSpec *spec)
 
 GLuint texture_make(GlContext *gl, const TextureSpec *spec)
 {
-    if (!check_spec(gl, spec)) return 0;
+    if (!check_spec(gl, spec))
+        return 0;
     GLuint texture = 0;
     gl->GenTextures(1, &texture);
     gl->BindTexture(GL_TEXTURE_2D, texture);
     set_parameters(gl, spec);
     upload(gl, spec);
-    if (gl_check(gl, "making a texture")) return texture;
+    if (gl_check(gl, "making a texture"))
+        return texture;
     gl->DeleteTextures(1, &texture);
     return 0;
 }

@@ -4,8 +4,10 @@
 
 unsigned char resolve_encode(double linear)
 {
-    if (!(linear > 0)) return 0; /* NaN too, which no byte can hold */
-    if (linear >= 1) return 255;
+    if (!(linear > 0))
+        return 0; /* NaN too, which no byte can hold */
+    if (linear >= 1)
+        return 255;
     double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
     return (unsigned char)(encoded * 255 + 0.5);
 }
@@ -14,7 +16,8 @@ static double mean(const float *samples, int stride, int n)
 {
     double sum = 0;
     for (int row = 0; row < n; row++)
-        for (int column = 0; column < n; column++) sum += samples[row * stride + column * 4];
+        for (int column = 0; column < n; column++)
+            sum += samples[row * stride + column * 4];
     return sum / (n * n);
 }
 

@@ -19,10 +19,10 @@ typedef struct {
     const ViewProgram *material;
     int samples; /* n: n x n a pixel */
     Camera camera;
-    GLuint pack, light;              /* programs */
+    GLuint pack, light; /* programs */
     Framebuffer gbuffer, lit;
     Mesh shape, screen;
-    GLuint textures[UNITS_LIMIT];    /* of the material */
+    GLuint textures[UNITS_LIMIT]; /* of the material */
 } View;
 
 static void set_numbers(View *v, GLuint program, const char *name, int lanes, const float *values)
@@ -36,32 +36,34 @@ static void set_number(View *v, GLuint program, const char *name, float value)
 }
 
 /* Text that begins with its own #version gets none in front. */
-static const char *version_for(const char *text)
-{
-    return strncmp(text, "#version", 8) == 0 ? "" : VERSION;
-}
+static const char *version_for(const char *text) { return strncmp(text, "#version", 8) == 0 ? "" : VERSION; }
 
 static bool make_programs(View *v)
 {
     const ViewProgram *m = v->material;
     const ViewOptions *o = v->options;
     v->pack = program_make(v->gl, &(ProgramText){
-        .vertex = {version_for(m->vertex_text), m->vertex_text},
-        .fragment = {version_for(m->fragment_text), m->fragment_text},
-    });
-    if (!v->pack) return false;
-    if (o->sky) return true;
-    v->light = program_make(v->gl, &(ProgramText){
-        .vertex = {VERSION, o->screen_text},
-        .fragment = {version_for(m->unpack_text), m->unpack_text, "\n#line 1\n", o->light_text},
-    });
+                                      .vertex = {version_for(m->vertex_text), m->vertex_text},
+                                      .fragment = {version_for(m->fragment_text), m->fragment_text},
+                                  });
+    if (!v->pack)
+        return false;
+    if (o->sky)
+        return true;
+    v->light =
+        program_make(v->gl, &(ProgramText){
+                                .vertex = {VERSION, o->screen_text},
+                                .fragment = {version_for(m->unpack_text), m->unpack_text, "\n#line 1\n", o->light_text},
+                            });
     return v->light != 0;
 }
 
 static bool make_targets(View *v)
 {
-    FramebufferSpec spec = {v->options->width * v->samples, v->options->height * v->samples, VIEW_TARGETS, GL_RGBA16F, true};
-    if (!v->options->sky && !framebuffer_make(v->gl, &spec, &v->gbuffer)) return false;
+    FramebufferSpec spec = {v->options->width * v->samples, v->options->height * v->samples, VIEW_TARGETS, GL_RGBA16F,
+                            true};
+    if (!v->options->sky && !framebuffer_make(v->gl, &spec, &v->gbuffer))
+        return false;
     spec.color_count = 1;
     spec.depth = false;
     return framebuffer_make(v->gl, &spec, &v->lit);
@@ -70,10 +72,12 @@ static bool make_targets(View *v)
 static bool make_textures(View *v)
 {
     int most = v->gl->max_texture_units < UNITS_LIMIT ? v->gl->max_texture_units : UNITS_LIMIT;
-    if (v->material->texture_count > most) return gl_fail(v->gl, "more textures than the driver's %d", most);
+    if (v->material->texture_count > most)
+        return gl_fail(v->gl, "more textures than the driver's %d", most);
     for (int i = 0; i < v->material->texture_count; i++) {
         v->textures[i] = texture_make(v->gl, &v->material->textures[i].spec);
-        if (!v->textures[i]) return false;
+        if (!v->textures[i])
+            return false;
     }
     return true;
 }
@@ -101,7 +105,8 @@ static void set_material(View *v)
         texture_bind(v->gl, v->textures[i], i);
         set_number(v, v->pack, m->textures[i].name, (float)i);
     }
-    for (int i = 0; i < m->uniform_count; i++) program_set(v->gl, v->pack, &m->uniforms[i]);
+    for (int i = 0; i < m->uniform_count; i++)
+        program_set(v->gl, v->pack, &m->uniforms[i]);
 }
 
 static bool draw_gbuffer(View *v)
@@ -165,7 +170,8 @@ static void expose(float *rgba, size_t texels)
     for (float *end = rgba + 4 * texels; rgba < end; rgba += 4) {
         float greatest = fmaxf(fmaxf(rgba[0], rgba[1]), fmaxf(rgba[2], 1e-6f));
         float factor = (1 - expf(-exposure * greatest)) / greatest;
-        for (int lane = 0; lane < 3; lane++) rgba[lane] *= factor;
+        for (int lane = 0; lane < 3; lane++)
+            rgba[lane] *= factor;
     }
 }
 
@@ -175,8 +181,10 @@ static bool read_picture(View *v, float *samples, unsigned char *rgb)
     FramebufferPart part = {.width = v->lit.spec.width, .height = v->samples};
     for (int y = 0; y < v->options->height; y++) {
         part.y = y * v->samples;
-        if (!framebuffer_read_part(v->gl, &v->lit, &part, samples)) return false;
-        if (v->options->sky) expose(samples, (size_t)part.width * (size_t)part.height);
+        if (!framebuffer_read_part(v->gl, &v->lit, &part, samples))
+            return false;
+        if (v->options->sky)
+            expose(samples, (size_t)part.width * (size_t)part.height);
         resolve_row(samples, v->options->width, v->samples, rgb + (size_t)y * (size_t)v->options->width * 3);
     }
     return true;
@@ -186,7 +194,8 @@ static bool resolve(View *v, unsigned char *rgb)
 {
     size_t count = (size_t)v->lit.spec.width * (size_t)v->samples * 4;
     float *samples = malloc(count * sizeof *samples);
-    if (!samples) return gl_fail(v->gl, "out of memory");
+    if (!samples)
+        return gl_fail(v->gl, "out of memory");
     bool done = read_picture(v, samples, rgb);
     free(samples);
     return done;
@@ -196,12 +205,9 @@ static bool draw(View *v, unsigned char *rgb)
 {
     const ViewOptions *o = v->options;
     v->camera = o->sky ? camera_for_sky(o->azimuth, o->width, o->height) : camera_for(o->shape, o->width, o->height);
-    return make_programs(v)
-        && mesh_make_empty(v->gl, &v->screen)
-        && make_targets(v)
-        && make_textures(v)
-        && (o->sky ? draw_sky(v) : mesh_make(v->gl, o->shape, &v->shape) && draw_gbuffer(v) && draw_light(v))
-        && resolve(v, rgb);
+    return make_programs(v) && mesh_make_empty(v->gl, &v->screen) && make_targets(v) && make_textures(v) &&
+           (o->sky ? draw_sky(v) : mesh_make(v->gl, o->shape, &v->shape) && draw_gbuffer(v) && draw_light(v)) &&
+           resolve(v, rgb);
 }
 
 /* Leaves a caller's context as clean as it was. */
@@ -222,11 +228,16 @@ static void discard(View *v)
 
 static const char *find_fault(const ViewOptions *o, const ViewProgram *p, int samples)
 {
-    if (!p->vertex_text || !p->fragment_text || (!p->unpack_text && !o->sky)) return "the material's program lacks a text";
-    if ((!o->screen_text || !o->light_text) && !o->sky) return "the light pass lacks a text";
-    if ((unsigned)o->shape >= SHAPE_count) return "unknown shape";
-    if (samples < 1 || samples > VIEW_SUPERSAMPLING_LIMIT) return "supersampling is 1 to 8";
-    if (o->width < 1 || o->height < 1) return "a picture needs at least one pixel";
+    if (!p->vertex_text || !p->fragment_text || (!p->unpack_text && !o->sky))
+        return "the material's program lacks a text";
+    if ((!o->screen_text || !o->light_text) && !o->sky)
+        return "the light pass lacks a text";
+    if ((unsigned)o->shape >= SHAPE_count)
+        return "unknown shape";
+    if (samples < 1 || samples > VIEW_SUPERSAMPLING_LIMIT)
+        return "supersampling is 1 to 8";
+    if (o->width < 1 || o->height < 1)
+        return "a picture needs at least one pixel";
     if (o->width > VIEW_SIZE_LIMIT / samples || o->height > VIEW_SIZE_LIMIT / samples)
         return "the picture with its supersampling is larger than 8192 pixels";
     return NULL;
@@ -236,13 +247,17 @@ bool view_render(const ViewOptions *options, const ViewProgram *program, unsigne
 {
     int samples = options->supersampling ? options->supersampling : 4;
     const char *fault = find_fault(options, program, samples);
-    if (fault) return message_fail(error, room, "%s", fault);
+    if (fault)
+        return message_fail(error, room, "%s", fault);
     View view = {.options = options, .material = program, .samples = samples};
     view.gl = options->gl ? options->gl : gl_open(GL_KIND_osmesa, true, error, room);
-    if (!view.gl) return false;
+    if (!view.gl)
+        return false;
     bool done = draw(&view, rgb);
-    if (!done) message_fail(error, room, "%s", view.gl->error);
+    if (!done)
+        message_fail(error, room, "%s", view.gl->error);
     discard(&view);
-    if (!options->gl) gl_close(view.gl);
+    if (!options->gl)
+        gl_close(view.gl);
     return done;
 }

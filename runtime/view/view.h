@@ -7,25 +7,25 @@
 #include "runtime/gl/texture.h"
 
 enum {
-    VIEW_TARGETS = 4,      /* of the thesis layout, RGBA16F, read as matc_gbuffer0 to 3 */
+    VIEW_TARGETS = 4,       /* of the thesis layout, RGBA16F, read as matc_gbuffer0 to 3 */
     VIEW_SIZE_LIMIT = 8192, /* greatest width and height, supersampling counted in */
     VIEW_SUPERSAMPLING_LIMIT = 8
 };
 
 typedef struct {
     ShapeKind shape;
-    int width, height;        /* of the picture */
-    int supersampling;        /* n: n x n samples a pixel; 0 is 4 */
-    const char *screen_text;  /* runtime/view/screen.glsl */
-    const char *light_text;   /* runtime/view/light.glsl */
-    bool sky;                 /* the program is one of the pass sky: no shape, no light pass, unpack_text may be NULL */
-    double azimuth;           /* the sky's picture looks there: radians from the x axis */
-    GlContext *gl;            /* a core context to draw with; NULL: one of OSMesa for this picture,
+    int width, height;       /* of the picture */
+    int supersampling;       /* n: n x n samples a pixel; 0 is 4 */
+    const char *screen_text; /* runtime/view/screen.glsl */
+    const char *light_text;  /* runtime/view/light.glsl */
+    bool sky;                /* the program is one of the pass sky: no shape, no light pass, unpack_text may be NULL */
+    double azimuth;          /* the sky's picture looks there: radians from the x axis */
+    GlContext *gl;           /* a core context to draw with; NULL: one of OSMesa for this picture,
                                  after which the thread has no current context */
 } ViewOptions;
 
 typedef struct {
-    const char *name;         /* of the sampler */
+    const char *name; /* of the sampler */
     TextureSpec spec;
 } ViewTexture;
 

@@ -199,7 +199,8 @@ static void print_process(const char *matc)
         double bare = process_median((char *[]){(char *)matc, document, "-o", "/dev/null", "--no-validate", NULL});
         double full = process_median((char *[]){(char *)matc, document, "-o", "/dev/null", NULL});
         double glslang = process_median((char *[]){self, "glslang", vertex, fragment, NULL});
-        printf("\nprocess: without validation %.2f ms; with validation %.2f ms, glslang alone %.2f ms: matc adds %.2f ms\n",
+        printf("\nprocess: without validation %.2f ms; with validation %.2f ms, glslang alone %.2f ms: matc adds %.2f "
+               "ms\n",
                bare * 1e3, full * 1e3, glslang * 1e3, (full - glslang) * 1e3);
     }
     remove(document);

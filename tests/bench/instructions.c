@@ -16,7 +16,7 @@
 
 enum { OP_FUNCTION = 54, OP_LABEL = 248, HEADER_WORDS = 5, LONGEST_PATH = 1024, LARGEST_WORDS = 1 << 20 };
 
-static const char *const names[] = {"plain", "checker", "uvChecker", "wood",          "granite",
+static const char *const names[] = {"plain",  "checker", "uvChecker", "wood",          "granite",
                                     "marble", "image",   "bumpImage", "volumeChecker", "sideSwitch"};
 enum { NAME_COUNT = sizeof names / sizeof *names };
 

@@ -22,7 +22,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     options.validate = false;
     options.check = true;
     options.read_file = no_file;
-    MatcDocument *document = matc_read(size && bytes[0] == '{' ? "fuzz.json" : "fuzz.yaml", (const char *)bytes, size, &options);
+    MatcDocument *document =
+        matc_read(size && bytes[0] == '{' ? "fuzz.json" : "fuzz.yaml", (const char *)bytes, size, &options);
     for (int i = 0; i < matc_material_count(document) && i < 4; i++)
         for (options.optimize = 0; options.optimize <= 2; options.optimize += 2) {
             MatcProgram *program = matc_compile(document, i, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
