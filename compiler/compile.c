@@ -61,7 +61,9 @@ static char *read_whole(const char *path, size_t *size, const char **why)
         *why = strerror(errno);
         return NULL;
     }
-    for (size_t got = 1; got;) {
+    bool too_large = false;
+    for (size_t got = 1; got && !too_large;) {
+        too_large = used > (size_t)LIMIT_DOCUMENT_MIB << 20;
         if (used + CHUNK + 1 > room) {
             room = room ? 2 * room : CHUNK + 1;
             char *more = realloc(text, room);
@@ -72,9 +74,9 @@ static char *read_whole(const char *path, size_t *size, const char **why)
         got = fread(text + used, 1, CHUNK, file);
         used += got;
     }
-    bool failed = ferror(file);
+    bool failed = ferror(file) || too_large;
     if (failed)
-        *why = strerror(errno);
+        *why = too_large ? "it is too large" : strerror(errno);
     fclose(file);
     if (failed) {
         free(text);
@@ -100,16 +102,42 @@ void depend_on(Compile *c, const char *path)
     ARENA_PUSH(c->arena, c->depends, c->depend_count, c->depend_room, path);
 }
 
+/* Drops `.` and `//` and takes `a/..` together, so that a file has one name. In place. */
+static void normalise(char *path)
+{
+    char *to = path, *start = path + (path[0] == '/');
+    to = start;
+    for (char *part = start; *part;) {
+        size_t size = strcspn(part, "/");
+        char *next = part + size + (part[size] == '/');
+        bool up = size == 2 && part[0] == '.' && part[1] == '.', slash = part[size] == '/';
+        bool can_pop = to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) && (to - 3 == start || to[-4] == '/'));
+        if (size == 0 || (size == 1 && part[0] == '.')) {
+            part = next;
+            continue;
+        }
+        if (up && can_pop) {
+            for (to--; to > start && to[-1] != '/';)
+                to--;
+        } else {
+            memmove(to, part, size);
+            to += size;
+            if (slash)
+                *to++ = '/';
+        }
+        part = next;
+    }
+    *to = 0;
+}
+
 const char *path_beside(Compile *c, const char *from, const char *path)
 {
     const char *slash = strrchr(from, '/');
-    while (path[0] == '.' && path[1] == '/') /* so that a file has one name */
-        path += 2;
-    if (path[0] == '/' || !slash)
-        return path;
     Text joined = text_new(c->arena);
-    text_add(&joined, from, (size_t)(slash - from) + 1);
+    if (path[0] != '/' && slash)
+        text_add(&joined, from, (size_t)(slash - from) + 1);
     text_put(&joined, path);
+    normalise(joined.at);
     return joined.at;
 }
 

@@ -78,6 +78,7 @@ struct Wave {
     WaveKind kind;
     const Wave *first, *second; /* Chain only; NULL is the identity */
     Value factor, shift;        /* Chain only; Float */
+    int length;                 /* waves that v is sent through, one after the other; bounded */
 };
 
 typedef enum { TRANSFORM_scale, TRANSFORM_translation, TRANSFORM_matrix, TRANSFORM_components } TransformKind;

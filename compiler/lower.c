@@ -29,10 +29,22 @@ const Node *param_node(const Node *node, int param)
 
 bool param_is_set(const Value *value) { return value->kind != VALUE_none; }
 
+/* One uniform cannot be an int and a float. */
+static void note_use(Lower *l, const Value *value, bool count)
+{
+    uint8_t *use = &l->uniform_use[value->uniform->index], now = count ? 1 : 2;
+    if (*use && *use != now) {
+        diag_add(l->c, value->span, DIAG_param_both, value->uniform->name);
+        l->failed = true;
+    }
+    *use = now;
+}
+
 Ref param_value(Lower *l, const Value *value, Type type)
 {
     if (value->kind == VALUE_uniform) {
         const Uniform *uniform = value->uniform;
+        note_use(l, value, type == TYPE_int);
         if (type == TYPE_int)
             return ir_make(l->ir, OP_uniform, TYPE_int, (uint32_t)uniform->index, NULL, 0);
         Ref ref = ir_make(l->ir, OP_uniform, uniform->type, (uint32_t)uniform->index, NULL, 0);

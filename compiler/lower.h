@@ -26,6 +26,7 @@ typedef struct {
     int env_count;
     const Job *job;
     bool cheap;  /* forms that are cheaper but not the plainest: -O1 and up */
+    uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
     bool failed; /* a diagnostic was made */
 } Lower;
 

@@ -89,7 +89,7 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     const Value *blend = node_param(node, P_Blend_blend);
     const Node *input = param_node(node, P_Blend_input);
     int count = blend->kind == VALUE_items ? blend->items->count : 0;
-    if (!count)
+    if (!count || l->failed)
         return ask(l, input, group, env);
     Ref t = ir_swizzle(l->ir, ask(l, input, GROUP_X, env), "x");
     Stop *stops = ARENA_ARRAY(l->c->arena, Stop, count);

@@ -166,6 +166,7 @@ Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job)
     l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
     l.ir->noise = noise_for(job->noise, job->target);
     l.ir->hint = HINT_SURFACE;
+    l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);
     write_pass(&l, material);
     return l.failed ? NULL : l.ir;
 }

@@ -101,11 +101,26 @@ Ref lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
                   ask(l, param_node(node, P_VolumeChecker_color2), group, env));
 }
 
+/* The same picture, or reliefs of the same parameters. */
+static bool same_texture(const IrTexture *a, const IrTexture *b)
+{
+    if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
+        return a->kind == b->kind && a->image == b->image;
+    for (int i = 1; i < kind_table[KIND_Carpenter].count; i++) {
+        double x[4], y[4];
+        value_number(&a->node->params[i], TYPE_float, x);
+        value_number(&b->node->params[i], TYPE_float, y);
+        if (x[0] != y[0])
+            return false;
+    }
+    return true;
+}
+
 static Ref texture(Lower *l, IrTexture wanted)
 {
     Ir *ir = l->ir;
     uint32_t i = 0;
-    while (i < ir->texture_count && (ir->textures[i].image != wanted.image || ir->textures[i].node != wanted.node))
+    while (i < ir->texture_count && !same_texture(&ir->textures[i], &wanted))
         i++;
     if (i == ir->texture_count)
         ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, wanted);

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096 };
+enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LARGEST_INPUT = 65 << 20 };
 
 static int complain(const char *what, const char *why)
 {
@@ -28,7 +28,7 @@ static char *read_stream(FILE *file, size_t *size)
     char *text = malloc(room);
     for (*size = 0; text;) {
         *size += fread(text + *size, 1, room - *size - 1, file);
-        if (feof(file) || ferror(file))
+        if (feof(file) || ferror(file) || *size > LARGEST_INPUT) /* the library refuses what is too large */
             break;
         char *more = realloc(text, room *= 2);
         if (!more)
@@ -114,7 +114,7 @@ static int write_outputs(const CommandLine *line, MatcDocument *document, MatcPr
         if (why)
             return complain(to, why);
     }
-    return line->textures ? write_textures(line, program) : FINE;
+    return line->textures && program ? write_textures(line, program) : FINE;
 }
 
 static int write_depfile(const CommandLine *line, const MatcDocument *document, const char *name)
@@ -209,7 +209,7 @@ static int run_input(const CommandLine *line, const char *path)
     MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
     free(text);
     print_diagnostics(matc_diagnostics(document, line->diagnostics), line);
-    bool tree_only = line->emit[EMIT_tree] && !line->emit[EMIT_glsl] && !line->folder;
+    bool tree_only = line->emit[EMIT_tree] && !line->folder && !line->depend && !line->textures;
     int status = FAULT;
     if (!tree_only)
         status = run_document(line, document);
@@ -247,6 +247,8 @@ static int check_usage(const CommandLine *line)
         return usage("-o and -d exclude each other");
     if (line->output && line->input_count > 1)
         return usage("several documents need -d, not -o");
+    if (!emits)
+        return usage("--emit names nothing");
     if (emits > 1 && !line->folder)
         return usage("several outputs need -d");
     if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
@@ -282,5 +284,7 @@ int main(int argc, char **argv)
             status |= run_input(&line, line.inputs[i]);
     }
     free(line.inputs);
-    return status;
+    if (fflush(stdout) || ferror(stdout))
+        status |= complain("standard output", strerror(errno));
+    return status & USAGE ? USAGE : status;
 }

@@ -188,7 +188,7 @@ static const char *opacity_of(MatcProgram *p, const Graph *graph, const Node *ma
     if (!ir || !ir_is(ir, ir->outputs[0].value, OP_const))
         return "varying";
     const double *t = ir_numbers(ir, ir->outputs[0].value);
-    return t[0] == 0 && t[1] == 0 && t[2] == 0 ? "opaque" : "transparent";
+    return t[0] <= 0 && t[1] <= 0 && t[2] <= 0 ? "opaque" : "transparent";
 }
 
 static void print_stats(Text *out, const Compile *c, const char *heading)
@@ -248,15 +248,21 @@ static void fill_outputs(MatcProgram *p, const MatcDocument *d, int material, un
     }
 }
 
-static bool fill_spirv(MatcProgram *p, const Job *job)
+/* SPIR-V comes from Vulkan's GLSL: for another target the material is compiled once more. */
+static bool fill_spirv(MatcProgram *p, const MatcDocument *d, int material, const Job *job)
 {
-    const char *log = "";
+    const char *log = "", *fragment = p->products.fragment;
     size_t size = 0;
-    Job spirv = *job;
-    spirv.target = TARGET_spirv;
-    const char *words = make_spirv(&p->c, p->products.fragment, &size, &log);
+    Job vulkan = *job;
+    vulkan.target = TARGET_spirv;
+    if (job->target != TARGET_spirv) {
+        Interface interface;
+        Ir *ir = compile_ir(&p->c, d->graph, d->graph->materials[material].node, &vulkan);
+        fragment = ir ? emit_fragment(&p->c, ir, &vulkan, &interface, &size) : NULL;
+    }
+    const char *words = fragment ? make_spirv(&p->c, fragment, &size, &log) : NULL;
     if (!words)
-        diag_add(&p->c, NO_SPAN, DIAG_not_valid, target_table[spirv.target].name, log);
+        diag_add(&p->c, NO_SPAN, DIAG_not_valid, target_table[vulkan.target].name, log);
     keep(p, MATC_SPIRV, words, size);
     return words != NULL;
 }
@@ -278,7 +284,7 @@ static bool compile_program(MatcProgram *p, const MatcDocument *d, int material,
     fill_outputs(p, d, material, outputs, job);
     list_uniforms(p, d->graph);
     p->texture_count = texture_list(c, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
-    return !(outputs & MATC_SPIRV) || fill_spirv(p, job);
+    return !(outputs & MATC_SPIRV) || fill_spirv(p, d, material, job);
 }
 
 MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs, const MatcOptions *options)

@@ -76,7 +76,7 @@ const char *const options_help =
     "  --layout=L           thesis\n"
     "  --noise=N            lattice (default), groimp\n"
     "  --material=NAME      of `materials:`; without it, the only one\n"
-    "  -O0, -O1, -O2        as written; optimised (default)\n"
+    "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
     "questions\n"
     "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
     "  --list               materials, maps, waves, channels, slots\n"
@@ -165,9 +165,9 @@ static bool read_option(CommandLine *line, char **argv, int *i, const char **fau
 
 static bool read_level(CommandLine *line, const char *arg)
 {
-    if (strncmp(arg, "-O", 2) != 0 || !strchr("012", arg[2]) || !arg[2] || arg[3])
-        return false;
-    line->compile.optimize = arg[2] - '0';
+    if (strncmp(arg, "-O", 2) != 0 || (arg[2] && arg[3]) || !strchr("0123s", arg[2]))
+        return false; /* strchr finds the end of "-O" too */
+    line->compile.optimize = arg[2] == '0' || arg[2] == '1' ? arg[2] - '0' : 2;
     return true;
 }
 

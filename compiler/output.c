@@ -124,6 +124,8 @@ const char *output_depfile(const char *path, const char *target, const MatcDocum
     put_escaped(out, target);
     fputc(':', out);
     for (int i = 0; i < matc_depend_count(document); i++) {
+        if (matc_depend(document, i)[0] == '<')
+            continue; /* standard input has no file */
         fputs(i ? " \\\n  " : " ", out);
         put_escaped(out, matc_depend(document, i));
     }

@@ -16,21 +16,25 @@ typedef struct {
     uint32_t file;
     const uint32_t *bytes; /* character -> byte offset; NULL for ASCII, where they are the same */
     size_t characters;
+    uint32_t start; /* of the text behind a byte order mark */
     Anchor *anchors;
     size_t anchor_count, anchor_room;
+    uint32_t *anchor_table; /* hash table of the newest anchor of each name, from 1 */
+    uint32_t anchor_mask;
     int nodes;
 } Reader;
 
 /* libyaml counts characters, a Span bytes. Fills the table between them; false where the text is not UTF-8. */
 static bool map_characters(Reader *r, const Source *source)
 {
-    const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size, *at = text;
+    const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size;
+    const unsigned char *at = text + r->start;
     while (at < end && *at < 0x80)
         at++;
     if (at == end)
         return true;
     uint32_t *bytes = arena_alloc(r->c->arena, (source->size + 1) * sizeof *bytes);
-    for (at = text; at < end;) {
+    for (at = text + r->start; at < end;) {
         int length = utf8_length(at, end);
         uint32_t offset = (uint32_t)(at - text);
         if (!length) {
@@ -49,7 +53,7 @@ static uint32_t offset_of(const Reader *r, yaml_mark_t mark)
 {
     size_t size = r->c->sources[r->file].size;
     if (!r->bytes)
-        return (uint32_t)(mark.index < size ? mark.index : size);
+        return (uint32_t)(r->start + mark.index < size ? r->start + mark.index : size);
     return r->bytes[mark.index < r->characters ? mark.index : r->characters];
 }
 
@@ -66,7 +70,7 @@ static bool next_event(Reader *r, yaml_event_t *event)
     yaml_mark_t mark = r->parser.problem_mark;
     uint32_t at = offset_of(r, mark);
     if (r->parser.error == YAML_READER_ERROR)
-        at = (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
+        at = r->start + (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
     diag_add(r->c, (Span){at, at + 1, r->file}, DIAG_syntax, problem);
     if (r->parser.context && r->parser.context_mark.line != mark.line) {
         uint32_t context = offset_of(r, r->parser.context_mark);
@@ -85,25 +89,43 @@ static Tree *new_tree(Reader *r, TreeKind kind, Span span)
     return tree;
 }
 
+static uint32_t *anchor_slot(const Reader *r, const char *name)
+{
+    uint32_t at = tree_hash(name) & r->anchor_mask;
+    while (r->anchor_table[at] && strcmp(r->anchors[r->anchor_table[at] - 1].name, name) != 0)
+        at = (at + 1) & r->anchor_mask;
+    return &r->anchor_table[at];
+}
+
+static void grow_anchor_table(Reader *r)
+{
+    r->anchor_mask = r->anchor_mask ? 2 * r->anchor_mask + 1 : 63;
+    r->anchor_table = ARENA_ARRAY(r->c->arena, uint32_t, r->anchor_mask + 1);
+    for (uint32_t i = 0; i < r->anchor_count; i++)
+        *anchor_slot(r, r->anchors[i].name) = i + 1;
+}
+
 static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
 {
     if (!name)
         return;
     Anchor anchor = {arena_string(r->c->arena, (const char *)name, strlen((const char *)name)), tree};
     ARENA_PUSH(r->c->arena, r->anchors, r->anchor_count, r->anchor_room, anchor);
+    if (2 * r->anchor_count > r->anchor_mask)
+        grow_anchor_table(r);
+    *anchor_slot(r, anchor.name) = (uint32_t)r->anchor_count; /* a name may be given anew */
 }
 
 static Tree *find_anchor(Reader *r, const char *name, Span span)
 {
-    for (size_t i = r->anchor_count; i-- > 0;) {
-        if (strcmp(r->anchors[i].name, name) != 0)
-            continue;
-        if (r->anchors[i].tree->open)
-            return diag_add(r->c, span, DIAG_anchor_cycle, name);
-        r->anchors[i].tree->shared = true;
-        return r->anchors[i].tree;
-    }
-    return diag_add(r->c, span, DIAG_unknown_anchor, name);
+    uint32_t found = r->anchor_table ? *anchor_slot(r, name) : 0;
+    if (!found)
+        return diag_add(r->c, span, DIAG_unknown_anchor, name);
+    Tree *tree = r->anchors[found - 1].tree;
+    if (tree->open)
+        return diag_add(r->c, span, DIAG_anchor_cycle, name);
+    tree->shared = true;
+    return tree;
 }
 
 static Tree *read_value(Reader *r, yaml_event_t *event, int depth);
@@ -135,10 +157,9 @@ static void merge_members(Reader *r, Tree *object, const Tree *base, size_t *roo
     if (base->kind != TREE_object)
         return;
     r->nodes += (int)base->count; /* merging is the one thing that copies */
-    uint32_t own = object->count;
+    const Tree own = *object; /* its members stay where they are while the object's list grows */
     for (uint32_t i = 0; i < base->count; i++) {
-        const Member *member = tree_find(object, base->members[i].key);
-        if (member && member < object->members + own)
+        if (tree_find(&own, base->members[i].key))
             continue;
         size_t count = object->count;
         ARENA_PUSH(r->c->arena, object->members, count, *room, base->members[i]);
@@ -295,12 +316,15 @@ Tree *read_document(Compile *c, uint32_t file)
     if (source->size > (size_t)LIMIT_DOCUMENT_MIB << 20)
         return diag_add(c, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
     Reader reader = {.c = c, .file = file};
+    if (source->size >= 3 && !memcmp(source->text, "\xEF\xBB\xBF", 3))
+        reader.start = 3;
     if (!map_characters(&reader, source) || !check_json(&reader, source))
         return NULL;
     if (!yaml_parser_initialize(&reader.parser))
         abort(); /* out of memory */
     yaml_parser_set_encoding(&reader.parser, YAML_UTF8_ENCODING);
-    yaml_parser_set_input_string(&reader.parser, (const unsigned char *)source->text, source->size);
+    yaml_parser_set_input_string(&reader.parser, (const unsigned char *)source->text + reader.start,
+                                 source->size - reader.start);
     Tree *tree = read_stream(&reader);
     yaml_parser_delete(&reader.parser);
     return tree;

@@ -154,6 +154,9 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
         diag_add(r->c, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->c, tree));
         return false;
     }
+    *value = (Value){.kind = VALUE_items, .items = tree->items_made};
+    if (tree->items_made)
+        return true;
     Item *item = ARENA_ARRAY(r->c->arena, Item, tree->count);
     Items *items = ARENA_NEW(r->c->arena, Items);
     *items = (Items){(int)tree->count, item};
@@ -168,6 +171,7 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
     if (descends)
         diag_add(r->c, descends->span, DIAG_unordered_items);
     *value = (Value){.kind = VALUE_items, .items = items};
+    tree->items_made = fine ? items : NULL;
     return fine;
 }
 
@@ -326,7 +330,7 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     set_presets(preset, kind, params);
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
-        if (member->value != name->value && !(outermost && is_document_key(member->key)))
+        if (strcmp(member->key, key) != 0 && !(outermost && is_document_key(member->key)))
             fine &= resolve_member(r, member, kind, name->value->text, params);
     }
     Node *node = ARENA_NEW(r->c->arena, Node);

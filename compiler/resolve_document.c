@@ -39,6 +39,10 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     for (size_t i = 0; i < c->source_count; i++)
         if (!strcmp(c->sources[i].name, path))
             return true; /* read already */
+    if (c->source_count > LIMIT_INCLUDES) {
+        diag_add(c, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
+        return false;
+    }
     Source source = {.name = path};
     char *text = read_file(c, path, &source.size, &why);
     if (!text) {
@@ -65,6 +69,8 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
         }
         ARENA_PUSH(r->c->arena, r->defs, r->def_count, r->def_room, defs->value);
     }
+    if (include && tree_is_null(include->value))
+        return fine;
     if (include && include->value->kind == TREE_list)
         for (uint32_t i = 0; i < include->value->count; i++)
             fine &= read_include(r, include->value->items[i], depth);

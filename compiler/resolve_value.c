@@ -115,6 +115,10 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
         value->uniform = known;
         return true;
     }
+    if (r->uniform_count >= LIMIT_PARAMS) {
+        diag_add(r->c, name->span, DIAG_too_many_params, LIMIT_PARAMS);
+        return false;
+    }
     Uniform *uniform = ARENA_NEW(r->c->arena, Uniform);
     *uniform = (Uniform){.name = name->text, .type = value->type, .span = name->span, .index = (int)r->uniform_count};
     memcpy(uniform->initial, value->number, sizeof value->number);
@@ -173,6 +177,10 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int mo
         value->number[0] = number;
         return fits_float(r, what, tree, number);
     }
+    if (tree->kind == TREE_scalar && tree->plain && tree->count && strchr("+-.0123456789", tree->text[0])) {
+        diag_add(r->c, tree->span, DIAG_bad_number, tree->text);
+        return false;
+    }
     if (tree->kind == TREE_scalar && most >= 3 && !tree_is_null(tree))
         return color(r, tree, value);
     diag_add(r->c, tree->span, DIAG_wrong_type, what,
@@ -224,12 +232,16 @@ static bool chain(Resolver *r, const Tree *tree, Wave *wave)
     return fine;
 }
 
+static int wave_length(const Wave *wave) { return wave ? wave->length : 0; }
+
 /* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number, second: wave } */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
 {
-    *result = NULL;
-    if (tree_is_null(tree))
+    *result = tree->wave;
+    if (tree_is_null(tree) || tree->wave)
         return true;
+    if (tree->failed)
+        return false;
     if (++r->depth > LIMIT_DEPTH) {
         diag_add(r->c, tree->span, DIAG_too_deep, LIMIT_DEPTH);
         return false;
@@ -247,7 +259,13 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
         fine = false;
     }
     r->depth--;
-    *result = wave;
+    wave->length = wave->kind == WAVE_Chain ? wave_length(wave->first) + wave_length(wave->second) : 1;
+    if (wave->length > LIMIT_WAVES) {
+        diag_add(r->c, tree->span, DIAG_wave_too_long, LIMIT_WAVES);
+        fine = false;
+    }
+    tree->failed = !fine;
+    *result = tree->wave = fine ? wave : NULL;
     return fine;
 }
 

@@ -32,7 +32,7 @@ const char *tree_describe(Compile *c, const Tree *tree)
 
 enum { LARGE_OBJECT = 16 }; /* members from which on a hash table pays */
 
-static uint32_t hash_key(const char *key)
+uint32_t tree_hash(const char *key)
 {
     uint32_t hash = 2166136261u;
     for (; *key; key++)
@@ -50,7 +50,7 @@ void tree_index(Compile *c, Tree *object)
     object->table = ARENA_ARRAY(c->arena, uint32_t, size);
     object->mask = size - 1;
     for (uint32_t i = 0; i < object->count; i++) {
-        uint32_t at = hash_key(object->members[i].key) & object->mask;
+        uint32_t at = tree_hash(object->members[i].key) & object->mask;
         while (object->table[at] && strcmp(object->members[object->table[at] - 1].key, object->members[i].key) != 0)
             at = (at + 1) & object->mask;
         if (!object->table[at])
@@ -63,7 +63,7 @@ const Member *tree_find(const Tree *object, const char *key)
     if (object->kind != TREE_object)
         return NULL;
     if (object->table) {
-        uint32_t at = hash_key(key) & object->mask;
+        uint32_t at = tree_hash(key) & object->mask;
         while (object->table[at] && strcmp(object->members[object->table[at] - 1].key, key) != 0)
             at = (at + 1) & object->mask;
         return object->table[at] ? &object->members[object->table[at] - 1] : NULL;

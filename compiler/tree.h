@@ -32,11 +32,14 @@ struct Tree {
     };
     uint32_t *table;  /* of an object with many members: hash table of member numbers from 1, for tree_find */
     uint32_t mask;    /* its size less one */
+    const Wave *wave;   /* resolve: the wave this subtree became */
+    const Items *items_made; /* resolve: the blend items it became */
     const Node *node; /* resolve: the node this subtree became, so that a shared one is made once */
 };
 
 /* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into c->sources. */
 Tree *read_document(Compile *c, uint32_t source);
+uint32_t tree_hash(const char *key);
 /* Makes tree_find fast for an object with many members, once it is read. */
 void tree_index(Compile *c, Tree *object);
 /* The first member of that key, or NULL. */

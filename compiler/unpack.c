@@ -35,7 +35,7 @@ static void put_struct(Text *out, Layout layout)
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (has_slot(layout, (Slot)slot))
             text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name, slot_table[slot].name,
-                        slot_table[slot].doc);
+                        slot == SLOT_normal ? "Shading normal in eye space, unit length." : slot_table[slot].doc);
     text_put(out, "};\n\n");
 }
 
