@@ -3,8 +3,6 @@
 #include "emit_declare.h"
 #include <string.h>
 
-enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1 };
-
 void emit_version(Text *out, Target target)
 {
     text_format(out, "#version %s\n", target_table[target].version);
@@ -22,7 +20,47 @@ int input_location(Input input)
     return location;
 }
 
-static bool has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
+bool has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
+
+int std140_offset(const char *type, int *size)
+{
+    static const struct {
+        const char *name;
+        int align, size;
+    } rows[] = {{"int", 4, 4},    {"float", 4, 4},  {"vec2", 8, 8},  {"vec3", 16, 12},
+                {"vec4", 16, 16}, {"mat3", 16, 48}, {"mat4", 16, 64}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        size_t length = strlen(rows[i].name);
+        if (strncmp(type, rows[i].name, length) != 0 || (type[length] && type[length] != ' '))
+            continue;
+        int offset = (*size + rows[i].align - 1) / rows[i].align * rows[i].align;
+        *size = offset + rows[i].size;
+        return offset;
+    }
+    return *size;
+}
+
+int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const char *name)
+{
+    int binding = FIRST_TEXTURE_BINDING;
+    for (size_t i = 0; i < ir->texture_count; i++)
+        if (interface->textures[i]) {
+            if (!strcmp(texture_name(c, ir, (int)i), name))
+                return binding;
+            binding++;
+        }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
+            const char *end = strchr(line, '\n'), *sampler = strstr(line, "sampler2D ");
+            if (!sampler || sampler > end)
+                continue;
+            size_t length = (size_t)(end - sampler) - strlen("sampler2D ");
+            if (strlen(name) == length && !strncmp(sampler + strlen("sampler2D "), name, length))
+                return binding;
+            binding++;
+        }
+    return -1;
+}
 
 const char *texture_name(Compile *c, const Ir *ir, int texture)
 {

@@ -27,7 +27,15 @@ static void next(List *list)
 
 static void close_list(List *list) { text_put(list->out, list->first ? "]" : "\n  ]"); }
 
-static void put_inputs(Text *out, const Interface *interface)
+/* Where a plain uniform lies in the block, for targets that have one. */
+static void put_offset(Text *out, const Job *job, const char *type, int *size)
+{
+    if (has_locations(job->target))
+        text_format(out, ", \"offset\": %d", std140_offset(type, size));
+}
+
+/* `size` is that of the uniform block so far. */
+static void put_inputs(Text *out, const Job *job, const Interface *interface, int *size)
 {
     List list = open_list(out, "inputs");
     for (int i = 0; i < INPUT_COUNT; i++) {
@@ -37,23 +45,27 @@ static void put_inputs(Text *out, const Interface *interface)
         next(&list);
         text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"source\": \"%s\"", row->glsl,
                     type_table[row->type].name, sources[row->source]);
-        if (row->source == SOURCE_varying)
+        if (row->source == SOURCE_varying && has_locations(job->target))
             text_format(out, ", \"location\": %d", input_location((Input)i));
+        if (row->source == SOURCE_draw)
+            put_offset(out, job, type_table[row->type].name, size);
         text_put(out, "}");
     }
     close_list(&list);
 }
 
-static void put_uniforms(Text *out, const Ir *ir, const Interface *interface)
+static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interface *interface, int *size_of_block)
 {
     List list = open_list(out, "uniforms");
     for (int i = 0; i < ir->graph->uniform_count; i++) {
         const Uniform *uniform = ir->graph->uniforms[i];
         if (!interface->uniforms[i])
             continue;
+        const char *glsl = uniform_is_int(ir, i) ? "int" : type_table[uniform->type].name;
         next(&list);
-        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"default\": [", uniform->name,
-                    uniform_is_int(ir, i) ? "int" : type_table[uniform->type].name);
+        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\"", uniform->name, glsl);
+        put_offset(out, job, glsl, size_of_block);
+        text_put(out, ", \"default\": [");
         for (int lane = 0; lane < type_table[uniform->type].lanes; lane++) {
             text_put(out, lane ? ", " : "");
             text_double(out, uniform->initial[lane]);
@@ -66,12 +78,17 @@ static void put_uniforms(Text *out, const Ir *ir, const Interface *interface)
             if (!strncmp(line, "highp", 5) || !strncmp(line, "sampler", 7))
                 continue;
             next(&list);
-            text_format(out, "{\"name\": \"%.*s\", \"type\": \"%.*s\"}", size - type - 1, line + type + 1, type, line);
+            text_format(out, "{\"name\": \"%.*s\", \"type\": \"%.*s\"", size - type - 1, line + type + 1, type, line);
+            put_offset(out, job, line, size_of_block);
+            text_char(out, '}');
         }
     close_list(&list);
+    if (*size_of_block)
+        text_format(out, ",\n  \"block\": {\"name\": \"Material\", \"binding\": %d, \"size\": %d}", MATERIAL_BLOCK,
+                    *size_of_block);
 }
 
-static void put_textures(Compile *c, Text *out, const Ir *ir, const Interface *interface)
+static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     MatcTexture *textures;
     int *made_by, count = texture_list(c, ir, interface, &textures, &made_by);
@@ -87,6 +104,8 @@ static void put_textures(Compile *c, Text *out, const Ir *ir, const Interface *i
                     bytes           ? t->lanes == 4 ? "RGBA8" : "R8"
                     : t->lanes == 4 ? "RGBA32F"
                                     : "R32F");
+        if (has_locations(job->target))
+            text_format(out, "\"binding\": %d, ", texture_binding(c, ir, interface, t->name));
         text_put(out, t->path ? "\"file\": " : "\"baked\": true}");
         if (t->path) {
             text_json(out, t->path, strlen(t->path));
@@ -128,10 +147,12 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
     if (job->pass == PASS_value)
         text_format(out, ",\n  \"slot\": \"%s\"", slot_table[job->slot].name);
     text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", noise_names[job->noise], opacity);
-    put_inputs(out, interface);
-    put_uniforms(out, ir, interface);
-    put_textures(c, out, ir, interface);
+    int block = 0;
+    put_inputs(out, job, interface, &block);
+    put_uniforms(out, ir, job, interface, &block);
+    put_textures(c, out, ir, job, interface);
     put_outputs(out, ir, job);
+    describe_vertex(out, job, interface);
     List files = open_list(out, "sources");
     for (size_t i = 0; i < c->depend_count; i++) {
         next(&files);

@@ -27,9 +27,8 @@ static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 t
                                          "vec3 tangentV"};
 static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
                                        "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
+static const char *const screen_uniforms[] = {"mat4 matc_worldFromClip"};
 enum { ATTRIBUTE_COUNT = 5, UNIFORM_COUNT = 4 };
-
-static bool is_vulkan(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
 
 static void put_attributes(Text *out, Target target, const bool *used)
 {
@@ -42,9 +41,9 @@ static void put_attributes(Text *out, Target target, const bool *used)
 
 static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names, int count)
 {
-    bool block = is_vulkan(target);
+    bool block = has_locations(target);
     if (block)
-        text_put(out, "layout(std140, binding = 16) uniform Draw {\n");
+        text_format(out, "layout(std140, binding = %d) uniform Draw {\n", DRAW_BLOCK);
     for (int i = 0; i < count; i++)
         if (used[i])
             text_format(out, "%s%s;\n", block ? "    " : "uniform ", names[i]);
@@ -58,15 +57,22 @@ static void mark(const char *const *list, int count, const char *name, bool *use
         used[i] |= !strcmp(list[i], name);
 }
 
-static void rasterised(Text *out, const Job *job, const Interface *interface)
+/* Which attributes and uniforms the varyings in use read; the position is always one. */
+static void mark_used(const Interface *interface, bool *attribute, bool *uniform)
 {
-    bool attribute[ATTRIBUTE_COUNT] = {true}, uniform[UNIFORM_COUNT] = {true, true};
+    attribute[0] = uniform[0] = uniform[1] = true;
     for (int i = 0; i < FEED_COUNT; i++) {
         if (!interface->inputs[feeds[i].input])
             continue;
         mark(attributes, ATTRIBUTE_COUNT, feeds[i].attribute, attribute);
         mark(uniforms, UNIFORM_COUNT, feeds[i].uniform, uniform);
     }
+}
+
+static void rasterised(Text *out, const Job *job, const Interface *interface)
+{
+    bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
+    mark_used(interface, attribute, uniform);
     put_attributes(out, job->target, attribute);
     put_uniforms(out, job->target, uniform, uniforms, UNIFORM_COUNT);
     for (int i = 0; i < FEED_COUNT; i++)
@@ -83,12 +89,11 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
  * it linear over the screen even where the near plane is oblique; it leads away from the eye whichever way z runs. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)
 {
-    static const char *const names[] = {"mat4 matc_worldFromClip"};
     bool old = job->target == TARGET_glsl110, ray = interface->inputs[INPUT_ray];
     if (old)
         text_put(out, "attribute vec3 position;\n");
     if (ray) {
-        put_uniforms(out, job->target, (bool[]){true}, names, 1);
+        put_uniforms(out, job->target, (bool[]){true}, screen_uniforms, 1);
         emit_varying(out, job->target, INPUT_ray, "out");
     }
     text_put(out, "\nvoid main() {\n");
@@ -114,4 +119,43 @@ const char *emit_vertex(Compile *c, const Job *job, const Interface *interface)
     else
         rasterised(&out, job, interface);
     return out.at;
+}
+
+/* "vec3 position" as {"name": "position", "type": "vec3", key: value}. */
+static void describe(Text *out, const char *declaration, const char *key, int value)
+{
+    int type = (int)strcspn(declaration, " ");
+    text_format(out, "{\"name\": \"%s\", \"type\": \"%.*s\"", declaration + type + 1, type, declaration);
+    if (value >= 0)
+        text_format(out, ", \"%s\": %d", key, value);
+    text_char(out, '}');
+}
+
+void describe_vertex(Text *out, const Job *job, const Interface *interface)
+{
+    bool screen = job->pass == PASS_plane || job->pass == PASS_sky, old = job->target == TARGET_glsl110;
+    bool attribute[ATTRIBUTE_COUNT] = {screen && old},
+         uniform[UNIFORM_COUNT] = {screen && interface->inputs[INPUT_ray]};
+    const char *const *names = screen ? screen_uniforms : uniforms;
+    int size = 0;
+    if (!screen)
+        mark_used(interface, attribute, uniform);
+    text_put(out, ",\n  \"vertex\": {\"attributes\": [");
+    for (int i = 0, first = 1; i < ATTRIBUTE_COUNT; i++)
+        if (attribute[i]) {
+            text_put(out, first ? "" : ", ");
+            describe(out, attributes[i], "location", old ? -1 : i);
+            first = 0;
+        }
+    text_put(out, "], \"uniforms\": [");
+    for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
+        if (uniform[i]) {
+            text_put(out, first ? "" : ", ");
+            describe(out, names[i], "offset", has_locations(job->target) ? std140_offset(names[i], &size) : -1);
+            first = 0;
+        }
+    text_put(out, "]");
+    if (has_locations(job->target) && size)
+        text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK, size);
+    text_put(out, "}");
 }
