@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "matc.h"
+#include <cjson/cJSON.h>
 #include <locale.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -181,6 +182,37 @@ static void noise_tables_are_textures(void **state)
     matc_document_free(document);
 }
 
+/* The reflection is JSON, and names every uniform and texture that the shader declares. */
+static void reflection_fits_the_shader(void **state)
+{
+    (void)state;
+    static const char text[] = "material: Phong\n"
+                               "input: { map: BumpMap, displacement: { map: Carpenter } }\n"
+                               "diffuse: { map: Granite, frequency: { param: fast, default: 2 } }\n"
+                               "specular: { param: tint, default: [1, 0.5, 0.25] }\n";
+    static const char *const targets[] = {"glsl110", "glsl330", "glsl450", "essl300"};
+    for (size_t i = 0; i < sizeof targets / sizeof *targets; i++) {
+        MatcOptions options = quick();
+        options.target = targets[i];
+        options.noise = "groimp";
+        char *json = compile_text(text, MATC_REFLECT, &options), *shader = compile_text(text, MATC_FRAGMENT, &options);
+        cJSON *root = cJSON_Parse(json), *list, *item;
+        assert_non_null(root);
+        static const char *const lists[] = {"inputs", "uniforms", "textures"};
+        for (int k = 0; k < 3; k++) {
+            list = cJSON_GetObjectItem(root, lists[k]);
+            assert_true(cJSON_GetArraySize(list) > 1);
+            cJSON_ArrayForEach(item, list)
+                assert_non_null(strstr(shader, cJSON_GetObjectItem(item, "name")->valuestring));
+        }
+        item = cJSON_GetObjectItem(cJSON_GetObjectItem(root, "block"), "size");
+        assert_true(i == 2 ? item->valueint == 80 : item == NULL); /* float, vec3 at 16, mat3 at 32 */
+        cJSON_Delete(root);
+        free(json);
+        free(shader);
+    }
+}
+
 static void unknown_options_are_named(void **state)
 {
     (void)state;
@@ -343,6 +375,7 @@ int main(void)
         cmocka_unit_test(materials_are_listed),
         cmocka_unit_test(uniforms_have_defaults),
         cmocka_unit_test(noise_tables_are_textures),
+        cmocka_unit_test(reflection_fits_the_shader),
         cmocka_unit_test(unknown_options_are_named),
         cmocka_unit_test(cut_documents_are_refused),
         cmocka_unit_test(evaluation_reads_back),
