@@ -1,0 +1,184 @@
+/* The tables of grammar/: their rows are sound, and every parameter of every kind is tried at its default, at both ends of its
+ * range, beyond them, and with a value of another type. Adding a row adds its cases. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "grammar/tables.h"
+#include "matc.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { LONGEST_DOCUMENT = 512 };
+
+static bool is_sentence(const char *doc)
+{
+    size_t size = doc ? strlen(doc) : 0;
+    return size > 3 && doc[size - 1] == '.';
+}
+
+static void rows_are_documented(void **state)
+{
+    (void)state;
+    for (int i = 0; i < KIND_COUNT; i++)
+        assert_true(is_sentence(kind_table[i].doc));
+    for (int i = 0; i < PARAM_COUNT; i++)
+        assert_true(is_sentence(param_table[i].doc));
+    for (int i = 0; i < WAVE_COUNT; i++)
+        assert_true(is_sentence(wave_table[i].doc));
+    for (int i = 0; i < SLOT_COUNT; i++)
+        assert_true(is_sentence(slot_table[i].doc));
+}
+
+/* A PARAM line under another kind than it names would compile silently. */
+static void parameters_stand_under_their_kind(void **state)
+{
+    (void)state;
+    int next = 0;
+    for (int kind = 0; kind < KIND_COUNT; kind++) {
+        assert_int_equal(kind_table[kind].first, next);
+        for (int i = 0; i < kind_table[kind].count; i++)
+            assert_int_equal(param_table[next++].kind, kind);
+    }
+    assert_int_equal(next, PARAM_COUNT);
+}
+
+static void defaults_are_in_range(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PARAM_COUNT; i++)
+        for (int lane = 0; lane < param_table[i].lanes; lane++)
+            assert_true(param_table[i].init[lane] >= param_table[i].low &&
+                        param_table[i].init[lane] <= param_table[i].high);
+}
+
+static void maps_have_their_files(void **state)
+{
+    (void)state;
+    char path[256];
+    assert_int_equal(chdir(SOURCE_FOLDER), 0);
+    for (int kind = 0; kind < KIND_COUNT; kind++) {
+        if (kind_table[kind].lowering == LOWERING_MATERIAL)
+            continue;
+        snprintf(path, sizeof path, "examples/%s.yaml", kind_table[kind].function);
+        assert_int_equal(access(path, R_OK), 0);
+        snprintf(path, sizeof path, "runtime/maps/%s.glsl", kind_table[kind].function);
+        assert_int_equal(access(path, R_OK) == 0, kind_table[kind].lowering == LOWERING_VOLUME);
+    }
+}
+
+/* Whether a document compiles: a fault in it is one, an internal fault fails the test. */
+static bool compiles(const char *text)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = false;
+    options.check = true;
+    MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
+    bool fine = matc_material_count(document) > 0;
+    for (options.optimize = 0; fine && options.optimize <= 2; options.optimize += 2) {
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        if (!matc_ok(program))
+            fprintf(stderr, "%s%s", text, matc_program_diagnostics(program, MATC_TEXT));
+        assert_true(matc_ok(program));
+        matc_program_free(program);
+    }
+    matc_document_free(document);
+    return fine;
+}
+
+static bool tries(const ParamRow *row, const char *value)
+{
+    char text[LONGEST_DOCUMENT];
+    const char *kind = kind_table[row->kind].name;
+    if (kind_table[row->kind].lowering == LOWERING_MATERIAL)
+        snprintf(text, sizeof text, "material: %s\n%s: %s\n", kind, row->name, value);
+    else
+        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s, %s: %s }\n", kind, row->name, value);
+    return compiles(text);
+}
+
+static bool tries_number(const ParamRow *row, double value)
+{
+    char text[64];
+    snprintf(text, sizeof text, row->type == PARAM_Vec3 ? "[%.17g, 0.5, 0.25]" : "%.17g", value);
+    return tries(row, text);
+}
+
+static void try_numeric(const ParamRow *row)
+{
+    assert_true(tries_number(row, row->init[0]));
+    bool bounded = isfinite(row->high);
+    double low = bounded ? row->low : -1000, high = bounded ? row->high : 1000;
+    assert_true(tries_number(row, low));
+    assert_true(tries_number(row, high));
+    if (bounded) {
+        assert_false(tries_number(row, low - 1));
+        assert_false(tries_number(row, high + 1));
+    }
+    if (row->type == PARAM_Int)
+        assert_false(tries(row, "2.5"));
+    assert_false(tries(row, "1e39"));
+    assert_false(tries(row, ".nan"));
+    assert_false(tries(row, "{ map: Wood }"));
+}
+
+static void every_parameter_is_tried(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PARAM_COUNT; i++) {
+        const ParamRow *row = &param_table[i];
+        bool numeric = row->type == PARAM_Float || row->type == PARAM_Int || row->type == PARAM_Vec3;
+        if (numeric)
+            try_numeric(row);
+        else if (row->type == PARAM_Map)
+            assert_true(tries(row, "0.5") && tries(row, "{ map: Granite }") && !tries(row, "true"));
+        else if (row->type == PARAM_Material)
+            assert_true(tries(row, "{ material: RGBA }") && !tries(row, "0.5"));
+        else if (row->type == PARAM_Bool)
+            assert_true(tries(row, "true") && tries(row, "false") && !tries(row, "2"));
+        else
+            assert_false(tries(row, "[1, 2]"));
+        assert_true(tries(row, "null"));
+    }
+}
+
+static void every_wave_is_known(void **state)
+{
+    (void)state;
+    char text[LONGEST_DOCUMENT];
+    for (int i = 0; i < WAVE_COUNT; i++) {
+        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Wood, waveForm: %s }\n", wave_table[i].name);
+        assert_true(compiles(text));
+    }
+}
+
+static void every_alias_and_preset_is_known(void **state)
+{
+    (void)state;
+    char text[LONGEST_DOCUMENT];
+    for (int i = 0; i < alias_count + preset_count; i++) {
+        const char *name = i < alias_count ? alias_table[i].alias : preset_table[i - alias_count].name;
+        Kind kind = i < alias_count ? alias_table[i].kind : preset_table[i - alias_count].kind;
+        bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
+        snprintf(text, sizeof text, material ? "material: %s\n" : "material: Phong\ndiffuse: { map: %s }\n", name);
+        assert_true(compiles(text));
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_are_documented),
+        cmocka_unit_test(parameters_stand_under_their_kind),
+        cmocka_unit_test(defaults_are_in_range),
+        cmocka_unit_test(maps_have_their_files),
+        cmocka_unit_test(every_parameter_is_tried),
+        cmocka_unit_test(every_wave_is_known),
+        cmocka_unit_test(every_alias_and_preset_is_known),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
