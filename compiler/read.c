@@ -151,12 +151,14 @@ static bool read_list(Reader *r, Tree *list, int depth)
     return true;
 }
 
-/* `<<: *base` brings the members of base that the object lacks. */
-static void merge_members(Reader *r, Tree *object, const Tree *base, size_t *room)
+/* `<<: *base` brings the members of base that the object lacks; of `<<: [*a, *b]` the first counts. */
+static bool merge_members(Reader *r, Tree *object, const Tree *base, size_t *room)
 {
     if (base->kind != TREE_object)
-        return;
+        return diag_add(r->c, base->span, DIAG_bad_merge, tree_describe(r->c, base));
     r->nodes += (int)base->count; /* merging is the one thing that copies */
+    if (r->nodes > LIMIT_TREE_NODES)
+        return diag_add(r->c, object->span, DIAG_too_many, LIMIT_TREE_NODES);
     const Tree own = *object; /* its members stay where they are while the object's list grows */
     for (uint32_t i = 0; i < base->count; i++) {
         if (tree_find(&own, base->members[i].key))
@@ -165,6 +167,8 @@ static void merge_members(Reader *r, Tree *object, const Tree *base, size_t *roo
         ARENA_PUSH(r->c->arena, object->members, count, *room, base->members[i]);
         object->count = (uint32_t)count;
     }
+    tree_index(r->c, object);
+    return true;
 }
 
 /* tree_find gives the first member of a key: any other that has it stands there twice. */
@@ -199,13 +203,14 @@ static bool read_object(Reader *r, Tree *object, int depth)
             return false;
         }
         member.key = arena_string(r->c->arena, (char *)event.data.scalar.value, event.data.scalar.length);
+        bool merge = !strcmp(member.key, "<<") && event.data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
         yaml_event_delete(&event);
         if (!next_event(r, &event) || !(member.value = read_value(r, &event, depth + 1)))
             return false;
-        if (!strcmp(member.key, "<<")) {
+        if (merge && base)
+            return diag_add(r->c, member.span, DIAG_duplicate_key, member.key);
+        if (merge) {
             base = member.value;
-            if (base->kind != TREE_object)
-                return diag_add(r->c, base->span, DIAG_bad_merge, tree_describe(r->c, base));
             continue;
         }
         size_t count = object->count;
@@ -214,11 +219,12 @@ static bool read_object(Reader *r, Tree *object, int depth)
     }
     tree_index(r->c, object);
     check_duplicates(r, object);
-    if (base) {
-        merge_members(r, object, base, &room);
-        tree_index(r->c, object);
-        if (r->nodes > LIMIT_TREE_NODES)
-            return diag_add(r->c, object->span, DIAG_too_many, LIMIT_TREE_NODES);
+    if (base && base->kind == TREE_list) {
+        for (uint32_t i = 0; i < base->count; i++)
+            if (!merge_members(r, object, base->items[i], &room))
+                return false;
+    } else if (base && !merge_members(r, object, base, &room)) {
+        return false;
     }
     return true;
 }
