@@ -84,8 +84,7 @@ static void dead_parts_are_pruned(void **state)
 {
     (void)state;
     static const char *const documents[] = {
-        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { value: 1, input: 0.5 "
-        "}] }\n",
+        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { value: 1 }] }\n",
         "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
         "material: Phong\nambient: { map: Granite }\n", /* the layout has no ambient */
         "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
