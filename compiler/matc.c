@@ -194,12 +194,12 @@ static const char *opacity_of(MatcProgram *p, const Graph *graph, const Node *ma
 static void print_stats(Text *out, const Compile *c, const char *heading)
 {
     double total = 0;
-    text_format(out, "%-10s %12s %8s %8s\n", heading, "microseconds", "nodes", "cost");
+    text_format(out, "%-10s %12s %8s %13s\n", heading, "microseconds", "nodes", "instructions");
     for (size_t i = 0; i < c->stat_count; i++) {
         const StageStats *s = &c->stats[i];
         total += s->seconds;
         text_format(out, "%-10s %12.1f", s->name, s->seconds * 1e6);
-        text_format(out, s->nodes ? " %8d %8d\n" : "\n", s->nodes, s->cost);
+        text_format(out, s->nodes ? " %8d %13d\n" : "\n", s->nodes, s->cost);
     }
     text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, c->arena->used / 1024);
 }
