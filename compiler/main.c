@@ -139,19 +139,51 @@ static unsigned wanted_outputs(const CommandLine *line)
     return outputs;
 }
 
-static int compile_material(const CommandLine *line, MatcDocument *document, int material)
+/* Two materials of one name would overwrite each other in the folder of -d. */
+static bool take_name(const CommandLine *line, const char *name)
 {
-    const char *name = matc_material_name(document, material);
-    MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &line->compile);
-    int status = FAULT;
-    if (matc_ok(program))
-        status = write_outputs(line, document, program, name);
-    if (status == FINE && line->depend)
-        status = write_depfile(line, document, name);
-    if (matc_ok(program) && line->stats)
-        fputs(matc_output(program, MATC_STATS, NULL), stderr);
-    print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
-    matc_program_free(program);
+    for (int i = 0; line->folder && i < line->taken->count; i++)
+        if (!strcmp(line->taken->at[i], name))
+            return false;
+    char **more = realloc(line->taken->at, sizeof *more * (size_t)(line->taken->count + 1));
+    if (!more || !(more[line->taken->count] = strdup(name)))
+        abort();
+    line->taken->at = more;
+    line->taken->count++;
+    return true;
+}
+
+static int write_material(const CommandLine *line, MatcDocument *document, MatcProgram *program, const char *name)
+{
+    if (!take_name(line, name))
+        return complain(name, "a material of this name was written to the folder already");
+    int status = write_outputs(line, document, program, name);
+    return status == FINE && line->depend ? write_depfile(line, document, name) : status;
+}
+
+/* Compiles a document's materials, all or the one that is meant; writes them if none has a fault. */
+static int compile_materials(const CommandLine *line, MatcDocument *document, int only)
+{
+    int count = matc_material_count(document), status = FINE;
+    MatcProgram **programs = calloc((size_t)count, sizeof *programs);
+    if (!programs)
+        abort();
+    for (int i = 0; i < count; i++) {
+        if (only >= 0 && i != only)
+            continue;
+        programs[i] = matc_compile(document, i, wanted_outputs(line), &line->compile);
+        print_diagnostics(matc_program_diagnostics(programs[i], line->diagnostics), line);
+        if (!matc_ok(programs[i]))
+            status = FAULT;
+        else if (line->stats)
+            fputs(matc_output(programs[i], MATC_STATS, NULL), stderr);
+    }
+    for (int i = 0; i < count && status == FINE; i++)
+        if (programs[i])
+            status = write_material(line, document, programs[i], matc_material_name(document, i));
+    for (int i = 0; i < count; i++)
+        matc_program_free(programs[i]);
+    free(programs);
     return status;
 }
 
@@ -189,15 +221,10 @@ static int run_document(const CommandLine *line, MatcDocument *document)
 {
     if (!matc_material_count(document))
         return FAULT;
-    int material = choose_material(line, document), status = FINE;
+    int material = choose_material(line, document);
     if (material == -2)
         return FAULT;
-    if (line->eval)
-        return eval_material(line, document, material);
-    for (int i = 0; i < matc_material_count(document); i++)
-        if (material < 0 || i == material)
-            status |= compile_material(line, document, i);
-    return status;
+    return line->eval ? eval_material(line, document, material) : compile_materials(line, document, material);
 }
 
 static int run_input(const CommandLine *line, const char *path)
@@ -259,6 +286,7 @@ static int check_usage(const CommandLine *line)
 int main(int argc, char **argv)
 {
     CommandLine line;
+    Names taken = {0};
     const char *fault;
     if (!options_read(&line, argc, argv, &fault)) {
         free(line.inputs);
@@ -266,6 +294,7 @@ int main(int argc, char **argv)
     }
     line.compile.pixels = line.eval || line.textures;
     line.compile.measure = line.stats;
+    line.taken = &taken;
     int status = FINE;
     if (line.help)
         fputs(options_help, stdout);
@@ -283,6 +312,9 @@ int main(int argc, char **argv)
         for (int i = 0; i < line.input_count; i++)
             status |= run_input(&line, line.inputs[i]);
     }
+    for (int i = 0; i < taken.count; i++)
+        free(taken.at[i]);
+    free(taken.at);
     free(line.inputs);
     if (fflush(stdout) || ferror(stdout))
         status |= complain("standard output", strerror(errno));

@@ -21,8 +21,15 @@ typedef struct {
 } EmitRow;
 extern const EmitRow emit_table[EMIT_COUNT];
 
+/* Names under which materials were written to the folder of -d in this run. */
+typedef struct {
+    char **at;
+    int count;
+} Names;
+
 typedef struct {
     MatcOptions compile;
+    Names *taken;
     const char **inputs;
     int input_count;
     const char *output;    /* -o */

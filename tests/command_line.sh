@@ -89,6 +89,13 @@ check "which lists them" says 'blue'
 check "--material" status 0 $fast --material red "$work/two.yaml"
 check "-d takes all" status 0 $fast -d "$work/two" "$work/two.yaml"
 check "one file each" only "$work/two" blue.frag red.frag
+printf 'materials:\n  good: { material: RGBA }\n  bad: { material: Phong, diffuse: { map: VolumeTurbulence, octaves: { param: n, default: 2 } } }\n' >"$work/half.yaml"
+mkdir "$work/half"
+check "a fault in one material" status 1 $fast -d "$work/half" "$work/half.yaml"
+check "writes none of the document" test -z "$(ls "$work/half")"
+mkdir "$work/x" && cp $example "$work/x/"
+check "two documents of one name" status 1 $fast -d "$work/same" $example "$work/x/checker.yaml"
+check "are not written over each other" says "written to the folder already"
 
 check "spirv" status 0 "$matc" --target=spirv $example -o "$work/a.spv"
 check "has its magic number" test "$(od -An -tx4 -N4 "$work/a.spv" | tr -d ' ')" = 07230203
