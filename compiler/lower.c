@@ -27,8 +27,6 @@ const Node *param_node(const Node *node, int param)
     return value->kind == VALUE_node ? value->node : NULL;
 }
 
-bool param_is_set(const Value *value) { return value->kind != VALUE_none; }
-
 /* One uniform cannot be an int and a float. */
 static void note_use(Lower *l, const Value *value, bool count)
 {

@@ -44,7 +44,6 @@ Type common_type(Type a, Type b);
 Ref param_value(Lower *l, const Value *value, Type type);
 /* The map in a parameter, NULL if it has none. */
 const Node *param_node(const Node *node, int param);
-bool param_is_set(const Value *value);
 /* Reports a param where the value must be known. */
 void reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
 /* Cost of a value, up to `limit`: an upper bound, as shared parts count as often as they are met. */
