@@ -111,7 +111,8 @@ static void normalise(char *path)
         size_t size = strcspn(part, "/");
         char *next = part + size + (part[size] == '/');
         bool up = size == 2 && part[0] == '.' && part[1] == '.', slash = part[size] == '/';
-        bool can_pop = to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) && (to - 3 == start || to[-4] == '/'));
+        bool can_pop =
+            to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) && (to - 3 == start || to[-4] == '/'));
         if (size == 0 || (size == 1 && part[0] == '.')) {
             part = next;
             continue;

@@ -19,9 +19,9 @@ enum {
     LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
     LIMIT_NAME = 64,            /* letters of a name */
     LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
-    LIMIT_WAVES = 256,           /* waves of a chain, chains in it counted out */
-    LIMIT_PARAMS = 4096,         /* uniforms of a document */
-    LIMIT_INCLUDES = 256,        /* files that a document includes */
+    LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
+    LIMIT_PARAMS = 4096,        /* uniforms of a document */
+    LIMIT_INCLUDES = 256,       /* files that a document includes */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
     LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
 };
@@ -55,7 +55,7 @@ typedef struct {
     Pass pass;
     Layout layout;
     Slot slot;
-    Noise noise;
+    Choice choice[AXIS_COUNT];
 } Job;
 
 /* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */

@@ -209,9 +209,10 @@ static void explain_programs(const Query *q)
     for (int i = 0; i < PASS_COUNT; i++)
         if (begins(q, pass_table[i].name))
             text_format(q->out, "%s (pass)\n%s\n", pass_table[i].name, pass_table[i].doc);
-    for (int i = 0; i < NOISE_COUNT; i++)
-        if (begins(q, noise_names[i]))
-            text_format(q->out, "%s (noise)\n%s\n", noise_names[i], noise_docs[i]);
+    for (int i = 0; i < CHOICE_COUNT; i++)
+        if (begins(q, choice_table[i].name))
+            text_format(q->out, "%s (of --%s)\n%s\n", choice_table[i].name, axis_table[choice_table[i].axis].name,
+                        choice_table[i].doc);
 }
 
 static void explain_diags(const Query *q)

@@ -70,8 +70,11 @@ char *matc_list(void)
     LIST(&out, "Targets", target_table, TARGET_COUNT);
     LIST(&out, "Passes", pass_table, PASS_COUNT);
     LIST(&out, "Layouts", layout_table, LAYOUT_COUNT);
-    put_heading(&out, "Noises");
-    for (int i = 0; i < NOISE_COUNT; i++)
-        put_line(&out, noise_names[i], noise_docs[i]);
+    for (int i = 0; i < CHOICE_COUNT; i++) {
+        const AxisRow *axis = &axis_table[choice_table[i].axis];
+        if (axis->first == i)
+            put_heading(&out, axis->doc);
+        put_line(&out, choice_table[i].name, choice_table[i].doc);
+    }
     return describe_finish(&out);
 }

@@ -226,7 +226,7 @@ static void put_special(Scope *e, Text *out, Ref ref)
             text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
         break;
     case OP_call:
-        chunks_add(e->c, &e->interface->chunks, function_row((int)node->payload)->name, e->job->target, e->job->noise);
+        chunks_add(e->c, &e->interface->chunks, function_row((int)node->payload)->name, e->job);
         text_put(out, function_row((int)node->payload)->name);
         put_list(e, out, ref);
         break;

@@ -92,7 +92,7 @@ typedef struct Ir {
 } Ir;
 
 /* The lattice noise that a target's programs compute, for the references. lower.c */
-ReferenceNoise noise_for(Noise noise, Target target);
+ReferenceNoise noise_for(Choice noise, Target target);
 Ir *ir_new(Compile *c, const Graph *graph);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);

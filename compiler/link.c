@@ -1,4 +1,4 @@
-/* Chunks by name and variant: name.<noise>.110, name.<noise>, name.110, name; the first that exists. */
+/* Chunks by name and variant: name.<choice>.110, name.<choice>, name.110, name; the first that exists. */
 #include "link.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,25 +13,32 @@ static const Chunk *find(const char *name)
     return bsearch(name, chunk_table, (size_t)chunk_count, sizeof *chunk_table, by_name);
 }
 
-static const Chunk *variant(const char *name, int length, Target target, Noise noise)
+static const Chunk *find_variant(const char *name, int length, const char *choice, bool of_110)
 {
     char full[LONGEST_CHUNK_NAME];
-    for (int i = 0; i < 4; i++) {
-        bool of_noise = i < 2, of_110 = i % 2 == 0;
-        if (of_110 && target != TARGET_glsl110)
-            continue;
-        snprintf(full, sizeof full, "%.*s%s%s%s", length, name, of_noise ? "." : "", of_noise ? noise_names[noise] : "",
-                 of_110 ? ".110" : "");
-        const Chunk *chunk = find(full);
-        if (chunk)
-            return chunk;
-    }
-    return NULL;
+    snprintf(full, sizeof full, "%.*s%s%s%s", length, name, *choice ? "." : "", choice, of_110 ? ".110" : "");
+    return find(full);
 }
 
-static bool add(Compile *c, Chunks *chunks, const char *name, int length, Target target, Noise noise)
+static const Chunk *variant(const char *name, int length, const Job *job)
 {
-    const Chunk *chunk = variant(name, length, target, noise);
+    const Chunk *chunk = NULL;
+    bool old = job->target == TARGET_glsl110;
+    for (int axis = 0; axis < AXIS_COUNT && !chunk; axis++) {
+        if (!axis_table[axis].chunks)
+            continue;
+        const char *choice = choice_table[job->choice[axis]].name;
+        chunk = old ? find_variant(name, length, choice, true) : NULL;
+        chunk = chunk ? chunk : find_variant(name, length, choice, false);
+    }
+    if (!chunk && old)
+        chunk = find_variant(name, length, "", true);
+    return chunk ? chunk : find_variant(name, length, "", false);
+}
+
+static bool add(Compile *c, Chunks *chunks, const char *name, int length, const Job *job)
+{
+    const Chunk *chunk = variant(name, length, job);
     if (!chunk)
         return false;
     for (size_t i = 0; i < chunks->count; i++)
@@ -39,7 +46,7 @@ static bool add(Compile *c, Chunks *chunks, const char *name, int length, Target
             return true;
     for (const char *need = chunk->needs; *need;) {
         int size = (int)strcspn(need, " ");
-        if (!add(c, chunks, need, size, target, noise))
+        if (!add(c, chunks, need, size, job))
             return false;
         need += size;
         need += strspn(need, " ");
@@ -48,7 +55,7 @@ static bool add(Compile *c, Chunks *chunks, const char *name, int length, Target
     return true;
 }
 
-bool chunks_add(Compile *c, Chunks *chunks, const char *name, Target target, Noise noise)
+bool chunks_add(Compile *c, Chunks *chunks, const char *name, const Job *job)
 {
-    return add(c, chunks, name, (int)strlen(name), target, noise);
+    return add(c, chunks, name, (int)strlen(name), job);
 }

@@ -18,6 +18,6 @@ typedef struct {
     size_t count, room;
 } Chunks;
 
-/* Adds a chunk and all it needs, each once, in the variant for the target and the noise. False if there is none. */
-bool chunks_add(Compile *c, Chunks *chunks, const char *name, Target target, Noise noise);
+/* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False if there is none. */
+bool chunks_add(Compile *c, Chunks *chunks, const char *name, const Job *job);
 #endif

@@ -196,9 +196,9 @@ int cost_below(const Ir *ir, Ref ref, int limit)
     return cost;
 }
 
-ReferenceNoise noise_for(Noise noise, Target target)
+ReferenceNoise noise_for(Choice noise, Target target)
 {
-    return noise == NOISE_groimp      ? REFERENCE_GROIMP
-           : target == TARGET_glsl110 ? REFERENCE_LATTICE_FLOAT
-                                      : REFERENCE_LATTICE;
+    return noise == CHOICE_noise_groimp ? REFERENCE_GROIMP
+           : target == TARGET_glsl110   ? REFERENCE_LATTICE_FLOAT
+                                        : REFERENCE_LATTICE;
 }

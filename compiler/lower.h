@@ -25,9 +25,9 @@ typedef struct {
     size_t memo_count, memo_mask;
     int env_count;
     const Job *job;
-    bool cheap;  /* forms that are cheaper but not the plainest: -O1 and up */
+    bool cheap;           /* forms that are cheaper but not the plainest: -O1 and up */
     uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
-    bool failed; /* a diagnostic was made */
+    bool failed;          /* a diagnostic was made */
 } Lower;
 
 /* What a job's program computes of a material. NULL: see the diagnostics. */

@@ -164,7 +164,7 @@ Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
     Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = c->optimize > 0};
     l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
-    l.ir->noise = noise_for(job->noise, job->target);
+    l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
     l.ir->hint = HINT_SURFACE;
     l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);
     write_pass(&l, material);

@@ -8,6 +8,7 @@
 #include "validate.h"
 #include <locale.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -60,7 +61,7 @@ static const char *target_name(int i) { return target_table[i].name; }
 static const char *pass_name(int i) { return pass_table[i].name; }
 static const char *layout_name(int i) { return layout_table[i].name; }
 static const char *slot_name(int i) { return slot_table[i].name; }
-static const char *noise_name(int i) { return noise_names[i]; }
+static const char *precision_name(int i) { return precision_table[i].name; }
 
 static int index_of(const char *name, const char *(*names)(int), int count, int otherwise)
 {
@@ -72,17 +73,69 @@ static int index_of(const char *name, const char *(*names)(int), int count, int 
     return -1;
 }
 
-/* The job that options name; false if one of them does not exist. */
-static const char *job_of(const MatcOptions *o, Job *job)
+typedef struct {
+    const char *name;
+    size_t member;
+} TextOption;
+
+#define TEXT_OPTION(name)                                                                                              \
+    {                                                                                                                  \
+#name, offsetof(MatcOptions, name)                                                                             \
+    }
+static const TextOption text_options[] = {
+#define AXIS(name, chunks, doc) TEXT_OPTION(name),
+#include "grammar/variants.def"
+    TEXT_OPTION(target), TEXT_OPTION(pass), TEXT_OPTION(slot), TEXT_OPTION(layout), TEXT_OPTION(precision),
+};
+
+bool matc_options_set(MatcOptions *options, const char *name, const char *value)
+{
+    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
+        if (strcmp(text_options[i].name, name) != 0)
+            continue;
+        memcpy((char *)options + text_options[i].member, &value, sizeof value);
+        return true;
+    }
+    return false;
+}
+
+/* The axes come first. */
+static const char *option_of(const MatcOptions *options, Axis axis)
+{
+    const char *value;
+    memcpy(&value, (const char *)options + text_options[axis].member, sizeof value);
+    return value;
+}
+
+/* A choice by its name, else the row's, else the axis' own default; -1: there is no such choice. */
+static int choose(const MatcOptions *o, Axis axis, int precision)
+{
+    const char *name = option_of(o, axis);
+    int first = axis_table[axis].first, row = precision_table[precision].choice[axis];
+    if (!name)
+        return row >= 0 ? row : first;
+    for (int i = 0; i < axis_choices(axis); i++)
+        if (!strcmp(choice_table[first + i].name, name))
+            return first + i;
+    return -1;
+}
+
+const char *job_of(const MatcOptions *o, Job *job)
 {
     int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
     int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
     int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, LAYOUT_thesis);
     int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
-    int noise = index_of(o->noise, noise_name, NOISE_COUNT, NOISE_lattice);
-    if (target < 0 || pass < 0 || layout < 0 || slot < 0 || noise < 0)
-        return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "noise";
-    *job = (Job){(Target)target, (Pass)pass, (Layout)layout, (Slot)slot, (Noise)noise};
+    int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
+    if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
+        return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
+    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = (Layout)layout, .slot = (Slot)slot};
+    for (int axis = 0; axis < AXIS_COUNT; axis++) {
+        int choice = choose(o, (Axis)axis, precision);
+        if (choice < 0)
+            return axis_table[axis].name;
+        job->choice[axis] = (Choice)choice;
+    }
     return NULL;
 }
 
@@ -381,7 +434,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault) {
-        ReferenceContext context = {.noise = noise_for(job.noise, job.target)};
+        ReferenceContext context = {.noise = noise_for(job.choice[AXIS_noise], job.target)};
         Oracle *oracle = oracle_open(d->graph, &context);
         oracle_material(oracle, d->graph->materials[material].node, &surface, &values);
         oracle_close(oracle);

@@ -37,22 +37,30 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 
 /* Names are those of the command line; NULL is the default. Set by matc_options_init, then changed. */
 typedef struct {
-    const char *target; /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
-    const char *pass;   /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
-    const char *slot;   /* for the pass "value": "diffuse" (default), "normal", ... */
-    const char *layout; /* "thesis" (default) */
-    const char *noise;  /* "lattice" (default), "groimp" */
-    int optimize;       /* 0: as written; 1, 2 (default): all passes */
-    bool validate;      /* glslang parses and links what is written (default) */
-    bool measure;       /* the document keeps times for MATC_STATS */
-    bool check;         /* the IR is checked after every pass (default in debug builds) */
-    bool pixels;        /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
+    const char *target;       /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
+    const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
+    const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
+    const char *layout;       /* "thesis" (default) */
+    const char *precision;    /* "fast", "balanced" (default), "exact": sets those below that are NULL */
+    const char *noise;        /* "lattice" (default), "groimp" */
+    const char *aa;           /* "none" (default), "box", "aniso" */
+    const char *derivatives;  /* "finite" (default), "analytic" */
+    const char *coordinates;  /* "plain" (default), "long" */
+    const char *powers;       /* "squaring" (default), "pow", "compensated" */
+    const char *trigonometry; /* "native" (default), "bounded" */
+    int optimize;             /* 0: as written; 1, 2 (default): all passes */
+    bool validate;            /* glslang parses and links what is written (default) */
+    bool measure;             /* the document keeps times for MATC_STATS */
+    bool check;               /* the IR is checked after every pass (default in debug builds) */
+    bool pixels; /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
     MatcReadFile read_file; /* for pictures and includes; NULL reads the file system */
     void *user;             /* for read_file */
 } MatcOptions;
 
 MATC_API void matc_options_init(MatcOptions *options);
-/* NULL, or which option has a name that does not exist. */
+/* Sets a member by its name: "target", "noise", ...; false if it is none of those above `optimize`. */
+MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
+/* NULL, or which option has a value that does not exist. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);
 
 /* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials.

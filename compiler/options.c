@@ -15,7 +15,7 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"tree", ".tree", 0},
 };
 
-typedef enum { TAKES_text, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate } Takes;
+typedef enum { TAKES_text, TAKES_compile, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate } Takes;
 typedef struct {
     const char *name;
     Takes takes;
@@ -36,11 +36,17 @@ static const Option options[] = {
     FLAG("-MD", depend),
     TEXT("-MF", depfile),
     TEXT("-MT", target),
-    TEXT("--target", compile.target),
-    TEXT("--pass", compile.pass),
-    TEXT("--slot", compile.slot),
-    TEXT("--layout", compile.layout),
-    TEXT("--noise", compile.noise),
+    {"--target", TAKES_compile, 0},
+    {"--pass", TAKES_compile, 0},
+    {"--slot", TAKES_compile, 0},
+    {"--layout", TAKES_compile, 0},
+    {"--precision", TAKES_compile, 0},
+    {"--noise", TAKES_compile, 0},
+    {"--aa", TAKES_compile, 0},
+    {"--derivatives", TAKES_compile, 0},
+    {"--coordinates", TAKES_compile, 0},
+    {"--powers", TAKES_compile, 0},
+    {"--trigonometry", TAKES_compile, 0},
     TEXT("--material", material),
     TEXT("--eval", eval),
     TEXT("--explain", explain),
@@ -74,7 +80,13 @@ const char *const options_help =
     "  --pass=P             gbuffer (default), plane, sky, shadow, depth, value\n"
     "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
     "  --layout=L           thesis\n"
+    "  --precision=P        fast, balanced (default), exact: sets the five below; each can still be named\n"
     "  --noise=N            lattice (default), groimp\n"
+    "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
+    "  --powers=P           squaring (default), pow, compensated\n"
+    "  --trigonometry=T     native (default), bounded\n"
+    "  --aa=A               none (default), box, aniso: maps are averaged over the pixel\n"
+    "  --derivatives=D      finite (default), analytic\n"
     "  --material=NAME      of `materials:`; without it, the only one\n"
     "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
     "questions\n"
@@ -114,6 +126,8 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
     case TAKES_text:
         *(const char **)(void *)member = value;
         return true;
+    case TAKES_compile:
+        return matc_options_set(&line->compile, option->name + 2, value);
     case TAKES_flag:
         *(bool *)member = true;
         return true;
@@ -132,7 +146,8 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
 
 static bool takes_value(const Option *option)
 {
-    return option->takes == TAKES_text || option->takes == TAKES_emit || option->takes == TAKES_form;
+    return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
+           option->takes == TAKES_form;
 }
 
 /* "--name value", "--name=value", and "-oFILE" as compilers have it. */

@@ -146,7 +146,8 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
         text_format(out, ",\n  \"layout\": \"%s\"", layout_table[job->layout].name);
     if (job->pass == PASS_value)
         text_format(out, ",\n  \"slot\": \"%s\"", slot_table[job->slot].name);
-    text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", noise_names[job->noise], opacity);
+    text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", choice_table[job->choice[AXIS_noise]].name,
+                opacity);
     int block = 0;
     put_inputs(out, job, interface, &block);
     put_uniforms(out, ir, job, interface, &block);

@@ -30,11 +30,11 @@ struct Tree {
         Tree **items;
         Member *members;
     };
-    uint32_t *table;  /* of an object with many members: hash table of member numbers from 1, for tree_find */
-    uint32_t mask;    /* its size less one */
-    const Wave *wave;   /* resolve: the wave this subtree became */
+    uint32_t *table;         /* of an object with many members: hash table of member numbers from 1, for tree_find */
+    uint32_t mask;           /* its size less one */
+    const Wave *wave;        /* resolve: the wave this subtree became */
     const Items *items_made; /* resolve: the blend items it became */
-    const Node *node; /* resolve: the node this subtree became, so that a shared one is made once */
+    const Node *node;        /* resolve: the node this subtree became, so that a shared one is made once */
 };
 
 /* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into c->sources. */

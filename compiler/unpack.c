@@ -5,7 +5,7 @@
 static void put_body(Compile *c, Text *out, const Job *job, const char *chunk)
 {
     Chunks chunks = {0};
-    chunks_add(c, &chunks, chunk, job->target, job->noise);
+    chunks_add(c, &chunks, chunk, job);
     for (size_t i = 0; i < chunks.count; i++) {
         text_put(out, chunks.at[i]->body);
         text_char(out, '\n');

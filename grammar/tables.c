@@ -218,15 +218,39 @@ const FieldRow field_table[] = {
 };
 const int field_count = sizeof field_table / sizeof *field_table;
 
-const char *const noise_names[NOISE_COUNT] = {
-#define NOISE(name, doc) #name,
-#include "noises.def"
-#undef NOISE
+/* The first choice of every axis, counted by the compiler. */
+enum {
+#define AXIS(name, chunks, doc) FIRST_##name, BEFORE_##name = FIRST_##name - 1,
+#define CHOICE(axis, name, doc) INDEX_##axis##_##name,
+#include "variants.def"
 };
-const char *const noise_docs[NOISE_COUNT] = {
-#define NOISE(name, doc) doc,
-#include "noises.def"
-#undef NOISE
+
+const AxisRow axis_table[AXIS_COUNT] = {
+#define AXIS(name, chunks, doc) {#name, chunks, FIRST_##name, doc},
+#include "variants.def"
+};
+
+int axis_choices(Axis axis)
+{
+    return (axis + 1 < AXIS_COUNT ? axis_table[axis + 1].first : CHOICE_COUNT) - axis_table[axis].first;
+}
+
+const ChoiceRow choice_table[CHOICE_COUNT] = {
+#define CHOICE(axis, name, doc) {AXIS_##axis, #name, doc},
+#include "variants.def"
+};
+
+const PrecisionRow precision_table[PRECISION_COUNT] = {
+#define PRECISION(name, a, b, c, d, doc)                                                                               \
+    {#name,                                                                                                            \
+     doc,                                                                                                              \
+     {[AXIS_noise] = CHOICE_noise_##a,                                                                                 \
+      [AXIS_aa] = -1,                                                                                                  \
+      [AXIS_derivatives] = -1,                                                                                         \
+      [AXIS_coordinates] = CHOICE_coordinates_##b,                                                                     \
+      [AXIS_powers] = CHOICE_powers_##c,                                                                               \
+      [AXIS_trigonometry] = CHOICE_trigonometry_##d}},
+#include "variants.def"
 };
 
 #define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \

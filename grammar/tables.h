@@ -287,12 +287,38 @@ typedef struct {
 extern const FieldRow field_table[];
 extern const int field_count;
 
+/* How a program computes: an axis has choices, numbered through over all axes. */
 typedef enum {
-#define NOISE(name, doc) NOISE_##name,
-#include "noises.def"
-#undef NOISE
-    NOISE_COUNT
-} Noise;
-extern const char *const noise_names[NOISE_COUNT];
-extern const char *const noise_docs[NOISE_COUNT];
+#define AXIS(name, chunks, doc) AXIS_##name,
+#include "variants.def"
+    AXIS_COUNT
+} Axis;
+typedef enum {
+#define CHOICE(axis, name, doc) CHOICE_##axis##_##name,
+#include "variants.def"
+    CHOICE_COUNT
+} Choice;
+typedef enum {
+#define PRECISION(name, noise, coordinates, powers, trigonometry, doc) PRECISION_##name,
+#include "variants.def"
+    PRECISION_COUNT
+} Precision;
+typedef struct {
+    const char *name;
+    bool chunks; /* library files exist in variants of its choices */
+    int first;   /* its default, then its other choices, in choice_table */
+    const char *doc;
+} AxisRow;
+typedef struct {
+    Axis axis;
+    const char *name, *doc;
+} ChoiceRow;
+typedef struct {
+    const char *name, *doc;
+    int choice[AXIS_COUNT]; /* -1: the row does not say */
+} PrecisionRow;
+extern const AxisRow axis_table[AXIS_COUNT];
+int axis_choices(Axis axis);
+extern const ChoiceRow choice_table[CHOICE_COUNT];
+extern const PrecisionRow precision_table[PRECISION_COUNT];
 #endif

@@ -138,7 +138,9 @@ static void check_slot(Test *t, int material, Slot slot)
     for (int level = 0; level <= 2; level += 2) {
         Arena arena = {0};
         Compile c = {.options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
-        Job job = {TARGET_glsl330, PASS_value, LAYOUT_thesis, slot, NOISE_lattice};
+        Job job;
+        job_of(&(MatcOptions){.pass = "value"}, &job);
+        job.slot = slot;
         const Ir *ir = compile_ir(&c, t->document.graph, t->document.graph->materials[material].node, &job);
         if (ir) {
             check_values(t, material, slot, level, ir);

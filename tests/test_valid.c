@@ -107,12 +107,12 @@ static void check_material(Run *run, const Document *d, int material)
 {
     MatcOptions options = d->options;
     options.validate = options.check = true;
-    for (int i = 0; i < TARGET_COUNT * PASS_COUNT * NOISE_COUNT * 2; i++) {
+    for (int i = 0; i < TARGET_COUNT * PASS_COUNT * axis_choices(AXIS_noise) * 2; i++) {
         int target = i % TARGET_COUNT, rest = i / TARGET_COUNT;
         options.target = target_table[target].name;
         options.pass = pass_table[rest % PASS_COUNT].name;
-        options.noise = noise_names[rest / PASS_COUNT % NOISE_COUNT];
-        options.optimize = rest / PASS_COUNT / NOISE_COUNT ? 0 : 2;
+        options.noise = choice_table[axis_table[AXIS_noise].first + rest / PASS_COUNT % axis_choices(AXIS_noise)].name;
+        options.optimize = rest / PASS_COUNT / axis_choices(AXIS_noise) ? 0 : 2;
         if (options.optimize || target == TARGET_glsl330)
             check_program(run, d, material, &options);
     }

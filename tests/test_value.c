@@ -23,14 +23,15 @@
 typedef struct {
     Target target;
     int optimize;
-    Noise noise;
+    Choice noise;
 } Variant;
 
 /* GroIMP's noise only where there is noise. */
 static const Variant variants[] = {
-    {TARGET_glsl330, 0, NOISE_lattice}, {TARGET_glsl330, 2, NOISE_lattice}, {TARGET_glsl110, 2, NOISE_lattice},
-    {TARGET_glsl450, 2, NOISE_lattice}, {TARGET_essl300, 2, NOISE_lattice}, {TARGET_glsl330, 2, NOISE_groimp},
-    {TARGET_glsl110, 2, NOISE_groimp},
+    {TARGET_glsl330, 0, CHOICE_noise_lattice}, {TARGET_glsl330, 2, CHOICE_noise_lattice},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice}, {TARGET_glsl450, 2, CHOICE_noise_lattice},
+    {TARGET_essl300, 2, CHOICE_noise_lattice}, {TARGET_glsl330, 2, CHOICE_noise_groimp},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp},
 };
 enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_GROIMP + 1 };
 
@@ -187,7 +188,7 @@ static void name_slot(const Case *c, char *text, size_t room)
 
 static const char *variant_name(const Variant *v, bool front, char text[64])
 {
-    snprintf(text, 64, "%s -O%d %s%s", target_table[v->target].name, v->optimize, noise_names[v->noise],
+    snprintf(text, 64, "%s -O%d %s%s", target_table[v->target].name, v->optimize, choice_table[v->noise].name,
              front ? "" : " back");
     return text;
 }
@@ -322,7 +323,7 @@ static void check_variant(Worker *w, const Case *c)
     options.pass = "value";
     options.slot = slot_table[c->slot].name;
     options.target = target_table[c->variant->target].name;
-    options.noise = noise_names[c->variant->noise];
+    options.noise = choice_table[c->variant->noise].name;
     options.optimize = c->variant->optimize;
     options.validate = false;
     MatcProgram *program = matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
@@ -347,7 +348,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
         subjects_of(document->graph->materials[material].node, (Slot)slot, &subjects);
         int governing = subject_governing(&subjects);
         for (int i = 0; i < VARIANTS; i++)
-            if (variants[i].noise == NOISE_lattice || subjects_noise(&subjects))
+            if (variants[i].noise == CHOICE_noise_lattice || subjects_noise(&subjects))
                 check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], &subjects, governing,
                                          bound_table[governing].bound, changed});
     }

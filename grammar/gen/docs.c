@@ -268,9 +268,12 @@ static void put_reference(Text *out)
     LIST(out, "Targets", "target", target_table, TARGET_COUNT);
     LIST(out, "Passes", "pass", pass_table, PASS_COUNT);
     put_layouts(out);
-    text_put(out, "\n## Noises\n\n| noise | |\n| --- | --- |\n");
-    for (int i = 0; i < NOISE_COUNT; i++)
-        text_format(out, "| `%s` | %s |\n", noise_names[i], noise_docs[i]);
+    text_put(out, "\n## Variants\n\n| option | choice | |\n| --- | --- | --- |\n");
+    for (int i = 0; i < CHOICE_COUNT; i++) {
+        const AxisRow *axis = &axis_table[choice_table[i].axis];
+        text_format(out, "| `--%s` | `%s`%s | %s |\n", axis->name, choice_table[i].name,
+                    axis->first == i ? " (default)" : "", choice_table[i].doc);
+    }
 }
 
 static void put_diagnostics(Text *out)

@@ -30,7 +30,7 @@ static const char help_text[] =
     "  --material=NAME      of `materials:`\n"
     "  --shape=SHAPE        sphere (default), plane, cube, torus\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
-    "  --noise=N            lattice (default), groimp\n"
+    "  --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry: as matc has them\n"
     "  --size=N             pixels of an edge: 512\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
     "  --help, --version\n"
@@ -70,10 +70,9 @@ static const char *set_option(CommandLine *line, const char *name, const char *v
         line->folder = value;
     else if (!strcmp(name, "--material"))
         line->material = value;
-    else if (!strcmp(name, "--noise"))
-        picture->compile.noise = value;
-    else if (!strcmp(name, "--pass"))
-        picture->compile.pass = value;
+    else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&
+             matc_options_set(&picture->compile, name + 2, value))
+        return NULL;
     else if (!strcmp(name, "--shape"))
         return shape_find(value, &picture->view.shape) ? NULL : "--shape: sphere, plane, cube or torus";
     else if (!strcmp(name, "--samples"))
@@ -127,7 +126,7 @@ static const char *check_usage(CommandLine *line)
     MatcOptions *compile = &line->picture.compile;
     ViewOptions *view = &line->picture.view;
     if (matc_options_fault(compile))
-        return "--noise or --pass names what does not exist";
+        return "an option names what does not exist";
     view->sky = compile->pass && !strcmp(compile->pass, "sky");
     view->height = view->width;
     if (compile->pass && !view->sky && strcmp(compile->pass, "gbuffer") != 0)

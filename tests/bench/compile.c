@@ -96,7 +96,8 @@ static void print_stages(void)
         ARENA_PUSH(&arena, c.sources, c.source_count, c.source_room, source);
         Tree *tree;
         Products products;
-        const Job job = {TARGET_glsl330, PASS_gbuffer, LAYOUT_thesis, SLOT_diffuse, NOISE_lattice};
+        Job job;
+        job_of(&(MatcOptions){0}, &job);
         c.stage_start = stage_now();
         Graph *graph = compile_front(&c, 0, &tree);
         Ir *ir = compile_ir(&c, graph, graph->materials[0].node, &job);
