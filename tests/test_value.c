@@ -226,6 +226,13 @@ static bool point_is_far(const Point *point)
     return greatest > far;
 }
 
+/* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there stays within a rounding. */
+static bool point_on_edges(const Point *point)
+{
+    const float near = 1e-5f, *u = point->input[INPUT_U];
+    return fabsf(4 * u[0] - rintf(4 * u[0])) < near && fabsf(4 * u[1] - rintf(4 * u[1])) < near;
+}
+
 static bool is_sharp(const Hull *hull, const Case *c, int lane)
 {
     double width = hull->high.lane[c->slot][lane] - hull->low.lane[c->slot][lane];
@@ -238,14 +245,15 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice choice = c->variant->choice;
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = noise_for(basis, c->variant->target);
-    bool exact = choice == CHOICE_derivatives_analytic;
+    bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
     const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++)
         for (int k = 0; k < lanes; k++) {
             double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
-            bool far = point_is_extreme(&w->run->points[i]) || (exact && point_is_far(&w->run->points[i]));
+            bool far = point_is_extreme(&w->run->points[i]) || (exact && point_is_far(&w->run->points[i])) ||
+                       (steep && point_on_edges(&w->run->points[i]));
             if (far && isfinite(rgba[4 * i + k]))
                 continue;
             sharp += is_sharp(&hulls[i], c, k);

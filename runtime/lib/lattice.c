@@ -188,8 +188,9 @@ static void simplex_steps(const double x[3], int steps[4][3])
 
 /* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which ends where a simplex does, so that
  * the noise is continuous; the kernel's usual 0.6 is not. */
-static void simplex(ReferenceNoise noise, const double p[3], double sum[OUTPUTS], double slope[OUTPUTS][3])
+static void simplex(ReferenceNoise noise, const double far[3], double sum[OUTPUTS], double slope[OUTPUTS][3])
 {
+    const double p[3] = {fmod(far[0], 3. * PERIOD), fmod(far[1], 3. * PERIOD), fmod(far[2], 3. * PERIOD)};
     double skew = (p[0] + p[1] + p[2]) / 3, base[3], x0[3], unskew;
     int steps[4][3];
     for (int i = 0; i < 3; i++)
