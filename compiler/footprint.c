@@ -5,6 +5,8 @@
 static const double BOX_VARIANCE = 12; /* a box of edge b has the variance b^2 / 12 */
 static const double LEAST_EDGE = 1e-7; /* of a box that something is divided by */
 
+static const Ref NO_VARIANCE = UINT32_MAX; /* in the memo: known to be none */
+
 bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none; }
 
 static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
@@ -21,7 +23,8 @@ int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS])
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
     if (!is_filtered(l) || (!right && !up && !variance_of(l, coordinate)))
         return 0;
-    if (l->job->choice[AXIS_aa] == CHOICE_aa_box || !right || !up) {
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_box || l->filters || !right ||
+        !up) { /* what a filter blurs needs one box */
         taps[0] = (Tap){coordinate, footprint_edges(l, coordinate)};
         return 1;
     }
@@ -93,7 +96,7 @@ void variance_set(Lower *l, Ref value, Ref variance)
         l->variances = grown;
         l->variance_room = more;
     }
-    l->variances[value] = variance;
+    l->variances[value] = variance ? variance : NO_VARIANCE;
 }
 
 static Ref sum(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : add(l, a, b); }
@@ -162,14 +165,12 @@ static Ref derive(Lower *l, Ref ref)
                   : variance;
 }
 
-static const Ref NO_VARIANCE = UINT32_MAX;
-
 Ref variance_of(Lower *l, Ref value)
 {
     Ref known = value < l->variance_room ? l->variances[value] : 0;
     if (known)
         return known == NO_VARIANCE ? 0 : known;
     Ref variance = derive(l, value);
-    variance_set(l, value, variance ? variance : NO_VARIANCE);
+    variance_set(l, value, variance);
     return variance;
 }

@@ -28,6 +28,7 @@ typedef struct {
     size_t memo_count, memo_mask;
     int env_count;
     const Job *job;
+    int filters;                  /* under way: Smooth3D, Laplace3D */
     bool cheap;                   /* forms that are cheaper but not the plainest: -O1 and up */
     Ref *slopes[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;

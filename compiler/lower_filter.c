@@ -1,7 +1,7 @@
 /* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
  * Filters within filters are functions that call functions: the program grows by one function for each. */
 #include "lower.h"
-#include "slope.h"
+#include "footprint.h"
 
 enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 evaluations are a loop */
 
@@ -30,7 +30,9 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
         for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
             slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
     Env inner = shifted_env(l, env, arguments);
+    l->filters++;
     Ref result = without_alpha(l, ask(l, input, group, &inner));
+    l->filters--;
     return ir_function(l->ir, arguments, 2, result);
 }
 
@@ -51,6 +53,16 @@ static Ref filter_size(Lower *l, const Node *node)
     return ir_vec(l->ir, TYPE_vec3, size, 3);
 }
 
+/* A filter's input is averaged over the pixel already, where that is wanted: what follows takes the result as it is, instead of
+ * differentiating every one of its evaluations. */
+static Ref steady(Lower *l, Ref value)
+{
+    slope_set(l, value, DIRECTION_right, 0);
+    slope_set(l, value, DIRECTION_up, 0);
+    variance_set(l, value, 0);
+    return value;
+}
+
 /* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input would take them minutes to
  * compile: it is summed in a loop. */
 Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
@@ -65,7 +77,7 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
         Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
         sum = n ? add(l, sum, value) : value;
     }
-    return mul(l, sum, number(l, 1.0 / KERNEL_POINTS));
+    return steady(l, mul(l, sum, number(l, 1.0 / KERNEL_POINTS)));
 }
 
 /* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
@@ -80,5 +92,5 @@ Ref lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
         Ref difference = sub(l, centre, neighbour);
         sum = n ? add(l, sum, difference) : difference;
     }
-    return mul(l, sum, number(l, 1.0 / 12));
+    return steady(l, mul(l, sum, number(l, 1.0 / 12)));
 }

@@ -34,6 +34,10 @@ static const Variant variants[] = {
     {TARGET_glsl110, 2, CHOICE_noise_groimp},         {TARGET_glsl330, 2, CHOICE_noise_simplex},
     {TARGET_glsl110, 2, CHOICE_noise_simplex},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
     {TARGET_glsl110, 2, CHOICE_derivatives_analytic},
+    {TARGET_glsl330, 2, CHOICE_aa_box},
+    {TARGET_glsl110, 2, CHOICE_aa_aniso},
+    {TARGET_glsl330, 2, CHOICE_coordinates_long},
+    {TARGET_glsl110, 2, CHOICE_coordinates_long},
 };
 enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_NOISE_COUNT };
 
