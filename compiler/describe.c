@@ -126,8 +126,8 @@ void describe_piece(Text *out, const Piece *piece)
 void describe_place(Text *out, const LayoutRow *layout, const Piece *piece)
 {
     if (format_table[layout->formats[piece->target]].words)
-        text_format(out, "%d.%c %d-%d", piece->target, "rgba"[piece->lane], piece -> shift,
-                    piece -> shift + piece -> size - 1);
+        text_format(out, piece->size > 1 ? "%d.%c %d-%d" : "%d.%c %d", piece->target, "rgba"[piece->lane],
+                    piece -> shift, piece -> shift + piece -> size - 1);
     else
         text_format(out, "%d.%.*s", piece->target, piece->size, &"rgba"[piece->lane]);
 }

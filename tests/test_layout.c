@@ -27,6 +27,7 @@ typedef struct {
     Point points[POINT_COUNT];
     float read[POINT_COUNT * 4];
     uint64_t seed;
+    int cases; /* bits: which cases of layouts were drawn */
 } Fixture;
 
 static int set_up(void **state)
@@ -82,29 +83,41 @@ static void make_values(Fixture *f, int set, double values[PARAMS][4])
         }
 }
 
-static void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms)
+/* What a document leaves out. */
+typedef enum { ALL, OPAQUE, CLEAR } Kept;
+
+static bool leaves_out(Kept kept, const char *key)
+{
+    if (kept == OPAQUE)
+        return strstr(key, "ransparency") != NULL;
+    return kept == CLEAR && (!strcmp(key, "emissive") || !strcmp(key, "ambient"));
+}
+
+static void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms, Kept kept)
 {
     int size = snprintf(text, room, "material: Phong\n");
     for (int i = 0; i < PARAMS; i++) {
+        int lanes = i == 0 && kept == OPAQUE ? 3 : params[i].lanes; /* alpha makes transparent */
+        if (leaves_out(kept, params[i].key))
+            continue;
         size += snprintf(text + size, room - (size_t)size,
                          uniforms ? "%s: { param: p%d, default: " : "%s: ", params[i].key, i);
-        for (int lane = 0; lane < params[i].lanes; lane++)
+        for (int lane = 0; lane < lanes; lane++)
             size += snprintf(text + size, room - (size_t)size, "%s%.17g",
                              lane                  ? ", "
                              : params[i].lanes > 1 ? "["
                                                    : "",
                              values[i][lane]);
-        size +=
-            snprintf(text + size, room - (size_t)size, "%s%s\n", params[i].lanes > 1 ? "]" : "", uniforms ? " }" : "");
+        size += snprintf(text + size, room - (size_t)size, "%s%s\n", lanes > 1 ? "]" : "", uniforms ? " }" : "");
     }
 }
 
 /* The document in a file of its own, as documents are opened by path. */
-static void open_values(Document *d, double values[PARAMS][4], bool uniforms)
+static void open_values(Document *d, double values[PARAMS][4], bool uniforms, Kept kept)
 {
     char path[] = "/tmp/matc-layout-XXXXXX.yaml", text[8192];
     int file = mkstemps(path, 5);
-    write_document(text, sizeof text, values, uniforms);
+    write_document(text, sizeof text, values, uniforms, kept);
     assert_true(file >= 0 && write(file, text, strlen(text)) == (ssize_t)strlen(text));
     close(file);
     bool good = document_open(d, path);
@@ -199,8 +212,8 @@ static void check_slot(Fixture *f, Gbuffer *g, Slot slot, const Placement *place
 /* Floats of a target of half floats are zero or normal ones; `raw` alone lets any through. */
 static void check_halves(Fixture *f, Gbuffer *g)
 {
-    for (int i = 0; i < g->layout->field_count; i++)
-        if (g->layout->fields[i].encoding == ENCODING_raw)
+    for (int i = 0; i < g->layout->cases[0].field_count; i++)
+        if (g->layout->cases[0].fields[i].encoding == ENCODING_raw)
             return;
     for (int target = 0; target < g->targets.spec.color_count; target++) {
         if (framebuffer_has_words(&g->targets, target))
@@ -212,22 +225,49 @@ static void check_halves(Fixture *f, Gbuffer *g)
     }
 }
 
+/* Which of the layout's cases was drawn. */
+static int drawn_case(Gbuffer *g)
+{
+    static GLuint words[POINT_COUNT][4];
+    if (g->layout->case_count == 1)
+        return 0;
+    assert_true(framebuffer_read_words(g->drawer->gl, &g->targets, 0, &words[0][0]));
+    int number = (int)(words[0][0] & ((1u << layout_case_bits(g->layout)) - 1));
+    assert_true(number < g->layout->case_count);
+    return number;
+}
+
+/* A slot that the case leaves out is as absent ones are. */
+static void check_absent(Fixture *f, Gbuffer *g, Slot slot, const SlotValues *values)
+{
+    if (!gbuffer_read(g, slot, f->read))
+        fail_msg("%s", g->error);
+    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+        assert_true(values->lane[slot][lane] == slot_table[slot].absent);
+        assert_true(f->read[lane] == slot_table[slot].absent);
+    }
+}
+
 static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
 {
     ReferenceContext context = {0};
     Surface surface;
     SlotValues values;
     Placement placement;
-    assert_null(layout_place(g->layout, &placement));
     point_surface(&f->points[0], front, &surface);
     Oracle *oracle = oracle_open(d->graph, &context);
     oracle_material(oracle, d->graph->materials[0].node, &surface, &values);
     oracle_close(oracle);
     if (!gbuffer_draw(g, front))
         fail_msg("%s", g->error);
+    int number = drawn_case(g);
+    f->cases |= 1 << number;
+    assert_null(layout_place(g->layout, number, &placement));
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(g->layout, (Slot)slot))
+        if (case_has_slot(&g->layout->cases[number], (Slot)slot))
             check_slot(f, g, (Slot)slot, &placement, &values, front);
+        else if (layout_has_slot(g->layout, (Slot)slot))
+            check_absent(f, g, (Slot)slot, &values);
     check_halves(f, g);
 }
 
@@ -261,15 +301,18 @@ static void what_is_packed_comes_back(void **state)
 {
     Fixture *f = *state;
     double values[PARAMS][4];
-    Document d;
-    make_values(f, FIRST_RANDOM, values);
-    open_values(&d, values, true);
-    for (int layout = 0; layout < LAYOUT_COUNT; layout++)
-        for (int target = 0; target < TARGET_COUNT; target++)
-            for (int level = 0; level <= 2; level += 2)
-                if (can_draw(&layout_table[layout], target))
-                    check_uniforms(f, &d, layout, target, level);
-    document_close(&d);
+    for (int kept = ALL; kept <= CLEAR; kept++) {
+        Document d;
+        make_values(f, FIRST_RANDOM, values);
+        open_values(&d, values, true, (Kept)kept);
+        for (int layout = 0; layout < LAYOUT_COUNT; layout++)
+            for (int target = 0; target < TARGET_COUNT; target++)
+                for (int level = 0; level <= 2; level += 2)
+                    if (can_draw(&layout_table[layout], target) && (!kept || layout_table[layout].case_count > 1))
+                        check_uniforms(f, &d, layout, target, level);
+        document_close(&d);
+    }
+    assert_int_equal(f->cases, 7); /* all three of compact */
 }
 
 /* Constants are packed by the C references when the shader is written. */
@@ -280,7 +323,7 @@ static void constants_come_back(void **state)
         double values[PARAMS][4];
         Document d;
         make_values(f, set, values);
-        open_values(&d, values, false);
+        open_values(&d, values, false, (Kept)(set % 3));
         for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
             Gbuffer g;
             MatcOptions options = d.options;
@@ -297,23 +340,35 @@ static void constants_come_back(void **state)
 }
 
 /* Nothing overlaps, and all lies within its target. */
+static void check_places(const LayoutRow *layout, int number)
+{
+    static unsigned char taken[LAYOUT_TARGETS][FIELD_LANES][32];
+    Placement placement;
+    memset(taken, 0, sizeof taken);
+    memset(taken[0][0], 1, (size_t)layout_case_bits(layout));
+    assert_null(layout_place(layout, number, &placement));
+    for (int k = 0; k < placement.count; k++) {
+        const Piece *piece = &placement.pieces[k];
+        const FormatRow *format = &format_table[layout->formats[piece->target]];
+        int lanes = format->words ? 1 : piece->size, bits = format->words ? piece->size : format->bits;
+        assert_true(piece->lane + lanes <= format->lanes && piece->shift + bits <= format->bits);
+        for (int lane = 0; lane < lanes; lane++)
+            for (int bit = 0; bit < bits; bit++)
+                assert_int_equal(taken[piece->target][piece->lane + lane][piece->shift + bit]++, 0);
+    }
+}
+
+/* The last case is for any material. */
 static void pieces_have_places_of_their_own(void **state)
 {
     (void)state;
     for (int i = 0; i < LAYOUT_COUNT; i++) {
-        static unsigned char taken[LAYOUT_TARGETS][FIELD_LANES][32];
-        Placement placement;
-        memset(taken, 0, sizeof taken);
-        assert_null(layout_place(&layout_table[i], &placement));
-        for (int k = 0; k < placement.count; k++) {
-            const Piece *piece = &placement.pieces[k];
-            const FormatRow *format = &format_table[layout_table[i].formats[piece->target]];
-            int lanes = format->words ? 1 : piece->size, bits = format->words ? piece->size : format->bits;
-            assert_true(piece->lane + lanes <= format->lanes && piece->shift + bits <= format->bits);
-            for (int lane = 0; lane < lanes; lane++)
-                for (int bit = 0; bit < bits; bit++)
-                    assert_int_equal(taken[piece->target][piece->lane + lane][piece->shift + bit]++, 0);
-        }
+        const LayoutRow *row = &layout_table[i];
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            assert_true(layout_has_slot(row, (Slot)slot) ==
+                        case_has_slot(&row->cases[row->case_count - 1], (Slot)slot));
+        for (int number = 0; number < row->case_count; number++)
+            check_places(row, number);
     }
 }
 
