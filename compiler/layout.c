@@ -120,6 +120,8 @@ const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placem
     const CaseRow *fields = &row->cases[number];
     Room room = {.taken = {{layout_case_bits(row)}}};
     *placement = (Placement){0};
+    if (layout_case_bits(row) && !format_table[row->formats[0]].words)
+        return &fields->fields[0]; /* nowhere to tell the cases apart */
     for (int i = 0; i < fields->field_count; i++) {
         const FieldRow *field = &fields->fields[i];
         int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes : field->count;

@@ -396,6 +396,124 @@ static void old_glsl_has_no_whole_numbers(void **state)
     matc_document_free(document);
 }
 
+/* Layouts as a document of one's own will make them: every format, every encoding, at several widths. */
+#define SLOT3(slot)                                                                                                    \
+    {                                                                                                                  \
+        {SLOT_##slot, 0}, {SLOT_##slot, 1}, { SLOT_##slot, 2 }                                                         \
+    }
+#define TRIPLE(code, bits, slot)                                                                                       \
+    {                                                                                                                  \
+        ENCODING_##code, bits, 3, SLOT3(slot)                                                                          \
+    }
+#define SINGLE(code, bits, slot)                                                                                       \
+    {                                                                                                                  \
+        ENCODING_##code, bits, 1,                                                                                      \
+        {                                                                                                              \
+            {                                                                                                          \
+                SLOT_##slot, 0                                                                                         \
+            }                                                                                                          \
+        }                                                                                                              \
+    }
+#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, ""}, 1
+
+static void try_row(Fixture *f, Document *d, const LayoutRow *row)
+{
+    for (int target = 0; target < TARGET_COUNT; target++)
+        for (int level = 0; level <= 2; level += 2) {
+            Gbuffer g;
+            MatcOptions options = d->options;
+            options.target = target_table[target].name;
+            options.optimize = level;
+            if (!can_draw(row, target))
+                continue;
+            if (!gbuffer_open_layout(&g, drawer_for(f, (Target)target), d, row, &options))
+                fail_msg("%s: %s", row->name, g.error);
+            draw_and_check(f, d, &g, true);
+            gbuffer_close(&g);
+        }
+}
+
+static void any_rows_are_a_layout(void **state)
+{
+    static const FieldRow one[] = {TRIPLE(octahedral, 16, normal)};
+    static const FieldRow two[] = {TRIPLE(octahedral, 8, normal), TRIPLE(unorm, 5, diffuse),
+                                   TRIPLE(unorm, 8, specular)};
+    static const FieldRow three[] = {TRIPLE(sphere, 8, normal), TRIPLE(unorm, 16, diffuse), TRIPLE(root, 12, specular),
+                                     SINGLE(logarithm, 4, shininess)};
+    static const FieldRow four[] = {
+        TRIPLE(sharedExponent, 9, emissive), TRIPLE(half, 16, ambient),  SINGLE(half, 16, ior),
+        SINGLE(full, 32, shininess),         TRIPLE(sphere, 12, normal), TRIPLE(unorm, 2, transparency)};
+    static const FieldRow five[] = {
+        TRIPLE(octahedralRadix, 8, normal), TRIPLE(raw, 16, diffuse),
+        TRIPLE(plain, 16, specular),        {ENCODING_pair, 7, 2, {{SLOT_ambient, 2}, {SLOT_emissive, 0}}},
+        TRIPLE(octahedralWhole, 8, normal), SINGLE(plain, 16, shininess)};
+    static const FieldRow six[] = {TRIPLE(octahedral, 7, normal), TRIPLE(octahedral, 12, normal),
+                                   SINGLE(logarithm, 16, shininess), TRIPLE(sharedExponent, 4, emissive),
+                                   TRIPLE(raw, 16, diffuse)};
+    const LayoutRow rows[] = {
+        {"one", "", {FORMAT_R32UI}, CASE_OF(one)},
+        {"two", "", {FORMAT_RG32UI}, CASE_OF(two)},
+        {"three", "", {FORMAT_RGBA16UI, FORMAT_RGBA16UI}, CASE_OF(three)},
+        {"four", "", {FORMAT_RGBA32UI, FORMAT_R32UI, FORMAT_RG32UI}, CASE_OF(four)},
+        {"five", "", {FORMAT_RGBA16F, FORMAT_RGBA16F, FORMAT_RGBA32F}, CASE_OF(five)},
+        {"six", "", {FORMAT_RGBA16F, FORMAT_RGBA32UI}, CASE_OF(six)},
+    };
+    Fixture *f = *state;
+    for (int set = 0; set < 4; set++) {
+        double values[PARAMS][4];
+        Document d;
+        make_values(f, FIRST_RANDOM * (set % 2) + set, values);
+        open_values(&d, values, false, ALL);
+        for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+            try_row(f, &d, &rows[i]);
+        document_close(&d);
+    }
+}
+
+/* What does not fit in, or has bits that its encoding has not, is told. */
+static void rows_that_do_not_fit_are_told(void **state)
+{
+    (void)state;
+    static const FieldRow full[] = {TRIPLE(octahedral, 12, normal), TRIPLE(unorm, 3, diffuse)};
+    static const FieldRow wide[] = {TRIPLE(octahedral, 17, normal)};
+    static const FieldRow odd[] = {SINGLE(radix, 8, shininess)};
+    static const FieldRow floats[] = {TRIPLE(plain, 16, diffuse)};
+    Placement placement;
+    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(full)}, 0, &placement), &full[1]);
+    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(wide)}, 0, &placement), wide);
+    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_RGBA16F}, CASE_OF(odd)}, 0, &placement), odd);
+    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(floats)}, 0, &placement), floats);
+}
+
+/* Every layout in every GLSL that it has, for both passes that write one: glslang takes it, SPIR-V too. */
+static void every_layout_is_valid(void **state)
+{
+    (void)state;
+    MatcOptions options;
+    matc_options_init(&options);
+    static const char text[] = "material: Phong\ndiffuse: { map: Granite }\nemissive: { map: Wood }\n"
+                               "transparency: { param: clear, default: 0.5 }\ninput: { map: BumpMap }\n";
+    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
+    assert_int_equal(matc_material_count(document), 1);
+    for (int i = 0; i < LAYOUT_COUNT * TARGET_COUNT * 4; i++) {
+        const LayoutRow *layout = &layout_table[i / 4 % LAYOUT_COUNT];
+        int target = i / 4 / LAYOUT_COUNT;
+        options.layout = layout->name;
+        options.target = target_table[target].name;
+        options.optimize = i % 2 * 2;
+        options.pass = pass_table[i / 2 % 2 ? PASS_gbuffer : PASS_plane].name;
+        options.check = true;
+        if (target == TARGET_glsl110 && layout_has_words(layout))
+            continue;
+        MatcProgram *program = matc_compile(
+            document, 0, MATC_FRAGMENT | MATC_UNPACK | (target == TARGET_spirv ? MATC_SPIRV : 0), &options);
+        if (!matc_ok(program))
+            fail_msg("%s, %s: %s", layout->name, options.target, matc_program_diagnostics(program, MATC_TEXT));
+        matc_program_free(program);
+    }
+    matc_document_free(document);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -403,6 +521,9 @@ int main(void)
         cmocka_unit_test(what_is_packed_comes_back),
         cmocka_unit_test(constants_come_back),
         cmocka_unit_test(old_glsl_has_no_whole_numbers),
+        cmocka_unit_test(every_layout_is_valid),
+        cmocka_unit_test(any_rows_are_a_layout),
+        cmocka_unit_test(rows_that_do_not_fit_are_told),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

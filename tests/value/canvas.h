@@ -29,4 +29,6 @@ typedef struct {
 bool canvas_open(Canvas *canvas, int side);
 void canvas_close(Canvas *canvas);
 bool canvas_draw(Canvas *canvas, const Drawing *drawing, const Framebuffer *target);
+/* Seconds of the fastest of so many draws; below 0: see error. */
+double canvas_time(Canvas *canvas, const Drawing *drawing, const Framebuffer *target, int repeats);
 #endif

@@ -19,9 +19,9 @@ static bool fail(Gbuffer *g, const char *text)
 static bool make_targets(Gbuffer *g)
 {
     GLenum formats[FRAMEBUFFER_COLORS] = {0};
-    FramebufferSpec spec = {GRID_WIDTH, GRID_HEIGHT, matc_target_count(g->program), 0, false};
+    FramebufferSpec spec = {GRID_WIDTH, GRID_HEIGHT, layout_targets(g->layout), 0, false};
     for (int i = 0; i < spec.color_count; i++)
-        formats[i] = framebuffer_format(matc_target_format(g->program, i));
+        formats[i] = framebuffer_format(format_table[g->layout->formats[i]].name);
     return framebuffer_make_of(g->drawer->gl, &spec, formats, &g->targets) || fail(g, g->drawer->gl->error);
 }
 
@@ -37,10 +37,9 @@ static GLuint make_reader(Gbuffer *g)
     static char text[TEXT_ROOM];
     const TargetRow *target = &target_table[g->shading.target];
     bool old = g->shading.target == TARGET_glsl110;
-    int size =
-        snprintf(text, sizeof text, "#version %s\n%s%s\nuniform int which;\n%s", target->version,
-                 target->es ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" : "",
-                 matc_output(g->program, MATC_UNPACK, NULL), old ? "" : "layout(location = 0) out vec4 color;\n");
+    int size = snprintf(text, sizeof text, "#version %s\n%s%s\nuniform int which;\n%s", target->version,
+                        target->es ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" : "",
+                        g->unpack, old ? "" : "layout(location = 0) out vec4 color;\n");
     size += snprintf(text + size, sizeof text - (size_t)size,
                      old ? "void main() {\n    Surface s = unpackSurface(gl_FragCoord.xy / vec2(%d.0, %d.0));\n"
                            "    vec4 value = vec4(0.0);\n"
@@ -58,6 +57,16 @@ static GLuint make_reader(Gbuffer *g)
     return drawer_program(g->drawer, &(Shading){.fragment = text, .target = g->shading.target});
 }
 
+static bool make_programs(Gbuffer *g)
+{
+    gl_use(g->drawer->gl);
+    if (!make_targets(g))
+        return false;
+    g->writer = drawer_program(g->drawer, &g->shading);
+    g->reader = g->writer ? make_reader(g) : 0;
+    return g->reader || fail(g, g->drawer->error);
+}
+
 bool gbuffer_open(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph,
                   const MatcOptions *options)
 {
@@ -69,16 +78,30 @@ bool gbuffer_open(Gbuffer *g, Drawer *drawer, const MatcDocument *document, cons
     g->program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, options);
     if (!matc_ok(g->program))
         return fail(g, matc_program_diagnostics(g->program, MATC_TEXT));
+    g->unpack = matc_output(g->program, MATC_UNPACK, NULL);
     g->shading = (Shading){.fragment = matc_output(g->program, MATC_FRAGMENT, NULL),
                            .target = job.target,
                            .program = g->program,
                            .graph = graph};
-    gl_use(drawer->gl);
-    if (!make_targets(g))
-        return false;
-    g->writer = drawer_program(drawer, &g->shading);
-    g->reader = g->writer ? make_reader(g) : 0;
-    return g->reader || fail(g, drawer->error);
+    return make_programs(g);
+}
+
+bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *d, const LayoutRow *layout, const MatcOptions *options)
+{
+    Job job;
+    Products products;
+    *g = (Gbuffer){.drawer = drawer, .layout = layout};
+    if (job_of(options, &job))
+        return fail(g, "no such option");
+    job.layout = layout;
+    d->c.optimize = options->optimize;
+    d->c.check = true;
+    Ir *ir = compile_ir(&d->c, d->graph, d->graph->materials[0].node, &job);
+    if (!ir || !compile_back(&d->c, ir, &job, &products))
+        return fail(g, d->c.diags.count ? d->c.diags.at[0].message : "it does not compile");
+    g->unpack = emit_unpack(&d->c, &job);
+    g->shading = (Shading){.fragment = products.fragment, .target = job.target, .graph = d->graph};
+    return make_programs(g);
 }
 
 void gbuffer_close(Gbuffer *g)
