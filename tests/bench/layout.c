@@ -60,8 +60,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
     if (row->words)
         snprintf(code, sizeof code, "%s & %luu", mask, most > 0xFFFFFFFF ? 0xFFFFFFFF : most);
     else
-        snprintf(code, sizeof code,
-                 packed == 2 ? "vec2(index & 511u, index >> 9)" : "float(index & 65535u) - 32768.0");
+        snprintf(code, sizeof code, packed == 2 ? "vec2(index & 511u, index >> 9)" : "float(index & 65535u) - 32768.0");
     if (field->encoding == ENCODING_spheremap)
         snprintf(code, sizeof code, "%s", inputs[2]);
     double unpack = 0, nothing = 0;
@@ -95,5 +94,5 @@ int bench_layout(int argc, char **argv)
         }
     }
     canvas_close(&canvas);
-    return 0;
+    return bench_layout_frame();
 }

@@ -16,4 +16,6 @@ int bench_compile(int argc, char **argv);
 int bench_glslang(int argc, char **argv);
 int bench_instructions(int argc, char **argv);
 int bench_layout(int argc, char **argv);
+/* Its second table: whole passes. */
+int bench_layout_frame(void);
 #endif
