@@ -52,8 +52,10 @@ int cost_below(const Ir *ir, Ref ref, int limit);
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The shading normal in eye space, unit length, turned to the viewer. */
 Ref lower_eye_normal(Lower *l, const Node *material, const Env *env);
-/* Writes every render target of the job's layout. lower_layout.c */
-void lower_layout(Lower *l, const Node *material, const Env *env);
+/* Writes every render target of the job's layout, by that case of it. lower_layout.c */
+void lower_layout(Lower *l, int number, const Node *material, const Env *env);
+/* The case of the layout that the material takes. The IR must simplify, so that constants are seen. */
+int lower_layout_case(Lower *l, const Node *material, const Env *env);
 Ref lower_wave(Lower *l, const Wave *wave, Ref v);
 /* M q for a Transform. */
 Ref lower_transform(Lower *l, const Transform *transform, Ref q);

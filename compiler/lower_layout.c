@@ -110,8 +110,9 @@ static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *m
 }
 
 /* The first case that stores all that the material has; the last one stores everything. */
-static int choose_case(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
+int lower_layout_case(Lower *l, const Node *material, const Env *env)
 {
+    const LayoutRow *row = l->job->layout;
     int number = 0;
     while (number + 1 < row->case_count && !stores_all(l, row, number, material, env))
         number++;
@@ -131,11 +132,10 @@ static bool place(Lower *l, int number, Placement *placement)
     return !l->c->diags.errors;
 }
 
-void lower_layout(Lower *l, const Node *material, const Env *env)
+void lower_layout(Lower *l, int number, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
     Placement placement;
-    int number = choose_case(l, row, material, env);
     if (!place(l, number, &placement)) {
         l->failed = true;
         return;

@@ -90,14 +90,41 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
     ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
 }
 
+static Env pass_env(Lower *l)
+{
+    return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : surface_env(l);
+}
+
+static Lower start(Compile *c, const Graph *graph, const Job *job, int optimize)
+{
+    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = optimize > 0};
+    l.ir->simplify = optimize > 0 ? opt_simplify : NULL;
+    l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
+    l.ir->hint = HINT_SURFACE;
+    l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);
+    return l;
+}
+
+/* The same at every level: where nothing is simplified, it is found on an IR of its own. */
+static int find_case(Lower *l, const Node *material, const Env *env)
+{
+    if (l->job->layout->case_count == 1 || l->cheap)
+        return lower_layout_case(l, material, env);
+    Lower probe = start(l->c, l->graph, l->job, 1);
+    Env own = pass_env(&probe);
+    int number = lower_layout_case(&probe, material, &own);
+    l->failed |= probe.failed;
+    return number;
+}
+
 static void write_pass(Lower *l, const Node *material)
 {
     const Job *job = l->job;
-    Env env = job->pass == PASS_plane ? plane_env(l) : job->pass == PASS_sky ? sky_env(l) : surface_env(l);
+    Env env = pass_env(l);
     switch (job->pass) {
     case PASS_gbuffer:
     case PASS_plane:
-        lower_layout(l, material, &env);
+        lower_layout(l, find_case(l, material, &env), material, &env);
         break;
     case PASS_sky:
         write_sky(l, material, &env);
@@ -116,11 +143,7 @@ static void write_pass(Lower *l, const Node *material)
 
 Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
-    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = c->optimize > 0};
-    l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
-    l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
-    l.ir->hint = HINT_SURFACE;
-    l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);
+    Lower l = start(c, graph, job, c->optimize);
     write_pass(&l, material);
     return l.failed ? NULL : l.ir;
 }

@@ -27,6 +27,7 @@ typedef struct {
     Point points[POINT_COUNT];
     float read[POINT_COUNT * 4];
     uint64_t seed;
+    int last_case;
     int cases; /* bits: which cases of layouts were drawn */
 } Fixture;
 
@@ -262,6 +263,7 @@ static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
         fail_msg("%s", g->error);
     int number = drawn_case(g);
     f->cases |= 1 << number;
+    f->last_case = number;
     assert_null(layout_place(g->layout, number, &placement));
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (case_has_slot(&g->layout->cases[number], (Slot)slot))
@@ -276,6 +278,14 @@ static Drawer *drawer_for(Fixture *f, Target target) { return target == TARGET_g
 static bool can_draw(const LayoutRow *layout, int target)
 {
     return target != TARGET_spirv && !(target == TARGET_glsl110 && layout_has_words(layout));
+}
+
+/* What is left out tells the case, whatever the level. */
+static void check_case(const Fixture *f, int layout, Kept kept)
+{
+    static const int cases[] = {[ALL] = 2, [OPAQUE] = 0, [CLEAR] = 1};
+    if (layout == LAYOUT_compact)
+        assert_int_equal(f->last_case, cases[kept]);
 }
 
 static void check_uniforms(Fixture *f, Document *d, int layout, int target, int level)
@@ -308,8 +318,10 @@ static void what_is_packed_comes_back(void **state)
         for (int layout = 0; layout < LAYOUT_COUNT; layout++)
             for (int target = 0; target < TARGET_COUNT; target++)
                 for (int level = 0; level <= 2; level += 2)
-                    if (can_draw(&layout_table[layout], target) && (!kept || layout_table[layout].case_count > 1))
+                    if (can_draw(&layout_table[layout], target) && (!kept || layout_table[layout].case_count > 1)) {
                         check_uniforms(f, &d, layout, target, level);
+                        check_case(f, layout, (Kept)kept);
+                    }
         document_close(&d);
     }
     assert_int_equal(f->cases, 7); /* all three of compact */
