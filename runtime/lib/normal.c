@@ -5,6 +5,7 @@
 
 #define LEAST_SUM 1e-30
 
+static double square(double v) { return v * v; }
 static double side(double v) { return v < 0 ? -1 : 1; }
 
 void octahedral_map(const double n[3], double e[2])
@@ -44,10 +45,10 @@ void octahedral_encode_precise(const double n[3], int levels, int code[2])
         if (tried[0] >= levels || tried[1] >= levels)
             continue;
         octahedral_decode(tried, levels, decoded);
-        double angle = normal_angle(n, decoded);
-        if (angle >= least)
+        double distance = square(n[0] - decoded[0]) + square(n[1] - decoded[1]) + square(n[2] - decoded[2]);
+        if (distance >= least)
             continue;
-        least = angle;
+        least = distance;
         code[0] = tried[0];
         code[1] = tried[1];
     }
@@ -93,13 +94,13 @@ void spheremap_decode(const int code[2], int levels, double n[3])
 
 double normal_angle(const double a[3], const double b[3])
 {
-    double dot = 0, square = 0;
+    double dot = 0, sum = 0;
     for (int i = 0; i < 3; i++) {
         double cross = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
         dot += a[i] * b[i];
-        square += cross * cross;
+        sum += square(cross);
     }
-    return atan2(sqrt(square), dot) * 180 / M_PI;
+    return atan2(sqrt(sum), dot) * 180 / M_PI;
 }
 
 REFERENCE(encodeSpheremap)
