@@ -32,11 +32,15 @@ static Ref source_value(Lower *l, const Piece *piece, const Node *material, cons
 static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
     int pack = encoding_table[piece->field->encoding].pack;
-    bool bits = piece_takes_bits(piece);
-    Ref args[] = {source_value(l, piece, material, env), bits ? ir_int(l->ir, piece->field->bits) : 0};
-    if (pack == FN_none)
-        return ir_ternary(l->ir, OP_clamp, args[0], number(l, -greatest_half), number(l, greatest_half));
-    return ir_call(l->ir, pack, args, bits ? 2 : 1);
+    Ref args[2] = {source_value(l, piece, material, env)};
+    if (pack == FN_none) {
+        Ref high = number(l, greatest_half), low = number(l, -greatest_half);
+        return ir_ternary(l->ir, OP_clamp, args[0], low, high);
+    }
+    if (!piece_takes_bits(piece))
+        return ir_call(l->ir, pack, args, 1);
+    args[1] = ir_int(l->ir, piece->field->bits);
+    return ir_call(l->ir, pack, args, 2);
 }
 
 /* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together there. */
