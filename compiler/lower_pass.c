@@ -92,52 +92,6 @@ static Env sky_env(Lower *l)
     return env;
 }
 
-/* A slot as a half float stores it: finite. Its lanes from..from+count-1. */
-static Ref raw_field(Lower *l, Ref value, int from, int count)
-{
-    const double greatest_half = 65504;
-    uint32_t lanes = 0;
-    for (int i = 0; i < count; i++)
-        lanes |= (uint32_t)(from + i) << 2 * i;
-    if (count < ir_lanes(l->ir, value))
-        value = ir_swizzle_lanes(l->ir, value, lanes, count);
-    return ir_ternary(l->ir, OP_clamp, value, number(l, -greatest_half), number(l, greatest_half));
-}
-
-static Ref slot_lane(Lower *l, const Node *material, Slot slot, int lane, const Env *env)
-{
-    return ir_swizzle_lanes(l->ir, lower_slot(l, material, slot, env), (uint32_t)lane, 1);
-}
-
-static Ref field_value(Lower *l, const FieldRow *field, const Node *material, const Env *env)
-{
-    Ref pair[2], normal;
-    switch (field->encoding) {
-    case ENCODING_spheremap:
-        normal = lower_eye_normal(l, material, env);
-        return ir_call(l->ir, FN_encodeSpheremap, &normal, 1);
-    case ENCODING_pair:
-        pair[0] = slot_lane(l, material, field->slot, field->from, env);
-        pair[1] = slot_lane(l, material, field->other, field->other_lane, env);
-        return ir_call(l->ir, FN_packPair, (Ref[]){ir_vec(l->ir, TYPE_vec2, pair, 2)}, 1);
-    default:
-        return raw_field(l, lower_slot(l, material, field->slot, env), field->from, field->count);
-    }
-}
-
-/* Every render target of the layout: its fields side by side, in the order of the rows. */
-static void write_layout(Lower *l, Layout layout, const Node *material, const Env *env)
-{
-    for (int target = 0; target < layout_table[layout].targets; target++) {
-        Ref parts[4];
-        int count = 0;
-        for (int i = 0; i < field_count; i++)
-            if (field_table[i].layout == layout && field_table[i].target == target)
-                parts[count++] = field_value(l, &field_table[i], material, env);
-        ir_output(l->ir, OUT_color, target, ir_vec(l->ir, TYPE_vec4, parts, count));
-    }
-}
-
 static void write_shadow(Lower *l, const Node *material, const Env *env)
 {
     Ref mean = ir_convert(l->ir, lower_slot(l, material, SLOT_transparency, env), TYPE_float);
@@ -150,14 +104,41 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
     ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
 }
 
+static Env pass_env(Lower *l)
+{
+    return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : surface_env(l);
+}
+
+static Lower start(Compile *c, const Graph *graph, const Job *job, int optimize)
+{
+    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = optimize > 0};
+    l.ir->simplify = optimize > 0 ? opt_simplify : NULL;
+    l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
+    l.ir->hint = HINT_SURFACE;
+    l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);
+    return l;
+}
+
+/* The same at every level: where nothing is simplified, it is found on an IR of its own. */
+static int find_case(Lower *l, const Node *material, const Env *env)
+{
+    if (l->job->layout->case_count == 1 || l->cheap)
+        return lower_layout_case(l, material, env);
+    Lower probe = start(l->c, l->graph, l->job, 1);
+    Env own = pass_env(&probe);
+    int number = lower_layout_case(&probe, material, &own);
+    l->failed |= probe.failed;
+    return number;
+}
+
 static void write_pass(Lower *l, const Node *material)
 {
     const Job *job = l->job;
-    Env env = job->pass == PASS_plane ? plane_env(l) : job->pass == PASS_sky ? sky_env(l) : surface_env(l);
+    Env env = pass_env(l);
     switch (job->pass) {
     case PASS_gbuffer:
     case PASS_plane:
-        write_layout(l, job->layout, material, &env);
+        lower_layout(l, find_case(l, material, &env), material, &env);
         break;
     case PASS_sky:
         write_sky(l, material, &env);
@@ -176,11 +157,7 @@ static void write_pass(Lower *l, const Node *material)
 
 Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
-    Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = c->optimize > 0};
-    l.ir->simplify = c->optimize > 0 ? opt_simplify : NULL;
-    l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
-    l.ir->hint = HINT_SURFACE;
-    l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);
+    Lower l = start(c, graph, job, c->optimize);
     write_pass(&l, material);
     return l.failed ? NULL : l.ir;
 }

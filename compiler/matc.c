@@ -1,5 +1,6 @@
 /* The library's surface: documents, programs, their outputs. */
 #include "fold.h"
+#include "layout.h"
 #include "matc.h"
 #include "opt.h"
 #include "oracle.h"
@@ -32,7 +33,8 @@ struct MatcProgram {
     MatcTexture *textures;
     int *texture_made_by;
     int texture_count;
-    int *uniforms; /* those in use, by index in the graph */
+    const LayoutRow *layout; /* NULL: the pass writes none */
+    int *uniforms;           /* those in use, by index in the graph */
     int uniform_count;
 };
 
@@ -129,7 +131,7 @@ const char *job_of(const MatcOptions *o, Job *job)
     int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
         return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
-    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = (Layout)layout, .slot = (Slot)slot};
+    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         int choice = choose(o, (Axis)axis, precision);
         if (choice < 0)
@@ -335,6 +337,8 @@ static bool compile_program(MatcProgram *p, const MatcDocument *d, int material,
     if (!p->ir || !compile_back(c, p->ir, job, &p->products))
         return false;
     fill_outputs(p, d, material, outputs, job);
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        p->layout = job->layout;
     list_uniforms(p, d->graph);
     p->texture_count = texture_list(c, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
     return !(outputs & MATC_SPIRV) || fill_spirv(p, d, material, job);
@@ -387,6 +391,10 @@ MatcTexture matc_texture(MatcProgram *p, int index)
     texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
     return p->textures[index];
 }
+
+int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
+
+const char *matc_target_format(const MatcProgram *p, int index) { return format_table[p->layout->formats[index]].name; }
 
 int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
 

@@ -19,7 +19,7 @@ const ChannelRow channel_table[CHANNEL_COUNT] = {
 };
 
 const SlotRow slot_table[SLOT_COUNT] = {
-#define SLOT(name, type, low, high, doc) {#name, TYPE_##type, low, high, doc},
+#define SLOT(name, type, low, high, absent, doc) {#name, TYPE_##type, low, high, absent, doc},
 #include "slots.def"
 #undef SLOT
 };
@@ -214,28 +214,124 @@ const PassRow pass_table[PASS_COUNT] = {
 #undef PASS
 };
 
-const LayoutRow layout_table[LAYOUT_COUNT] = {
-#define LAYOUT(name, targets, format, doc) {#name, targets, format, doc},
-#define FIELD(layout, target, lane, encoding, slot, from, count)
-#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)
-#include "layouts.def"
-#undef LAYOUT
-#undef FIELD
-#undef PAIR
+const FormatRow format_table[FORMAT_COUNT] = {
+    [FORMAT_none] = {"", 0, 0, false, ""},
+#define FORMAT(name, lanes, bits, words, doc) {#name, lanes, bits, words, doc},
+#include "formats.def"
 };
 
-const FieldRow field_table[] = {
-#define LAYOUT(name, targets, format, doc)
-#define FIELD(layout, target, lane, encoding, slot, from, count)                                                       \
-    {LAYOUT_##layout, target, lane, ENCODING_##encoding, SLOT_##slot, from, count, SLOT_##slot, 0},
-#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)                                                     \
-    {LAYOUT_##layout, target, lane, ENCODING_pair, SLOT_##slot_a, lane_a, 1, SLOT_##slot_b, lane_b},
-#include "layouts.def"
-#undef LAYOUT
-#undef FIELD
-#undef PAIR
+const EncodingRow encoding_table[ENCODING_COUNT] = {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    {#name, words, takes, least, most, FN_##pack, unpack, UNIT_##unit, doc},
+#include "encodings.def"
 };
-const int field_count = sizeof field_table / sizeof *field_table;
+
+/* What depends on a field's bits: a column of encodings.def. */
+int field_size(const FieldRow *field)
+{
+    const int n = field->count, b = field->bits;
+    (void)n, (void)b;
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return size;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+double field_error(const FieldRow *field)
+{
+    const double b = field->bits;
+    (void)b;
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return error;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+double field_low(const FieldRow *field)
+{
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return low;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+double field_high(const FieldRow *field)
+{
+    const double b = field->bits;
+    (void)b;
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return high;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+static const FieldRow field_table[] = {
+#define FIELD(layout, encoding, bits, slot, from, count)                                                               \
+    {ENCODING_##encoding,                                                                                              \
+     bits,                                                                                                             \
+     count,                                                                                                            \
+     {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}}},
+#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b)                                                   \
+    {ENCODING_##encoding, bits, 2, {{SLOT_##slot_a, lane_a}, {SLOT_##slot_b, lane_b}}},
+#include "layouts.def"
+};
+
+/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. A row is told by its line. */
+#define PASTE(a, b)  a##b
+#define UNIQUE(a, b) PASTE(a, b)
+enum {
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) FIELDS_##layout##_##name, FIELDS_BACK_##layout##_##name = FIELDS_##layout##_##name - 1,
+#define FIELD(...)              UNIQUE(FIELD_OF_LINE_, __LINE__),
+#define PAIR(...)               FIELD()
+#include "layouts.def"
+};
+enum {
+    CASES_BEGIN = -1
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) , FIELD_COUNT_##layout##_##name = 0
+#define FIELD(...)              +1
+#define PAIR(...)               +1
+#include "layouts.def"
+};
+
+static const CaseRow case_table[] = {
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) {&field_table[FIELDS_##layout##_##name], FIELD_COUNT_##layout##_##name, doc},
+#include "layouts.def"
+};
+enum {
+#define LAYOUT(name, ...)       CASES_##name,
+#define CASE(layout, name, doc) CASE_##layout##_##name,
+#include "layouts.def"
+};
+enum {
+    LAYOUTS_BEGIN = -1
+#define LAYOUT(name, ...) , CASE_COUNT_##name = 1
+#define CASE(...)         +1
+#include "layouts.def"
+};
+
+const LayoutRow layout_table[LAYOUT_COUNT] = {
+#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name},
+#include "layouts.def"
+};
 
 /* The first choice of every axis, counted by the compiler. */
 enum {

@@ -57,6 +57,11 @@ check "validates" status 0 "$matc" $example -o "$work/a.frag"
 
 check "no document is wrong usage" status 2 "$matc"
 check "an unknown option is wrong usage" status 2 "$matc" --frobnicate $example
+check "--layout" status 0 $fast --layout=compact $example
+check "writes words" prints 'out uvec4 fragment0'
+check "whole numbers are not for GLSL 1.10" status 1 $fast --layout=integer --target=glsl110 $example
+check "and it says so" says 'layout integer packs whole numbers, which glsl110 does not have'
+check "an unknown layout is wrong usage" status 2 "$matc" --layout=wide $example
 check "an unknown target is wrong usage" status 2 "$matc" --target=hlsl $example
 check "its name is said" says 'target'
 check "a missing file" status 1 "$matc" "$work/none.yaml"

@@ -31,6 +31,11 @@ static void rows_are_documented(void **state)
         assert_true(is_sentence(wave_table[i].doc));
     for (int i = 0; i < SLOT_COUNT; i++)
         assert_true(is_sentence(slot_table[i].doc));
+    for (int i = 0; i < ENCODING_COUNT; i++)
+        assert_true(is_sentence(encoding_table[i].doc));
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        for (int number = 0; number < layout_table[i].case_count; number++)
+            assert_true(is_sentence(layout_table[i].cases[number].doc));
 }
 
 /* A PARAM line under another kind than it names would compile silently. */

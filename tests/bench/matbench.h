@@ -15,4 +15,7 @@ int bench_compile(int argc, char **argv);
 /* glslang VERTEX FRAGMENT: only validates; what bench_compile compares a process of matc with. */
 int bench_glslang(int argc, char **argv);
 int bench_instructions(int argc, char **argv);
+int bench_layout(int argc, char **argv);
+/* Its second table: whole passes. */
+int bench_layout_frame(void);
 #endif

@@ -1,0 +1,98 @@
+/* What encodings cost: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their bits and their errors. The
+ * same square with nothing to do is taken off. */
+#include "matbench.h"
+#include "compiler/describe.h"
+#include "tests/value/canvas.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 512, REPEATS = 80, VALUE_ROOM = 256, TEXT_ROOM = 512 };
+
+/* Cheap values that differ from pixel to pixel. */
+static const char *const inputs[] = {
+    "", "fract(float(index) * 0.618)", "fract(vec2(index, index + 1u) * vec2(0.618, 0.414))",
+    "normalize(fract(vec3(index, index + 1u, index + 2u) * vec3(0.618, 0.414, 0.732)) - 0.5)"};
+
+static double measure(Canvas *canvas, const char *functions, const char *expression, bool words)
+{
+    const Drawing drawing = {.functions = functions, .expression = expression};
+    const Framebuffer *target = words ? &canvas->words : &canvas->floats;
+    double seconds = canvas_time(canvas, &drawing, target, REPEATS);
+    if (seconds < 0) {
+        fprintf(stderr, "matbench: %s\n", canvas->error);
+        exit(1);
+    }
+    return seconds * 1e9 / SIDE / SIDE;
+}
+
+/* A call as a pixel of the target; a result of fewer lanes is repeated or filled up. */
+static double measure_call(Canvas *canvas, const char *function, const char *value, const FieldRow *field, bool bits,
+                           int lanes, bool words)
+{
+    static const char *const fill[] = {"", "", ", 0.0, 0.0", ", 0.0", ""};
+    char text[TEXT_ROOM], last[16] = "";
+    if (bits)
+        snprintf(last, sizeof last, ", %d", field->bits);
+    snprintf(text, sizeof text, "%s(%s(%s%s)%s)", words ? "uvec4" : "vec4", function, value, last, fill[lanes]);
+    return measure(canvas, function, text, words);
+}
+
+static void put_row(Canvas *canvas, const FieldRow *field)
+{
+    const EncodingRow *row = &encoding_table[field->encoding];
+    const char *input = inputs[row->takes];
+    char code[VALUE_ROOM], empty[TEXT_ROOM];
+    Arena arena = {0};
+    Text name = text_new(&arena), error = text_new(&arena);
+    bool bits = strchr(function_arguments(row->pack), 'i') != NULL;
+    int packed = row->words ? 1 : type_table[function_row(row->pack)->result].lanes;
+    describe_encoding(&name, field);
+    describe_error(&error, field);
+    snprintf(empty, sizeof empty, "%s(%s%s)", "vec4", input,
+             row->takes == 3   ? ", 0.0"
+             : row->takes == 2 ? ", 0.0, 0.0"
+                               : "");
+    double pack = measure_call(canvas, function_row(row->pack)->name, input, field, bits, packed, row->words);
+    double before = measure(canvas, "", empty, false);
+    const char *mask = "index * 40503u";
+    unsigned long most = (1ul << field_size(field)) - 1;
+    if (row->words)
+        snprintf(code, sizeof code, "%s & %luu", mask, most > 0xFFFFFFFF ? 0xFFFFFFFF : most);
+    else
+        snprintf(code, sizeof code, packed == 2 ? "vec2(index & 511u, index >> 9)" : "float(index & 65535u) - 32768.0");
+    if (field->encoding == ENCODING_spheremap)
+        snprintf(code, sizeof code, "%s", inputs[2]);
+    double unpack = 0, nothing = 0;
+    if (*row->unpack) {
+        unpack = measure_call(canvas, row->unpack, code, field, bits, row->takes, false);
+        snprintf(empty, sizeof empty, "vec4(%s%s)", code, packed == 2 ? ", 0.0, 0.0" : "");
+        nothing = measure(canvas, "", empty, false);
+    }
+    printf("%-20s %6d  %-14s %8.2f %8.2f %6d\n", name.at, field_size(field) * (row->words ? 1 : 16), error.at,
+           pack > before ? pack - before : 0, unpack > nothing ? unpack - nothing : 0, function_row(row->pack)->cost);
+    arena_free(&arena);
+}
+
+/* Every encoding that has a function, at the widths that are asked about. */
+int bench_layout(int argc, char **argv)
+{
+    (void)argc, (void)argv;
+    static const int widths[] = {7, 8, 9, 12, 16, 32};
+    Canvas canvas;
+    if (!canvas_open(&canvas, SIDE)) {
+        fprintf(stderr, "matbench: %s\n", canvas.error);
+        return 1;
+    }
+    printf("%-20s %6s  %-14s %8s %8s %6s\n", "encoding", "bits", "error at most", "pack ns", "unpack", "cost");
+    for (int i = 0; i < ENCODING_COUNT; i++) {
+        const EncodingRow *row = &encoding_table[i];
+        for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
+            FieldRow field = {.encoding = (Encoding)i, .bits = widths[k], .count = row->takes};
+            if (row->pack != FN_none && widths[k] >= row->least && widths[k] <= row->most)
+                put_row(&canvas, &field);
+        }
+    }
+    canvas_close(&canvas);
+    return bench_layout_frame();
+}
