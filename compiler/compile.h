@@ -53,7 +53,7 @@ typedef struct Compile {
 typedef struct {
     Target target;
     Pass pass;
-    Layout layout;
+    const LayoutRow *layout;
     Slot slot;
     Choice choice[AXIS_COUNT];
 } Job;

@@ -5,7 +5,6 @@
 #include <string.h>
 
 const char *const severity_names[] = {"note", "warning", "error"};
-const char *const encoding_names[] = {"raw", "spheremap", "pair"};
 
 void describe_number(Text *out, double value)
 {
@@ -111,18 +110,59 @@ static void put_slot(Text *out, Slot slot, int from, int count)
         text_char(out, "rgba"[from + i]);
 }
 
-void describe_field(Text *out, const FieldRow *field)
+void describe_piece(Text *out, const Piece *piece)
 {
-    put_slot(out, field->slot, field->from, field->count);
-    if (field->encoding != ENCODING_pair)
-        return;
-    text_put(out, ", ");
-    put_slot(out, field->other, field->other_lane, 1);
+    const SlotLane *source = &piece->field->source[piece->first];
+    for (int i = 0, run; i < piece->count; i += run) {
+        run = 1;
+        while (i + run < piece->count && source[i + run].slot == source[i].slot &&
+               source[i + run].lane == source[i].lane + run)
+            run++;
+        text_put(out, i ? ", " : "");
+        put_slot(out, source[i].slot, source[i].lane, run);
+    }
 }
 
-int describe_field_lanes(const FieldRow *field)
+void describe_place(Text *out, const LayoutRow *layout, const Piece *piece)
 {
-    return field->encoding == ENCODING_spheremap ? 2 : field->encoding == ENCODING_pair ? 1 : field->count;
+    if (format_table[layout->formats[piece->target]].words)
+        text_format(out, "%d.%c %d-%d", piece->target, "rgba"[piece->lane], piece -> shift,
+                    piece -> shift + piece -> size - 1);
+    else
+        text_format(out, "%d.%.*s", piece->target, piece->size, &"rgba"[piece->lane]);
+}
+
+void describe_encoding(Text *out, const FieldRow *field)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    text_put(out, encoding->name);
+    if (encoding->least != encoding->most)
+        text_format(out, " %d", field->bits);
+}
+
+/* To a figure that is easily read: three digits. */
+static void put_rounded(Text *out, double value) { text_format(out, "%.3g", value); }
+
+void describe_stored_range(Text *out, const FieldRow *field)
+{
+    text_format(out, "%.6g to %.6g", field_low(field), field_high(field));
+}
+
+void describe_error(Text *out, const FieldRow *field)
+{
+    double error = field_error(field);
+    switch (encoding_table[field->encoding].unit) {
+    case UNIT_degrees:
+        put_rounded(out, error);
+        text_put(out, " degrees");
+        break;
+    case UNIT_relative:
+        put_rounded(out, 100 * error);
+        text_put(out, error == 0 ? "" : " %");
+        break;
+    case UNIT_absolute:
+        put_rounded(out, error);
+    }
 }
 
 /* A "%s" right behind a word or a closing quote is a hint that is mostly empty. */

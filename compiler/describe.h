@@ -3,6 +3,7 @@
 #define MATC_DESCRIBE_H
 #include "diag.h"
 #include "grammar/tables.h"
+#include "layout.h"
 #include "text.h"
 
 #define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
@@ -17,15 +18,16 @@ void describe_default(Text *out, const ParamRow *param, const char *preset);
 void describe_range(Text *out, const ParamRow *param);
 /* A smallest document: the kind (by that name of it) with its defaults written out. */
 void describe_example(Text *out, Kind kind, const char *name);
-/* A field of a layout: "normal", "emissive.r, emissive.g". */
-void describe_field(Text *out, const FieldRow *field);
-/* How many lanes of its target a field takes. */
-int describe_field_lanes(const FieldRow *field);
+/* Of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "unorm 8"; "0 to 1"; "0.00196". */
+void describe_piece(Text *out, const Piece *piece);
+void describe_place(Text *out, const LayoutRow *layout, const Piece *piece);
+void describe_encoding(Text *out, const FieldRow *field);
+void describe_stored_range(Text *out, const FieldRow *field);
+void describe_error(Text *out, const FieldRow *field);
 /* A diagnostic's format with "..." where it has arguments. */
 void describe_message(Text *out, const DiagRow *diag);
 
 extern const char *const severity_names[];
-extern const char *const encoding_names[];
 /* Is the row the first of its preset? A preset has one row a parameter. */
 bool is_preset_head(int row);
 /* The text in memory from malloc; the arena is freed. */

@@ -175,16 +175,23 @@ static void explain_slots(const Query *q)
     }
 }
 
-static void put_fields(Text *out, Layout layout)
+static void put_pieces(Text *out, const LayoutRow *layout)
 {
-    for (int i = 0; i < field_count; i++) {
-        const FieldRow *field = &field_table[i];
-        if (field->layout != layout)
-            continue;
-        Text slot = text_new(out->arena);
-        describe_field(&slot, field);
-        text_format(out, "  %-6d  %-5.*s  %-42s  %s\n", field->target, describe_field_lanes(field),
-                    &"rgba"[field->lane], slot.at, encoding_names[field->encoding]);
+    Placement placement;
+    layout_place(layout, &placement); /* test_tables: every row fits */
+    text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored", "error at most");
+    for (int i = 0; i < placement.count; i++) {
+        const Piece *piece = &placement.pieces[i];
+        Text cells[5];
+        for (int k = 0; k < 5; k++)
+            cells[k] = text_new(out->arena);
+        describe_place(&cells[0], layout, piece);
+        describe_piece(&cells[1], piece);
+        describe_encoding(&cells[2], piece->field);
+        describe_stored_range(&cells[3], piece->field);
+        describe_error(&cells[4], piece->field);
+        text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at, cells[3].at,
+                    cells[4].at);
     }
 }
 
@@ -194,9 +201,25 @@ static void explain_layouts(const Query *q)
         const LayoutRow *layout = &layout_table[i];
         if (!begins(q, layout->name))
             continue;
-        text_format(q->out, "%s (layout, %d targets of %s)\n%s\n\n  target  lanes  %-42s  encoding\n", layout->name,
-                    layout->targets, layout->format, layout->doc, "slot");
-        put_fields(q->out, (Layout)i);
+        text_format(q->out, "%s (layout, %d bytes a pixel)\n%s\nTargets:", layout->name, layout_bytes(layout),
+                    layout->doc);
+        for (int target = 0; target < layout_targets(layout); target++)
+            text_format(q->out, " %d %s%s", target, format_table[layout->formats[target]].name,
+                        target + 1 < layout_targets(layout) ? "," : ".\n\n");
+        put_pieces(q->out, layout);
+    }
+}
+
+static void explain_encodings(const Query *q)
+{
+    for (int i = 0; i < ENCODING_COUNT; i++) {
+        const EncodingRow *row = &encoding_table[i];
+        if (!begins(q, row->name))
+            continue;
+        text_format(q->out, "%s (encoding, for targets of %s)\n%s\n", row->name, row->words ? "words" : "floats",
+                    row->doc);
+        if (row->least != row->most)
+            text_format(q->out, "%d to %d bits.\n", row->least, row->most);
     }
 }
 
@@ -240,6 +263,7 @@ char *matc_explain(const char *name)
         explain_slots(&query);
         explain_programs(&query);
         explain_layouts(&query);
+        explain_encodings(&query);
         explain_diags(&query);
         query.compare = strcasecmp;
     }

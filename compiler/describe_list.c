@@ -70,6 +70,7 @@ char *matc_list(void)
     LIST(&out, "Targets", target_table, TARGET_COUNT);
     LIST(&out, "Passes", pass_table, PASS_COUNT);
     LIST(&out, "Layouts", layout_table, LAYOUT_COUNT);
+    LIST(&out, "Encodings", encoding_table, ENCODING_COUNT);
     for (int i = 0; i < CHOICE_COUNT; i++) {
         const AxisRow *axis = &axis_table[choice_table[i].axis];
         if (axis->first == i)

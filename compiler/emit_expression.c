@@ -23,6 +23,8 @@ static void put_number(Text *out, Type type, double value)
         text_put(out, value != 0 ? "true" : "false");
     else if (type == TYPE_int)
         text_int(out, (long)value);
+    else if (type == TYPE_uint || type == TYPE_uvec4)
+        text_format(out, "%luu", (unsigned long)value);
     else
         text_float(out, value);
 }
@@ -43,7 +45,7 @@ void emit_constant(Text *out, const Ir *ir, Ref ref)
     text_char(out, '(');
     for (int i = 0; i < (equal ? 1 : lanes); i++) {
         text_put(out, i ? ", " : "");
-        text_float(out, lane[i]);
+        put_number(out, type, lane[i]);
     }
     text_char(out, ')');
 }
@@ -181,6 +183,10 @@ static int precedence_of(const IrNode *node)
         return PRECEDENCE_or;
     case OP_and:
         return PRECEDENCE_and;
+    case OP_join:
+        return PRECEDENCE_join;
+    case OP_shift:
+        return PRECEDENCE_shift;
     case OP_eq:
     case OP_ne:
         return PRECEDENCE_equal;

@@ -141,7 +141,7 @@ void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, cons
     emit_version(out, job->target);
     text_format(out, "// matc " MATC_VERSION ": pass %s", pass_table[job->pass].name);
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
-        text_format(out, ", layout %s", layout_table[job->layout].name);
+        text_format(out, ", layout %s", job->layout->name);
     if (job->pass == PASS_value)
         text_format(out, ", slot %s", slot_table[job->slot].name);
     text_put(out, "\n\n");
@@ -160,8 +160,8 @@ void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, cons
     put_samplers(c, out, ir, job, interface);
     for (int i = 0; i < ir->output_count; i++)
         if (ir->outputs[i].kind == OUT_color && job->target != TARGET_glsl110)
-            text_format(out, "layout(location = %d) out vec4 fragment%d;\n", ir->outputs[i].index,
-                        ir->outputs[i].index);
+            text_format(out, "layout(location = %d) out %s fragment%d;\n", ir->outputs[i].index,
+                        type_table[ir_type(ir, ir->outputs[i].value)].name, ir->outputs[i].index);
     if (out->size > before)
         text_char(out, '\n');
 }

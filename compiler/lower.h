@@ -52,6 +52,8 @@ int cost_below(const Ir *ir, Ref ref, int limit);
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The shading normal in eye space, unit length, turned to the viewer. */
 Ref lower_eye_normal(Lower *l, const Node *material, const Env *env);
+/* Writes every render target of the job's layout. lower_layout.c */
+void lower_layout(Lower *l, const Node *material, const Env *env);
 Ref lower_wave(Lower *l, const Wave *wave, Ref v);
 /* M q for a Transform. */
 Ref lower_transform(Lower *l, const Transform *transform, Ref q);

@@ -78,52 +78,6 @@ static Env sky_env(Lower *l)
     return env;
 }
 
-/* A slot as a half float stores it: finite. Its lanes from..from+count-1. */
-static Ref raw_field(Lower *l, Ref value, int from, int count)
-{
-    const double greatest_half = 65504;
-    uint32_t lanes = 0;
-    for (int i = 0; i < count; i++)
-        lanes |= (uint32_t)(from + i) << 2 * i;
-    if (count < ir_lanes(l->ir, value))
-        value = ir_swizzle_lanes(l->ir, value, lanes, count);
-    return ir_ternary(l->ir, OP_clamp, value, number(l, -greatest_half), number(l, greatest_half));
-}
-
-static Ref slot_lane(Lower *l, const Node *material, Slot slot, int lane, const Env *env)
-{
-    return ir_swizzle_lanes(l->ir, lower_slot(l, material, slot, env), (uint32_t)lane, 1);
-}
-
-static Ref field_value(Lower *l, const FieldRow *field, const Node *material, const Env *env)
-{
-    Ref pair[2], normal;
-    switch (field->encoding) {
-    case ENCODING_spheremap:
-        normal = lower_eye_normal(l, material, env);
-        return ir_call(l->ir, FN_encodeSpheremap, &normal, 1);
-    case ENCODING_pair:
-        pair[0] = slot_lane(l, material, field->slot, field->from, env);
-        pair[1] = slot_lane(l, material, field->other, field->other_lane, env);
-        return ir_call(l->ir, FN_packPair, (Ref[]){ir_vec(l->ir, TYPE_vec2, pair, 2)}, 1);
-    default:
-        return raw_field(l, lower_slot(l, material, field->slot, env), field->from, field->count);
-    }
-}
-
-/* Every render target of the layout: its fields side by side, in the order of the rows. */
-static void write_layout(Lower *l, Layout layout, const Node *material, const Env *env)
-{
-    for (int target = 0; target < layout_table[layout].targets; target++) {
-        Ref parts[4];
-        int count = 0;
-        for (int i = 0; i < field_count; i++)
-            if (field_table[i].layout == layout && field_table[i].target == target)
-                parts[count++] = field_value(l, &field_table[i], material, env);
-        ir_output(l->ir, OUT_color, target, ir_vec(l->ir, TYPE_vec4, parts, count));
-    }
-}
-
 static void write_shadow(Lower *l, const Node *material, const Env *env)
 {
     Ref mean = ir_convert(l->ir, lower_slot(l, material, SLOT_transparency, env), TYPE_float);
@@ -143,7 +97,7 @@ static void write_pass(Lower *l, const Node *material)
     switch (job->pass) {
     case PASS_gbuffer:
     case PASS_plane:
-        write_layout(l, job->layout, material, &env);
+        lower_layout(l, material, &env);
         break;
     case PASS_sky:
         write_sky(l, material, &env);

@@ -130,7 +130,7 @@ const char *job_of(const MatcOptions *o, Job *job)
     int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
         return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
-    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = (Layout)layout, .slot = (Slot)slot};
+    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         int choice = choose(o, (Axis)axis, precision);
         if (choice < 0)

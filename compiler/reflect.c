@@ -126,7 +126,7 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
         next(&list);
         if (output->kind == OUT_color)
             text_format(out, "{\"kind\": \"color\", \"location\": %d, \"format\": \"%s\"}", output->index,
-                        layout ? layout_table[job->layout].format : "float");
+                        layout ? format_table[job->layout->formats[output->index]].name : "float");
         else
             text_format(out, "{\"kind\": \"%s\"}", output->kind == OUT_depth ? "depth" : "discard");
     }
@@ -143,7 +143,7 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
     text_format(out, ",\n  \"target\": \"%s\",\n  \"pass\": \"%s\"", target_table[job->target].name,
                 pass_table[job->pass].name);
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
-        text_format(out, ",\n  \"layout\": \"%s\"", layout_table[job->layout].name);
+        text_format(out, ",\n  \"layout\": \"%s\"", job->layout->name);
     if (job->pass == PASS_value)
         text_format(out, ",\n  \"slot\": \"%s\"", slot_table[job->slot].name);
     text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", choice_table[job->choice[AXIS_noise]].name,

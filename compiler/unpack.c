@@ -1,39 +1,28 @@
 /* The other side of a layout: GLSL that reads the render targets back into a Surface. Made from the layout's rows. */
 #include "emit.h"
+#include "layout.h"
 #include <string.h>
 
-static void put_body(Compile *c, Text *out, const Job *job, const char *chunk)
+/* The chunks that decode the layout's fields, each once. */
+static void put_chunks(Compile *c, Text *out, const Job *job)
 {
     Chunks chunks = {0};
-    chunks_add(c, &chunks, chunk, job);
+    for (int i = 0; i < job->layout->field_count; i++) {
+        const char *name = encoding_table[job->layout->fields[i].encoding].unpack;
+        if (*name)
+            chunks_add(c, &chunks, name, job);
+    }
     for (size_t i = 0; i < chunks.count; i++) {
         text_put(out, chunks.at[i]->body);
         text_char(out, '\n');
     }
 }
 
-static bool has_encoding(Layout layout, Encoding encoding)
-{
-    for (int i = 0; i < field_count; i++)
-        if (field_table[i].layout == layout && field_table[i].encoding == encoding)
-            return true;
-    return false;
-}
-
-static bool has_slot(Layout layout, Slot slot)
-{
-    for (int i = 0; i < field_count; i++)
-        if (field_table[i].layout == layout &&
-            (field_table[i].slot == slot || (field_table[i].encoding == ENCODING_pair && field_table[i].other == slot)))
-            return true;
-    return false;
-}
-
-static void put_struct(Text *out, Layout layout)
+static void put_struct(Text *out, const LayoutRow *layout)
 {
     text_put(out, "struct Surface {\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (has_slot(layout, (Slot)slot))
+        if (layout_has_slot(layout, (Slot)slot))
             text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name, slot_table[slot].name,
                         slot == SLOT_normal ? "Shading normal in eye space, unit length." : slot_table[slot].doc);
     text_put(out, "};\n\n");
@@ -46,68 +35,109 @@ static void put_lanes(Text *out, int from, int count)
         text_char(out, "xyzw"[from + i]);
 }
 
-static void put_target(Text *out, const FieldRow *field, int count)
+/* What the piece takes of its target: lanes, or bits: "target0.x >> 8 & 255u". */
+static void put_code(Text *out, const LayoutRow *layout, const Piece *piece)
 {
-    text_format(out, "target%d", field->target);
-    put_lanes(out, field->lane, count);
+    const FormatRow *format = &format_table[layout->formats[piece->target]];
+    text_format(out, "target%d", piece->target);
+    put_lanes(out, piece->lane, format->words ? 1 : piece->size);
+    if (piece->shift)
+        text_format(out, " >> %d", piece->shift);
+    if (format->words && piece->shift + piece->size < format->bits)
+        text_format(out, " & %luu", (1ul << piece->size) - 1);
+}
+
+/* The numbers of a piece. */
+static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
+{
+    const char *unpack = encoding_table[piece->field->encoding].unpack;
+    text_put(out, unpack);
+    text_put(out, *unpack ? "(" : "");
+    put_code(out, layout, piece);
+    if (piece_takes_bits(piece))
+        text_format(out, ", %d", piece->field->bits);
+    text_put(out, *unpack ? ")" : "");
 }
 
 /* surface.slot, and the lane if the slot has more than one. */
-static void put_destination(Text *out, Slot slot, int lane)
+static void put_destination(Text *out, SlotLane to)
 {
-    text_format(out, "    surface.%s", slot_table[slot].name);
-    if (type_table[slot_table[slot].type].lanes > 1)
-        put_lanes(out, lane, 1);
+    text_format(out, "    surface.%s", slot_table[to.slot].name);
+    if (type_table[slot_table[to.slot].type].lanes > 1)
+        put_lanes(out, to.lane, 1);
+    text_put(out, " = ");
 }
 
-static void put_field(Text *out, const FieldRow *field, int index)
+/* The number of a piece whose lanes belong to several slots is kept, then dealt out. */
+static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, int index)
 {
-    if (field->encoding == ENCODING_spheremap) {
-        text_format(out, "    surface.%s = decodeSpheremap(", slot_table[field->slot].name);
-        put_target(out, field, 2);
-        text_put(out, ");\n");
-    } else if (field->encoding == ENCODING_raw) {
-        text_format(out, "    surface.%s = ", slot_table[field->slot].name);
-        put_target(out, field, field->count);
+    static const char *const types[] = {"float", "float", "vec2", "vec3", "vec4"};
+    text_format(out, "    %s group%d = ", types[piece->count], index);
+    put_value(out, layout, piece);
+    text_put(out, ";\n");
+    for (int i = 0; i < piece->count; i++) {
+        put_destination(out, piece->field->source[piece->first + i]);
+        text_format(out, "group%d", index);
+        put_lanes(out, i, 1);
         text_put(out, ";\n");
-    } else {
-        text_format(out, "    vec2 pair%d = unpackPair(", index);
-        put_target(out, field, 1);
-        text_put(out, ");\n");
-        put_destination(out, field->slot, field->from);
-        text_format(out, " = pair%d.x;\n", index);
-        put_destination(out, field->other, field->other_lane);
-        text_format(out, " = pair%d.y;\n", index);
     }
+}
+
+static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, int index)
+{
+    const SlotLane *source = &piece->field->source[piece->first];
+    if (piece->count > 1 && !piece_is_slot(piece)) {
+        put_dealt(out, layout, piece, index);
+        return;
+    }
+    if (piece->count == 1)
+        put_destination(out, *source);
+    else
+        text_format(out, "    surface.%s = ", slot_table[source->slot].name);
+    put_value(out, layout, piece);
+    text_put(out, ";\n");
+}
+
+static void put_samplers(Text *out, const Job *job)
+{
+    const char *highp = target_table[job->target].es ? "highp " : "";
+    for (int i = 0; i < layout_targets(job->layout); i++) {
+        bool words = format_table[job->layout->formats[i]].words;
+        if (job->target == TARGET_glsl450 || job->target == TARGET_spirv)
+            text_format(out, "layout(binding = %d) ", i);
+        text_format(out, "uniform %s%ssampler2D matc_gbuffer%d;\n", words ? highp : "", words ? "u" : "", i);
+    }
+    text_char(out, '\n');
+}
+
+static void put_fetches(Text *out, const Job *job)
+{
+    bool old = job->target == TARGET_glsl110;
+    for (int i = 0; i < layout_targets(job->layout); i++)
+        text_format(out,
+                    old ? "    %s target%d = texture2D(matc_gbuffer%d, coordinate);\n"
+                        : "    %s target%d = texelFetch(matc_gbuffer%d, pixel, 0);\n",
+                    format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i, i);
 }
 
 const char *emit_unpack(Compile *c, const Job *job)
 {
     Text out = text_new(c->arena);
-    bool old = job->target == TARGET_glsl110;
-    const LayoutRow *layout = &layout_table[job->layout];
-    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n", layout->name);
-    for (int i = 0; i < layout->targets; i++) {
-        if (job->target == TARGET_glsl450 || job->target == TARGET_spirv)
-            text_format(&out, "layout(binding = %d) ", i);
-        text_format(&out, "uniform sampler2D matc_gbuffer%d;\n", i);
-    }
-    text_char(&out, '\n');
+    Placement placement;
+    layout_place(job->layout, &placement); /* lowering has told what does not fit */
+    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
+                job->layout->name);
+    if (target_table[job->target].es && layout_has_words(job->layout))
+        text_put(&out, "precision highp float;\nprecision highp int;\n");
+    put_samplers(&out, job);
     put_struct(&out, job->layout);
-    if (has_encoding(job->layout, ENCODING_spheremap))
-        put_body(c, &out, job, "decodeSpheremap");
-    if (has_encoding(job->layout, ENCODING_pair))
-        put_body(c, &out, job, "unpackPair");
-    text_format(&out, "Surface unpackSurface(%s) {\n", old ? "vec2 coordinate" : "ivec2 pixel");
-    for (int i = 0; i < layout->targets; i++)
-        text_format(&out,
-                    old ? "    vec4 target%d = texture2D(matc_gbuffer%d, coordinate);\n"
-                        : "    vec4 target%d = texelFetch(matc_gbuffer%d, pixel, 0);\n",
-                    i, i);
+    put_chunks(c, &out, job);
+    text_format(&out, "Surface unpackSurface(%s) {\n",
+                job->target == TARGET_glsl110 ? "vec2 coordinate" : "ivec2 pixel");
+    put_fetches(&out, job);
     text_put(&out, "    Surface surface;\n");
-    for (int i = 0; i < field_count; i++)
-        if (field_table[i].layout == job->layout)
-            put_field(&out, &field_table[i], i);
+    for (int i = 0; i < placement.count; i++)
+        put_piece(&out, job->layout, &placement.pieces[i], i);
     text_put(&out, "    return surface;\n}\n");
     return out.at;
 }

@@ -195,28 +195,103 @@ const PassRow pass_table[PASS_COUNT] = {
 #undef PASS
 };
 
-const LayoutRow layout_table[LAYOUT_COUNT] = {
-#define LAYOUT(name, targets, format, doc) {#name, targets, format, doc},
-#define FIELD(layout, target, lane, encoding, slot, from, count)
-#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)
-#include "layouts.def"
-#undef LAYOUT
-#undef FIELD
-#undef PAIR
+const FormatRow format_table[FORMAT_COUNT] = {
+    [FORMAT_none] = {"", 0, 0, false, ""},
+#define FORMAT(name, lanes, bits, words, doc) {#name, lanes, bits, words, doc},
+#include "formats.def"
 };
 
-const FieldRow field_table[] = {
-#define LAYOUT(name, targets, format, doc)
-#define FIELD(layout, target, lane, encoding, slot, from, count)                                                       \
-    {LAYOUT_##layout, target, lane, ENCODING_##encoding, SLOT_##slot, from, count, SLOT_##slot, 0},
-#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)                                                     \
-    {LAYOUT_##layout, target, lane, ENCODING_pair, SLOT_##slot_a, lane_a, 1, SLOT_##slot_b, lane_b},
-#include "layouts.def"
-#undef LAYOUT
-#undef FIELD
-#undef PAIR
+const EncodingRow encoding_table[ENCODING_COUNT] = {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    {#name, words, takes, least, most, FN_##pack, unpack, UNIT_##unit, doc},
+#include "encodings.def"
 };
-const int field_count = sizeof field_table / sizeof *field_table;
+
+/* What depends on a field's bits: a column of encodings.def. */
+int field_size(const FieldRow *field)
+{
+    const int n = field->count, b = field->bits;
+    (void)n, (void)b;
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return size;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+double field_error(const FieldRow *field)
+{
+    const double b = field->bits;
+    (void)b;
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return error;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+double field_low(const FieldRow *field)
+{
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return low;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+double field_high(const FieldRow *field)
+{
+    const double b = field->bits;
+    (void)b;
+    switch (field->encoding) {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+    case ENCODING_##name:                                                                                              \
+        return high;
+#include "encodings.def"
+    default:
+        return 0;
+    }
+}
+
+static const FieldRow field_table[] = {
+#define FIELD(layout, encoding, bits, slot, from, count)                                                               \
+    {ENCODING_##encoding,                                                                                              \
+     bits,                                                                                                             \
+     count,                                                                                                            \
+     {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}}},
+#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b)                                                   \
+    {ENCODING_##encoding, bits, 2, {{SLOT_##slot_a, lane_a}, {SLOT_##slot_b, lane_b}}},
+#include "layouts.def"
+};
+
+/* Runs of fields, as those of parameters. */
+enum {
+#define LAYOUT(name, ...)                                            FIELDS_##name, FIELDS_BACK_##name = FIELDS_##name - 1,
+#define FIELD(layout, encoding, bits, slot, from, count)             FIELD_IN_##layout##_##slot##from##encoding,
+#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b) FIELD_IN_##layout##_##slot_a##lane_a##encoding,
+#include "layouts.def"
+};
+enum {
+    LAYOUTS_BEGIN = -1
+#define LAYOUT(name, ...)                                            , FIELD_COUNT_##name = 0
+#define FIELD(layout, encoding, bits, slot, from, count)             +1
+#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b) +1
+#include "layouts.def"
+};
+
+const LayoutRow layout_table[LAYOUT_COUNT] = {
+#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &field_table[FIELDS_##name], FIELD_COUNT_##name},
+#include "layouts.def"
+};
 
 /* The first choice of every axis, counted by the compiler. */
 enum {

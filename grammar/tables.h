@@ -194,7 +194,7 @@ typedef enum {
     FN_FIRST_MAP
 } Function;
 /* A volume map's function is FN_FIRST_MAP + its Kind; not every value is in use. */
-enum { FUNCTION_COUNT = FN_FIRST_MAP + KIND_COUNT };
+enum { FUNCTION_COUNT = FN_FIRST_MAP + KIND_COUNT, FN_none = FUNCTION_COUNT };
 
 typedef void (*Reference)(const void *context, const double *args, double *result);
 typedef struct {
@@ -256,36 +256,69 @@ typedef struct {
 } PassRow;
 extern const PassRow pass_table[PASS_COUNT];
 
+/* Layouts of the G-buffer: formats of targets, encodings of slots, and the rows that join them. */
 typedef enum {
-#define LAYOUT(name, targets, format, doc) LAYOUT_##name,
-#define FIELD(layout, target, lane, encoding, slot, from, count)
-#define PAIR(layout, target, lane, slot_a, lane_a, slot_b, lane_b)
-#include "layouts.def"
-#undef LAYOUT
-#undef FIELD
-#undef PAIR
-    LAYOUT_COUNT
-} Layout;
+    FORMAT_none, /* ends a list of formats */
+#define FORMAT(name, lanes, bits, words, doc) FORMAT_##name,
+#include "formats.def"
+    FORMAT_COUNT
+} Format;
 typedef struct {
     const char *name;
-    int targets;        /* render targets of four lanes each */
-    const char *format; /* of each */
+    int lanes, bits; /* bits of a lane */
+    bool words;      /* whole numbers, not floats */
     const char *doc;
+} FormatRow;
+extern const FormatRow format_table[FORMAT_COUNT];
+
+typedef enum {
+#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc) ENCODING_##name,
+#include "encodings.def"
+    ENCODING_COUNT
+} Encoding;
+typedef enum { UNIT_absolute, UNIT_relative, UNIT_degrees } ErrorUnit;
+typedef struct {
+    const char *name;
+    bool words;
+    int takes;
+    int least, most;
+    int pack;           /* a Function, or FN_none */
+    const char *unpack; /* a chunk, "" for none */
+    ErrorUnit unit;
+    const char *doc;
+} EncodingRow;
+extern const EncodingRow encoding_table[ENCODING_COUNT];
+
+enum { FIELD_LANES = 4, LAYOUT_TARGETS = 8 };
+typedef struct {
+    Slot slot;
+    int lane;
+} SlotLane;
+typedef struct {
+    Encoding encoding;
+    int bits;
+    int count; /* lanes that it stores */
+    SlotLane source[FIELD_LANES];
+} FieldRow;
+/* What depends on a field's bits. */
+int field_size(const FieldRow *field);     /* of a group: lanes of a float target, or bits */
+double field_error(const FieldRow *field); /* in the encoding's unit */
+double field_low(const FieldRow *field);
+double field_high(const FieldRow *field);
+
+typedef enum {
+#define LAYOUT(name, ...) LAYOUT_##name,
+#include "layouts.def"
+    LAYOUT_COUNT
+} Layout;
+/* A document's own layout is such a row too. */
+typedef struct {
+    const char *name, *doc;
+    Format formats[LAYOUT_TARGETS + 1]; /* of its targets, then FORMAT_none */
+    const FieldRow *fields;
+    int field_count;
 } LayoutRow;
 extern const LayoutRow layout_table[LAYOUT_COUNT];
-
-typedef enum { ENCODING_raw, ENCODING_spheremap, ENCODING_pair } Encoding;
-typedef struct {
-    Layout layout;
-    int target, lane;
-    Encoding encoding;
-    Slot slot;       /* first or only slot */
-    int from, count; /* its lanes; for a pair `from` is the lane of the first */
-    Slot other;      /* second slot of a pair */
-    int other_lane;
-} FieldRow;
-extern const FieldRow field_table[];
-extern const int field_count;
 
 /* How a program computes: an axis has choices, numbered through over all axes. */
 typedef enum {

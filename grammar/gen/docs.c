@@ -222,19 +222,27 @@ static void put_waves(Text *out)
         }                                                                                                              \
     } while (0)
 
-static void put_layouts(Text *out)
+static void put_layout(Text *out, const LayoutRow *layout)
 {
-    for (int i = 0; i < LAYOUT_COUNT; i++) {
-        text_format(out, "\n## Layout %s\n\n%s\n\n| target | lanes | slot | encoding |\n| --- | --- | --- | --- |\n",
-                    layout_table[i].name, layout_table[i].doc);
-        for (int k = 0; k < field_count; k++) {
-            const FieldRow *field = &field_table[k];
-            if ((int)field->layout != i)
-                continue;
-            text_format(out, "| %d | %.*s | ", field->target, describe_field_lanes(field), &"rgba"[field->lane]);
-            describe_field(out, field);
-            text_format(out, " | %s |\n", encoding_names[field->encoding]);
-        }
+    Placement placement;
+    layout_place(layout, &placement);
+    text_format(out, "\n## Layout %s\n\n%s %d bytes a pixel:", layout->name, layout->doc, layout_bytes(layout));
+    for (int target = 0; target < layout_targets(layout); target++)
+        text_format(out, " `%s`", format_table[layout->formats[target]].name);
+    text_put(out, "\n\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- | --- |\n");
+    for (int i = 0; i < placement.count; i++) {
+        const Piece *piece = &placement.pieces[i];
+        text_put(out, "| ");
+        describe_place(out, layout, piece);
+        text_put(out, " | ");
+        describe_piece(out, piece);
+        text_put(out, " | ");
+        describe_encoding(out, piece->field);
+        text_put(out, " | ");
+        describe_stored_range(out, piece->field);
+        text_put(out, " | ");
+        describe_error(out, piece->field);
+        text_put(out, " |\n");
     }
 }
 
@@ -267,7 +275,9 @@ static void put_reference(Text *out)
     LIST(out, "Slots", "slot", slot_table, SLOT_COUNT);
     LIST(out, "Targets", "target", target_table, TARGET_COUNT);
     LIST(out, "Passes", "pass", pass_table, PASS_COUNT);
-    put_layouts(out);
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        put_layout(out, &layout_table[i]);
+    LIST(out, "Encodings", "encoding", encoding_table, ENCODING_COUNT);
     text_put(out, "\n## Variants\n\n| option | choice | |\n| --- | --- | --- |\n");
     for (int i = 0; i < CHOICE_COUNT; i++) {
         const AxisRow *axis = &axis_table[choice_table[i].axis];

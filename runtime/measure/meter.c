@@ -1,5 +1,6 @@
 /* Contexts, targets, points, unpacking, means. */
 #include "meter.h"
+#include "compiler/layout.h"
 #include "runtime/gl/message.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
@@ -61,10 +62,12 @@ static GLenum format_of(const char *name)
 bool meter_make_targets(Meter *m, Layout layout, int width, int height, Framebuffer *made)
 {
     const LayoutRow *row = &layout_table[layout];
-    FramebufferSpec spec = {width, height, row->targets, format_of(row->format), false};
+    FramebufferSpec spec = {width, height, layout_targets(row), format_of(format_table[row->formats[0]].name), false};
+    for (int i = 1; i < spec.color_count; i++)
+        if (row->formats[i] != row->formats[0])
+            return message_fail(m->error, sizeof m->error, "layout %s: targets of several formats", row->name);
     if (spec.color_format == GL_NONE)
-        return message_fail(m->error, sizeof m->error, "layout %s: format %s is not known here", row->name,
-                            row->format);
+        return message_fail(m->error, sizeof m->error, "layout %s: its format is not known here", row->name);
     return framebuffer_make(m->gl, &spec, made) || fail(m, row->name);
 }
 
@@ -80,14 +83,6 @@ bool meter_draw_points(Meter *m, const Shader *shader, const Field *points, floa
 {
     return draw_field(m, shader, points, &m->numbers) &&
            (framebuffer_read(m->gl, &m->numbers, 0, &rgba[0][0]) || fail(m, ""));
-}
-
-/* The struct of an unpacking program has the slot. */
-static bool struct_has(const char *unpack, int slot)
-{
-    char text[96];
-    snprintf(text, sizeof text, "    %s %s;", type_table[slot_table[slot].type].name, slot_table[slot].name);
-    return strstr(unpack, text) != NULL;
 }
 
 /* main() of the unpacking program: a target a slot, as many as there are targets; `first` is the first slot's rank. */
@@ -131,7 +126,7 @@ static bool make_unpack(Meter *m, Layout layout, const char *unpack)
         return message_fail(m->error, sizeof m->error, "layout %s is not to be had", layout_table[layout].name);
     m->refused[layout] = true;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        m->holds[layout][slot] = struct_has(unpack, slot);
+        m->holds[layout][slot] = layout_has_slot(&layout_table[layout], (Slot)slot);
     unpack_main(m, layout, body, sizeof body);
     if (!meter_make_targets(m, layout, POINTS_WIDTH, POINTS_HEIGHT, &m->packed[layout]))
         return false;
@@ -144,7 +139,7 @@ static bool make_unpack(Meter *m, Layout layout, const char *unpack)
 static void bind_packed(Meter *m, Layout layout)
 {
     char name[32];
-    for (int i = 0; i < layout_table[layout].targets; i++) {
+    for (int i = 0; i < layout_targets(&layout_table[layout]); i++) {
         snprintf(name, sizeof name, "matc_gbuffer%d", i);
         texture_bind(m->gl, m->packed[layout].colors[i], i);
         program_set(m->gl, m->unpack[layout].name, &(ProgramValue){name, 1, &(float){(float)i}});

@@ -12,7 +12,7 @@ bool variant_of(const MatcOptions *options, Variant *variant)
         return false;
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         variant->choice[axis] = (int)job.choice[axis];
-    variant->layout = (int)job.layout;
+    variant->layout = (int)(job.layout - layout_table);
     return true;
 }
 

@@ -1,0 +1,36 @@
+/* Where a layout's fields lie: each group of lanes that an encoding takes is one piece of a render target. */
+#ifndef MATC_LAYOUT_H
+#define MATC_LAYOUT_H
+#include "grammar/tables.h"
+
+enum { MOST_PIECES = 128 };
+
+typedef struct {
+    const FieldRow *field;
+    int first, count; /* its lanes, among the field's sources */
+    int target, lane; /* of the render target */
+    int size;         /* lanes there; or bits, from `shift` on */
+    int shift;
+} Piece;
+
+typedef struct {
+    const LayoutRow *row;
+    int targets;
+    Piece pieces[MOST_PIECES]; /* in the order of the rows */
+    int count;
+} Placement;
+
+/* Gives every piece its place: the first target lane, or run of lanes, with room for it. The same rows always give the same
+ * places. NULL, or the field that does not fit in. */
+const FieldRow *layout_place(const LayoutRow *row, Placement *placement);
+int layout_targets(const LayoutRow *row);
+int layout_bytes(const LayoutRow *row); /* of a pixel */
+/* A target of it holds words, for which GLSL 1.10 has no type. */
+bool layout_has_words(const LayoutRow *row);
+/* It stores at least a lane of the slot. */
+bool layout_has_slot(const LayoutRow *row, Slot slot);
+/* The lanes are all lanes of one slot, in order. */
+bool piece_is_slot(const Piece *piece);
+/* Its encoding is told how many bits to use. */
+bool piece_takes_bits(const Piece *piece);
+#endif

@@ -1,0 +1,5 @@
+// needs:
+// Inverse of floatBits.
+float floatFromBits(uint code) {
+    return uintBitsToFloat(code);
+}

@@ -1,0 +1,7 @@
+// needs: codeFromHalf decodeOctahedral
+// Inverse of octahedralRadix: a unit vector for any value, at most 0.99 degrees from the one that was encoded.
+vec3 octahedralFromRadix(float value) {
+    float code = codeFromHalf(value);
+    float y = floor((code + 0.5) * (1.0 / 247.0));
+    return decodeOctahedral(min((vec2(code - 247.0 * y, y) - 123.0) / 123.0, 1.0));
+}

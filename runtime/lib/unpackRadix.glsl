@@ -1,0 +1,8 @@
+// needs: codeFromHalf
+// Inverse of packRadix: (x, y) as multiples of 1/246 and 1/247, at most half of that from what was packed; in [0, 1]^2 for any
+// value. Half a step is added before the division, which may then err.
+vec2 unpackRadix(float value) {
+    float code = codeFromHalf(value);
+    float y = floor((code + 0.5) * (1.0 / 247.0));
+    return min(vec2(code - 247.0 * y, y) / vec2(246.0, 247.0), 1.0);
+}
