@@ -82,7 +82,7 @@ static bool make_work(Work *w)
 /* n for n x n samples: as many as a second of drawing allows. */
 static int mean_side(Work *w, const Shader *shader)
 {
-    const double seconds = 0.8;
+    const double seconds = clamp(w->request->seconds / 50, 0.05, 0.8);
     float *scratch = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *scratch);
     meter_draw_mean(w->meter, shader, &w->view, &w->picture, 1, scratch);
     double start = meter_now();

@@ -164,9 +164,9 @@ static void draw_label(Canvas *c, const PlotPoint *point)
     const double height = 11, gap = 7, width = 6.1 * (double)strlen(point->label);
     double x = place_x(c, point->x), y = place_y(c, point->y);
     for (int distance = 0; distance < 4; distance++)
-        for (int side = 0; side < 6; side++) {
+        for (int side = 0; side < 6; side++) { /* above and below the line, to the right, the left, in the middle */
             double dx = side % 3 == 2 ? -width / 2 : side % 3 ? -gap - width : gap;
-            double dy = (side < 3 ? -1 : 1) * (distance * height + (side % 3 == 2 ? 14 : 2)) - height / 2;
+            double dy = (side < 3 ? -1 : 1) * (distance + 0.9) * height - height / 2;
             Box box = {x + dx, y + dy, width, height};
             if (!is_free(c, &box))
                 continue;
