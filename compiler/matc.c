@@ -1,6 +1,7 @@
 /* The library's surface: documents, programs, their outputs. */
 #include "evaluate.h"
 #include "fold.h"
+#include "layout.h"
 #include "matc.h"
 #include "opt.h"
 #include "oracle.h"
@@ -33,7 +34,8 @@ struct MatcProgram {
     MatcTexture *textures;
     int *texture_made_by;
     int texture_count;
-    int *uniforms; /* those in use, by index in the graph */
+    const LayoutRow *layout; /* NULL: the pass writes none */
+    int *uniforms;           /* those in use, by index in the graph */
     int uniform_count;
 };
 
@@ -336,6 +338,8 @@ static bool compile_program(MatcProgram *p, const MatcDocument *d, int material,
     if (!p->ir || !compile_back(c, p->ir, job, &p->products))
         return false;
     fill_outputs(p, d, material, outputs, job);
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        p->layout = job->layout;
     list_uniforms(p, d->graph);
     p->texture_count = texture_list(c, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
     return !(outputs & MATC_SPIRV) || fill_spirv(p, d, material, job);
@@ -388,6 +392,10 @@ MatcTexture matc_texture(MatcProgram *p, int index)
     texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
     return p->textures[index];
 }
+
+int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
+
+const char *matc_target_format(const MatcProgram *p, int index) { return format_table[p->layout->formats[index]].name; }
 
 int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
 

@@ -40,7 +40,7 @@ typedef struct {
     const char *target;       /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
     const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
     const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
-    const char *layout;       /* "thesis" (default) */
+    const char *layout;       /* "thesis" (default), "radix", "thin", "integer", ... */
     const char *precision;    /* "fast", "balanced" (default), "exact": sets those below that are NULL */
     const char *noise;        /* "lattice" (default), "groimp" */
     const char *aa;           /* "none" (default), "box", "aniso" */
@@ -110,6 +110,11 @@ typedef struct {
 MATC_API int matc_texture_count(const MatcProgram *program);
 /* Made on first request. */
 MATC_API MatcTexture matc_texture(MatcProgram *program, int index);
+
+/* Render targets of the passes gbuffer and plane; none for other passes. The format is "RGBA16F", "RGBA32UI", ...;
+ * a target whose name ends in UI holds whole numbers: the shader's output and the sampler that reads it do, too. */
+MATC_API int matc_target_count(const MatcProgram *program);
+MATC_API const char *matc_target_format(const MatcProgram *program, int index);
 
 /* A uniform that the document's `param` made. */
 typedef struct {

@@ -492,7 +492,7 @@ static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsign
                                    {"transparency", 3, c->transparency},
                                    {"shininess", 1, &c->shininess},
                                    {"absent", 1, &c->shininess}};
-    const ViewProgram program = {vertex_text, fragment_text, unpack_text, &texture, 1, values, 5};
+    const ViewProgram program = {vertex_text, fragment_text, unpack_text, &texture, 1, values, 5, 0, {0}};
     const ViewOptions options = {.shape = c->shape,
                                  .width = texts->size,
                                  .height = texts->size,

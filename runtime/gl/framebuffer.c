@@ -15,10 +15,39 @@ static bool check_spec(GlContext *gl, const FramebufferSpec *spec)
     return true;
 }
 
+static const struct {
+    const char *name;
+    GLenum format;
+    bool words;
+} known[] = {
+    {"RGBA8", GL_RGBA8, false},      {"RGBA16F", GL_RGBA16F, false}, {"RGBA32F", GL_RGBA32F, false},
+    {"R32UI", GL_R32UI, true},       {"RG32UI", GL_RG32UI, true},    {"RGBA32UI", GL_RGBA32UI, true},
+    {"RGBA16UI", GL_RGBA16UI, true},
+};
+enum { FORMAT_COUNT = sizeof known / sizeof *known };
+
+GLenum framebuffer_format(const char *name)
+{
+    for (int i = 0; i < FORMAT_COUNT; i++)
+        if (!strcmp(known[i].name, name))
+            return known[i].format;
+    return 0;
+}
+
+static bool is_words(GLenum format)
+{
+    for (int i = 0; i < FORMAT_COUNT; i++)
+        if (known[i].format == format)
+            return known[i].words;
+    return false;
+}
+
+bool framebuffer_has_words(const Framebuffer *f, int color) { return is_words(f->formats[color]); }
+
 static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLenum format)
 {
     GLuint texture = 0;
-    bool depth = format == GL_DEPTH_COMPONENT32F;
+    bool depth = format == GL_DEPTH_COMPONENT32F, words = is_words(format);
     gl->GenTextures(1, &texture);
     gl->BindTexture(GL_TEXTURE_2D, texture);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -26,8 +55,11 @@ static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLe
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mip maps */
-    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0, depth ? GL_DEPTH_COMPONENT : GL_RGBA,
-                   GL_FLOAT, NULL);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0,
+                   depth   ? GL_DEPTH_COMPONENT
+                   : words ? GL_RGBA_INTEGER
+                           : GL_RGBA,
+                   words ? GL_UNSIGNED_INT : GL_FLOAT, NULL);
     return texture;
 }
 
@@ -36,7 +68,7 @@ static void attach(const GlContext *gl, Framebuffer *f)
     gl->GenFramebuffers(1, &f->name);
     gl->BindFramebuffer(GL_FRAMEBUFFER, f->name);
     for (int i = 0; i < f->spec.color_count; i++) {
-        f->colors[i] = make_texture(gl, &f->spec, f->spec.color_format);
+        f->colors[i] = make_texture(gl, &f->spec, f->formats[i]);
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_TEXTURE_2D, f->colors[i], 0);
     }
     if (!f->spec.depth)
@@ -62,18 +94,27 @@ static bool check_complete(GlContext *gl)
     }
 }
 
-bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made)
+bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
 {
     memset(made, 0, sizeof *made);
     if (!check_spec(gl, spec))
         return false;
     made->spec = *spec;
+    memcpy(made->formats, formats, sizeof *formats * (size_t)spec->color_count);
     attach(gl, made);
     framebuffer_use(gl, made); /* before the check: GL 3 counts missing draw buffers as incomplete */
     if (gl_check(gl, "making a framebuffer") && check_complete(gl))
         return true;
     framebuffer_delete(gl, made);
     return false;
+}
+
+bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made)
+{
+    GLenum formats[FRAMEBUFFER_COLORS];
+    for (int i = 0; i < FRAMEBUFFER_COLORS; i++)
+        formats[i] = spec->color_format;
+    return framebuffer_make_of(gl, spec, formats, made);
 }
 
 void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)
@@ -87,6 +128,19 @@ void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)
     gl->DrawBuffers(count ? count : 1, count ? targets : &none);
     gl->ReadBuffer(count ? GL_COLOR_ATTACHMENT0 : GL_NONE);
     gl->Viewport(0, 0, framebuffer->spec.width, framebuffer->spec.height);
+}
+
+void framebuffer_clear(const GlContext *gl, const Framebuffer *framebuffer, const float color[4])
+{
+    static const GLuint zero[4];
+    framebuffer_use(gl, framebuffer);
+    for (int i = 0; i < framebuffer->spec.color_count; i++)
+        if (framebuffer_has_words(framebuffer, i))
+            gl->ClearBufferuiv(GL_COLOR, i, zero);
+        else
+            gl->ClearBufferfv(GL_COLOR, i, color);
+    if (framebuffer->spec.depth)
+        gl->ClearBufferfv(GL_DEPTH, 0, &(float){1});
 }
 
 static bool inside(const FramebufferSpec *spec, const FramebufferPart *part)
@@ -110,6 +164,17 @@ bool framebuffer_read(GlContext *gl, const Framebuffer *framebuffer, int color, 
 {
     const FramebufferSpec *spec = &framebuffer->spec;
     return framebuffer_read_part(gl, framebuffer, &(FramebufferPart){color, 0, 0, spec->width, spec->height}, rgba);
+}
+
+bool framebuffer_read_words(GlContext *gl, const Framebuffer *framebuffer, int color, GLuint *rgba)
+{
+    const FramebufferSpec *spec = &framebuffer->spec;
+    if (color < 0 || color >= spec->color_count || !framebuffer_has_words(framebuffer, color))
+        return gl_fail(gl, "not a target of whole numbers");
+    gl->BindFramebuffer(GL_FRAMEBUFFER, framebuffer->name);
+    gl->ReadBuffer(GL_COLOR_ATTACHMENT0 + (GLenum)color);
+    gl->ReadPixels(0, 0, spec->width, spec->height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, rgba);
+    return gl_check(gl, "reading a framebuffer");
 }
 
 void framebuffer_delete(const GlContext *gl, Framebuffer *framebuffer)

@@ -1,4 +1,4 @@
-/* Framebuffers: colour textures of one format, with or without depth. */
+/* Framebuffers: colour textures, of floats or of whole numbers, with or without depth. */
 #ifndef MATC_GL_FRAMEBUFFER_H
 #define MATC_GL_FRAMEBUFFER_H
 #include "context.h"
@@ -8,15 +8,16 @@ enum { FRAMEBUFFER_COLORS = 8 };
 typedef struct {
     int width, height;
     int color_count;     /* 0 to FRAMEBUFFER_COLORS */
-    GLenum color_format; /* GL_RGBA8, GL_RGBA16F, GL_RGBA32F */
+    GLenum color_format; /* GL_RGBA8, GL_RGBA16F, GL_RGBA32F, GL_RGBA32UI, ... */
     bool depth;          /* GL_DEPTH_COMPONENT32F */
 } FramebufferSpec;
 
 typedef struct {
     FramebufferSpec spec;
     GLuint name;
-    GLuint colors[FRAMEBUFFER_COLORS]; /* textures, nearest filter */
-    GLuint depth;                      /* texture, 0 without depth; reads as plain red */
+    GLuint colors[FRAMEBUFFER_COLORS];  /* textures, nearest filter */
+    GLuint depth;                       /* texture, 0 without depth; reads as plain red */
+    GLenum formats[FRAMEBUFFER_COLORS]; /* of the colours */
 } Framebuffer;
 
 /* A part of one colour target. */
@@ -28,12 +29,25 @@ typedef struct {
 /* Makes the textures and checks completeness; the framebuffer is bound afterwards. On false *made is empty. */
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made);
 
+/* The same with a format for each colour target, in the place of color_format. */
+bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made);
+/* The format of a name, such as "RGBA16F" or "RG32UI"; 0 if there is none. */
+GLenum framebuffer_format(const char *name);
+/* The target holds whole numbers. */
+bool framebuffer_has_words(const Framebuffer *framebuffer, int color);
+
+/* Sets every pixel: targets of floats to a colour, those of whole numbers to 0, the depth to 1. */
+void framebuffer_clear(const GlContext *gl, const Framebuffer *framebuffer, const float color[4]);
+
 /* Draws go to all its targets from now on; the viewport is the whole of it. */
 void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer);
 
 /* Four floats a texel, row 0 is the bottom row, nothing is clamped. */
 bool framebuffer_read(GlContext *gl, const Framebuffer *framebuffer, int color, float *rgba);
 bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer, const FramebufferPart *part, float *rgba);
+
+/* Four whole numbers a texel; lanes that the format lacks are 0, 0, 1. */
+bool framebuffer_read_words(GlContext *gl, const Framebuffer *framebuffer, int color, GLuint *rgba);
 
 /* Safe on an empty one, which it leaves behind. */
 void framebuffer_delete(const GlContext *gl, Framebuffer *framebuffer);

@@ -16,6 +16,8 @@
     F(BUFFERDATA, BufferData)                                                                                          \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                  \
     F(CLEAR, Clear)                                                                                                    \
+    F(CLEARBUFFERFV, ClearBufferfv)                                                                                    \
+    F(CLEARBUFFERUIV, ClearBufferuiv)                                                                                  \
     F(CLEARCOLOR, ClearColor)                                                                                          \
     F(CLEARDEPTH, ClearDepth)                                                                                          \
     F(COMPILESHADER, CompileShader)                                                                                    \

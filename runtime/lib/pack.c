@@ -8,7 +8,7 @@
 #define FLOAT_MOST       3.4028234e38
 #define PAIR_SCALE       127.5 /* the greatest code is 127 */
 #define LOGARITHM_LEAST  ldexp(1, -4)
-#define LOGARITHM_SPAN   20. /* powers of two from there */
+#define LOGARITHM_SPAN   log2(HALF_MOST / LOGARITHM_LEAST)
 #define EXPONENT_BIAS    15
 #define EXPONENTS_OF_ONE 1024 /* half floats of an exponent */
 

@@ -70,7 +70,8 @@ static bool make_work(Work *w)
     FieldVertex plane[PLANE_VERTICES];
     Meter *m = w->meter;
     double scale = w->request->scale > 0 ? w->request->scale : 1;
-    FramebufferSpec spec = {MEASURE_SIDE, MEASURE_SIDE, 1, GL_RGBA32F, false};
+    FramebufferSpec spec = {
+        .width = MEASURE_SIDE, .height = MEASURE_SIDE, .color_count = 1, .color_format = GL_RGBA32F};
     field_points(w->vertices, w->request->range);
     field_plane(plane, &(PlaneView){.yaw = 0.3, .scale = scale, .aspect = 1, .height = MEASURE_SIDE});
     return (field_make(m->gl, w->vertices, POINTS, GL_POINTS, &w->points) &&
@@ -306,7 +307,7 @@ static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredLi
 static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[LAYOUT_COUNT], Framebuffer *plain)
 {
     int side = w->meter->gl->hardware ? HARDWARE_SIDE : SOFTWARE_SIDE;
-    FramebufferSpec spec = {side, side, 1, GL_RGBA16F, false};
+    FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
     for (int i = 0; i < list->count; i++) {
         int layout = list->at[i].variant.layout;
         if (!targets[layout].name && !meter_make_targets(w->meter, (Layout)layout, side, side, &targets[layout]))

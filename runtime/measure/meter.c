@@ -20,7 +20,8 @@ Meter *meter_open(GlKind kind, char *error, size_t room)
     if (!m)
         abort();
     m->gl = gl_open(kind, true, error, room);
-    FramebufferSpec spec = {POINTS_WIDTH, POINTS_HEIGHT, READ_TARGETS, GL_RGBA32F, false};
+    FramebufferSpec spec = {
+        .width = POINTS_WIDTH, .height = POINTS_HEIGHT, .color_count = READ_TARGETS, .color_format = GL_RGBA32F};
     if (m->gl && spec.color_count > m->gl->max_draw_buffers)
         spec.color_count = m->gl->max_draw_buffers;
     if (m->gl && spec.color_count > FRAMEBUFFER_COLORS)
@@ -43,32 +44,18 @@ void meter_close(Meter *m)
     free(m);
 }
 
-static GLenum format_of(const char *name)
-{
-    static const struct {
-        const char *name;
-        GLenum format;
-    } formats[] = {
-        {"RGBA8", GL_RGBA8},      {"RGBA16", GL_RGBA16},         {"RGBA16F", GL_RGBA16F},   {"RGBA32F", GL_RGBA32F},
-        {"RGBA8UI", GL_RGBA8UI},  {"RGBA16UI", GL_RGBA16UI},     {"RGBA32UI", GL_RGBA32UI}, {"RGB10_A2", GL_RGB10_A2},
-        {"RGB10A2", GL_RGB10_A2}, {"RGB10_A2UI", GL_RGB10_A2UI}, {"RG16F", GL_RG16F},       {"RG32UI", GL_RG32UI},
-    };
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (!strcmp(formats[i].name, name))
-            return formats[i].format;
-    return GL_NONE;
-}
-
 bool meter_make_targets(Meter *m, Layout layout, int width, int height, Framebuffer *made)
 {
     const LayoutRow *row = &layout_table[layout];
-    FramebufferSpec spec = {width, height, layout_targets(row), format_of(format_table[row->formats[0]].name), false};
-    for (int i = 1; i < spec.color_count; i++)
-        if (row->formats[i] != row->formats[0])
-            return message_fail(m->error, sizeof m->error, "layout %s: targets of several formats", row->name);
-    if (spec.color_format == GL_NONE)
-        return message_fail(m->error, sizeof m->error, "layout %s: its format is not known here", row->name);
-    return framebuffer_make(m->gl, &spec, made) || fail(m, row->name);
+    GLenum formats[FRAMEBUFFER_COLORS] = {0};
+    const FramebufferSpec spec = {.width = width, .height = height, .color_count = layout_targets(row)};
+    for (int i = 0; i < spec.color_count && i < FRAMEBUFFER_COLORS; i++) {
+        const char *name = format_table[row->formats[i]].name;
+        formats[i] = framebuffer_format(name);
+        if (!formats[i])
+            return message_fail(m->error, sizeof m->error, "layout %s: %s is not known here", row->name, name);
+    }
+    return framebuffer_make_of(m->gl, &spec, formats, made) || fail(m, row->name);
 }
 
 static bool draw_field(Meter *m, const Shader *shader, const Field *field, const Framebuffer *target)

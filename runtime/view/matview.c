@@ -31,7 +31,7 @@ static const char help_text[] =
     "  --material=NAME      of `materials:`\n"
     "  --shape=SHAPE        sphere (default), plane, cube, torus\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
-    "  --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry: as matc has them\n"
+    "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry: as matc has them\n"
     "  --size=N             pixels of an edge: 512\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
     "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"

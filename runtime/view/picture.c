@@ -1,5 +1,6 @@
 /* A compiled material as the view wants it: its texts, textures and uniforms' defaults. */
 #include "picture.h"
+#include "runtime/gl/framebuffer.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdio.h>
@@ -49,6 +50,14 @@ static void take_uniforms(Parts *parts, const MatcProgram *program)
     parts->program.uniform_count = count;
 }
 
+static void take_targets(Parts *parts, const MatcProgram *program)
+{
+    int count = matc_target_count(program);
+    parts->program.target_count = count < VIEW_TARGETS ? count : VIEW_TARGETS;
+    for (int i = 0; i < parts->program.target_count; i++)
+        parts->program.targets[i] = framebuffer_format(matc_target_format(program, i));
+}
+
 static bool draw(MatcProgram *program, const ViewOptions *view, unsigned char *rgb, char *error, size_t room)
 {
     Parts parts = {.program = {.vertex_text = matc_output(program, MATC_VERTEX, NULL),
@@ -56,6 +65,7 @@ static bool draw(MatcProgram *program, const ViewOptions *view, unsigned char *r
                                .unpack_text = matc_output(program, MATC_UNPACK, NULL)}};
     take_textures(&parts, program);
     take_uniforms(&parts, program);
+    take_targets(&parts, program);
     bool done = view_render(view, &parts.program, rgb, error, room);
     free(parts.textures);
     free(parts.uniforms);

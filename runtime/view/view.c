@@ -60,9 +60,12 @@ static bool make_programs(View *v)
 
 static bool make_targets(View *v)
 {
-    FramebufferSpec spec = {v->options->width * v->samples, v->options->height * v->samples, VIEW_TARGETS, GL_RGBA16F,
-                            true};
-    if (!v->options->sky && !framebuffer_make(v->gl, &spec, &v->gbuffer))
+    enum { THESIS_TARGETS = 4 };
+    const ViewProgram *m = v->material;
+    FramebufferSpec spec = {v->options->width * v->samples, v->options->height * v->samples,
+                            m->target_count ? m->target_count : THESIS_TARGETS, GL_RGBA16F, true};
+    if (!v->options->sky && !(m->target_count ? framebuffer_make_of(v->gl, &spec, m->targets, &v->gbuffer)
+                                              : framebuffer_make(v->gl, &spec, &v->gbuffer)))
         return false;
     spec.color_count = 1;
     spec.depth = false;
@@ -112,12 +115,9 @@ static void set_material(View *v)
 static bool draw_gbuffer(View *v)
 {
     GlContext *gl = v->gl;
-    framebuffer_use(gl, &v->gbuffer);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(GL_LESS);
-    gl->ClearColor(0, 0, 0, 0);
-    gl->ClearDepth(1);
-    gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    framebuffer_clear(gl, &v->gbuffer, (float[4]){0});
     set_spaces(v);
     set_material(v);
     gl->UseProgram(v->pack);
@@ -128,13 +128,15 @@ static bool draw_gbuffer(View *v)
 
 static void bind_gbuffer(View *v)
 {
-    static const char *const names[VIEW_TARGETS] = {"matc_gbuffer0", "matc_gbuffer1", "matc_gbuffer2", "matc_gbuffer3"};
-    for (int i = 0; i < VIEW_TARGETS; i++) {
+    int count = v->gbuffer.spec.color_count;
+    for (int i = 0; i < count; i++) {
+        char name[] = "matc_gbuffer0";
+        name[sizeof name - 2] = (char)('0' + i);
         texture_bind(v->gl, v->gbuffer.colors[i], i);
-        set_number(v, v->light, names[i], (float)i);
+        set_number(v, v->light, name, (float)i);
     }
-    texture_bind(v->gl, v->gbuffer.depth, VIEW_TARGETS);
-    set_number(v, v->light, "light_depth", VIEW_TARGETS);
+    texture_bind(v->gl, v->gbuffer.depth, count);
+    set_number(v, v->light, "light_depth", (float)count);
 }
 
 static bool draw_light(View *v)

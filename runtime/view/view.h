@@ -7,7 +7,7 @@
 #include "runtime/gl/texture.h"
 
 enum {
-    VIEW_TARGETS = 4,       /* of the thesis layout, RGBA16F, read as matc_gbuffer0 to 3 */
+    VIEW_TARGETS = 8,       /* of a layout at most, read as matc_gbuffer0, matc_gbuffer1, ... */
     VIEW_SIZE_LIMIT = 8192, /* greatest width and height, supersampling counted in */
     VIEW_SUPERSAMPLING_LIMIT = 8
 };
@@ -38,6 +38,8 @@ typedef struct {
     int texture_count;
     const ProgramValue *uniforms; /* those that the program does not have are passed over */
     int uniform_count;
+    int target_count; /* render targets; 0: those of the thesis' layout, four of GL_RGBA16F */
+    GLenum targets[VIEW_TARGETS];
 } ViewProgram;
 
 /* Draws into rgb: 3 bytes a pixel, sRGB, row 0 is the bottom row. False: see `error`, rgb may be half done. */

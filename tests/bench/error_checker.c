@@ -72,7 +72,9 @@ static void make_methods(Checker *c, const MatcDocument *document)
 static bool make_views(Checker *c)
 {
     GlContext *gl = c->bench->meter->gl;
-    FramebufferSpec full = {WIDTH, HEIGHT, 1, GL_RGBA32F, false}, half = {WIDTH, HEIGHT, 1, GL_RGBA16F, false};
+    FramebufferSpec full = {.width = WIDTH, .height = HEIGHT, .color_count = 1, .color_format = GL_RGBA32F},
+                    half = full;
+    half.color_format = GL_RGBA16F;
     for (int i = 0; i < YAWS; i++) {
         FieldVertex plane[PLANE_VERTICES];
         field_plane(plane, &(PlaneView){yaws[i], checker_scale, (double)WIDTH / HEIGHT, HEIGHT, {0, 0}});

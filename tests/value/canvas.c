@@ -1,0 +1,101 @@
+/* One program a drawing: its functions as link.c gathers them, and a line of main. */
+#include "canvas.h"
+#include "compiler/link.h"
+#include "runtime/gl/program.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { LIBRARY_ROOM = 1 << 16, MAIN_ROOM = 4096 };
+
+bool canvas_open(Canvas *c, int side)
+{
+    *c = (Canvas){.side = side};
+    c->gl = gl_open(GL_KIND_osmesa, true, c->error, sizeof c->error);
+    FramebufferSpec spec = {side, side, 1, GL_RGBA32F, false};
+    if (!c->gl || !mesh_make_empty(c->gl, &c->screen) || !framebuffer_make(c->gl, &spec, &c->floats))
+        return false;
+    spec.color_format = GL_RGBA16F;
+    if (!framebuffer_make(c->gl, &spec, &c->halves))
+        return false;
+    spec.color_format = GL_RGBA32UI;
+    return framebuffer_make(c->gl, &spec, &c->words);
+}
+
+void canvas_close(Canvas *c)
+{
+    if (c->gl)
+        gl_close(c->gl);
+    *c = (Canvas){0};
+}
+
+/* False: there is no such function. */
+static bool gather(const char *functions, char library[LIBRARY_ROOM])
+{
+    MatcOptions options = {0};
+    Arena arena = {0};
+    Compile c = {.options = &options, .arena = &arena};
+    Chunks chunks = {0};
+    Job job = {.target = TARGET_glsl330, .layout = &layout_table[LAYOUT_thesis]};
+    bool found = true;
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        job.choice[axis] = (Choice)axis_table[axis].first;
+    for (const char *name = functions; *name && found;) {
+        int size = (int)strcspn(name, " ");
+        char one[64];
+        snprintf(one, sizeof one, "%.*s", size, name);
+        found = chunks_add(&c, &chunks, one, &job);
+        name += size;
+        name += strspn(name, " ");
+    }
+    library[0] = 0;
+    for (size_t i = 0; i < chunks.count; i++)
+        strncat(library, chunks.at[i]->body, LIBRARY_ROOM - 1 - strlen(library));
+    arena_free(&arena);
+    return found;
+}
+
+static GLuint make_program(Canvas *c, const Drawing *d, bool words)
+{
+    static const char vertex[] =
+        "#version 330 core\n"
+        "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }";
+    static char library[LIBRARY_ROOM];
+    char head[256], body[MAIN_ROOM];
+    bool reads_words = d->source && framebuffer_has_words(d->source, 0), reads = d->source || d->texture;
+    if (!gather(d->functions, library)) {
+        gl_fail(c->gl, "no such function: %s", d->functions);
+        return 0;
+    }
+    snprintf(head, sizeof head, "#version 330 core\nuniform %ssampler2D source;\nuniform uint first;\nout %s color;\n",
+             reads_words ? "u" : "", words ? "uvec4" : "vec4");
+    snprintf(body, sizeof body,
+             "void main() {\n"
+             "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+             "    uint index = uint(pixel.x + pixel.y * %d) + first;\n"
+             "    %s\n"
+             "    color = %s;\n}\n",
+             c->side,
+             !reads        ? ""
+             : reads_words ? "uvec4 w = texelFetch(source, pixel, 0);"
+                           : "vec4 t = texelFetch(source, pixel, 0);",
+             d->expression);
+    return program_make(c->gl, &(ProgramText){.vertex = {vertex}, .fragment = {head, library, body}});
+}
+
+bool canvas_draw(Canvas *c, const Drawing *d, const Framebuffer *target)
+{
+    GLuint program = make_program(c, d, framebuffer_has_words(target, 0));
+    if (program) {
+        texture_bind(c->gl, d->source ? d->source->colors[0] : d->texture, 0);
+        program_set(c->gl, program, &(ProgramValue){"source", 1, &(float){0}});
+        c->gl->UseProgram(program);
+        c->gl->Uniform1uiv(c->gl->GetUniformLocation(program, "first"), 1, &d->first);
+        framebuffer_use(c->gl, target);
+        mesh_draw_screen(c->gl, &c->screen);
+        c->gl->DeleteProgram(program);
+    }
+    bool drawn = program && gl_check(c->gl, "drawing an expression");
+    if (!drawn)
+        snprintf(c->error, sizeof c->error, "%s", c->gl->error);
+    return drawn;
+}

@@ -1,0 +1,32 @@
+/* Draws expressions of matc's library functions over a square: what a GLSL function makes of every code there is. */
+#ifndef MATC_VALUE_CANVAS_H
+#define MATC_VALUE_CANVAS_H
+#include "compiler/arena.h"
+#include "runtime/gl/framebuffer.h"
+#include "runtime/gl/mesh.h"
+#include "runtime/gl/texture.h"
+
+typedef struct {
+    GlContext *gl;
+    Mesh screen;
+    int side;
+    Framebuffer floats, halves, words; /* one target of four lanes each */
+    char error[4096];
+} Canvas;
+
+/* What is drawn: `expression`, a vec4 or, for a target of words, a uvec4, of
+ *     uint index    the pixel's number, counted from `first`
+ *     vec4 t        the texel there of `source`, of floats; or uvec4 w where it is one of words */
+typedef struct {
+    const char *functions; /* names of library functions, a space between; what they need comes along */
+    const char *expression;
+    unsigned first;
+    const Framebuffer *source; /* its target is read, or NULL */
+    GLuint texture;            /* of floats, is read where there is no source; or 0 */
+} Drawing;
+
+/* False: see error. Close it in any case. */
+bool canvas_open(Canvas *canvas, int side);
+void canvas_close(Canvas *canvas);
+bool canvas_draw(Canvas *canvas, const Drawing *drawing, const Framebuffer *target);
+#endif
