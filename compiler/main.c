@@ -210,7 +210,10 @@ static int compile_materials(const CommandLine *line, MatcDocument *document, in
         MatcOptions options;
         if (only >= 0 && i != only)
             continue;
-        status |= choose_options(line, document, i, &options);
+        if (choose_options(line, document, i, &options) != FINE) {
+            status = FAULT;
+            continue;
+        }
         programs[i] = matc_compile(document, i, wanted_outputs(line), &options);
         print_diagnostics(matc_program_diagnostics(programs[i], line->diagnostics), line);
         if (!matc_ok(programs[i]))

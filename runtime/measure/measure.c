@@ -241,6 +241,19 @@ typedef struct {
     MatcProgram *program;
 } Candidate;
 
+/* What is measured is GLSL 3.30; what is wanted may be another target, which can lack a layout. */
+static bool is_wanted(const Work *w, const MatcOptions *options)
+{
+    if (!options->target || !strcmp(options->target, "glsl330"))
+        return true;
+    MatcOptions quiet = *options;
+    quiet.validate = quiet.measure = false;
+    MatcProgram *program = matc_compile(w->request->document, w->request->material, MATC_FRAGMENT, &quiet);
+    bool ok = matc_ok(program);
+    matc_program_free(program);
+    return ok;
+}
+
 static Candidate *compile_all(const Work *w, MeasuredList *list, int *count)
 {
     int all, room = 0;
@@ -252,8 +265,9 @@ static Candidate *compile_all(const Work *w, MeasuredList *list, int *count)
     for (int i = 0; i < all; i++) {
         MatcOptions options = variant_options(&variants[i], w->request->options);
         options.pass = "gbuffer";
-        MatcProgram *program =
-            shader_compile(w->request->document, w->request->material, MATC_FRAGMENT | MATC_UNPACK, &options);
+        MatcProgram *program = is_wanted(w, &options) ? shader_compile(w->request->document, w->request->material,
+                                                                       MATC_FRAGMENT | MATC_UNPACK, &options)
+                                                      : NULL;
         bool same = false;
         for (int k = 0; k < *count && program && !same; k++)
             same =
