@@ -19,8 +19,11 @@ static PlotPoint *make_points(const MeasuredList *list, bool aliasing, char (*na
     for (int i = 0; i < list->count; i++) {
         const Measured *m = &list->at[i];
         variant_name(&m->variant, &list->at[0].variant, names[i]);
-        points[i] = (PlotPoint){m->nanoseconds, aliasing ? m->aliasing : m->error, aliasing ? m->alias_front : m->front,
-                                names[i]};
+        points[i] = (PlotPoint){.x = m->nanoseconds,
+                                .y = aliasing ? m->aliasing : m->error,
+                                .front = aliasing ? m->alias_front : m->front,
+                                .named = i == 0,
+                                .label = names[i]};
     }
     return points;
 }

@@ -187,7 +187,7 @@ static void draw_points(Canvas *c, const PlotPoint *sorted, int count)
             fputs("<title>", c->out);
             put_text(c->out, sorted[i].label ? sorted[i].label : "");
             fprintf(c->out, ": %.3g, %.3g</title></circle>\n", sorted[i].x, sorted[i].y);
-            if (front)
+            if (front || sorted[i].named)
                 take(c, (Box){x - r, y - r, 2 * r, 2 * r});
         }
 }
@@ -214,7 +214,7 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     draw_front(c, sorted, panel->count);
     draw_points(c, sorted, panel->count);
     for (int i = 0; i < panel->count; i++)
-        if (sorted[i].front && is_shown(&sorted[i]) && sorted[i].label && *sorted[i].label)
+        if ((sorted[i].front || sorted[i].named) && is_shown(&sorted[i]) && sorted[i].label && *sorted[i].label)
             draw_label(c, &sorted[i]);
     free(sorted);
     free(c);

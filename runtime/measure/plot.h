@@ -7,6 +7,7 @@
 typedef struct {
     double x, y;       /* 0 and below stand on the axis; a NaN is left out */
     bool front;        /* on the line, and labelled */
+    bool named;        /* labelled even if not */
     const char *label; /* NULL or "": none */
 } PlotPoint;
 

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PANEL_COLUMNS = 3, LONGEST_PATH = 4096 };
-static const double picture_scale = 1.5;
+enum { PANEL_COLUMNS = 4, LONGEST_PATH = 4096, HARDWARE_FACTOR = 8 };
+static const double picture_scale = 1.5, quick_seconds = 1.2, full_seconds = 40;
 
 void error_target(ErrorBench *bench, const char *what, bool reached, const char *format, ...)
 {
@@ -39,11 +39,13 @@ void error_figure(ErrorBench *bench, const char *group, const char *subject, con
 
 MatcDocument *error_document(const char *name, const char *text)
 {
-    char path[256];
+    char path[LONGEST_PATH];
+    const char *root =
+        access(SOURCE_FOLDER "/examples", R_OK) ? "." : SOURCE_FOLDER; /* a binary may have been carried */
     MatcOptions options;
     matc_options_init(&options);
     options.pixels = true;
-    snprintf(path, sizeof path, "%s.yaml", name);
+    snprintf(path, sizeof path, "%s/%s.yaml", root, name);
     MatcDocument *document = matc_read(path, text, strlen(text), &options);
     if (matc_material_count(document))
         return document;
@@ -73,6 +75,7 @@ static void keep_quiet(const char *what) { (void)what; }
 typedef struct {
     bool quick;
     GlKind gl;
+    double seconds;
     const char *csv, *plot, *page;
 } Arguments;
 
@@ -93,6 +96,8 @@ static bool read_arguments(Arguments *a, int argc, char **argv)
         const char *value;
         if (!strcmp(argv[i], "--quick"))
             a->quick = true;
+        else if ((value = value_of("--seconds", argc, argv, &i)))
+            a->seconds = atof(value);
         else if ((value = value_of("--gl", argc, argv, &i))) {
             if (!gl_kind_find(value, &a->gl))
                 return false;
@@ -120,8 +125,10 @@ static bool write_plot(const ErrorBench *bench, const char *basename)
 {
     char path[LONGEST_PATH], note[512], error[512];
     const char *renderer = bench->meter->gl->renderer;
-    snprintf(note, sizeof note,
-             "Error through the G-buffer, and aliasing on a plane to its horizon, together as RMS; %s", renderer);
+    snprintf(
+        note, sizeof note,
+        "Of every material: the greatest error through the G-buffer; the aliasing on a plane up to its horizon. %s",
+        renderer);
     char *svg = plot_svg(&(Plot){"Run time against error", note, bench->panels, bench->panel_count, PANEL_COLUMNS});
     snprintf(path, sizeof path, "%s.svg", basename);
     bool done = write_text(path, svg);
@@ -183,12 +190,14 @@ int bench_error(int argc, char **argv)
     char error[4096], *csv, *parts[SECTION_PART_count];
     size_t sizes[1 + SECTION_PART_count];
     if (!read_arguments(&arguments, argc, argv)) {
-        fputs("usage: matbench error [--quick] [--gl=osmesa|egl] [--csv FILE] [--plot BASENAME] [--page FILE]\n",
+        fputs("usage: matbench error [--quick] [--seconds=N] [--gl=osmesa|egl] [--csv FILE] [--plot BASENAME] [--page "
+              "FILE]\n",
               stderr);
         return 2;
     }
     ErrorBench *bench = calloc(1, sizeof *bench);
     bench->quick = arguments.quick;
+    bench->seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? quick_seconds : full_seconds;
     bench->progress = isatty(STDERR_FILENO) ? show : keep_quiet;
     bench->meter = meter_open(arguments.gl, error, sizeof error);
     if (!bench->meter) {
@@ -196,6 +205,7 @@ int bench_error(int argc, char **argv)
         free(bench);
         return 1;
     }
+    bench->factor = bench->meter->gl->hardware ? HARDWARE_FACTOR : 1;
     bench->csv = open_memstream(&csv, &sizes[0]);
     for (int i = 0; i < SECTION_PART_count; i++)
         bench->part[i] = open_memstream(&parts[i], &sizes[1 + i]);

@@ -31,7 +31,9 @@ typedef enum {
 typedef struct {
     Meter *meter;
     bool quick;
-    FILE *csv;                      /* group,subject,gl,variant,quantity,value */
+    double seconds; /* for a material */
+    int factor; /* pictures that are timed are so many times wider and higher on a GPU, or they would last no time */
+    FILE *csv;  /* group,subject,gl,variant,quantity,value */
     FILE *part[SECTION_PART_count]; /* Markdown */
     ErrorTarget targets[TARGETS_LIMIT];
     int target_count;

@@ -17,7 +17,7 @@ enum {
 static const double yaws[YAWS] = {0, 0.3, 0.785};
 
 /* u and v a unit of height, such that points alone err as they do in the table of numerics.md: 0.165. */
-static const double checker_scale = 0.75;
+static const double checker_scale = 0.78;
 
 static const char checker_document[] = "material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n";
 
@@ -75,6 +75,8 @@ static bool make_views(Checker *c)
     FramebufferSpec full = {.width = WIDTH, .height = HEIGHT, .color_count = 1, .color_format = GL_RGBA32F},
                     half = full;
     half.color_format = GL_RGBA16F;
+    half.width *= c->bench->factor;
+    half.height *= c->bench->factor;
     for (int i = 0; i < YAWS; i++) {
         FieldVertex plane[PLANE_VERTICES];
         field_plane(plane, &(PlaneView){yaws[i], checker_scale, (double)WIDTH / HEIGHT, HEIGHT, {0, 0}});

@@ -15,7 +15,7 @@
     "    direction: [1.5, 0.5, 1.5]\n"                                                                                 \
     "    input: { map: Turbulence, amount: [0.5, 0.5, 0.5], octaves: 5, noiseRatio: 0.5 }\n"
 #define IMAGE                                                                                                          \
-    "{ map: ImageMap, image: " SOURCE_FOLDER "/examples/tiles.png, input: { map: UVTransform, scaleU: 6, scaleV: 3 } " \
+    "{ map: ImageMap, image: examples/tiles.png, input: { map: UVTransform, scaleU: 6, scaleV: 3 } "                   \
     "}"
 
 static const struct {
@@ -70,7 +70,6 @@ static const struct {
      4, 1},
 };
 enum { SUBJECTS = sizeof subjects / sizeof *subjects };
-static const double quick_seconds = 1.2, full_seconds = 40;
 
 static void figures(ErrorBench *bench, const char *subject, const MeasuredList *list)
 {
@@ -133,27 +132,19 @@ static void report(ErrorBench *bench, int subject, const MeasuredList *list)
 }
 
 /* The plot's points outlive the list; labels are from malloc and stay as long as the program. */
-static void add_panel(ErrorBench *bench, int subject, const MeasuredList *list)
+static void add_panel(ErrorBench *bench, const char *title, const char *axis, const MeasuredList *list, bool aliasing)
 {
-    PlotPoint *points = calloc((size_t)list->count, sizeof *points);
+    PlotPoint *points = calloc((size_t)list->count + 1, sizeof *points);
     if (!points || bench->panel_count == PANELS_LIMIT)
         abort();
     for (int i = 0; i < list->count; i++) {
         const Measured *m = &list->at[i];
         char name[VARIANT_NAME];
         variant_name(&m->variant, &list->at[0].variant, name);
-        double whole = hypot(m->rms, isnan(m->aliasing) ? 0 : m->aliasing);
-        points[i] = (PlotPoint){m->nanoseconds, whole, false, strdup(strcmp(name, "as given") ? name : "default")};
+        points[i] = (PlotPoint){m->nanoseconds, aliasing ? m->aliasing : m->error, aliasing ? m->alias_front : m->front,
+                                i == 0, strdup(i ? name : "default")};
     }
-    FrontPoint *front = calloc((size_t)list->count, sizeof *front);
-    for (int i = 0; i < list->count && front; i++)
-        front[i] = (FrontPoint){points[i].x, points[i].y, false};
-    front_mark(front, list->count);
-    for (int i = 0; i < list->count; i++)
-        points[i].front = front[i].front;
-    free(front);
-    bench->panels[bench->panel_count++] =
-        (PlotPanel){subjects[subject].name, "ns a pixel", "RMS error and aliasing", points, list->count};
+    bench->panels[bench->panel_count++] = (PlotPanel){title, "ns a pixel", axis, points, list->count};
 }
 
 void error_materials(ErrorBench *bench)
@@ -169,12 +160,13 @@ void error_materials(ErrorBench *bench)
                                         .open = variant_open(&options),
                                         .range = subjects[i].range,
                                         .scale = subjects[i].scale,
-                                        .seconds = bench->quick ? quick_seconds : full_seconds,
+                                        .seconds = bench->seconds,
                                         .aliasing = true};
         if (measure_variants(bench->meter, &request, &list)) {
             figures(bench, subjects[i].name, &list);
             report(bench, i, &list);
-            add_panel(bench, i, &list);
+            add_panel(bench, subjects[i].name, "greatest error", &list, false);
+            add_panel(bench, subjects[i].name, "aliasing, RMS", &list, true);
             measured_free(&list);
         }
         matc_document_free(document);

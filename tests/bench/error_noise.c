@@ -134,9 +134,15 @@ static void report_fading(ErrorBench *bench, const Field *field, const Framebuff
     free(wanted);
 }
 
+static bool make_target(ErrorBench *bench, int side, GLenum format, Framebuffer *made)
+{
+    const FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = format};
+    return framebuffer_make(bench->meter->gl, &spec, made);
+}
+
 static void measure_document(ErrorBench *bench, const char *text, Axis axis, double extent, bool fading)
 {
-    Field field = {0};
+    Field field = {0}, wide = {0}; /* what is looked at; as much more of it as more is timed */
     Framebuffer full, half;
     Timed *list = calloc(MOST, sizeof *list);
     GlContext *gl = bench->meter->gl;
@@ -144,15 +150,11 @@ static void measure_document(ErrorBench *bench, const char *text, Axis axis, dou
         abort();
     MatcDocument *document = error_document("noise", text);
     int count = make_choices(bench, document, axis, list);
-    bool done = count > 0 && make_square(bench->meter, extent, &field);
-    bool made =
-        done &&
-        framebuffer_make(
-            gl, &(FramebufferSpec){.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA16F},
-            &half) &&
-        framebuffer_make(
-            gl, &(FramebufferSpec){.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F}, &full);
-    if (made && time_choices(bench, &field, &half, list, count)) {
+    bool done = count > 0 && make_square(bench->meter, extent, &field) &&
+                make_square(bench->meter, extent * bench->factor, &wide);
+    bool made = done && make_target(bench, SIDE * bench->factor, GL_RGBA16F, &half) &&
+                make_target(bench, SIDE, GL_RGBA32F, &full);
+    if (made && time_choices(bench, &wide, &half, list, count)) {
         if (fading)
             report_fading(bench, &field, &full, list, count);
         else
@@ -165,6 +167,7 @@ static void measure_document(ErrorBench *bench, const char *text, Axis axis, dou
     for (int i = 0; i < count; i++)
         shader_delete(gl, &list[i].shader);
     field_delete(gl, &field);
+    field_delete(gl, &wide);
     matc_document_free(document);
     free(list);
 }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { DIRECTIONS = 2000000, QUICK_DIRECTIONS = 100000 };
 
@@ -148,7 +149,26 @@ static Angles measure(const NormalRow *row, int count)
     return a;
 }
 
-static double off(double measured, double wanted) { return wanted > 0 ? fabs(measured / wanted - 1) : 0; }
+/* Half a unit of the last digit that a number of the table is printed with. */
+static double half_unit(double printed)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.10g", printed);
+    const char *point = strchr(text, '.');
+    return 0.5 * pow(10, point ? -(double)strlen(point + 1) : 0);
+}
+
+/* How far a measured number is from the table's, of that, beyond what its digits leave open. */
+static double off(double measured, double wanted)
+{
+    return wanted > 0 ? fmax(0, fabs(measured - wanted) - half_unit(wanted)) / wanted : 0;
+}
+
+/* Where the direction that looks away is included, a spheremap's greatest angle is chance. */
+static bool is_singular(const NormalRow *row)
+{
+    return (row->store == STORE_spheremap || row->store == STORE_spheremap_halves) && !row->hemisphere;
+}
 
 void error_normals(ErrorBench *bench)
 {
@@ -168,10 +188,11 @@ void error_normals(ErrorBench *bench)
         error_figure(bench, "normal", rows[i].name, "", "rms_degrees", a.rms);
         error_figure(bench, "normal", rows[i].name, "", "max_degrees", a.maximum);
         worst_mean = fmax(worst_mean, fmax(off(a.mean, rows[i].mean), off(a.rms, rows[i].rms)));
-        worst_maximum = fmax(worst_maximum, off(a.maximum, rows[i].maximum));
+        if (!is_singular(&rows[i]))
+            worst_maximum = fmax(worst_maximum, off(a.maximum, rows[i].maximum));
     }
     error_target(bench, "table of normal encodings, mean and rms", worst_mean <= 0.01, "within 1 %%|%.2f %% at most",
                  100 * worst_mean);
-    error_target(bench, "table of normal encodings, greatest angle", worst_maximum <= 0.01,
+    error_target(bench, "table of normal encodings, greatest angle (where it is not chance)", worst_maximum <= 0.01,
                  "within 1 %%|%.2f %% at most", 100 * worst_maximum);
 }
