@@ -125,11 +125,14 @@ void describe_piece(Text *out, const Piece *piece)
 
 void describe_place(Text *out, const LayoutRow *layout, const Piece *piece)
 {
-    if (format_table[layout->formats[piece->target]].words)
-        text_format(out, "%d.%c %d-%d", piece->target, "rgba"[piece->lane], piece -> shift,
-                    piece -> shift + piece -> size - 1);
+    const char *letter = &"rgba"[piece->lane];
+    int last = piece->shift + piece->size - 1;
+    if (!format_table[layout->formats[piece->target]].words)
+        text_format(out, "%d.%.*s", piece->target, piece->size, letter);
+    else if (last > piece->shift)
+        text_format(out, "%d.%c %d-%d", piece->target, *letter, piece->shift, last);
     else
-        text_format(out, "%d.%.*s", piece->target, piece->size, &"rgba"[piece->lane]);
+        text_format(out, "%d.%c %d", piece->target, *letter, last);
 }
 
 void describe_encoding(Text *out, const FieldRow *field)

@@ -175,10 +175,12 @@ static void explain_slots(const Query *q)
     }
 }
 
-static void put_pieces(Text *out, const LayoutRow *layout)
+static void put_pieces(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
-    layout_place(layout, &placement); /* test_tables: every row fits */
+    layout_place(layout, number, &placement); /* test_layout: every row fits */
+    if (number)
+        text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
     text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored", "error at most");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
@@ -206,7 +208,8 @@ static void explain_layouts(const Query *q)
         for (int target = 0; target < layout_targets(layout); target++)
             text_format(q->out, " %d %s%s", target, format_table[layout->formats[target]].name,
                         target + 1 < layout_targets(layout) ? "," : ".\n\n");
-        put_pieces(q->out, layout);
+        for (int number = 0; number < layout->case_count; number++)
+            put_pieces(q->out, layout, number);
     }
 }
 

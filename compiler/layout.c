@@ -31,13 +31,29 @@ bool layout_has_words(const LayoutRow *row)
     return false;
 }
 
-bool layout_has_slot(const LayoutRow *row, Slot slot)
+bool case_has_slot(const CaseRow *row, Slot slot)
 {
     for (int i = 0; i < row->field_count; i++)
         for (int k = 0; k < row->fields[i].count; k++)
             if (row->fields[i].source[k].slot == slot)
                 return true;
     return false;
+}
+
+bool layout_has_slot(const LayoutRow *row, Slot slot)
+{
+    for (int i = 0; i < row->case_count; i++)
+        if (case_has_slot(&row->cases[i], slot))
+            return true;
+    return false;
+}
+
+int layout_case_bits(const LayoutRow *row)
+{
+    int bits = 0;
+    while (1 << bits < row->case_count)
+        bits++;
+    return bits;
 }
 
 bool piece_is_slot(const Piece *piece)
@@ -99,12 +115,13 @@ static bool is_sound(const FieldRow *field)
            field->bits <= encoding->most && (!encoding->takes || field->count % encoding->takes == 0);
 }
 
-const FieldRow *layout_place(const LayoutRow *row, Placement *placement)
+const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placement)
 {
-    Room room = {0};
-    *placement = (Placement){.row = row, .targets = layout_targets(row)};
-    for (int i = 0; i < row->field_count; i++) {
-        const FieldRow *field = &row->fields[i];
+    const CaseRow *fields = &row->cases[number];
+    Room room = {.taken = {{layout_case_bits(row)}}};
+    *placement = (Placement){0};
+    for (int i = 0; i < fields->field_count; i++) {
+        const FieldRow *field = &fields->fields[i];
         int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes : field->count;
         if (!is_sound(field))
             return field;

@@ -14,21 +14,22 @@ typedef struct {
 } Piece;
 
 typedef struct {
-    const LayoutRow *row;
-    int targets;
     Piece pieces[MOST_PIECES]; /* in the order of the rows */
     int count;
 } Placement;
 
-/* Gives every piece its place: the first target lane, or run of lanes, with room for it. The same rows always give the same
- * places. NULL, or the field that does not fit in. */
-const FieldRow *layout_place(const LayoutRow *row, Placement *placement);
+/* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it. The same rows always give
+ * the same places. NULL, or the field that does not fit in. */
+const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placement);
+/* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. */
+int layout_case_bits(const LayoutRow *row);
 int layout_targets(const LayoutRow *row);
 int layout_bytes(const LayoutRow *row); /* of a pixel */
 /* A target of it holds words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
-/* It stores at least a lane of the slot. */
+/* At least a lane of the slot is stored: by any case, or by that one. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
+bool case_has_slot(const CaseRow *row, Slot slot);
 /* The lanes are all lanes of one slot, in order. */
 bool piece_is_slot(const Piece *piece);
 /* Its encoding is told how many bits to use. */

@@ -1,7 +1,7 @@
 /* The G-buffer: every slot of a layout, encoded, in its place of a render target. */
 #include "layout.h"
 #include "lower.h"
-#include <string.h>
+#include <math.h>
 
 static const double greatest_half = 65504;
 
@@ -39,8 +39,9 @@ static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const
     return ir_call(l->ir, pack, args, bits ? 2 : 1);
 }
 
-/* The pieces of a lane, each at its shift. */
-static Ref word_value(Lower *l, const Placement *placement, int target, int lane, const Node *material, const Env *env)
+/* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together there. */
+static Ref word_value(Lower *l, const Placement *placement, int target, int lane, double known, const Node *material,
+                      const Env *env)
 {
     Ref word = 0;
     for (int i = 0; i < placement->count; i++) {
@@ -48,18 +49,27 @@ static Ref word_value(Lower *l, const Placement *placement, int target, int lane
         if (piece->target != target || piece->lane != lane)
             continue;
         Ref code = piece_value(l, piece, material, env);
+        if (ir_is(l->ir, code, OP_const)) {
+            known += ldexp(ir_numbers(l->ir, code)[0], piece->shift);
+            continue;
+        }
         if (piece->shift)
             code = ir_binary(l->ir, OP_shift, code, ir_int(l->ir, piece->shift));
         word = word ? ir_binary(l->ir, OP_join, word, code) : code;
     }
-    return word ? word : ir_const(l->ir, TYPE_uint, (double[]){0});
+    Ref rest = ir_const(l->ir, TYPE_uint, &known);
+    return !word ? rest : known != 0 ? ir_binary(l->ir, OP_join, word, rest) : word;
 }
 
-static Ref words_value(Lower *l, const Placement *placement, int target, const Node *material, const Env *env)
+/* The case's number is at the bottom of the first word. */
+static Ref words_value(Lower *l, const Placement *placement, int target, int number, const Node *material,
+                       const Env *env)
 {
     Ref words[FIELD_LANES];
-    for (int lane = 0; lane < FIELD_LANES; lane++)
-        words[lane] = word_value(l, placement, target, lane, material, env);
+    for (int lane = 0; lane < FIELD_LANES; lane++) {
+        double known = target || lane ? 0 : number;
+        words[lane] = word_value(l, placement, target, lane, known, material, env);
+    }
     return ir_vec(l->ir, TYPE_uvec4, words, FIELD_LANES);
 }
 
@@ -84,11 +94,35 @@ static Ref floats_value(Lower *l, const Placement *placement, int target, const 
     return count == 1 ? parts[0] : ir_vec(l->ir, TYPE_vec4, parts, count);
 }
 
+/* The slot is a constant, that of a material that has nothing to say about it. */
+static bool is_absent(Lower *l, const Node *material, Slot slot, const Env *env)
+{
+    return ir_is_number(l->ir, lower_slot(l, material, slot, env), slot_table[slot].absent);
+}
+
+static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *material, const Env *env)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(row, (Slot)slot) && !case_has_slot(&row->cases[number], (Slot)slot) &&
+            !is_absent(l, material, (Slot)slot, env))
+            return false;
+    return true;
+}
+
+/* The first case that stores all that the material has; the last one stores everything. */
+static int choose_case(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
+{
+    int number = 0;
+    while (number + 1 < row->case_count && !stores_all(l, row, number, material, env))
+        number++;
+    return number;
+}
+
 /* A layout that the target's GLSL cannot write, or whose fields do not fit in, is refused. */
-static bool place(Lower *l, Placement *placement)
+static bool place(Lower *l, int number, Placement *placement)
 {
     const LayoutRow *row = l->job->layout;
-    const FieldRow *fault = layout_place(row, placement);
+    const FieldRow *fault = layout_place(row, number, placement);
     if (fault)
         diag_add(l->c, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
                  slot_table[fault->source[0].slot].name);
@@ -99,15 +133,15 @@ static bool place(Lower *l, Placement *placement)
 
 void lower_layout(Lower *l, const Node *material, const Env *env)
 {
+    const LayoutRow *row = l->job->layout;
     Placement placement;
-    if (!place(l, &placement)) {
+    int number = choose_case(l, row, material, env);
+    if (!place(l, number, &placement)) {
         l->failed = true;
         return;
     }
-    for (int target = 0; target < placement.targets; target++) {
-        bool words = format_table[l->job->layout->formats[target]].words;
+    for (int target = 0; target < layout_targets(row); target++)
         ir_output(l->ir, OUT_color, target,
-                  words ? words_value(l, &placement, target, material, env)
-                        : floats_value(l, &placement, target, material, env));
-    }
+                  format_table[row->formats[target]].words ? words_value(l, &placement, target, number, material, env)
+                                                           : floats_value(l, &placement, target, material, env));
 }

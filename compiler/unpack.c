@@ -7,11 +7,12 @@
 static void put_chunks(Compile *c, Text *out, const Job *job)
 {
     Chunks chunks = {0};
-    for (int i = 0; i < job->layout->field_count; i++) {
-        const char *name = encoding_table[job->layout->fields[i].encoding].unpack;
-        if (*name)
-            chunks_add(c, &chunks, name, job);
-    }
+    for (int i = 0; i < job->layout->case_count; i++)
+        for (int k = 0; k < job->layout->cases[i].field_count; k++) {
+            const char *name = encoding_table[job->layout->cases[i].fields[k].encoding].unpack;
+            if (*name)
+                chunks_add(c, &chunks, name, job);
+        }
     for (size_t i = 0; i < chunks.count; i++) {
         text_put(out, chunks.at[i]->body);
         text_char(out, '\n');
@@ -62,20 +63,21 @@ static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
 /* surface.slot, and the lane if the slot has more than one. */
 static void put_destination(Text *out, SlotLane to)
 {
-    text_format(out, "    surface.%s", slot_table[to.slot].name);
+    text_format(out, "surface.%s", slot_table[to.slot].name);
     if (type_table[slot_table[to.slot].type].lanes > 1)
         put_lanes(out, to.lane, 1);
     text_put(out, " = ");
 }
 
 /* The number of a piece whose lanes belong to several slots is kept, then dealt out. */
-static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, int index)
+static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent, int index)
 {
     static const char *const types[] = {"float", "float", "vec2", "vec3", "vec4"};
-    text_format(out, "    %s group%d = ", types[piece->count], index);
+    text_format(out, "%s%s group%d = ", indent, types[piece->count], index);
     put_value(out, layout, piece);
     text_put(out, ";\n");
     for (int i = 0; i < piece->count; i++) {
+        text_put(out, indent);
         put_destination(out, piece->field->source[piece->first + i]);
         text_format(out, "group%d", index);
         put_lanes(out, i, 1);
@@ -83,17 +85,18 @@ static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, in
     }
 }
 
-static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, int index)
+static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent, int index)
 {
     const SlotLane *source = &piece->field->source[piece->first];
     if (piece->count > 1 && !piece_is_slot(piece)) {
-        put_dealt(out, layout, piece, index);
+        put_dealt(out, layout, piece, indent, index);
         return;
     }
+    text_put(out, indent);
     if (piece->count == 1)
         put_destination(out, *source);
     else
-        text_format(out, "    surface.%s = ", slot_table[source->slot].name);
+        text_format(out, "surface.%s = ", slot_table[source->slot].name);
     put_value(out, layout, piece);
     text_put(out, ";\n");
 }
@@ -120,11 +123,41 @@ static void put_fetches(Text *out, const Job *job)
                     format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i, i);
 }
 
+/* The pieces of a case, then the slots that it leaves out. */
+static void put_case(Text *out, const LayoutRow *layout, int number, const char *indent)
+{
+    Placement placement;
+    layout_place(layout, number, &placement); /* lowering has told what does not fit */
+    for (int i = 0; i < placement.count; i++)
+        put_piece(out, layout, &placement.pieces[i], indent, i);
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        if (!layout_has_slot(layout, (Slot)slot) || case_has_slot(&layout->cases[number], (Slot)slot))
+            continue;
+        text_format(out, "%ssurface.%s = %s(", indent, slot_table[slot].name, type_table[slot_table[slot].type].name);
+        text_float(out, slot_table[slot].absent);
+        text_put(out, ");\n");
+    }
+}
+
+static void put_cases(Text *out, const LayoutRow *layout)
+{
+    if (layout->case_count == 1) {
+        put_case(out, layout, 0, "    ");
+        return;
+    }
+    text_format(out, "    uint number = target0.x & %uu;\n    ", (1u << layout_case_bits(layout)) - 1);
+    for (int i = 0; i < layout->case_count; i++) {
+        if (i + 1 < layout->case_count)
+            text_format(out, "if (number == %du) ", i);
+        text_put(out, "{\n");
+        put_case(out, layout, i, "        ");
+        text_put(out, i + 1 < layout->case_count ? "    } else " : "    }\n");
+    }
+}
+
 const char *emit_unpack(Compile *c, const Job *job)
 {
     Text out = text_new(c->arena);
-    Placement placement;
-    layout_place(job->layout, &placement); /* lowering has told what does not fit */
     text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
                 job->layout->name);
     if (target_table[job->target].es && layout_has_words(job->layout))
@@ -136,8 +169,7 @@ const char *emit_unpack(Compile *c, const Job *job)
                 job->target == TARGET_glsl110 ? "vec2 coordinate" : "ivec2 pixel");
     put_fetches(&out, job);
     text_put(&out, "    Surface surface;\n");
-    for (int i = 0; i < placement.count; i++)
-        put_piece(&out, job->layout, &placement.pieces[i], i);
+    put_cases(&out, job->layout);
     text_put(&out, "    return surface;\n}\n");
     return out.at;
 }

@@ -19,7 +19,7 @@ const ChannelRow channel_table[CHANNEL_COUNT] = {
 };
 
 const SlotRow slot_table[SLOT_COUNT] = {
-#define SLOT(name, type, low, high, doc) {#name, TYPE_##type, low, high, doc},
+#define SLOT(name, type, low, high, absent, doc) {#name, TYPE_##type, low, high, absent, doc},
 #include "slots.def"
 #undef SLOT
 };
@@ -273,23 +273,44 @@ static const FieldRow field_table[] = {
 #include "layouts.def"
 };
 
-/* Runs of fields, as those of parameters. */
+/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. A row is told by its line. */
+#define PASTE(a, b)  a##b
+#define UNIQUE(a, b) PASTE(a, b)
 enum {
-#define LAYOUT(name, ...)                                            FIELDS_##name, FIELDS_BACK_##name = FIELDS_##name - 1,
-#define FIELD(layout, encoding, bits, slot, from, count)             FIELD_IN_##layout##_##slot##from##encoding,
-#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b) FIELD_IN_##layout##_##slot_a##lane_a##encoding,
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) FIELDS_##layout##_##name, FIELDS_BACK_##layout##_##name = FIELDS_##layout##_##name - 1,
+#define FIELD(...)              UNIQUE(FIELD_OF_LINE_, __LINE__),
+#define PAIR(...)               FIELD()
+#include "layouts.def"
+};
+enum {
+    CASES_BEGIN = -1
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) , FIELD_COUNT_##layout##_##name = 0
+#define FIELD(...)              +1
+#define PAIR(...)               +1
+#include "layouts.def"
+};
+
+static const CaseRow case_table[] = {
+#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
+#define CASE(layout, name, doc) {&field_table[FIELDS_##layout##_##name], FIELD_COUNT_##layout##_##name, doc},
+#include "layouts.def"
+};
+enum {
+#define LAYOUT(name, ...)       CASES_##name,
+#define CASE(layout, name, doc) CASE_##layout##_##name,
 #include "layouts.def"
 };
 enum {
     LAYOUTS_BEGIN = -1
-#define LAYOUT(name, ...)                                            , FIELD_COUNT_##name = 0
-#define FIELD(layout, encoding, bits, slot, from, count)             +1
-#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b) +1
+#define LAYOUT(name, ...) , CASE_COUNT_##name = 1
+#define CASE(...)         +1
 #include "layouts.def"
 };
 
 const LayoutRow layout_table[LAYOUT_COUNT] = {
-#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &field_table[FIELDS_##name], FIELD_COUNT_##name},
+#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name},
 #include "layouts.def"
 };
 

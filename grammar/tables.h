@@ -46,7 +46,7 @@ enum {
 extern const ChannelRow channel_table[CHANNEL_COUNT];
 
 typedef enum {
-#define SLOT(name, type, low, high, doc) SLOT_##name,
+#define SLOT(name, type, low, high, absent, doc) SLOT_##name,
 #include "slots.def"
 #undef SLOT
     SLOT_COUNT
@@ -56,6 +56,7 @@ typedef struct {
     const char *name;
     Type type;
     double low, high; /* range of a valid surface */
+    double absent;    /* where a material has nothing to say */
     const char *doc;
 } SlotRow;
 extern const SlotRow slot_table[SLOT_COUNT];
@@ -311,12 +312,18 @@ typedef enum {
 #include "layouts.def"
     LAYOUT_COUNT
 } Layout;
+/* The fields of a material that has only some of the slots. */
+typedef struct {
+    const FieldRow *fields;
+    int field_count;
+    const char *doc;
+} CaseRow;
 /* A document's own layout is such a row too. */
 typedef struct {
     const char *name, *doc;
     Format formats[LAYOUT_TARGETS + 1]; /* of its targets, then FORMAT_none */
-    const FieldRow *fields;
-    int field_count;
+    const CaseRow *cases;
+    int case_count;
 } LayoutRow;
 extern const LayoutRow layout_table[LAYOUT_COUNT];
 

@@ -222,14 +222,13 @@ static void put_waves(Text *out)
         }                                                                                                              \
     } while (0)
 
-static void put_layout(Text *out, const LayoutRow *layout)
+static void put_case(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
-    layout_place(layout, &placement);
-    text_format(out, "\n## Layout %s\n\n%s %d bytes a pixel:", layout->name, layout->doc, layout_bytes(layout));
-    for (int target = 0; target < layout_targets(layout); target++)
-        text_format(out, " `%s`", format_table[layout->formats[target]].name);
-    text_put(out, "\n\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- | --- |\n");
+    layout_place(layout, number, &placement);
+    if (number)
+        text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
+    text_put(out, "\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- | --- |\n");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
         text_put(out, "| ");
@@ -244,6 +243,16 @@ static void put_layout(Text *out, const LayoutRow *layout)
         describe_error(out, piece->field);
         text_put(out, " |\n");
     }
+}
+
+static void put_layout(Text *out, const LayoutRow *layout)
+{
+    text_format(out, "\n## Layout %s\n\n%s %d bytes a pixel:", layout->name, layout->doc, layout_bytes(layout));
+    for (int target = 0; target < layout_targets(layout); target++)
+        text_format(out, " `%s`", format_table[layout->formats[target]].name);
+    text_char(out, '\n');
+    for (int number = 0; number < layout->case_count; number++)
+        put_case(out, layout, number);
 }
 
 static void put_contents(Text *out)

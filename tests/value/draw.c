@@ -224,28 +224,32 @@ static bool set_textures(Drawer *d, GLuint program, const Shading *shading, GLui
 }
 
 /* Framebuffer rows are those of the grid. */
-static bool draw(Drawer *d, GLuint program, bool front, float *const *rgba, int targets)
+static bool draw(Drawer *d, GLuint program, bool front, const Framebuffer *target)
 {
     const GlContext *gl = d->gl;
-    framebuffer_use(gl, &d->target);
-    gl->ClearColor(-12345, -12345, -12345, -12345);
-    gl->Clear(GL_COLOR_BUFFER_BIT);
+    framebuffer_clear(gl, target, (float[4]){-12345, -12345, -12345, -12345});
     gl->UseProgram(program);
     gl->BindVertexArray(d->array);
     gl->DrawArrays(front ? GL_POINTS : GL_TRIANGLES, front ? 0 : d->count, front ? d->count : CORNERS * d->count);
-    for (int i = 0; i < targets; i++)
-        if (!framebuffer_read(d->gl, &d->target, i, rgba[i]))
-            return fail(d, d->gl->error);
     return gl_check(d->gl, "drawing points") || fail(d, d->gl->error);
 }
 
-bool drawer_draw(Drawer *d, GLuint program, const Shading *shading, bool front, float *const *rgba, int targets)
+bool drawer_draw_to(Drawer *d, GLuint program, const Shading *shading, bool front, const Framebuffer *target)
 {
     GLuint names[UNITS] = {0};
     gl_use(d->gl);
     GLuint buffer = set_uniforms(d, program, shading);
-    bool drawn = set_textures(d, program, shading, names) && draw(d, program, front, rgba, targets);
+    bool drawn = set_textures(d, program, shading, names) && draw(d, program, front, target);
     d->gl->DeleteTextures(UNITS, names);
     d->gl->DeleteBuffers(1, &buffer);
+    return drawn;
+}
+
+bool drawer_draw(Drawer *d, GLuint program, const Shading *shading, bool front, float *const *rgba, int targets)
+{
+    bool drawn = drawer_draw_to(d, program, shading, front, &d->target);
+    for (int i = 0; drawn && i < targets; i++)
+        if (!framebuffer_read(d->gl, &d->target, i, rgba[i]))
+            return fail(d, d->gl->error);
     return drawn;
 }

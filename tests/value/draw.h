@@ -39,4 +39,6 @@ GLuint drawer_program(Drawer *d, const Shading *shading);
 /* All points: as points, which are seen from the front, or as triangles that are seen from behind. Its textures and uniforms
  * are set. Four floats a point in rgba[target]. */
 bool drawer_draw(Drawer *d, GLuint program, const Shading *shading, bool front, float *const *rgba, int targets);
+/* The same into another framebuffer, which is not read. */
+bool drawer_draw_to(Drawer *d, GLuint program, const Shading *shading, bool front, const Framebuffer *target);
 #endif

@@ -1,0 +1,408 @@
+/* Layouts, drawn: what is packed into a G-buffer and unpacked again lies within the stated error of each field, for random and
+ * hostile values, in every GLSL, optimised or not. A layout's row is all that a further layout needs here. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/layout.h"
+#include "compiler/oracle.h"
+#include "runtime/lib/normal.h"
+#include "tests/value/documents.h"
+#include "tests/value/gbuffer.h"
+#include "tests/value/half.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { SETS = 16, FIRST_RANDOM = 8 };
+
+typedef struct {
+    Drawer core, compat;
+    Point points[POINT_COUNT];
+    float read[POINT_COUNT * 4];
+    uint64_t seed;
+    int cases; /* bits: which cases of layouts were drawn */
+} Fixture;
+
+static int set_up(void **state)
+{
+    Fixture *f = calloc(1, sizeof *f);
+    *state = f;
+    points_make(f->points);
+    return !drawer_open(&f->core, true, f->points, POINT_COUNT, 1, GL_RGBA32F) ||
+           !drawer_open(&f->compat, false, f->points, POINT_COUNT, 1, GL_RGBA32F);
+}
+
+static int tear_down(void **state)
+{
+    Fixture *f = *state;
+    drawer_close(&f->core);
+    drawer_close(&f->compat);
+    free(f);
+    return 0;
+}
+
+static double random_number(Fixture *f)
+{
+    f->seed = f->seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(f->seed >> 11) * 0x1p-53;
+}
+
+/* Every slot of a Phong, by lanes: in this order of the document below. */
+static const struct {
+    const char *key;
+    int lanes;
+} params[] = {{"diffuse", 4},   {"specular", 3},
+              {"shininess", 1}, {"transparency", 3},
+              {"ambient", 3},   {"diffuseTransparency", 3},
+              {"emissive", 3},  {"transparencyShininess", 1}};
+enum { PARAMS = sizeof params / sizeof *params };
+
+/* Sets of values: plain ones, hostile ones, then random ones in [0, 1], of which emissive is up to thousands. */
+static void make_values(Fixture *f, int set, double values[PARAMS][4])
+{
+    static const double hostile[] = {0,    1,     -1,   2,      1e6,  -1e6, 65504, 65519,  65520, 1e-6,
+                                     6e-5, 1e-30, 6e-8, 0.9999, 1e30, -0.0, 0.5,   1 / 3., 255,   1.0000001};
+    enum { HOSTILE = sizeof hostile / sizeof *hostile };
+    for (int i = 0; i < PARAMS; i++)
+        for (int lane = 0; lane < 4; lane++) {
+            double r = random_number(f);
+            bool bright = !strcmp(params[i].key, "emissive") && set % 2;
+            values[i][lane] = set >= FIRST_RANDOM ? (bright ? exp(24 * r - 12) : r) : hostile[(int)(r * HOSTILE)];
+            if (set == 0)
+                values[i][lane] = lane == 3;
+            if (lane == 3) /* alpha: a huge one leaves nothing of the transparency's digits */
+                values[i][lane] = set % 2 ? r : 1;
+            values[i][lane] = (float)values[i][lane];
+        }
+}
+
+/* What a document leaves out. */
+typedef enum { ALL, OPAQUE, CLEAR } Kept;
+
+static bool leaves_out(Kept kept, const char *key)
+{
+    if (kept == OPAQUE)
+        return strstr(key, "ransparency") != NULL;
+    return kept == CLEAR && (!strcmp(key, "emissive") || !strcmp(key, "ambient"));
+}
+
+static void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms, Kept kept)
+{
+    int size = snprintf(text, room, "material: Phong\n");
+    for (int i = 0; i < PARAMS; i++) {
+        int lanes = i == 0 && kept == OPAQUE ? 3 : params[i].lanes; /* alpha makes transparent */
+        if (leaves_out(kept, params[i].key))
+            continue;
+        size += snprintf(text + size, room - (size_t)size,
+                         uniforms ? "%s: { param: p%d, default: " : "%s: ", params[i].key, i);
+        for (int lane = 0; lane < lanes; lane++)
+            size += snprintf(text + size, room - (size_t)size, "%s%.17g",
+                             lane                  ? ", "
+                             : params[i].lanes > 1 ? "["
+                                                   : "",
+                             values[i][lane]);
+        size += snprintf(text + size, room - (size_t)size, "%s%s\n", lanes > 1 ? "]" : "", uniforms ? " }" : "");
+    }
+}
+
+/* The document in a file of its own, as documents are opened by path. */
+static void open_values(Document *d, double values[PARAMS][4], bool uniforms, Kept kept)
+{
+    char path[] = "/tmp/matc-layout-XXXXXX.yaml", text[8192];
+    int file = mkstemps(path, 5);
+    write_document(text, sizeof text, values, uniforms, kept);
+    assert_true(file >= 0 && write(file, text, strlen(text)) == (ssize_t)strlen(text));
+    close(file);
+    bool good = document_open(d, path);
+    remove(path);
+    if (!good)
+        fail_msg("%s\n%s", document_fault(d), text);
+}
+
+static void set_values(Document *d, double values[PARAMS][4])
+{
+    for (int i = 0; i < d->graph->uniform_count; i++)
+        document_set_uniform(d, i, values[atoi(d->graph->uniforms[i]->name + 1)]);
+}
+
+/* What a point's slots should be: the normal is that of eye space. */
+static void want_slots(const Point *point, bool front, const SlotValues *values, SlotValues *want)
+{
+    const float *n = point->input[INPUT_eyeN];
+    double length = sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]), side = front ? 1 : -1;
+    *want = *values;
+    for (int i = 0; i < 3; i++)
+        want->lane[SLOT_normal][i] = length < 1e-37 ? (i == 2) * side : side * n[i] / length;
+}
+
+/* Below this an exponent's logarithm, or a half float, has no code near. */
+static double least_of(Encoding encoding)
+{
+    switch (encoding) {
+    case ENCODING_logarithm:
+        return 1. / 32;
+    case ENCODING_raw:
+    case ENCODING_plain:
+        return ldexp(1, -14);
+    default:
+        return ldexp(1, -20); /* a subnormal half float, the last step of a shared exponent */
+    }
+}
+
+static const char *place_text(const Gbuffer *g, Slot slot)
+{
+    static char text[128];
+    snprintf(text, sizeof text, "layout %s, %s, slot %s", g->layout->name, target_table[g->shading.target].name,
+             slot_table[slot].name);
+    return text;
+}
+
+static void check_lane(const Gbuffer *g, const Piece *piece, int i, const SlotValues *want, double got)
+{
+    const FieldRow *field = piece->field;
+    const SlotLane *source = &field->source[piece->first];
+    double low = field_low(field), high = field_high(field), greatest = 0;
+    double value = fmin(fmax(want->lane[source[i].slot][source[i].lane], low), high);
+    for (int k = 0; k < piece->count; k++)
+        greatest = fmax(greatest, fabs(fmin(fmax(want->lane[source[k].slot][source[k].lane], low), high)));
+    bool together = field->encoding == ENCODING_sharedExponent;
+    bool relative = encoding_table[field->encoding].unit == UNIT_relative;
+    double of = relative ? (together ? greatest : fabs(value)) : 1;
+    double bound = (field_error(field) + 5e-6) * of + (relative ? least_of(field->encoding) : 0);
+    if (!(fabs(got - value) <= bound))
+        fail_msg("%s: %.9g comes back as %.9g, the bound is %.3g", place_text(g, source[i].slot), value, got, bound);
+}
+
+static void check_normal(const Gbuffer *g, const Piece *piece, const double want[3], const float *got)
+{
+    double n[3] = {got[0], got[1], got[2]}, length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    double angle = normal_angle(want, n), bound = field_error(piece->field) + 1e-4;
+    if (!(angle <= bound && fabs(length - 1) < 1e-6))
+        fail_msg("%s: (%g %g %g) comes back as (%g %g %g), %g degrees off; the bound is %g", place_text(g, SLOT_normal),
+                 want[0], want[1], want[2], n[0], n[1], n[2], angle, bound);
+}
+
+static void check_slot(Fixture *f, Gbuffer *g, Slot slot, const Placement *placement, const SlotValues *values,
+                       bool front)
+{
+    if (!gbuffer_read(g, slot, f->read))
+        fail_msg("%s", g->error);
+    for (int i = 0; i < POINT_COUNT; i++) {
+        SlotValues want;
+        want_slots(&f->points[i], front, values, &want);
+        for (int k = 0; k < placement->count; k++) {
+            const Piece *piece = &placement->pieces[k];
+            const SlotLane *source = &piece->field->source[piece->first];
+            if (source[0].slot == SLOT_normal && slot == SLOT_normal)
+                check_normal(g, piece, want.lane[slot], &f->read[4 * i]);
+            for (int lane = 0; slot != SLOT_normal && lane < piece->count; lane++)
+                if (source[lane].slot == slot)
+                    check_lane(g, piece, lane, &want, f->read[4 * i + source[lane].lane]);
+        }
+    }
+}
+
+/* Floats of a target of half floats are zero or normal ones; `raw` alone lets any through. */
+static void check_halves(Fixture *f, Gbuffer *g)
+{
+    for (int i = 0; i < g->layout->cases[0].field_count; i++)
+        if (g->layout->cases[0].fields[i].encoding == ENCODING_raw)
+            return;
+    for (int target = 0; target < g->targets.spec.color_count; target++) {
+        if (framebuffer_has_words(&g->targets, target))
+            continue;
+        assert_true(framebuffer_read(g->drawer->gl, &g->targets, target, f->read));
+        for (int i = 0; i < 4 * POINT_COUNT; i++)
+            if (!half_is_plain(f->read[i]))
+                fail_msg("layout %s stores %.9g", g->layout->name, f->read[i]);
+    }
+}
+
+/* Which of the layout's cases was drawn. */
+static int drawn_case(Gbuffer *g)
+{
+    static GLuint words[POINT_COUNT][4];
+    if (g->layout->case_count == 1)
+        return 0;
+    assert_true(framebuffer_read_words(g->drawer->gl, &g->targets, 0, &words[0][0]));
+    int number = (int)(words[0][0] & ((1u << layout_case_bits(g->layout)) - 1));
+    assert_true(number < g->layout->case_count);
+    return number;
+}
+
+/* A slot that the case leaves out is as absent ones are. */
+static void check_absent(Fixture *f, Gbuffer *g, Slot slot, const SlotValues *values)
+{
+    if (!gbuffer_read(g, slot, f->read))
+        fail_msg("%s", g->error);
+    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+        assert_true(values->lane[slot][lane] == slot_table[slot].absent);
+        assert_true(f->read[lane] == slot_table[slot].absent);
+    }
+}
+
+static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
+{
+    ReferenceContext context = {0};
+    Surface surface;
+    SlotValues values;
+    Placement placement;
+    point_surface(&f->points[0], front, &surface);
+    Oracle *oracle = oracle_open(d->graph, &context);
+    oracle_material(oracle, d->graph->materials[0].node, &surface, &values);
+    oracle_close(oracle);
+    if (!gbuffer_draw(g, front))
+        fail_msg("%s", g->error);
+    int number = drawn_case(g);
+    f->cases |= 1 << number;
+    assert_null(layout_place(g->layout, number, &placement));
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (case_has_slot(&g->layout->cases[number], (Slot)slot))
+            check_slot(f, g, (Slot)slot, &placement, &values, front);
+        else if (layout_has_slot(g->layout, (Slot)slot))
+            check_absent(f, g, (Slot)slot, &values);
+    check_halves(f, g);
+}
+
+static Drawer *drawer_for(Fixture *f, Target target) { return target == TARGET_glsl110 ? &f->compat : &f->core; }
+
+static bool can_draw(const LayoutRow *layout, int target)
+{
+    return target != TARGET_spirv && !(target == TARGET_glsl110 && layout_has_words(layout));
+}
+
+static void check_uniforms(Fixture *f, Document *d, int layout, int target, int level)
+{
+    Gbuffer g;
+    double values[PARAMS][4];
+    MatcOptions options = d->options;
+    options.layout = layout_table[layout].name;
+    options.target = target_table[target].name;
+    options.optimize = level;
+    options.check = true;
+    if (!gbuffer_open(&g, drawer_for(f, (Target)target), d->document, d->graph, &options))
+        fail_msg("%s", g.error);
+    for (int set = 0; set < SETS; set++) {
+        make_values(f, set, values);
+        set_values(d, values);
+        draw_and_check(f, d, &g, set % 3 != 1);
+    }
+    gbuffer_close(&g);
+}
+
+static void what_is_packed_comes_back(void **state)
+{
+    Fixture *f = *state;
+    double values[PARAMS][4];
+    for (int kept = ALL; kept <= CLEAR; kept++) {
+        Document d;
+        make_values(f, FIRST_RANDOM, values);
+        open_values(&d, values, true, (Kept)kept);
+        for (int layout = 0; layout < LAYOUT_COUNT; layout++)
+            for (int target = 0; target < TARGET_COUNT; target++)
+                for (int level = 0; level <= 2; level += 2)
+                    if (can_draw(&layout_table[layout], target) && (!kept || layout_table[layout].case_count > 1))
+                        check_uniforms(f, &d, layout, target, level);
+        document_close(&d);
+    }
+    assert_int_equal(f->cases, 7); /* all three of compact */
+}
+
+/* Constants are packed by the C references when the shader is written. */
+static void constants_come_back(void **state)
+{
+    Fixture *f = *state;
+    for (int set = 0; set < SETS; set++) {
+        double values[PARAMS][4];
+        Document d;
+        make_values(f, set, values);
+        open_values(&d, values, false, (Kept)(set % 3));
+        for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
+            Gbuffer g;
+            MatcOptions options = d.options;
+            options.layout = layout_table[layout].name;
+            options.check = true;
+            options.validate = set == 0;
+            if (!gbuffer_open(&g, &f->core, d.document, d.graph, &options))
+                fail_msg("%s", g.error);
+            draw_and_check(f, &d, &g, true);
+            gbuffer_close(&g);
+        }
+        document_close(&d);
+    }
+}
+
+/* Nothing overlaps, and all lies within its target. */
+static void check_places(const LayoutRow *layout, int number)
+{
+    static unsigned char taken[LAYOUT_TARGETS][FIELD_LANES][32];
+    Placement placement;
+    memset(taken, 0, sizeof taken);
+    memset(taken[0][0], 1, (size_t)layout_case_bits(layout));
+    assert_null(layout_place(layout, number, &placement));
+    for (int k = 0; k < placement.count; k++) {
+        const Piece *piece = &placement.pieces[k];
+        const FormatRow *format = &format_table[layout->formats[piece->target]];
+        int lanes = format->words ? 1 : piece->size, bits = format->words ? piece->size : format->bits;
+        assert_true(piece->lane + lanes <= format->lanes && piece->shift + bits <= format->bits);
+        for (int lane = 0; lane < lanes; lane++)
+            for (int bit = 0; bit < bits; bit++)
+                assert_int_equal(taken[piece->target][piece->lane + lane][piece->shift + bit]++, 0);
+    }
+}
+
+/* The last case is for any material. */
+static void pieces_have_places_of_their_own(void **state)
+{
+    (void)state;
+    for (int i = 0; i < LAYOUT_COUNT; i++) {
+        const LayoutRow *row = &layout_table[i];
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            assert_true(layout_has_slot(row, (Slot)slot) ==
+                        case_has_slot(&row->cases[row->case_count - 1], (Slot)slot));
+        for (int number = 0; number < row->case_count; number++)
+            check_places(row, number);
+    }
+}
+
+static void old_glsl_has_no_whole_numbers(void **state)
+{
+    (void)state;
+    MatcOptions options;
+    matc_options_init(&options);
+    static const char text[] = "material: Phong\n";
+    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
+    options.layout = "integer";
+    options.target = "glsl110";
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
+    assert_false(matc_ok(program));
+    assert_non_null(
+        strstr(matc_program_diagnostics(program, MATC_TEXT), "layout integer packs whole numbers, which glsl110"));
+    matc_program_free(program);
+    options.target = NULL;
+    program = matc_compile(document, 0, MATC_FRAGMENT | MATC_REFLECT, &options);
+    assert_true(matc_ok(program));
+    assert_int_equal(matc_target_count(program), 3);
+    assert_string_equal(matc_target_format(program, 2), "RG32UI");
+    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL), "\"location\": 2, \"format\": \"RG32UI\""));
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pieces_have_places_of_their_own),
+        cmocka_unit_test(what_is_packed_comes_back),
+        cmocka_unit_test(constants_come_back),
+        cmocka_unit_test(old_glsl_has_no_whole_numbers),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

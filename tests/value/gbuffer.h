@@ -1,0 +1,23 @@
+/* A G-buffer of any layout: points are drawn into it by matc's program, and read back by matc's GLSL, slot by slot. */
+#ifndef MATC_VALUE_GBUFFER_H
+#define MATC_VALUE_GBUFFER_H
+#include "draw.h"
+
+typedef struct {
+    Drawer *drawer; /* its target is one of GL_RGBA32F */
+    MatcProgram *program;
+    const LayoutRow *layout;
+    Framebuffer targets;
+    Shading shading;
+    GLuint writer, reader;
+    char error[4096];
+} Gbuffer;
+
+/* Compiles a material of the document with the options. False: see error. Close it in any case. */
+bool gbuffer_open(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph,
+                  const MatcOptions *options);
+void gbuffer_close(Gbuffer *g);
+bool gbuffer_draw(Gbuffer *g, bool front);
+/* What comes back of a slot that the layout has: four floats a point. */
+bool gbuffer_read(Gbuffer *g, Slot slot, float *rgba);
+#endif
