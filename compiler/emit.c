@@ -289,17 +289,45 @@ static void put_output(Scope *e, Text *out, const IrOutput *output)
     text_put(out, ";\n");
 }
 
+/* How inputs change over the screen is computed before any branch, as dFdx must be; functions read it from globals. */
+static void put_changes(Text *out, const Interface *interface, bool shared)
+{
+    for (int i = 0; i < change_count; i++) {
+        const InputRow *row = &input_table[change_table[i].input];
+        if (shared && interface->inputs[change_table[i].input])
+            text_format(out, "    %s = %s(%s);\n", row->glsl, change_table[i].by, input_table[change_table[i].of].glsl);
+        else if (interface->inputs[change_table[i].input])
+            text_format(out, "    %s %s = %s(%s);\n", type_table[row->type].name, row->glsl, change_table[i].by,
+                        input_table[change_table[i].of].glsl);
+    }
+}
+
+static void declare_changes(Text *out, const Interface *interface)
+{
+    size_t before = out->size;
+    for (int i = 0; i < change_count; i++) {
+        const InputRow *row = &input_table[change_table[i].input];
+        if (interface->inputs[change_table[i].input])
+            text_format(out, "%s %s;\n", type_table[row->type].name, row->glsl);
+    }
+    if (out->size > before)
+        text_char(out, '\n');
+}
+
 static void put_main(Compile *c, Text *out, const Ir *ir, const Job *job, Interface *interface)
 {
     Arena scratch = {0};
     Ref roots[MOST_OUTPUTS];
+    Text body = text_new(c->arena);
     Scope e = new_scope(c, ir, job, interface, &scratch);
     for (int i = 0; i < ir->output_count; i++)
         roots[i] = ir->outputs[i].value;
     e.s = schedule(ir, roots, ir->output_count, c->optimize > 0, &scratch);
-    text_put(out, "void main() {\n");
     for (int i = 0; i < ir->output_count; i++)
-        put_output(&e, out, &ir->outputs[i]);
+        put_output(&e, &body, &ir->outputs[i]);
+    text_put(out, "void main() {\n");
+    put_changes(out, interface, ir->function_count > 0);
+    text_add(out, body.at, body.size);
     text_put(out, "}\n");
     arena_free(&scratch);
 }
@@ -331,6 +359,8 @@ const char *emit_fragment(Compile *c, const Ir *given, const Job *job, Interface
         text_put(&out, interface->chunks.at[i]->body);
         text_char(&out, '\n');
     }
+    if (functions.size)
+        declare_changes(&out, interface);
     text_add(&out, functions.at, functions.size);
     text_add(&out, body.at, body.size);
     *size = out.size;

@@ -66,6 +66,15 @@ static void put_argument_name(Scope *e, Text *out, Ref ref)
             text_put(out, ir_type(e->ir, ref) == TYPE_vec3 ? "p" : "st");
 }
 
+/* A change needs what changes. */
+static void use_input(Scope *e, Input input)
+{
+    e->interface->inputs[input] = true;
+    for (int i = 0; i < change_count; i++)
+        if (change_table[i].input == input)
+            e->interface->inputs[change_table[i].of] = true;
+}
+
 static void put_leaf(Scope *e, Text *out, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
@@ -74,7 +83,7 @@ static void put_leaf(Scope *e, Text *out, Ref ref)
         emit_constant(out, e->ir, ref);
         break;
     case OP_input:
-        e->interface->inputs[node->payload] = true;
+        use_input(e, (Input)node->payload);
         text_put(out, input_table[node->payload].glsl);
         break;
     case OP_uniform:
@@ -113,6 +122,8 @@ static bool may_be_float(const IrNode *node, int i, bool both_bounds)
         return i == 1;
     case OP_mix:
         return i == 2;
+    case OP_step:
+        return i == 0;
     case OP_clamp:
         return i > 0 && both_bounds;
     default:

@@ -4,7 +4,7 @@
 #include "matc.h"
 #include "oracle.h"
 
-/* The slots of a material at `count` points, in double, as the options compute them (their noise). The material exists, and
+/* The slots of a material at `count` points, in double, as the options compute them (their noise and derivatives). The material exists, and
  * the options name what exists. Pictures are 0.5 where the document was read without `pixels`. */
 void document_evaluate(const MatcDocument *document, int material, const MatcOptions *options, const Surface *points,
                        int count, SlotValues *values);

@@ -10,7 +10,7 @@ static double lane_value(Op op, double a, double b, double c)
 {
     (void)b, (void)c;
     switch (op) {
-#define OP(name, shape, glsl, arity, rule, cost, fold, doc)                                                            \
+#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
     case OP_##name:                                                                                                    \
         return fold;
 #include "grammar/ops.def"

@@ -3,7 +3,8 @@
 #include <string.h>
 
 const OpRow op_table[OP_COUNT] = {
-#define OP(name, shape, glsl, arity, rule, cost, fold, doc) {#name, SHAPE_##shape, glsl, arity, RULE_##rule, cost, doc},
+#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
+    {#name, SHAPE_##shape, glsl, arity, RULE_##rule, cost, doc},
 #include "grammar/ops.def"
 #undef OP
 };

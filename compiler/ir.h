@@ -6,7 +6,7 @@
 #include "runtime/reference.h"
 
 typedef enum {
-#define OP(name, shape, glsl, arity, rule, cost, fold, doc) OP_##name,
+#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc) OP_##name,
 #include "grammar/ops.def"
 #undef OP
     OP_COUNT

@@ -1,4 +1,4 @@
-/* Chunks by name and variant: name.<choice>.110, name.<choice>, name.110, name; the first that exists. */
+/* Chunks by name and variant: name.<choice>.110, name.110, name.<choice>, name; the first that exists. */
 #include "link.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,19 +20,24 @@ static const Chunk *find_variant(const char *name, int length, const char *choic
     return find(full);
 }
 
-static const Chunk *variant(const char *name, int length, const Job *job)
+/* name.<choice> of any axis, or for GLSL 1.10 name.<choice>.110. */
+static const Chunk *of_choice(const char *name, int length, const Job *job, bool of_110)
 {
     const Chunk *chunk = NULL;
+    for (int axis = 0; axis < AXIS_COUNT && !chunk; axis++)
+        if (axis_table[axis].chunks)
+            chunk = find_variant(name, length, choice_table[job->choice[axis]].name, of_110);
+    return chunk;
+}
+
+static const Chunk *variant(const char *name, int length, const Job *job)
+{
     bool old = job->target == TARGET_glsl110;
-    for (int axis = 0; axis < AXIS_COUNT && !chunk; axis++) {
-        if (!axis_table[axis].chunks)
-            continue;
-        const char *choice = choice_table[job->choice[axis]].name;
-        chunk = old ? find_variant(name, length, choice, true) : NULL;
-        chunk = chunk ? chunk : find_variant(name, length, choice, false);
-    }
+    const Chunk *chunk = old ? of_choice(name, length, job, true) : NULL;
     if (!chunk && old)
         chunk = find_variant(name, length, "", true);
+    if (!chunk)
+        chunk = of_choice(name, length, job, false);
     return chunk ? chunk : find_variant(name, length, "", false);
 }
 

@@ -198,7 +198,10 @@ int cost_below(const Ir *ir, Ref ref, int limit)
 
 ReferenceNoise noise_for(Choice noise, Target target)
 {
-    return noise == CHOICE_noise_groimp ? REFERENCE_GROIMP
-           : target == TARGET_glsl110   ? REFERENCE_LATTICE_FLOAT
-                                        : REFERENCE_LATTICE;
+    bool old = target == TARGET_glsl110;
+    if (noise == CHOICE_noise_groimp)
+        return REFERENCE_GROIMP;
+    if (noise == CHOICE_noise_simplex)
+        return old ? REFERENCE_SIMPLEX_FLOAT : REFERENCE_SIMPLEX;
+    return old ? REFERENCE_LATTICE_FLOAT : REFERENCE_LATTICE;
 }

@@ -12,6 +12,9 @@ typedef struct {
     int number; /* for the memo */
 } Env;
 
+/* Along what a value is differentiated: to the next pixel on the screen, and by the surface's own u and v. */
+typedef enum { DIRECTION_right, DIRECTION_up, DIRECTION_u, DIRECTION_v, DIRECTION_COUNT } Direction;
+
 typedef struct {
     uint64_t key; /* node, group, environment; 0 is empty */
     Ref value;
@@ -25,11 +28,15 @@ typedef struct {
     size_t memo_count, memo_mask;
     int env_count;
     const Job *job;
-    bool cheap;           /* forms that are cheaper but not the plainest: -O1 and up */
+    bool cheap;                   /* forms that are cheaper but not the plainest: -O1 and up */
+    Ref *slopes[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
+    size_t slope_room;
     uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
     bool failed;          /* a diagnostic was made */
 } Lower;
 
+/* The point of a rasterised surface. lower_pass.c */
+Env surface_env(Lower *l);
 /* What a job's program computes of a material. NULL: see the diagnostics. */
 Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job);
 
@@ -55,6 +62,9 @@ Ref lower_eye_normal(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout. lower_layout.c */
 void lower_layout(Lower *l, const Node *material, const Env *env);
 Ref lower_wave(Lower *l, const Wave *wave, Ref v);
+/* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse of its matrix,
+ * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */
+Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 /* M q for a Transform. */
 Ref lower_transform(Lower *l, const Transform *transform, Ref q);
 

@@ -1,6 +1,7 @@
 /* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
  * Filters within filters are functions that call functions: the program grows by one function for each. */
 #include "lower.h"
+#include "slope.h"
 
 enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 evaluations are a loop */
 
@@ -24,6 +25,10 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
 {
     Ref arguments[2];
     ir_arguments(l->ir, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
+    Ref root[] = {env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")};
+    for (int i = 0; i < 2; i++)
+        for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
+            slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
     Env inner = shifted_env(l, env, arguments);
     Ref result = without_alpha(l, ask(l, input, group, &inner));
     return ir_function(l->ir, arguments, 2, result);

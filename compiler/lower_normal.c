@@ -1,5 +1,6 @@
 /* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
 #include "lower.h"
+#include "slope.h"
 
 typedef struct {
     Ref n, tu, tv; /* of the input */
@@ -24,6 +25,35 @@ static Ref tilted(Lower *l, const Frame *f, Ref du, Ref dv, Group group)
 
 static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
 
+typedef struct {
+    Ref u, v;
+} Slopes;
+
+static Ref filled(Lower *l, Ref slope) { return slope ? slope : number(l, 0); }
+
+/* The slopes along the input's tangents: where a UVTransform turned those, it turns the slopes. */
+static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
+{
+    if (!input)
+        return slopes;
+    slopes = along_tangents(l, param_node(input, kind_table[input->kind].first), slopes);
+    if (input->kind != KIND_UVTransform)
+        return slopes;
+    return (Slopes){uv_tangent(l, input, slopes.u, slopes.v, GROUP_DU),
+                    uv_tangent(l, input, slopes.u, slopes.v, GROUP_DV)};
+}
+
+/* How red rises: what the maps answer for their derivative channels, or the derivative of what they compute. */
+static Slopes height_slopes(Lower *l, const Node *displacement, const Node *input, const Env *env)
+{
+    if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite)
+        return (Slopes){ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x"),
+                        ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x")};
+    Ref height = ir_swizzle(l->ir, ask(l, displacement, GROUP_R, env), "x");
+    Slopes slopes = {filled(l, slope_of(l, height, DIRECTION_u)), filled(l, slope_of(l, height, DIRECTION_v))};
+    return along_tangents(l, input, slopes);
+}
+
 Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     const double step = 0.02;
@@ -33,9 +63,8 @@ Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
     Frame frame = input_frame(l, input, env);
     Ref strength = param_value(l, node_param(node, P_BumpMap_strength), TYPE_float);
     Ref k = ir_binary(l->ir, OP_div, mul(l, strength, number(l, step)), frame.size);
-    Ref du = ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x");
-    Ref dv = ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x");
-    return tilted(l, &frame, mul(l, k, du), mul(l, k, dv), group);
+    Slopes slopes = height_slopes(l, displacement, input, env);
+    return tilted(l, &frame, mul(l, k, slopes.u), mul(l, k, slopes.v), group);
 }
 
 /* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */

@@ -1,10 +1,10 @@
 /* What a pass computes: the environment it starts from and the outputs it writes. */
 #include "lower.h"
 #include "opt.h"
+#include "slope.h"
 #include <string.h>
 
-/* The point of a rasterised surface. */
-static Env surface_env(Lower *l)
+Env surface_env(Lower *l)
 {
     static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                    [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
@@ -28,6 +28,13 @@ static Ref nonzero(Lower *l, Ref x)
     return ir_select(l->ir, small, number(l, least), x);
 }
 
+/* What the surface's u and v do to a value that the pass made for itself. */
+static void set_root(Lower *l, Ref value, Ref by_u, Ref by_v)
+{
+    slope_set(l, value, DIRECTION_u, by_u);
+    slope_set(l, value, DIRECTION_v, by_v);
+}
+
 /* Where the view ray meets the plane; the pixel is discarded where it does not, and its depth is written. */
 static Env plane_env(Lower *l)
 {
@@ -48,6 +55,10 @@ static Env plane_env(Lower *l)
         depth = add(l, mul(l, depth, number(l, 0.5)), number(l, 0.5));
     ir_output(ir, OUT_discard, 0, ir_binary(ir, OP_le, along, number(l, 0)));
     ir_output(ir, OUT_depth, 0, ir_ternary(ir, OP_clamp, depth, number(l, 0), number(l, 1)));
+    set_root(l, u, number(l, 1), 0);
+    set_root(l, v, 0, number(l, 1));
+    set_root(l, uv, ir_vec3(ir, 1, 0, 0), ir_vec3(ir, 0, 1, 0));
+    set_root(l, p, u_axis, v_axis);
     env.root[GROUP_P] = p;
     env.root[GROUP_X] = env.root[GROUP_U] = uv;
     env.root[GROUP_N] = normal;
@@ -69,6 +80,9 @@ static Env sky_env(Lower *l)
     Ref turn = ir_binary(ir, OP_atan2, y, ir_unary(ir, OP_neg, x));
     Ref u = add(l, mul(l, turn, number(l, 0.5 / M_PI)), number(l, 0.5));
     Ref v = mul(l, ir_unary(ir, OP_acos, down), number(l, 1 / M_PI));
+    set_root(l, u, 0, 0);
+    set_root(l, v, 0, 0);
+    set_root(l, direction, 0, 0);
     env.root[GROUP_P] = env.root[GROUP_X] = direction;
     env.root[GROUP_U] = ir_vec(ir, TYPE_vec3, (Ref[]){u, v, number(l, 0)}, 3);
     env.root[GROUP_N] = ir_unary(ir, OP_neg, direction);

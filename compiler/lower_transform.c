@@ -42,8 +42,7 @@ static Ref guarded_inverse(Lower *l, Ref x)
     return ir_select(l->ir, flat, number(l, 0), inverse);
 }
 
-/* A tangent by the transformed coordinate: with J the inverse of m, dP/du' = dP/du J00 + dP/dv J10, dP/dv' likewise. */
-static Ref uv_tangent(Lower *l, const Node *node, const Node *input, Group group, const Env *env)
+Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
 {
     Ref m[3][3];
     uv_matrix(l, node, m);
@@ -51,15 +50,14 @@ static Ref uv_tangent(Lower *l, const Node *node, const Node *input, Group group
     Ref inverse = guarded_inverse(l, determinant);
     Ref by_u = group == GROUP_DU ? m[1][1] : ir_unary(l->ir, OP_neg, m[0][1]);
     Ref by_v = group == GROUP_DU ? ir_unary(l->ir, OP_neg, m[1][0]) : m[0][0];
-    return add(l, mul(l, ask(l, input, GROUP_DU, env), mul(l, by_u, inverse)),
-               mul(l, ask(l, input, GROUP_DV, env), mul(l, by_v, inverse)));
+    return add(l, mul(l, du, mul(l, by_u, inverse)), mul(l, dv, mul(l, by_v, inverse)));
 }
 
 Ref lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *input = param_node(node, P_UVTransform_input);
     if (group == GROUP_DU || group == GROUP_DV)
-        return uv_tangent(l, node, input, group, env);
+        return uv_tangent(l, node, ask(l, input, GROUP_DU, env), ask(l, input, GROUP_DV, env), group);
     if (group != GROUP_U)
         return ask(l, input, group, env);
     Ref m[3][3], uvw = ask(l, input, GROUP_U, env);

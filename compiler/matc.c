@@ -437,6 +437,7 @@ void document_evaluate(const MatcDocument *d, int material, const MatcOptions *o
     job_of(options, &job);
     const ReferenceContext context = {.noise = noise_for(job.choice[AXIS_noise], job.target)};
     Oracle *oracle = oracle_open(d->graph, &context);
+    oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
     for (int i = 0; i < count; i++)
         oracle_material(oracle, d->graph->materials[material].node, &points[i], &values[i]);
     oracle_close(oracle);

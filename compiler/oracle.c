@@ -15,7 +15,7 @@ void *oracle_alloc(size_t count, size_t size)
 
 void oracle_surface_default(Surface *surface)
 {
-    *surface = (Surface){.front = true};
+    *surface = (Surface){.front = true, .local_u = {1, 0, 0}, .local_v = {0, 1, 0}};
     surface->root[channel_id(GROUP_N, 2)] = 1;
     surface->root[channel_id(GROUP_DU, 0)] = 1;
     surface->root[channel_id(GROUP_DV, 1)] = 1;
@@ -50,6 +50,8 @@ Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
     oracle->reliefs = oracle_alloc((size_t)graph->node_count, sizeof *oracle->reliefs);
     return oracle;
 }
+
+void oracle_exact_derivatives(Oracle *oracle, bool exact) { oracle->exact = exact; }
 
 void oracle_close(Oracle *oracle)
 {

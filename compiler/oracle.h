@@ -14,6 +14,7 @@ static inline int channel_id(Group group, int lane) { return LANES_OF_GROUP * (i
 typedef struct {
     double root[CHANNEL_ID_COUNT]; /* what a map without input reads, by channel id */
     bool front;                    /* seen from the front */
+    double local_u[3], local_v[3]; /* how the object position changes by u and v; only exact derivatives read it */
 } Surface;
 
 /* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), ior 1, the rest 0. */
@@ -29,6 +30,8 @@ typedef struct {
 typedef struct Oracle Oracle;
 /* Keeps `graph`; copies `context`, of which only the noise is used (textures come from the document). */
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context);
+/* From now on BumpMap goes by the true slope of its height rather than by the maps' finite steps. */
+void oracle_exact_derivatives(Oracle *oracle, bool exact);
 void oracle_close(Oracle *oracle);
 
 /* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. */

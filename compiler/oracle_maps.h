@@ -15,6 +15,7 @@ struct Oracle {
     float **reliefs; /* by node index: a Carpenter's baked texels; NULL until first read */
     Memo **memos;    /* by depth of environments: node_count * CHANNEL_ID_COUNT cells */
     int memo_count;  /* depths reached so far */
+    bool exact;      /* derivatives are those of the map, not GroIMP's finite steps */
     uint64_t stamp;  /* that of the environment opened last; 0 is in no environment */
 };
 
@@ -47,6 +48,9 @@ void oracle_number3(const Node *node, int param, double result[3]);
 
 /* Calls the C reference of a library function. */
 void oracle_call(const Environment *environment, int function, const double *args, double *result);
+
+/* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
+void oracle_uv_slopes(const Node *node, double slope[2]);
 
 static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
 static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }

@@ -42,6 +42,52 @@ static bool in_frame(int channel)
     return in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
 }
 
+/* The height beside the point: (u, v) moved by `du` and `dv`, and with them the positions on the surface. */
+static double height_at(Environment *environment, const Node *height, double du, double dv)
+{
+    Surface surface = *environment->surface;
+    surface.root[channel_id(GROUP_U, 0)] += du;
+    surface.root[channel_id(GROUP_U, 1)] += dv;
+    for (int i = 0; i < 3; i++) {
+        surface.root[channel_id(GROUP_P, i)] +=
+            du * surface.root[channel_id(GROUP_DU, i)] + dv * surface.root[channel_id(GROUP_DV, i)];
+        surface.root[channel_id(GROUP_X, i)] += du * surface.local_u[i] + dv * surface.local_v[i];
+    }
+    Environment beside = environment_open(environment->oracle, &surface, environment->depth + 1);
+    return oracle_ask(&beside, height, channel_id(GROUP_R, 0));
+}
+
+/* A step that is small beside a float's rounding, so that either side of a crease can be told, and not beside a double's. */
+static double slope_step(const Surface *surface)
+{
+    double size = 1;
+    for (int i = 0; i < 3; i++) {
+        size = fmax(size, fabs(surface->root[channel_id(GROUP_U, i)]));
+        size = fmax(size, fabs(surface->root[channel_id(GROUP_X, i)]));
+        size = fmax(size, fabs(surface->root[channel_id(GROUP_P, i)]));
+    }
+    return ldexp(size, -26);
+}
+
+/* Derivatives of the height by u and v from differences. */
+static void exact_slopes(Environment *environment, const Node *height, double slope[2])
+{
+    double h = slope_step(environment->surface);
+    slope[0] = (height_at(environment, height, h, 0) - height_at(environment, height, -h, 0)) / (2 * h);
+    slope[1] = (height_at(environment, height, 0, h) - height_at(environment, height, 0, -h)) / (2 * h);
+}
+
+/* The tangents that the slopes are raised along are those of the input: where it turned them, so are the slopes. */
+static void along_tangents(const Node *input, double slope[2])
+{
+    if (!input)
+        return;
+    const Value *below = &input->params[0];
+    along_tangents(below->kind == VALUE_node ? below->node : NULL, slope);
+    if (input->kind == KIND_UVTransform)
+        oracle_uv_slopes(input, slope);
+}
+
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)
 {
     bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
@@ -50,9 +96,16 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     Frame frame;
     ask_frame(environment, node, &frame);
     double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
-    double slope_u = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
-    double slope_v = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
-    return raised(&frame, k * slope_u, k * slope_v, channel);
+    double slope[2];
+    if (environment->oracle->exact) {
+        exact_slopes(environment, node_param(node, P_BumpMap_displacement)->node, slope);
+        const Value *input = node_param(node, P_BumpMap_input);
+        along_tangents(input->kind == VALUE_node ? input->node : NULL, slope);
+    } else {
+        slope[0] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
+        slope[1] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
+    }
+    return raised(&frame, k * slope[0], k * slope[1], channel);
 }
 
 /* Where a WaveMap's waves are counted from, and how many of them. */

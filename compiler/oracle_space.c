@@ -39,6 +39,15 @@ static double uv_tangent(Environment *environment, const Node *node, int channel
            oracle_ask_input(environment, node, channel_id(GROUP_DV, lane)) * inverse[1][column];
 }
 
+void oracle_uv_slopes(const Node *node, double slope[2])
+{
+    UVMap map = uv_map(node);
+    double inverse[2][2], u = slope[0], v = slope[1];
+    uv_inverse(node, &map, inverse);
+    slope[0] = u * inverse[0][0] + v * inverse[1][0];
+    slope[1] = u * inverse[0][1] + v * inverse[1][1];
+}
+
 double oracle_UVTransform(Environment *environment, const Node *node, int channel)
 {
     if (in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV))

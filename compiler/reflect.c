@@ -6,7 +6,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-static const char *const sources[] = {"varying", "system", "draw"};
+static const char *const sources[] = {"varying", "system", "draw", "change"};
 
 typedef struct {
     Text *out;
@@ -40,7 +40,7 @@ static void put_inputs(Text *out, const Job *job, const Interface *interface, in
     List list = open_list(out, "inputs");
     for (int i = 0; i < INPUT_COUNT; i++) {
         const InputRow *row = &input_table[i];
-        if (!interface->inputs[i])
+        if (!interface->inputs[i] || row->source == SOURCE_change)
             continue;
         next(&list);
         text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"source\": \"%s\"", row->glsl,

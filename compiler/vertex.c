@@ -18,6 +18,8 @@ static const Feed feeds[] = {
     {INPUT_DV, "vec3 tangentV", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentV, 0.0)).xyz"},
     {INPUT_U, "vec2 texcoord", NULL, "texcoord"},
     {INPUT_X, "vec3 position", NULL, "position"},
+    {INPUT_XU, "vec3 tangentU", NULL, "tangentU"},
+    {INPUT_XV, "vec3 tangentV", NULL, "tangentV"},
     {INPUT_eyeN, "vec3 normal", "mat3 matc_eyeNormalFromLocal", "matc_eyeNormalFromLocal * normal"},
 };
 enum { FEED_COUNT = sizeof feeds / sizeof *feeds };

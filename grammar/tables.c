@@ -170,11 +170,30 @@ const WaveRow wave_table[WAVE_COUNT] = {
 #undef WAVE
 };
 
+const SlopeRow *slope_row(int function)
+{
+    static const SlopeRow rows[FUNCTION_COUNT] = {
+#define SLOPE(function, kind, argument, by, arguments) [FN_##function] = {SLOPE_##kind, argument, FN_##by, arguments},
+#define MAP_SLOPE(map, kind, argument, by, arguments)                                                                  \
+    [FN_FIRST_MAP + KIND_##map] = {SLOPE_##kind, argument, FN_##by, arguments},
+#include "slopes.def"
+    };
+    return &rows[function];
+}
+
 const InputRow input_table[INPUT_COUNT] = {
 #define INPUT(name, type, source, glsl, doc) {#name, TYPE_##type, SOURCE_##source, glsl, doc},
 #include "inputs.def"
 #undef INPUT
 };
+
+const ChangeRow change_table[] = {
+#define INPUT(name, type, source, glsl, doc)
+#define CHANGE(name, of, type, operator, glsl, doc) {INPUT_##name, INPUT_##of, #operator},
+#include "inputs.def"
+#undef INPUT
+};
+const int change_count = sizeof change_table / sizeof *change_table;
 
 const ColorRow color_table[] = {
 #define COLOR(name, r, g, b) {#name, {r, g, b}},

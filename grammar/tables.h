@@ -209,13 +209,23 @@ const FunctionRow *function_row(int function);
 /* A letter for each argument: f i 2 3 4 s. */
 const char *function_arguments(int function);
 
+/* How a function is differentiated. */
+typedef enum { SLOPE_difference, SLOPE_flat, SLOPE_gradient, SLOPE_along, SLOPE_factor } SlopeKind;
+typedef struct {
+    SlopeKind kind;
+    int argument;          /* by which */
+    int by;                /* the function that gives the derivative */
+    const char *arguments; /* its arguments, as slopes.def has them */
+} SlopeRow;
+const SlopeRow *slope_row(int function);
+
 typedef enum {
 #define INPUT(name, type, source, glsl, doc) INPUT_##name,
 #include "inputs.def"
 #undef INPUT
     INPUT_COUNT
 } Input;
-typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw } InputSource;
+typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw, SOURCE_change } InputSource;
 typedef struct {
     const char *name;
     Type type;
@@ -224,6 +234,13 @@ typedef struct {
     const char *doc;
 } InputRow;
 extern const InputRow input_table[INPUT_COUNT];
+/* An input that is how another changes over the screen. */
+typedef struct {
+    Input input, of;
+    const char *by; /* "dFdx" or "dFdy" */
+} ChangeRow;
+extern const ChangeRow change_table[];
+extern const int change_count;
 
 typedef struct {
     const char *name;

@@ -26,6 +26,9 @@ typedef enum {
     REFERENCE_LATTICE,       /* integer hash: glsl330 and up, essl300 */
     REFERENCE_LATTICE_FLOAT, /* float hash: glsl110 */
     REFERENCE_GROIMP,        /* GroIMP's tables */
+    REFERENCE_SIMPLEX,       /* simplex lattice, integer hash */
+    REFERENCE_SIMPLEX_FLOAT, /* the same with the float hash */
+    REFERENCE_NOISE_COUNT
 } ReferenceNoise;
 
 typedef struct {
@@ -47,6 +50,8 @@ static inline double fraction(double v) { return v - floor(v); }
 /* L_0 of semantics.md 3.1 with table offset 0, and (L_0, L_8, L_16): value-plus-gradient lattice noise. */
 double reference_lattice(ReferenceNoise noise, const double p[3]);
 void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3]);
+/* The three outputs and the gradient of each. */
+void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3], double slope[3][3]);
 /* GroIMP's tables: permutation of 0..65535 and 512 numbers in [-1, 1). Built once, on first use, by any thread. */
 const uint16_t *reference_permutation(void);
 const float *reference_random_table(void);

@@ -6,9 +6,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/fold.h"
-#include "runtime/lib/carpenter.h"
 #include "tests/value/documents.h"
 #include "tests/value/points.h"
+#include "tests/value/textures.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,30 +30,6 @@ static int sample_points(Point samples[SAMPLES])
         if (!point_is_extreme(&points[i]))
             samples[count++] = points[i];
     return count;
-}
-
-/* The textures of an IR, as the reference functions take them. */
-static void make_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[TEXTURES])
-{
-    assert_true(ir->texture_count <= TEXTURES);
-    for (size_t i = 0; i < ir->texture_count; i++) {
-        const IrTexture *t = &ir->textures[i];
-        textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .lanes = 1};
-        if (t->kind == TEXTURE_image) {
-            textures[i].lanes = 4;
-            textures[i].bytes = t->image->bytes;
-            continue;
-        }
-        double n[4];
-        float *floats = arena_alloc(arena, sizeof *floats * (size_t)t->width * (size_t)t->height);
-        for (int k = 0; k < 4; k++) {
-            double lanes[4];
-            value_number(&t->node->params[1 + k], TYPE_float, lanes);
-            n[k] = lanes[0];
-        }
-        carpenter_bake(n[0], n[1], n[2], (int64_t)n[3], t->width, t->height, floats);
-        textures[i].floats = floats;
-    }
 }
 
 static void make_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4])
@@ -92,7 +68,7 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
 {
     Arena arena = {0};
     ReferenceTexture textures[TEXTURES];
-    make_textures(&arena, ir, textures);
+    assert_true(textures_of(&arena, ir, textures, TEXTURES));
     ReferenceContext context = {ir->noise, textures};
     for (int i = 0; i < 2 * t->count; i++) {
         bool front = i < t->count;

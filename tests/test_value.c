@@ -23,17 +23,19 @@
 typedef struct {
     Target target;
     int optimize;
-    Choice noise;
+    Choice choice; /* the one that is not its axis' default, if any */
 } Variant;
 
-/* GroIMP's noise only where there is noise. */
+/* Without a footprint filtered maps have the values of plain ones. */
 static const Variant variants[] = {
-    {TARGET_glsl330, 0, CHOICE_noise_lattice}, {TARGET_glsl330, 2, CHOICE_noise_lattice},
-    {TARGET_glsl110, 2, CHOICE_noise_lattice}, {TARGET_glsl450, 2, CHOICE_noise_lattice},
-    {TARGET_essl300, 2, CHOICE_noise_lattice}, {TARGET_glsl330, 2, CHOICE_noise_groimp},
-    {TARGET_glsl110, 2, CHOICE_noise_groimp},
+    {TARGET_glsl330, 0, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_lattice},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice},        {TARGET_glsl450, 2, CHOICE_noise_lattice},
+    {TARGET_essl300, 2, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_groimp},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp},         {TARGET_glsl330, 2, CHOICE_noise_simplex},
+    {TARGET_glsl110, 2, CHOICE_noise_simplex},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
+    {TARGET_glsl110, 2, CHOICE_derivatives_analytic},
 };
-enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_GROIMP + 1 };
+enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_NOISE_COUNT };
 
 /* The worst that was seen of values that a subject takes part in. */
 typedef struct {
@@ -85,7 +87,7 @@ typedef struct {
     Document *document;
     int material;
     Oracle *oracles[NOISES];
-    Hull *hulls[NOISES][2]; /* by noise and side */
+    Hull *hulls[NOISES][2][2]; /* by noise, exact derivatives and side */
 } Subject;
 
 static Fault *fault_of(Run *run, const char *slot)
@@ -129,9 +131,9 @@ static void turn_hulls(const Hull *front, Hull *back)
         }
 }
 
-static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool front)
+static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool exact, bool front)
 {
-    Hull **hulls = &s->hulls[noise][front];
+    Hull **hulls = &s->hulls[noise][exact][front];
     if (*hulls)
         return *hulls;
     if (!s->oracles[noise])
@@ -142,11 +144,12 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool fr
     Subjects subjects;
     subjects_of(s->document->graph->materials[s->material].node, SLOT_normal, &subjects);
     if (!front && !subjects.has[KIND_SideSwitch]) {
-        turn_hulls(hulls_of(w, s, noise, true), *hulls);
+        turn_hulls(hulls_of(w, s, noise, exact, true), *hulls);
         return *hulls;
     }
+    oracle_exact_derivatives(s->oracles[noise], exact);
     points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, w->run->points, POINT_COUNT, front,
-                 &reach_float, *hulls);
+                 noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT ? &reach_steep : &reach_float, *hulls);
     return *hulls;
 }
 
@@ -154,8 +157,8 @@ static void forget(Subject *s)
 {
     for (int noise = 0; noise < NOISES; noise++) {
         oracle_close(s->oracles[noise]);
-        for (int front = 0; front < 2; front++)
-            free(s->hulls[noise][front]);
+        for (int i = 0; i < 4; i++)
+            free(s->hulls[noise][i / 2][i % 2]);
     }
 }
 
@@ -188,7 +191,7 @@ static void name_slot(const Case *c, char *text, size_t room)
 
 static const char *variant_name(const Variant *v, bool front, char text[64])
 {
-    snprintf(text, 64, "%s -O%d %s%s", target_table[v->target].name, v->optimize, choice_table[v->noise].name,
+    snprintf(text, 64, "%s -O%d %s%s", target_table[v->target].name, v->optimize, choice_table[v->choice].name,
              front ? "" : " back");
     return text;
 }
@@ -211,6 +214,25 @@ static void record(Run *run, const Case *c, double worst, const char *name, int 
     pthread_mutex_unlock(&run->lock);
 }
 
+/* So far out that differences of the oracle's doubles are no measure of a derivative. */
+static bool point_is_far(const Point *point)
+{
+    const float far = 1000;
+    float greatest = 0;
+    for (int i = 0; i < 3; i++) {
+        greatest = fmaxf(greatest, fabsf(point->input[INPUT_X][i]));
+        greatest = fmaxf(greatest, fmaxf(fabsf(point->input[INPUT_P][i]), fabsf(point->input[INPUT_U][i])));
+    }
+    return greatest > far;
+}
+
+/* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there stays within a rounding. */
+static bool point_on_edges(const Point *point)
+{
+    const float near = 1e-5f, *u = point->input[INPUT_U];
+    return fabsf(4 * u[0] - rintf(4 * u[0])) < near && fabsf(4 * u[1] - rintf(4 * u[1])) < near;
+}
+
 static bool is_sharp(const Hull *hull, const Case *c, int lane)
 {
     double width = hull->high.lane[c->slot][lane] - hull->low.lane[c->slot][lane];
@@ -220,14 +242,19 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
 /* The worst lane of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
-    ReferenceNoise noise = noise_for(c->variant->noise, c->variant->target);
-    const Hull *hulls = hulls_of(w, c->subject, noise, front);
+    Choice choice = c->variant->choice;
+    Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
+    ReferenceNoise noise = noise_for(basis, c->variant->target);
+    bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
+    const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++)
         for (int k = 0; k < lanes; k++) {
             double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
-            if (point_is_extreme(&w->run->points[i]) && isfinite(rgba[4 * i + k]))
+            bool far = point_is_extreme(&w->run->points[i]) || (exact && point_is_far(&w->run->points[i])) ||
+                       (steep && point_on_edges(&w->run->points[i]));
+            if (far && isfinite(rgba[4 * i + k]))
                 continue;
             sharp += is_sharp(&hulls[i], c, k);
             bad += miss > c->bound;
@@ -323,7 +350,8 @@ static void check_variant(Worker *w, const Case *c)
     options.pass = "value";
     options.slot = slot_table[c->slot].name;
     options.target = target_table[c->variant->target].name;
-    options.noise = choice_table[c->variant->noise].name;
+    const ChoiceRow *choice = &choice_table[c->variant->choice];
+    matc_options_set(&options, axis_table[choice->axis].name, choice->name);
     options.optimize = c->variant->optimize;
     options.validate = false;
     MatcProgram *program = matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
@@ -340,6 +368,16 @@ static void check_variant(Worker *w, const Case *c)
     pthread_mutex_unlock(&w->run->lock);
 }
 
+/* Whether a choice can change what the subjects make. */
+static bool matters(Choice choice, const Subjects *subjects)
+{
+    if (axis_table[choice_table[choice].axis].first == (int)choice)
+        return true;
+    if (choice_table[choice].axis == AXIS_noise)
+        return subjects_noise(subjects);
+    return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap];
+}
+
 static void check_material(Worker *w, Document *document, int material, bool changed)
 {
     Subject subject = {.document = document, .material = material};
@@ -348,7 +386,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
         subjects_of(document->graph->materials[material].node, (Slot)slot, &subjects);
         int governing = subject_governing(&subjects);
         for (int i = 0; i < VARIANTS; i++)
-            if (variants[i].noise == CHOICE_noise_lattice || subjects_noise(&subjects))
+            if (matters(variants[i].choice, &subjects))
                 check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], &subjects, governing,
                                          bound_table[governing].bound, changed});
     }

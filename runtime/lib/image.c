@@ -71,3 +71,35 @@ REFERENCE(carpenterRelief)
     mixed(texture, low, weight, lanes);
     result[0] = lanes[0];
 }
+
+/* How the mix of four texels changes with its weights, each moving by `rate`. */
+static void mixed_along(const ReferenceTexture *texture, const double at[2], const double weight[2],
+                        const double rate[2], double result[LANES])
+{
+    double corner[4][LANES];
+    for (int i = 0; i < 4; i++)
+        texel(texture, at[0] + (i & 1), at[1] + (i >> 1), corner[i]);
+    for (int lane = 0; lane < LANES; lane++) {
+        double by_u = blend(corner[1][lane] - corner[0][lane], corner[3][lane] - corner[2][lane], weight[1]);
+        double by_v = blend(corner[2][lane] - corner[0][lane], corner[3][lane] - corner[1][lane], weight[0]);
+        result[lane] = by_u * rate[0] + by_v * rate[1];
+    }
+}
+
+REFERENCE(imageAlong)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    const double at[2] = {fraction(args[1]) * texture->width, fraction(args[2]) * texture->height};
+    const double low[2] = {floor(at[0]), floor(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
+    mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, result);
+}
+
+REFERENCE(reliefAlong)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    const double at[2] = {(args[1] - trunc(args[1])) * texture->width, (args[2] - trunc(args[2])) * texture->height};
+    const double low[2] = {trunc(at[0]), trunc(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
+    double lanes[LANES];
+    mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, lanes);
+    result[0] = lanes[0];
+}

@@ -12,7 +12,8 @@ enum {
     PRIME = 761,        /* modulus of the float hash */
     PRIME_STEP = 17     /* added to a float hash before it is permuted again */
 };
-#define GROIMP_SEED 123456789
+#define GROIMP_SEED   123456789
+#define SIMPLEX_SCALE 71.0
 
 typedef struct {
     double number[OUTPUTS][NUMBERS];
@@ -115,6 +116,7 @@ static Corner corner_of(ReferenceNoise noise, const uint32_t c[3])
 {
     switch (noise) {
     case REFERENCE_LATTICE_FLOAT:
+    case REFERENCE_SIMPLEX_FLOAT:
         return float_corner(c);
     case REFERENCE_GROIMP:
         return groimp_corner(c);
@@ -130,32 +132,108 @@ static uint32_t wrap(double whole)
     return wrapped >= 0 && wrapped < PERIOD ? (uint32_t)wrapped : 0;
 }
 
-void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3])
+/* Adds a corner's value-plus-gradient term times a weight, and the derivative of that. */
+static void add_corner(const Corner *corner, const double e[3], double weight, const double weight_slope[3],
+                       double sum[OUTPUTS], double slope[OUTPUTS][3])
+{
+    for (int output = 0; output < OUTPUTS; output++) {
+        const double *t = corner->number[output];
+        double term = t[0] / 2 + t[1] * e[0] + t[2] * e[1] + t[3] * e[2];
+        sum[output] += weight * term;
+        for (int axis = 0; axis < 3; axis++)
+            slope[output][axis] += weight * t[1 + axis] + weight_slope[axis] * term;
+    }
+}
+
+/* Value-plus-gradient noise on the cubic lattice: weights s(t) = 3 t^2 - 2 t^3 along each axis. */
+static void cubic(ReferenceNoise noise, const double p[3], double sum[OUTPUTS], double slope[OUTPUTS][3])
 {
     uint32_t cell[3];
-    double d[3], sum[OUTPUTS] = {0};
+    double d[3];
     for (int axis = 0; axis < 3; axis++) {
         cell[axis] = wrap(floor(p[axis]));
         d[axis] = fraction(p[axis]);
     }
     for (int index = 0; index < 8; index++) {
         uint32_t c[3];
-        double e[3], weight = 1;
+        double e[3], share[3], rise[3];
         for (int axis = 0; axis < 3; axis++) {
             int upper = index >> axis & 1;
-            double s = d[axis] * d[axis] * (3 - 2 * d[axis]);
+            double s = d[axis] * d[axis] * (3 - 2 * d[axis]), ds = 6 * d[axis] * (1 - d[axis]);
             c[axis] = (cell[axis] + (uint32_t)upper) % PERIOD;
             e[axis] = d[axis] - upper;
-            weight *= upper ? s : 1 - s;
+            share[axis] = upper ? s : 1 - s;
+            rise[axis] = upper ? ds : -ds;
         }
+        const double weight_slope[3] = {rise[0] * share[1] * share[2], share[0] * rise[1] * share[2],
+                                        share[0] * share[1] * rise[2]};
         Corner corner = corner_of(noise, c);
-        for (int output = 0; output < OUTPUTS; output++) {
-            const double *t = corner.number[output];
-            sum[output] += weight * (t[0] / 2 + t[1] * e[0] + t[2] * e[1] + t[3] * e[2]);
-        }
+        add_corner(&corner, e, share[0] * share[1] * share[2], weight_slope, sum, slope);
     }
-    for (int output = 0; output < OUTPUTS; output++)
-        result[output] = sum[output];
+}
+
+/* The corners of the simplex around x, in order: each step goes along the axis of the next smaller fraction. */
+static void simplex_steps(const double x[3], int steps[4][3])
+{
+    int rank[3];
+    for (int i = 0; i < 3; i++) {
+        rank[i] = 0;
+        for (int k = 0; k < 3; k++)
+            rank[i] += k != i && (x[k] > x[i] || (x[k] == x[i] && k < i));
+    }
+    for (int corner = 0; corner < 4; corner++)
+        for (int i = 0; i < 3; i++)
+            steps[corner][i] = rank[i] < corner;
+}
+
+/* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which ends where a simplex does, so that
+ * the noise is continuous; the kernel's usual 0.6 is not. */
+static void simplex(ReferenceNoise noise, const double far[3], double sum[OUTPUTS], double slope[OUTPUTS][3])
+{
+    const double p[3] = {fmod(far[0], 3. * PERIOD), fmod(far[1], 3. * PERIOD), fmod(far[2], 3. * PERIOD)};
+    double skew = (p[0] + p[1] + p[2]) / 3, base[3], x0[3], unskew;
+    int steps[4][3];
+    for (int i = 0; i < 3; i++)
+        base[i] = floor(p[i] + skew);
+    unskew = (base[0] + base[1] + base[2]) / 6;
+    for (int i = 0; i < 3; i++)
+        x0[i] = p[i] - (base[i] - unskew);
+    simplex_steps(x0, steps);
+    for (int index = 0; index < 4; index++) {
+        uint32_t c[3];
+        double e[3], r = 0, weight_slope[3];
+        for (int i = 0; i < 3; i++) {
+            c[i] = wrap(base[i] + steps[index][i]);
+            e[i] = x0[i] - steps[index][i] + index / 6.;
+            r += e[i] * e[i];
+        }
+        double t = fmax(.5 - r, 0);
+        for (int i = 0; i < 3; i++)
+            weight_slope[i] = -8 * SIMPLEX_SCALE * t * t * t * e[i];
+        Corner corner = corner_of(noise, c);
+        for (int output = 0; output < OUTPUTS; output++)
+            corner.number[output][0] = 0;
+        add_corner(&corner, e, SIMPLEX_SCALE * t * t * t * t, weight_slope, sum, slope);
+    }
+}
+
+void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3], double slope[3][3])
+{
+    for (int output = 0; output < OUTPUTS; output++) {
+        result[output] = 0;
+        for (int axis = 0; axis < 3; axis++)
+            slope[output][axis] = 0;
+    }
+    if (noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT)
+        simplex(noise, p, result, slope);
+    else
+        cubic(noise, p, result, slope);
+}
+
+void reference_lattice3(ReferenceNoise noise, const double p[3], double result[3])
+{
+    double slope[OUTPUTS][3];
+    reference_lattice_slope(noise, p, result, slope);
 }
 
 double reference_lattice(ReferenceNoise noise, const double p[3])

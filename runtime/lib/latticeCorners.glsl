@@ -1,13 +1,6 @@
-// needs:
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a bijective
-// finaliser (two rounds of shift and multiply), so that the top bits of every shift of the hash are good.
+// needs: latticeFinal
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
 // The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
-uvec4 latticeFinal(uvec4 h) {
-    h = (h ^ (h >> 16u)) * 0x7FEB352Du;
-    h = (h ^ (h >> 15u)) * 0x846CA68Bu;
-    return h ^ (h >> 16u);
-}
-
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));

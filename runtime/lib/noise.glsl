@@ -1,5 +1,6 @@
 // needs: lattice
-// Noise in [-1, 1], standard deviation 1/2, not zero at whole p. About one sample in twenty is clamped.
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped.
 float noise(vec3 p) {
-    return clamp(2.0 * lattice(p), -1.0, 1.0);
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
 }

@@ -32,6 +32,19 @@ REFERENCE(safeNormalize)
         result[i] = v[i] / length;
 }
 
+REFERENCE(normalizeAlong)
+{
+    (void)context;
+    double length = sqrt(args[0] * args[0] + args[1] * args[1] + args[2] * args[2]), toward = 0, n[3];
+    length = fmax(length, 1e-30);
+    for (int i = 0; i < 3; i++) {
+        n[i] = args[i] / length;
+        toward += n[i] * args[3 + i];
+    }
+    for (int i = 0; i < 3; i++)
+        result[i] = (args[3 + i] - n[i] * toward) / length;
+}
+
 /* The oracle's eye space is the world. */
 REFERENCE(eyeFromWorld)
 {

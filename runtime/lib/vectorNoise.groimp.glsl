@@ -1,12 +1,16 @@
-// needs: latticeCorners latticeMix latticeTerms
-// GroIMP's vector noise (L_0, L_8, L_16) at p: the same corners, the random table from another place on.
-vec3 vectorNoise(vec3 p) {
-    vec3 cell = floor(p);
-    vec3 d = p - cell;
+// needs: latticeCorners latticeMix latticeNext latticeScale latticeTerms
+// Three lattice noises at a point of a cell: the first is lattice(cell, d), the others take further hashes of the same corners.
+vec3 vectorNoise(vec3 cell, vec3 d) {
     vec3 e = d - vec3(0.0, 0.0, 1.0);
+    vec3 sum;
     ivec4 low, high;
     latticeCorners(cell, low, high);
-    return vec3(latticeMix(latticeTerms(low, d), latticeTerms(high, e), d),
-                latticeMix(latticeTerms(low + 8, d), latticeTerms(high + 8, e), d),
-                latticeMix(latticeTerms(low + 16, d), latticeTerms(high + 16, e), d));
+    sum.x = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
+    low = latticeNext(low);
+    high = latticeNext(high);
+    sum.y = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
+    low = latticeNext(low);
+    high = latticeNext(high);
+    sum.z = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
+    return sum * latticeScale;
 }

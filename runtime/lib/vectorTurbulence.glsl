@@ -5,7 +5,8 @@ vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRati
     float strength = 1.0;
     vec3 sum = vec3(0.0);
     for (int k = 0; k < count; k++) {
-        sum += strength * vectorNoise(p);
+        vec3 cell = floor(p);
+        sum += strength * vectorNoise(cell, p - cell);
         strength *= noiseRatio;
         p *= frequencyRatio;
     }

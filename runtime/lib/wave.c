@@ -24,3 +24,16 @@ REFERENCE(waveExpm1)
     (void)context;
     result[0] = expm1(fmin(args[0], WAVE_EXP_LIMIT));
 }
+
+REFERENCE(waveTanhSlope)
+{
+    (void)context;
+    double c = cosh(clamp(args[0], -WAVE_EXP_LIMIT, WAVE_EXP_LIMIT));
+    result[0] = 1 / (c * c);
+}
+
+REFERENCE(waveExp)
+{
+    (void)context;
+    result[0] = exp(fmin(args[0], WAVE_EXP_LIMIT));
+}

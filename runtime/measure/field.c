@@ -4,7 +4,7 @@
 #include <string.h>
 
 const char *const field_attributes[FIELD_VARYINGS + 1] = {
-    "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray",
+    "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray", "in_XU", "in_XV",
 };
 
 /* Number `index` of an even sequence in [0, 1) for each dimension: multiples of an irrational number. */
@@ -34,6 +34,8 @@ static void set_frame(FieldVertex *v, double height, double angle, double turn)
         v->input[INPUT_DV][i] = (float)(a * north[i] - b * east[i]);
     }
     memcpy(v->input[INPUT_eyeN], v->input[INPUT_N], sizeof v->input[INPUT_N]);
+    memcpy(v->input[INPUT_XU], v->input[INPUT_DU], sizeof v->input[INPUT_DU]);
+    memcpy(v->input[INPUT_XV], v->input[INPUT_DV], sizeof v->input[INPUT_DV]);
     set3(v->input[INPUT_ray], -r * c, -r * s, -height);
 }
 
@@ -63,6 +65,10 @@ void field_surface(const FieldVertex *point, Surface *surface)
     for (Group group = 0; group < GROUP_R; group++)
         for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
             surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
+    for (int lane = 0; lane < 3; lane++) {
+        surface->local_u[lane] = point->input[INPUT_XU][lane];
+        surface->local_v[lane] = point->input[INPUT_XV][lane];
+    }
 }
 
 /* Corner (x, y) of the picture, and where its line of sight meets the plane: the clip coordinates' w is the depth there, so
@@ -84,6 +90,8 @@ static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y
     set3(v->input[INPUT_eyeN], 0, 0, 1);
     set3(v->input[INPUT_DU], 1 / view->scale, 0, 0);
     set3(v->input[INPUT_DV], 0, 1 / view->scale, 0);
+    set3(v->input[INPUT_XU], 1 / view->scale, 0, 0);
+    set3(v->input[INPUT_XV], 0, 1 / view->scale, 0);
     set3(v->input[INPUT_ray], px, py, -1);
 }
 

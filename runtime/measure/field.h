@@ -6,7 +6,7 @@
 #include "runtime/gl/context.h"
 
 enum { FIELD_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */
-_Static_assert(INPUT_P == 0 && INPUT_ray == FIELD_VARYINGS - 1, "the varyings come first");
+_Static_assert(INPUT_P == 0 && INPUT_XV == FIELD_VARYINGS - 1, "the varyings come first");
 
 typedef struct {
     float at[4];                    /* clip space */

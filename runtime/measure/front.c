@@ -2,9 +2,11 @@
 #include "measure.h"
 #include <math.h>
 
+/* Who is a hundredth more exact at greater cost has gained nothing. */
 static bool beats(const FrontPoint *a, const FrontPoint *b)
 {
-    return a->time <= b->time && a->error <= b->error && (a->time < b->time || a->error < b->error);
+    const double alike = 1.01;
+    return a->time <= b->time && a->error <= alike * b->error && (a->time < b->time || a->error < b->error);
 }
 
 void front_mark(FrontPoint *points, int count)

@@ -12,13 +12,12 @@ enum { LEAST_ROUNDS = 5, SOFTWARE_SIDE = 512, HARDWARE_SIDE = 2048, MOST_MEAN = 
 /* A program of pass value whose errors are known: variants often share it. */
 typedef struct {
     char *fragment;
-    int slot, noise; /* choice of the reference */
+    int slot, truth; /* of the reference */
     Distance computed, aliased;
 } Known;
 
 /* Values that several variants are compared with. */
 typedef struct {
-    int noise;
     SlotValues *values;      /* by the C reference */
     float *mean[SLOT_COUNT]; /* supersampled; NULL: not made yet */
 } Truth;
@@ -31,8 +30,8 @@ typedef struct {
     Framebuffer picture;
     Known *known;
     int known_count, known_room;
-    Truth truth[CHOICE_COUNT]; /* by the choice of noise */
-    Shader *shaders;           /* of pass gbuffer, one for each of the list */
+    Truth truth[CHOICE_COUNT * CHOICE_COUNT]; /* by the choices of noise and derivatives */
+    Shader *shaders;                          /* of pass gbuffer, one for each of the list */
     double start;
 } Work;
 
@@ -55,9 +54,15 @@ static void *make(size_t count, size_t size)
     return memory;
 }
 
+/* Two noises are two pictures, and so are finite and exact derivatives. */
+static int truth_index(const Variant *variant)
+{
+    return variant->choice[AXIS_noise] * CHOICE_COUNT + variant->choice[AXIS_derivatives];
+}
+
 static Truth *truth_of(Work *w, const Variant *variant)
 {
-    Truth *truth = &w->truth[variant->choice[AXIS_noise]];
+    Truth *truth = &w->truth[truth_index(variant)];
     if (truth->values)
         return truth;
     truth->values = make(POINTS, sizeof *truth->values);
@@ -102,6 +107,7 @@ static const float *mean_of(Work *w, const Variant *variant, int slot)
     Variant plain;
     variant_of(w->request->options, &plain);
     plain.choice[AXIS_noise] = variant->choice[AXIS_noise];
+    plain.choice[AXIS_derivatives] = variant->choice[AXIS_derivatives];
     plain.choice[AXIS_aa] = CHOICE_aa_none;
     MatcOptions options = variant_options(&plain, w->request->options);
     options.pass = "value";
@@ -162,10 +168,10 @@ static Distance find_computed(Work *w, const Variant *variant, int slot, const S
     return result;
 }
 
-static const Known *find_known(const Work *w, const char *fragment, int slot, int noise)
+static const Known *find_known(const Work *w, const char *fragment, int slot, int truth)
 {
     for (int i = 0; i < w->known_count; i++)
-        if (w->known[i].slot == slot && w->known[i].noise == noise && !strcmp(w->known[i].fragment, fragment))
+        if (w->known[i].slot == slot && w->known[i].truth == truth && !strcmp(w->known[i].fragment, fragment))
             return &w->known[i];
     return NULL;
 }
@@ -177,7 +183,7 @@ static const Known *learn(Work *w, const Variant *variant, int slot, MatcProgram
 {
     Shader shader = {0};
     const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
-    Known known = {strdup(fragment), slot, variant->choice[AXIS_noise], {NAN, NAN}, {NAN, NAN}};
+    Known known = {strdup(fragment), slot, truth_index(variant), {NAN, NAN}, {NAN, NAN}};
     if (!known.fragment)
         abort();
     if (shader_make(w->meter->gl, program, &shader)) {
@@ -199,7 +205,7 @@ static void measure_slot(Work *w, Measured *m, int slot)
     MatcProgram *program = shader_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
     if (!program)
         return;
-    const Known *known = find_known(w, matc_output(program, MATC_FRAGMENT, NULL), slot, m->variant.choice[AXIS_noise]);
+    const Known *known = find_known(w, matc_output(program, MATC_FRAGMENT, NULL), slot, truth_index(&m->variant));
     if (known)
         matc_program_free(program);
     else
@@ -386,7 +392,7 @@ static void discard(Work *w, int shaders)
         shader_delete(gl, &w->shaders[i]);
     for (int i = 0; i < w->known_count; i++)
         free(w->known[i].fragment);
-    for (int i = 0; i < CHOICE_COUNT; i++) {
+    for (int i = 0; i < CHOICE_COUNT * CHOICE_COUNT; i++) {
         free(w->truth[i].values);
         for (int slot = 0; slot < SLOT_COUNT; slot++)
             free(w->truth[i].mean[slot]);

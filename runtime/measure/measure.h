@@ -62,7 +62,8 @@ void measure_reference(const MeasureRequest *request, const Variant *variant, co
 /* Of one slot over the points; `lanes` lanes each. */
 Distance measure_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count);
 
-/* Marks the members for which no other is better in one of time and error and as good in the other. */
+/* Marks the members for which no other is better in one of time and error and as good in the other; errors within a hundredth
+ * of each other are alike. */
 typedef struct {
     double time, error;
     bool front;

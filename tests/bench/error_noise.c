@@ -24,6 +24,7 @@ static bool make_square(Meter *m, double extent, Field *made)
         v->at[1] = 1.1f * y;
         v->at[3] = 1;
         v->input[INPUT_N][2] = v->input[INPUT_eyeN][2] = v->input[INPUT_DU][0] = v->input[INPUT_DV][1] = 1;
+        v->input[INPUT_XU][0] = v->input[INPUT_XV][1] = 1;
         for (int k = 0; k < 3; k++) {
             float at = 1.1f * reach * (k == 0 ? x : k == 1 ? y : 0.1f * x + 0.3f);
             v->input[INPUT_P][k] = v->input[INPUT_X][k] = at;

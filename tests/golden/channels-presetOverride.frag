@@ -29,15 +29,15 @@ vec2 encodeSpheremap(vec3 n) {
     return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
 }
 
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a bijective
-// finaliser (two rounds of shift and multiply), so that the top bits of every shift of the hash are good.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
     return h ^ (h >> 16u);
 }
 
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
+// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
@@ -56,6 +56,9 @@ float latticeMix(vec4 low, vec4 high, vec3 d) {
     return mix(line.x, line.y, s.x);
 }
 
+// A hash read as a signed number is this much of 1.
+const float latticeScale = 1.0 / 2147483648.0;
+
 // Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
 // A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
 vec4 latticeTerms(uvec4 hash, vec3 d) {
@@ -65,19 +68,18 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
          + vec4(ivec4(hash << 21u)) * d.z;
 }
 
-// Lattice noise: at each corner of p's cell a value and a gradient from an integer hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same float p.
-float lattice(vec3 p) {
-    vec3 cell = floor(p);
-    vec3 d = p - cell;
+// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
+// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+float lattice(vec3 cell, vec3 d) {
     uvec4 low, high;
     latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * (1.0 / 2147483648.0);
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
 }
 
-// Noise in [-1, 1], standard deviation 1/2, not zero at whole p. About one sample in twenty is clamped.
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped.
 float noise(vec3 p) {
-    return clamp(2.0 * lattice(p), -1.0, 1.0);
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
 }
 
 // Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.

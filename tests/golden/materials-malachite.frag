@@ -30,15 +30,15 @@ vec2 encodeSpheremap(vec3 n) {
     return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
 }
 
-// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a bijective
-// finaliser (two rounds of shift and multiply), so that the top bits of every shift of the hash are good.
-// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
     h = (h ^ (h >> 15u)) * 0x846CA68Bu;
     return h ^ (h >> 16u);
 }
 
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
+// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
 void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
     const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
     uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
@@ -63,6 +63,9 @@ uvec4 latticeNext(uvec4 hash) {
     return hash ^ (hash >> 16u);
 }
 
+// A hash read as a signed number is this much of 1.
+const float latticeScale = 1.0 / 2147483648.0;
+
 // Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
 // A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
 vec4 latticeTerms(uvec4 hash, vec3 d) {
@@ -72,10 +75,8 @@ vec4 latticeTerms(uvec4 hash, vec3 d) {
          + vec4(ivec4(hash << 21u)) * d.z;
 }
 
-// Three lattice noises at p; the first is lattice(p), the others take further hashes of the same corners.
-vec3 vectorNoise(vec3 p) {
-    vec3 cell = floor(p);
-    vec3 d = p - cell;
+// Three lattice noises at a point of a cell: the first is lattice(cell, d), the others take further hashes of the same corners.
+vec3 vectorNoise(vec3 cell, vec3 d) {
     vec3 e = d - vec3(0.0, 0.0, 1.0);
     vec3 sum;
     uvec4 low, high;
@@ -87,7 +88,7 @@ vec3 vectorNoise(vec3 p) {
     low = latticeNext(low);
     high = latticeNext(high);
     sum.z = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
-    return sum * (1.0 / 2147483648.0);
+    return sum * latticeScale;
 }
 
 // Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
@@ -96,7 +97,8 @@ vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRati
     float strength = 1.0;
     vec3 sum = vec3(0.0);
     for (int k = 0; k < count; k++) {
-        sum += strength * vectorNoise(p);
+        vec3 cell = floor(p);
+        sum += strength * vectorNoise(cell, p - cell);
         strength *= noiseRatio;
         p *= frequencyRatio;
     }

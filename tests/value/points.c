@@ -4,6 +4,7 @@
 
 const double point_ior = 1.25;
 const Reach reach_float = {4. / (1 << 23), 4. / (1 << 23)};
+const Reach reach_steep = {12. / (1 << 23), 12. / (1 << 23)};
 const Reach reach_double = {1e-13, 1e-13};
 
 /* A sequence of numbers in [0, 1) for each dimension, evenly spread: multiples of an irrational number. */
@@ -44,6 +45,8 @@ static Point random_point(int index, double size)
         p.input[INPUT_P][i] = (float)(size * (2 * spread(&s, DIMENSION_P + i) - 1));
         p.input[INPUT_DU][i] = (float)(4 * spread(&s, DIMENSION_DU + i) - 2);
         p.input[INPUT_DV][i] = (float)(4 * spread(&s, DIMENSION_DV + i) - 2);
+        p.input[INPUT_XU][i] = (float)(3 * spread(&s, DIMENSION_DV + 2 - i) - 1);
+        p.input[INPUT_XV][i] = (float)(3 * spread(&s, DIMENSION_DU + 2 - i) - 2);
     }
     random_direction(p.input[INPUT_N], &s, DIMENSION_N, lengths[index % 5]);
     random_direction(p.input[INPUT_ray], &s, DIMENSION_DU, 1);
@@ -133,6 +136,10 @@ void point_surface(const Point *point, bool front, Surface *surface)
         for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
             surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
     surface->root[channel_id(GROUP_IOR, 0)] = point_ior;
+    for (int lane = 0; lane < 3; lane++) {
+        surface->local_u[lane] = point->input[INPUT_XU][lane];
+        surface->local_v[lane] = point->input[INPUT_XV][lane];
+    }
 }
 
 enum { AXES = 8, FRAME_LANES = 3 * LANES_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };

@@ -5,7 +5,7 @@
 
 enum { POINT_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */
 _Static_assert(GROUP_DU == GROUP_N + 1 && GROUP_DV == GROUP_N + 2, "normal and tangents side by side");
-_Static_assert(INPUT_P == 0 && INPUT_ray == POINT_VARYINGS - 1, "the varyings come first");
+_Static_assert(INPUT_P == 0 && INPUT_XV == POINT_VARYINGS - 1, "the varyings come first");
 
 typedef struct {
     float input[POINT_VARYINGS][3]; /* by Input */
@@ -28,7 +28,9 @@ bool point_is_extreme(const Point *point);
 typedef struct {
     double relative, least;
 } Reach;
-extern const Reach reach_float;  /* four ulp of a float, of 1 at least */
+extern const Reach reach_float; /* four ulp of a float, of 1 at least */
+extern const Reach
+    reach_steep; /* twelve: for simplex noise, whose grain is finer, and which is 0 right where checkers have edges */
 extern const Reach reach_double; /* for values that were computed in double precision */
 
 /* The value of every slot, and between what it varies nearby: where a function jumps or is steep, rounding alone leads from

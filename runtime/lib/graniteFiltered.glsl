@@ -1,0 +1,17 @@
+// needs: magnitudeShare noiseLong noiseStatistics
+// granite(p + rest) over a square of an edge `width`: octaves fade to their mean, and finer ones are not computed at all.
+float graniteFiltered(vec3 p, vec3 rest, float width) {
+    float frequency = 4.0;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < 6; k++) {
+        float share = magnitudeShare(frequency * width);
+        float magnitude = noiseMagnitude;
+        if (share > 0.0)
+            magnitude = mix(noiseMagnitude, abs(noiseLong(frequency * p, frequency * rest)), share);
+        sum += strength * (magnitude - 0.5);
+        strength *= 0.5;
+        frequency *= 2.0;
+    }
+    return sum;
+}

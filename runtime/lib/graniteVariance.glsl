@@ -1,0 +1,16 @@
+// needs: magnitudeShare noiseStatistics
+// Variance over the square that graniteFiltered leaves out, besides what the slope of its result says: of each octave of
+// |noise|, 0.081 at most.
+float graniteVariance(float width) {
+    float strength = 0.081;
+    float sum = 0.0;
+    width *= 4.0;
+    for (int k = 0; k < 6; k++) {
+        float share = magnitudeShare(width);
+        float slope = width * noiseGrain;
+        sum += strength * max(1.0 - share * share * (1.0 + slope * slope * (14.6 / 12.0)), 0.0);
+        strength *= 0.25;
+        width *= 2.0;
+    }
+    return sum;
+}

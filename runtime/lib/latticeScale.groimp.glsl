@@ -1,0 +1,3 @@
+// needs:
+// GroIMP's numbers are what they are.
+const float latticeScale = 1.0;

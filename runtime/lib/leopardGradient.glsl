@@ -1,0 +1,6 @@
+// needs:
+// Gradient of leopard, then its value.
+vec4 leopardGradient(vec3 p) {
+    float mean = dot(sin(p), vec3(1.0 / 3.0));
+    return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
+}

@@ -1,0 +1,21 @@
+// needs: noiseSlope noiseStatistics octaveShare
+// Gradient by p of turbulenceFiltered(p, rest, ...), then its value.
+vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float frequency = 1.0;
+    vec4 sum = vec4(0.0);
+    for (int k = 0; k < count; k++) {
+        float share = octaveShare(width);
+        vec4 octave = vec4(0.0, 0.0, 0.0, noiseMean);
+        if (share > 0.0)
+            octave = mix(octave, noiseSlope(p, rest), share);
+        sum += strength * vec4(frequency * octave.xyz, octave.w);
+        strength *= noiseRatio;
+        frequency *= frequencyRatio;
+        p *= frequencyRatio;
+        rest *= frequencyRatio;
+        width *= abs(frequencyRatio);
+    }
+    return sum;
+}

@@ -1,0 +1,16 @@
+// needs: noiseStatistics octaveShare
+// Variance over the square that turbulenceFiltered leaves out, besides what the slope of its result says: of each octave, 1/4 at
+// most (the noise's variance; 4.73 / 12 is what its mean square slope makes over an edge of 1).
+float turbulenceVariance(int octaves, float frequencyRatio, float noiseRatio, float width) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 0.25;
+    float sum = 0.0;
+    for (int k = 0; k < count; k++) {
+        float share = octaveShare(width);
+        float slope = width * noiseGrain;
+        sum += strength * max(1.0 - share * share * (1.0 + slope * slope * (4.73 / 12.0)), 0.0);
+        strength *= noiseRatio * noiseRatio;
+        width *= abs(frequencyRatio);
+    }
+    return sum;
+}

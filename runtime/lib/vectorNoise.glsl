@@ -1,0 +1,16 @@
+// needs: latticeCorners latticeMix latticeNext latticeScale latticeTerms
+// Three lattice noises at a point of a cell: the first is lattice(cell, d), the others take further hashes of the same corners.
+vec3 vectorNoise(vec3 cell, vec3 d) {
+    vec3 e = d - vec3(0.0, 0.0, 1.0);
+    vec3 sum;
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    sum.x = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
+    low = latticeNext(low);
+    high = latticeNext(high);
+    sum.y = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
+    low = latticeNext(low);
+    high = latticeNext(high);
+    sum.z = latticeMix(latticeTerms(low, d), latticeTerms(high, e), d);
+    return sum * latticeScale;
+}
