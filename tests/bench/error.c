@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 enum { PANEL_COLUMNS = 4, LONGEST_PATH = 4096, HARDWARE_FACTOR = 8 };
-static const double picture_scale = 1.5, quick_seconds = 1.2, full_seconds = 40;
+static const double picture_scale = 1, quick_seconds = 1.2, full_seconds = 40;
 
 void error_target(ErrorBench *bench, const char *what, bool reached, const char *format, ...)
 {

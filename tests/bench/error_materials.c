@@ -124,16 +124,27 @@ static void report(ErrorBench *bench, int subject, const MeasuredList *list)
         if (!m->front && !m->alias_front && variant_distance(&m->variant, &base))
             continue;
         variant_name(&m->variant, &base, name);
-        fprintf(out, "| %s | %.2f | %.3g | %.3g | %.3g | %.4f | %s%s |\n", strcmp(name, "as given") ? name : "default",
-                m->nanoseconds, 255 * m->error, 255 * m->rms, 255 * computed(m), isnan(m->aliasing) ? 0 : m->aliasing,
-                m->front ? "error " : "", m->alias_front ? "aliasing" : "");
+        fprintf(out, "| %s | %.2f | %.3g | %.3g | %.3g ", strcmp(name, "as given") ? name : "default", m->nanoseconds,
+                255 * m->error, 255 * m->rms, 255 * computed(m));
+        if (isnan(m->aliasing))
+            fputs("| - ", out);
+        else
+            fprintf(out, "| %.4f ", m->aliasing);
+        fprintf(out, "| %s%s |\n", m->front ? "error " : "", m->alias_front ? "aliasing" : "");
     }
     free(sorted);
 }
 
 /* The plot's points outlive the list; labels are from malloc and stay as long as the program. */
-static void add_panel(ErrorBench *bench, const char *title, const char *axis, const MeasuredList *list, bool aliasing)
+static void add_panel(ErrorBench *bench, const char *subject, const MeasuredList *list, bool aliasing)
 {
+    char title[128];
+    bool varies = !aliasing;
+    for (int i = 0; i < list->count; i++)
+        varies |= list->at[i].aliasing > 0;
+    if (!varies)
+        return;
+    snprintf(title, sizeof title, "%s: %s", subject, aliasing ? "aliasing" : "error");
     PlotPoint *points = calloc((size_t)list->count + 1, sizeof *points);
     if (!points || bench->panel_count == PANELS_LIMIT)
         abort();
@@ -144,7 +155,8 @@ static void add_panel(ErrorBench *bench, const char *title, const char *axis, co
         points[i] = (PlotPoint){m->nanoseconds, aliasing ? m->aliasing : m->error, aliasing ? m->alias_front : m->front,
                                 i == 0, strdup(i ? name : "default")};
     }
-    bench->panels[bench->panel_count++] = (PlotPanel){title, "ns a pixel", axis, points, list->count};
+    bench->panels[bench->panel_count++] = (PlotPanel){
+        strdup(title), "ns a pixel", aliasing ? "RMS of the worst slot" : "greatest of all slots", points, list->count};
 }
 
 void error_materials(ErrorBench *bench)
@@ -165,8 +177,8 @@ void error_materials(ErrorBench *bench)
         if (measure_variants(bench->meter, &request, &list)) {
             figures(bench, subjects[i].name, &list);
             report(bench, i, &list);
-            add_panel(bench, subjects[i].name, "greatest error", &list, false);
-            add_panel(bench, subjects[i].name, "aliasing, RMS", &list, true);
+            add_panel(bench, subjects[i].name, &list, false);
+            add_panel(bench, subjects[i].name, &list, true);
             measured_free(&list);
         }
         matc_document_free(document);
