@@ -197,6 +197,10 @@ int bench_error(int argc, char **argv)
     }
     ErrorBench *bench = calloc(1, sizeof *bench);
     bench->quick = arguments.quick;
+    for (int i = 0; i < argc; i++) {
+        size_t size = strlen(bench->command);
+        snprintf(bench->command + size, sizeof bench->command - size, i ? " %s" : "build/matbench %s", argv[i]);
+    }
     bench->seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? quick_seconds : full_seconds;
     bench->progress = isatty(STDERR_FILENO) ? show : keep_quiet;
     bench->meter = meter_open(arguments.gl, error, sizeof error);

@@ -30,6 +30,7 @@ typedef enum {
 
 typedef struct {
     Meter *meter;
+    char command[1024]; /* as it was called */
     bool quick;
     double seconds; /* for a material */
     int factor; /* pictures that are timed are so many times wider and higher on a GPU, or they would last no time */

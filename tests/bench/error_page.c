@@ -42,6 +42,8 @@ static void put_name(ErrorBench *bench, const char *name, size_t size, const cha
         put_targets(bench, out);
     if (!strncmp(name, "MACHINE", size))
         fprintf(out, "%s, GL %s%s", gl->renderer, gl->version, bench->quick ? ", --quick" : "");
+    if (!strncmp(name, "COMMAND", size))
+        fputs(bench->command, out);
     if (!strncmp(name, "CLOCK", size))
         fputs(gl->hardware && gl->GetQueryObjectui64v ? "the GPU's own clock" : "the wall clock, around glFinish", out);
     if (!strncmp(name, "PLOT", size))

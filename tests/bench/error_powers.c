@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 1024, ROUNDS = 25, QUICK_ROUNDS = 7, BATCHES = 64, QUICK_BATCHES = 8, MOST = 8, EXPONENT = 32 };
+/* The picture fits into a cache: powers are few instructions, and writing many pixels takes longer. */
+enum { SIDE = 256, ROUNDS = 25, QUICK_ROUNDS = 7, BATCHES = 64, QUICK_BATCHES = 8, MOST = 8, EXPONENT = 32 };
 
 /* Five squares of x, one after the other. */
 static const char document_text[] =
@@ -61,7 +62,7 @@ static bool measure_times(ErrorBench *bench, Power *powers, int count)
     double nanoseconds[MOST + 1];
     GlContext *gl = bench->meter->gl;
     field_plane(plane, &(PlaneView){.scale = 1, .aspect = 1, .height = SIDE});
-    const int side = SIDE * bench->factor;
+    const int side = SIDE * bench->factor * (bench->factor > 1 ? 2 : 1);
     FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
     if (!framebuffer_make(gl, &spec, &target))
         return false;
@@ -89,6 +90,12 @@ static const Power *find(const Power *powers, int count, const char *choice)
     return NULL;
 }
 
+static bool is_same(const Power *a, const Power *b)
+{
+    return !strcmp(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
+                   matc_output(b->shader.program, MATC_FRAGMENT, NULL));
+}
+
 static void report(ErrorBench *bench, const Power *powers, int count)
 {
     FILE *out = bench->part[SECTION_PART_powers];
@@ -100,7 +107,9 @@ static void report(ErrorBench *bench, const Power *powers, int count)
         error_figure(bench, "power", "x^32", powers[i].name, "ulp", powers[i].ulp);
         error_figure(bench, "power", "x^32", powers[i].name, "ns_per_pixel", powers[i].nanoseconds);
     }
-    if (squaring && call)
+    if (squaring && call && is_same(squaring, call))
+        error_target(bench, "x^32, powers=squaring", false, "25 ULP, twice as fast as pow|both are one program");
+    else if (squaring && call)
         error_target(bench, "x^32, powers=squaring",
                      squaring->ulp <= 25 && call->nanoseconds > 0 && 2 * squaring->nanoseconds <= call->nanoseconds,
                      "25 ULP, twice as fast as pow|%.1f ULP, %.2f times as fast", squaring->ulp,
