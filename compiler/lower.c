@@ -1,5 +1,5 @@
 /* The frame of lowering: asking maps, the memo, parameters as IR. */
-#include "lower.h"
+#include "area.h"
 #include <string.h>
 
 typedef Ref (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
@@ -149,8 +149,7 @@ static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env)
         static const Type type_of[] = {[PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
         args[count++] = param_value(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
-    Ref f = ir_call(l->ir, FN_FIRST_MAP + (int)node->kind, args, count);
-    return as_group(l, through_wave(l, node, f), group);
+    return as_group(l, through_wave(l, node, area_volume(l, node->kind, args, count)), group);
 }
 
 /* Gradient: dot(p, direction). */
@@ -181,7 +180,7 @@ Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *e
     Ref omega = param_value(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
     Ref args[] = {mul(l, p, param_value(l, node_param(node, P_VolumeTurbulence_size), TYPE_float)), ir_int(l->ir, n),
                   param_value(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float), omega};
-    Ref f = mul(l, ir_call(l->ir, FN_turbulence, args, 4), octave_scale(l, omega, n));
+    Ref f = mul(l, area_turbulence(l, args), octave_scale(l, omega, n));
     return as_group(l, through_wave(l, node, f), group);
 }
 

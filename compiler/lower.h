@@ -31,6 +31,8 @@ typedef struct {
     bool cheap;                   /* forms that are cheaper but not the plainest: -O1 and up */
     Ref *slopes[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;
+    Ref *variances; /* by Ref; footprint.c */
+    size_t variance_room;
     uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
     bool failed;          /* a diagnostic was made */
 } Lower;

@@ -1,9 +1,10 @@
 /* Blend: a walk along items of ascending value. */
-#include "lower.h"
+#include "area.h"
 
 enum {
-    CHEAP_ARMS = 40, /* scalar operations of all items together up to which mixing beats branching */
-    MOST_MIXES = 8,  /* items up to which mixing beats searching */
+    CHEAP_ARMS = 40,      /* scalar operations of all items together up to which mixing beats branching */
+    MOST_MIXES = 8,       /* items up to which mixing beats searching */
+    MOST_AREA_ITEMS = 64, /* items up to which a blend is averaged over the pixel */
 };
 
 typedef struct {
@@ -65,6 +66,32 @@ static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
     return result;
 }
 
+static bool known(const Ir *ir, Ref value) { return ir_is(ir, value, OP_const); }
+
+/* Constant values that do not descend. */
+static bool ascending_values(const Ir *ir, const Stop *stops, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (!known(ir, stops[i].value))
+            return false;
+        if (i && ir_numbers(ir, stops[i].value)[0] < ir_numbers(ir, stops[i - 1].value)[0])
+            return false;
+    }
+    return true;
+}
+
+/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
+static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = stops[0].result;
+    for (int i = 1; i < count; i++) {
+        double low = ir_numbers(l->ir, stops[i - 1].value)[0], high = ir_numbers(l->ir, stops[i].value)[0];
+        Ref share = area_ramp(l, t, edge, low, high);
+        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
+    }
+    return result;
+}
+
 static bool strictly_ascending(const Ir *ir, const Stop *stops, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -101,6 +128,9 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     }
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);
+    Ref edge = count <= MOST_AREA_ITEMS && ascending_values(l->ir, stops, count) ? footprint_edges(l, t) : 0;
+    if (edge)
+        return blend_area(l, t, edge, stops, count);
     bool ascending = strictly_ascending(l->ir, stops, count);
     if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);

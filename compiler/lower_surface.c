@@ -1,5 +1,5 @@
 /* Constants, checkers and pictures. */
-#include "lower.h"
+#include "area.h"
 
 static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
 
@@ -44,12 +44,21 @@ static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
     return ir_select(l->ir, condition, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type));
 }
 
+/* a for a share of the footprint, b for the rest. */
+static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
+{
+    Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
+    return ir_ternary(l->ir, OP_mix, ir_convert(l->ir, b, type), ir_convert(l->ir, a, type), share);
+}
+
 /* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
  * for every float, while a sum of large whole numbers loses its last bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
     static const char *const lane[] = {"x", "y", "z"};
-    Ref part = ir_unary(l->ir, OP_fract, q), odd = 0;
+    Ref part = ir_unary(l->ir, OP_fract, q), rest = rest_of(l, q), odd = 0;
+    if (rest)
+        part = ir_unary(l->ir, OP_fract, add(l, part, rest));
     for (int i = 0; i < ir_lanes(l->ir, q); i++) {
         Ref upper = ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane[i]));
         odd = i ? ir_binary(l->ir, OP_ne, odd, upper) : upper;
@@ -90,15 +99,17 @@ Ref lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
     Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
         return checker_slope(l, color1, color2, uv, group, env);
-    return choose(l, odd_square(l, uv, 0, 0), ask(l, color1, group, env), ask(l, color2, group, env));
+    Ref a = ask(l, color1, group, env), b = ask(l, color2, group, env), share = area_odd_share(l, uv);
+    return share ? mixed(l, share, a, b) : choose(l, odd_square(l, uv, 0, 0), a, b);
 }
 
 Ref lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ref p = ask(l, param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    return choose(l, odd_sum(l, mul(l, p, number(l, 0.5))),
-                  ask(l, param_node(node, P_VolumeChecker_color1), group, env),
-                  ask(l, param_node(node, P_VolumeChecker_color2), group, env));
+    Ref a = ask(l, param_node(node, P_VolumeChecker_color1), group, env);
+    Ref b = ask(l, param_node(node, P_VolumeChecker_color2), group, env);
+    Ref half = mul(l, p, number(l, 0.5)), share = area_odd_share(l, half);
+    return share ? mixed(l, share, a, b) : choose(l, odd_sum(l, half), a, b);
 }
 
 /* The same picture, or reliefs of the same parameters. */
@@ -133,9 +144,9 @@ static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Re
 {
     Ref size = ir_const(l->ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
     Ref sampler = texture(l, *wanted);
-    Ref here = ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
     if (!is_derivative(group))
-        return as_group(l, here, group);
+        return as_group(l, area_picture(l, function, sampler, uv, size), group);
+    Ref here = ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
     double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
     bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
     Ref beyond = turns ? stepped(l, uv, u, v) : add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){u, v}));

@@ -1,5 +1,5 @@
 /* Coordinate transformers: they answer for their own coordinate and pass every other channel on. */
-#include "lower.h"
+#include "area.h"
 #include <math.h>
 
 static bool is_zero(const Ir *ir, Ref ref) { return ir_is_number(ir, ref, 0); }
@@ -165,6 +165,6 @@ Ref lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     Ref args[] = {q, ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES)),
                   param_value(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float),
                   param_value(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
-    Ref offset = ir_call(l->ir, FN_vectorTurbulence, args, 4);
+    Ref offset = area_vector_turbulence(l, args);
     return add(l, q, mul(l, param_value(l, node_param(node, P_Turbulence_amount), TYPE_vec3), offset));
 }

@@ -103,3 +103,18 @@ REFERENCE(reliefAlong)
     mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, lanes);
     result[0] = lanes[0];
 }
+
+/* The mean of samples over the footprint. */
+REFERENCE(imageFiltered)
+{
+    enum { SIDE = 16 };
+    for (int lane = 0; lane < LANES; lane++)
+        result[lane] = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[LANES];
+        double at[5] = {args[0], args[1] + a * args[5] + b * args[7], args[2] + a * args[6] + b * args[8]};
+        reference_imageBilinear(context, at, sample);
+        for (int lane = 0; lane < LANES; lane++)
+            result[lane] += sample[lane] / (SIDE * SIDE);
+    }
+}

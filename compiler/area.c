@@ -1,0 +1,167 @@
+/* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for noise, samples for the rest. */
+#include "area.h"
+#include <math.h>
+
+static Ref zero3(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
+
+/* The mean of what the taps gave. */
+static Ref mean_of(Lower *l, const Ref *values, int count)
+{
+    Ref sum = values[0];
+    for (int i = 1; i < count; i++)
+        sum = add(l, sum, values[i]);
+    return count > 1 ? mul(l, sum, number(l, 1.0 / count)) : sum;
+}
+
+/* Calls `filtered` for each tap, whose arguments are (middle, rest, args[1..], edge), and notes the variance that it leaves out. */
+typedef struct {
+    Function filtered, variance;
+    Type type;
+    double factor; /* on the variance */
+} Octaves;
+
+static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
+{
+    Tap taps[MOST_TAPS];
+    Ref values[MOST_TAPS] = {0}, all[8];
+    int tap_count = footprint_taps(l, args[0], taps);
+    Ref edge = tap_count ? greatest_lane(l, taps[0].edges) : number(l, 0);
+    Ref rest = rest_of(l, args[0]);
+    if (!tap_count)
+        taps[0].middle = args[0];
+    for (int i = 0; i < tap_count + !tap_count; i++) {
+        int used = 0;
+        all[used++] = taps[i].middle;
+        all[used++] = rest ? rest : zero3(l);
+        for (int k = 1; k < count; k++)
+            all[used++] = args[k];
+        all[used++] = edge;
+        values[i] = ir_call(l->ir, o->filtered, all, used);
+    }
+    Ref value = mean_of(l, values, tap_count + !tap_count);
+    if (!tap_count)
+        return value;
+    int used = 0;
+    for (int k = 1; k < count; k++)
+        all[used++] = args[k];
+    all[used++] = edge;
+    Ref variance = mul(l, ir_call(l->ir, o->variance, all, used), number(l, o->factor));
+    variance_set(l, value,
+                 o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, (Ref[]){variance, variance, variance}, 3) : variance);
+    return value;
+}
+
+static bool is_plain(Lower *l, Ref p)
+{
+    Tap taps[MOST_TAPS];
+    return !rest_of(l, p) && !footprint_taps(l, p, taps);
+}
+
+Ref area_turbulence(Lower *l, const Ref args[4])
+{
+    static const Octaves scalar = {FN_turbulenceFiltered, FN_turbulenceVariance, TYPE_float, 1};
+    return is_plain(l, args[0]) ? ir_call(l->ir, FN_turbulence, args, 4) : octaves(l, &scalar, args, 4);
+}
+
+Ref area_vector_turbulence(Lower *l, const Ref args[4])
+{
+    /* a lane has the variance 0.26^2, the scalar noise 1/4 */
+    static const Octaves vector = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3, 0.26 * 0.26 * 4};
+    return is_plain(l, args[0]) ? ir_call(l->ir, FN_vectorTurbulence, args, 4) : octaves(l, &vector, args, 4);
+}
+
+/* Samples over the footprint: their mean, and their variance. */
+static Ref sampled(Lower *l, Kind kind, const Ref *args, int count)
+{
+    Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0}, all[8];
+    int function = FN_FIRST_MAP + (int)kind, point_count = footprint_points(l, args[0], points);
+    if (!point_count)
+        return ir_call(l->ir, function, args, count);
+    for (int i = 0; i < point_count; i++) {
+        all[0] = points[i];
+        for (int k = 1; k < count; k++)
+            all[k] = args[k];
+        values[i] = ir_call(l->ir, function, all, count);
+        squares[i] = mul(l, values[i], values[i]);
+    }
+    Ref mean = mean_of(l, values, point_count), square = mean_of(l, squares, point_count);
+    Ref variance = ir_binary(l->ir, OP_max, sub(l, square, mul(l, mean, mean)), number(l, 0));
+    variance_set(l, mean, variance);
+    return mean;
+}
+
+static Ref leopard(Lower *l, const Ref *args)
+{
+    Tap taps[MOST_TAPS];
+    Ref values[MOST_TAPS] = {0};
+    int count = footprint_taps(l, args[0], taps);
+    for (int i = 0; i < count; i++)
+        values[i] = ir_call(l->ir, FN_leopardFiltered, (Ref[]){taps[i].middle, taps[i].edges}, 2);
+    return count ? mean_of(l, values, count) : ir_call(l->ir, FN_FIRST_MAP + KIND_Leopard, args, 1);
+}
+
+/* Wood is nearly linear over a pixel: it is filtered by the wave that follows it. */
+Ref area_volume(Lower *l, Kind kind, const Ref *args, int count)
+{
+    static const Octaves granite = {FN_graniteFiltered, FN_graniteVariance, TYPE_float, 1};
+    switch (kind) {
+    case KIND_Granite:
+        return is_plain(l, args[0]) ? ir_call(l->ir, FN_FIRST_MAP + (int)kind, args, count)
+                                    : octaves(l, &granite, args, count);
+    case KIND_Leopard:
+        return leopard(l, args);
+    case KIND_Wood:
+        return ir_call(l->ir, FN_FIRST_MAP + (int)kind, args, count);
+    default:
+        return sampled(l, kind, args, count);
+    }
+}
+
+Ref area_odd_share(Lower *l, Ref q)
+{
+    static const char *const lane[] = {"x", "y", "z"};
+    Tap taps[MOST_TAPS];
+    Ref products[MOST_TAPS] = {0};
+    int count = footprint_taps(l, q, taps), lanes = ir_lanes(l->ir, q);
+    Ref rest = rest_of(l, q);
+    if (!count)
+        return 0;
+    for (int i = 0; i < count; i++) {
+        Ref part = ir_unary(l->ir, OP_fract, taps[i].middle);
+        if (rest)
+            part = ir_unary(l->ir, OP_fract, add(l, part, rest));
+        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, (Ref[]){part, taps[i].edges}, 2);
+        products[i] = ir_swizzle(l->ir, stripes, lane[0]);
+        for (int k = 1; k < lanes; k++)
+            products[i] = mul(l, products[i], ir_swizzle(l->ir, stripes, lane[k]));
+    }
+    return sub(l, number(l, 0.5), mul(l, mean_of(l, products, count), number(l, 0.5)));
+}
+
+Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
+{
+    Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
+    Ref right = slope_of(l, uv, DIRECTION_right), up = slope_of(l, uv, DIRECTION_up);
+    if (!is_filtered(l) || (!right && !up))
+        return ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
+    Ref none = ir_const(l->ir, TYPE_vec2, (double[]){0, 0});
+    if (function == FN_imageBilinear)
+        return ir_call(l->ir, FN_imageFiltered, (Ref[]){sampler, uv, size, right ? right : none, up ? up : none}, 5);
+    int count = footprint_points(l, uv, points);
+    for (int i = 0; i < count; i++)
+        values[i] = ir_call(l->ir, function, (Ref[]){sampler, points[i], size}, 3);
+    return mean_of(l, values, count);
+}
+
+Ref area_ramp(Lower *l, Ref t, Ref edge, double low, double high)
+{
+    double height = high - low;
+    Ref zero = number(l, 0), one = number(l, 1);
+    if (height <= 0) {
+        Ref along = ir_binary(l->ir, OP_div, sub(l, t, number(l, low)), edge);
+        return ir_ternary(l->ir, OP_clamp, add(l, along, number(l, 0.5)), zero, one);
+    }
+    Ref s = mul(l, sub(l, t, number(l, low)), number(l, 1 / height)), box = mul(l, edge, number(l, 1 / height));
+    Ref corners = sub(l, box_corner(l, s, box), box_corner(l, sub(l, s, one), box));
+    return add(l, ir_ternary(l->ir, OP_clamp, s, zero, one), corners);
+}

@@ -1,0 +1,175 @@
+/* Footprints by differentiation: a width goes through every transform as a derivative does. */
+#include "footprint.h"
+#include <string.h>
+
+static const double BOX_VARIANCE = 12; /* a box of edge b has the variance b^2 / 12 */
+static const double LEAST_EDGE = 1e-7; /* of a box that something is divided by */
+
+bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none; }
+
+static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
+
+/* The greater by lane; 0 is zero, and neither is negative. */
+static Ref greater(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : ir_binary(l->ir, OP_max, a, b); }
+
+static Ref filled(Lower *l, Ref value, Type type) { return value ? value : ir_const(l->ir, type, (double[4]){0}); }
+
+static Ref scaled(Lower *l, Ref value, double factor) { return mul(l, value, number(l, factor)); }
+
+int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS])
+{
+    Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
+    if (!is_filtered(l) || (!right && !up && !variance_of(l, coordinate)))
+        return 0;
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_box || !right || !up) {
+        taps[0] = (Tap){coordinate, footprint_edges(l, coordinate)};
+        return 1;
+    }
+    Ref wide = ir_binary(l->ir, OP_lt, ir_binary(l->ir, OP_dot, up, up), ir_binary(l->ir, OP_dot, right, right));
+    Ref longer = ir_select(l->ir, wide, right, up), shorter = ir_select(l->ir, wide, up, right);
+    Ref part = scaled(l, longer, 1.0 / MOST_TAPS), variance = variance_of(l, coordinate);
+    Ref edges = ir_binary(l->ir, OP_max, unary(l, OP_abs, part), unary(l, OP_abs, shorter));
+    if (variance)
+        edges = unary(l, OP_sqrt, add(l, mul(l, edges, edges), scaled(l, variance, BOX_VARIANCE)));
+    edges = ir_binary(l->ir, OP_max, edges, number(l, LEAST_EDGE));
+    for (int i = 0; i < MOST_TAPS; i++)
+        taps[i] = (Tap){add(l, coordinate, scaled(l, longer, (i + 0.5) / MOST_TAPS - 0.5)), edges};
+    return MOST_TAPS;
+}
+
+/* A grid that is turned, so that every row and column of the pixel's sixteenths has a point. */
+int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
+{
+    static const double place[MOST_TAPS][2] = {
+        {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
+    Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
+    Type type = ir_type(l->ir, coordinate);
+    if (!is_filtered(l) || (!right && !up))
+        return 0;
+    right = filled(l, right, type);
+    up = filled(l, up, type);
+    for (int i = 0; i < MOST_TAPS; i++)
+        points[i] = add(l, coordinate, add(l, scaled(l, right, place[i][0]), scaled(l, up, place[i][1])));
+    return MOST_TAPS;
+}
+
+Ref footprint_edges(Lower *l, Ref value)
+{
+    if (!is_filtered(l))
+        return 0;
+    Ref right = unary(l, OP_abs, slope_of(l, value, DIRECTION_right));
+    Ref up = unary(l, OP_abs, slope_of(l, value, DIRECTION_up));
+    Ref edges = greater(l, right, up), variance = variance_of(l, value);
+    if (variance) {
+        Ref square = scaled(l, variance, BOX_VARIANCE);
+        edges = unary(l, OP_sqrt, edges ? add(l, mul(l, edges, edges), square) : square);
+    }
+    return edges ? ir_binary(l->ir, OP_max, edges, number(l, LEAST_EDGE)) : 0;
+}
+
+Ref greatest_lane(Lower *l, Ref value)
+{
+    static const char *const lane[] = {"x", "y", "z", "w"};
+    Ref greatest = ir_swizzle(l->ir, value, "x");
+    for (int i = 1; i < ir_lanes(l->ir, value); i++)
+        greatest = ir_binary(l->ir, OP_max, greatest, ir_swizzle(l->ir, value, lane[i]));
+    return greatest;
+}
+
+Ref box_corner(Lower *l, Ref x, Ref edge)
+{
+    Ref over = sub(l, scaled(l, edge, 0.5), unary(l, OP_abs, x));
+    over = ir_binary(l->ir, OP_max, over, number(l, 0));
+    return ir_binary(l->ir, OP_div, mul(l, over, over), scaled(l, edge, 2));
+}
+
+void variance_set(Lower *l, Ref value, Ref variance)
+{
+    if (value >= l->variance_room) {
+        size_t more = 2 * (size_t)value + 64;
+        Ref *grown = ARENA_ARRAY(l->c->arena, Ref, more);
+        if (l->variance_room)
+            memcpy(grown, l->variances, l->variance_room * sizeof(Ref));
+        l->variances = grown;
+        l->variance_room = more;
+    }
+    l->variances[value] = variance;
+}
+
+static Ref sum(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : add(l, a, b); }
+
+static Ref lane_variance(Lower *l, Ref ref, const IrNode *node)
+{
+    Ref a = ir_arg(l->ir, ref, 0), b = node->count > 1 ? ir_arg(l->ir, ref, 1) : 0;
+    Ref by_a = variance_of(l, a), by_b = b ? variance_of(l, b) : 0;
+    switch (node->op) {
+    case OP_neg:
+    case OP_fract:
+        return by_a;
+    case OP_add:
+    case OP_sub:
+        return sum(l, by_a, by_b);
+    case OP_mul:
+        return sum(l, by_a ? mul(l, by_a, mul(l, b, b)) : 0, by_b ? mul(l, by_b, mul(l, a, a)) : 0);
+    case OP_dot:
+        return sum(l, by_a ? ir_binary(l->ir, OP_dot, by_a, mul(l, b, b)) : 0,
+                   by_b ? ir_binary(l->ir, OP_dot, by_b, mul(l, a, a)) : 0);
+    default:
+        return 0;
+    }
+}
+
+static Ref linear_variance(Lower *l, Ref ref, const IrNode *node)
+{
+    Ref args[5] = {variance_of(l, ir_arg(l->ir, ref, 0))};
+    if (!args[0])
+        return 0;
+    for (int i = 1; i < node->count; i++)
+        args[i] = mul(l, ir_arg(l->ir, ref, i), ir_arg(l->ir, ref, i));
+    return ir_make(l->ir, OP_linear, (Type)node->type, 0, args, node->count);
+}
+
+static Ref vec_variance(Lower *l, Ref ref, const IrNode *node)
+{
+    Ref parts[4];
+    bool any = false;
+    for (int i = 0; i < node->count; i++) {
+        Ref part = ir_arg(l->ir, ref, i), variance = variance_of(l, part);
+        any |= variance != 0;
+        parts[i] = filled(l, variance, ir_type(l->ir, part));
+    }
+    return any ? ir_vec(l->ir, (Type)node->type, parts, node->count) : 0;
+}
+
+/* Through what is linear; anything else is taken to leave none. */
+static Ref derive(Lower *l, Ref ref)
+{
+    const IrNode node = *ir_at(l->ir, ref);
+    if (!node.count)
+        return 0;
+    if (node.op == OP_linear)
+        return linear_variance(l, ref, &node);
+    if (node.op == OP_vec)
+        return vec_variance(l, ref, &node);
+    if (node.op == OP_swizzle) {
+        Ref whole = variance_of(l, ir_arg(l->ir, ref, 0));
+        return whole ? ir_swizzle_lanes(l->ir, whole, node.payload, type_table[node.type].lanes) : 0;
+    }
+    Ref variance = lane_variance(l, ref, &node);
+    bool narrow = variance && ir_lanes(l->ir, variance) < type_table[node.type].lanes;
+    return narrow ? ir_vec(l->ir, (Type)node.type, (Ref[]){variance, variance, variance, variance},
+                           type_table[node.type].lanes)
+                  : variance;
+}
+
+static const Ref NO_VARIANCE = UINT32_MAX;
+
+Ref variance_of(Lower *l, Ref value)
+{
+    Ref known = value < l->variance_room ? l->variances[value] : 0;
+    if (known)
+        return known == NO_VARIANCE ? 0 : known;
+    Ref variance = derive(l, value);
+    variance_set(l, value, variance ? variance : NO_VARIANCE);
+    return variance;
+}

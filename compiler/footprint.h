@@ -1,0 +1,32 @@
+/* What a pixel covers of a value, for --aa: how wide it is, where to sample it, and how much a mean has left out. */
+#ifndef MATC_FOOTPRINT_H
+#define MATC_FOOTPRINT_H
+#include "slope.h"
+
+enum { MOST_TAPS = 4 };
+
+/* One box: its middle and its edges by lane. */
+typedef struct {
+    Ref middle, edges;
+} Tap;
+
+/* Whether maps are averaged over the pixel. */
+bool is_filtered(const Lower *l);
+/* The boxes that stand for the pixel's footprint on a coordinate, of equal weight: one, or MOST_TAPS along the longer side with
+ * --aa=aniso. 0: the coordinate is the same all over the pixel. */
+int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS]);
+/* MOST_TAPS points spread over the footprint; 0 as above. For functions of which nothing better is known. */
+int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
+/* Edges by lane of a box that varies as much as the value does within the pixel: by its slope and by what it has left out.
+ * 0: it does not vary. */
+Ref footprint_edges(Lower *l, Ref value);
+/* The greatest lane. */
+Ref greatest_lane(Lower *l, Ref value);
+/* Variance within the pixel that a mean's slope does not show, by lane; 0 for none. It passes through linear operations. */
+void variance_set(Lower *l, Ref value, Ref variance);
+Ref variance_of(Lower *l, Ref value);
+/* What rounding took from a coordinate that constants scaled, turned and moved, for --coordinates=long; 0 for none. affine.c */
+Ref rest_of(Lower *l, Ref coordinate);
+/* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than max(x, 0). */
+Ref box_corner(Lower *l, Ref x, Ref edge);
+#endif
