@@ -109,6 +109,7 @@ static const float *mean_of(Work *w, const Variant *variant, int slot)
     plain.choice[AXIS_noise] = variant->choice[AXIS_noise];
     plain.choice[AXIS_derivatives] = variant->choice[AXIS_derivatives];
     plain.choice[AXIS_aa] = CHOICE_aa_none;
+    plain.choice[AXIS_coordinates] = CHOICE_coordinates_long; /* what rounds a coordinate is no reference */
     MatcOptions options = variant_options(&plain, w->request->options);
     options.pass = "value";
     options.slot = slot_table[slot].name;
