@@ -1,5 +1,5 @@
 /* Measures variants one after the other: errors first, then all times together. */
-#include "measure.h"
+#include "candidates.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdlib.h>
@@ -242,56 +242,6 @@ static void sum_up(Measured *m)
     }
 }
 
-/* Programs of pass gbuffer, equal ones only once. */
-typedef struct {
-    Variant variant;
-    MatcProgram *program;
-} Candidate;
-
-/* What is measured is GLSL 3.30; what is wanted may be another target, which can lack a layout. */
-static bool is_wanted(const Work *w, const MatcOptions *options)
-{
-    if (!options->target || !strcmp(options->target, "glsl330"))
-        return true;
-    MatcOptions quiet = *options;
-    quiet.validate = quiet.measure = false;
-    MatcProgram *program = matc_compile(w->request->document, w->request->material, MATC_FRAGMENT, &quiet);
-    bool ok = matc_ok(program);
-    matc_program_free(program);
-    return ok;
-}
-
-static Candidate *compile_all(const Work *w, MeasuredList *list, int *count)
-{
-    int all, room = 0;
-    Variant base;
-    Candidate *kept = NULL;
-    variant_of(w->request->options, &base);
-    Variant *variants = variants_list(&base, &w->request->open, &all);
-    *count = 0;
-    for (int i = 0; i < all; i++) {
-        MatcOptions options = variant_options(&variants[i], w->request->options);
-        options.pass = "gbuffer";
-        MatcProgram *program = is_wanted(w, &options) ? shader_compile(w->request->document, w->request->material,
-                                                                       MATC_FRAGMENT | MATC_UNPACK, &options)
-                                                      : NULL;
-        bool same = false;
-        for (int k = 0; k < *count && program && !same; k++)
-            same =
-                !strcmp(matc_output(kept[k].program, MATC_FRAGMENT, NULL), matc_output(program, MATC_FRAGMENT, NULL));
-        list->same += same;
-        list->refused += !program;
-        if (same || !program) {
-            matc_program_free(program);
-            continue;
-        }
-        kept = grow(kept, *count, &room, sizeof *kept);
-        kept[(*count)++] = (Candidate){variants[i], program};
-    }
-    free(variants);
-    return kept;
-}
-
 /* Two thirds of the time for errors, the rest for times. */
 static bool has_time(const Work *w) { return meter_now() - w->start < w->request->seconds * 2 / 3; }
 
@@ -417,7 +367,7 @@ bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList 
     *meter->error = 0;
     bool fine = make_work(w);
     if (fine) {
-        Candidate *candidates = compile_all(w, list, &count);
+        Candidate *candidates = candidates_make(request, list, &count);
         measure_errors(w, candidates, count, list);
         free(candidates);
         fine = list->count > 0 ? measure_times(w, list)
