@@ -1,13 +1,14 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
 #include "options.h"
 #include "output.h"
+#include "runtime/measure/pareto.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LARGEST_INPUT = 65 << 20 };
+enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192, LARGEST_INPUT = 65 << 20 };
 
 static int complain(const char *what, const char *why)
 {
@@ -161,6 +162,43 @@ static int write_material(const CommandLine *line, MatcDocument *document, MatcP
     return status == FINE && line->depend ? write_depfile(line, document, name) : status;
 }
 
+/* What is measured; check_usage has seen the numbers. */
+static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material)
+{
+    ParetoSubject subject = {document, material, GL_KIND_osmesa,
+                             line->range ? strtod(line->range, NULL) : measure_range};
+    if (line->gl)
+        gl_kind_find(line->gl, &subject.gl);
+    return subject;
+}
+
+/* The options that a material is compiled with: with --max-error, those that measuring finds. */
+static int choose_options(const CommandLine *line, const MatcDocument *document, int material, MatcOptions *options)
+{
+    char error[LONGEST_MESSAGE], *why;
+    *options = line->compile;
+    if (!line->max_error)
+        return FINE;
+    ParetoSubject subject = subject_of(line, document, material);
+    if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &why, error, sizeof error))
+        return complain("--max-error", error);
+    if (line->stats)
+        fputs(why, stderr);
+    free(why);
+    return FINE;
+}
+
+static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
+{
+    char error[LONGEST_MESSAGE], *table;
+    ParetoSubject subject = subject_of(line, document, material);
+    if (!pareto_measure(&subject, &line->compile, line->output, &table, error, sizeof error))
+        return complain("--pareto", error);
+    fputs(table, stdout);
+    free(table);
+    return FINE;
+}
+
 /* Compiles a document's materials, all or the one that is meant; writes them if none has a fault. */
 static int compile_materials(const CommandLine *line, MatcDocument *document, int only)
 {
@@ -169,9 +207,14 @@ static int compile_materials(const CommandLine *line, MatcDocument *document, in
     if (!programs)
         abort();
     for (int i = 0; i < count; i++) {
+        MatcOptions options;
         if (only >= 0 && i != only)
             continue;
-        programs[i] = matc_compile(document, i, wanted_outputs(line), &line->compile);
+        if (choose_options(line, document, i, &options) != FINE) {
+            status = FAULT;
+            continue;
+        }
+        programs[i] = matc_compile(document, i, wanted_outputs(line), &options);
         print_diagnostics(matc_program_diagnostics(programs[i], line->diagnostics), line);
         if (!matc_ok(programs[i]))
             status = FAULT;
@@ -209,7 +252,7 @@ static int choose_material(const CommandLine *line, const MatcDocument *document
     }
     if (matc_material_count(document) == 1)
         return 0;
-    if (line->folder && !line->eval)
+    if (line->folder && !line->eval && !line->pareto)
         return -1;
     fputs("matc: error: the document has several materials; name one with --material, or use -d:\n", stderr);
     for (int i = 0; i < matc_material_count(document); i++)
@@ -224,6 +267,8 @@ static int run_document(const CommandLine *line, MatcDocument *document)
     int material = choose_material(line, document);
     if (material == -2)
         return FAULT;
+    if (line->pareto)
+        return print_pareto(line, document, material);
     return line->eval ? eval_material(line, document, material) : compile_materials(line, document, material);
 }
 
@@ -255,6 +300,23 @@ static int answer(char *text, const char *otherwise)
     return FINE;
 }
 
+/* NULL, or what is wrong. */
+static const char *check_measuring(const CommandLine *line)
+{
+    char *end = NULL;
+    if (line->max_error && (!(strtod(line->max_error, &end) > 0) || *end))
+        return "--max-error wants a number above 0";
+    if (line->range && (!(strtod(line->range, &end) > 0) || *end || strtod(line->range, &end) > 1e30))
+        return "--range wants a number above 0";
+    if (line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
+        return "--gl: osmesa or egl";
+    if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
+        return "--max-error is of the pass gbuffer";
+    if (line->pareto && (line->max_error || line->eval || line->folder || line->input_count > 1))
+        return "--pareto takes one document, and neither --max-error, --eval nor -d";
+    return NULL;
+}
+
 static int check_usage(const CommandLine *line)
 {
     static char room[128];
@@ -268,6 +330,8 @@ static int check_usage(const CommandLine *line)
     }
     if (!line->input_count)
         return usage("no document");
+    if ((fault = check_measuring(line)))
+        return usage(fault);
     if (line->folder && strlen(line->folder) > LONGEST_PATH / 2)
         return usage("the folder's name is too long");
     if (line->output && line->folder)
@@ -292,7 +356,7 @@ int main(int argc, char **argv)
         free(line.inputs);
         return usage(fault ? fault : "out of memory");
     }
-    line.compile.pixels = line.eval || line.textures;
+    line.compile.pixels = line.eval || line.textures || line.pareto || line.max_error;
     line.compile.measure = line.stats;
     line.taken = &taken;
     int status = FINE;

@@ -1,4 +1,5 @@
 /* The library's surface: documents, programs, their outputs. */
+#include "evaluate.h"
 #include "fold.h"
 #include "layout.h"
 #include "matc.h"
@@ -429,6 +430,19 @@ static const char *read_point(Surface *surface, const char *point)
     return NULL;
 }
 
+void document_evaluate(const MatcDocument *d, int material, const MatcOptions *options, const Surface *points,
+                       int count, SlotValues *values)
+{
+    Job job;
+    job_of(options, &job);
+    const ReferenceContext context = {.noise = noise_for(job.choice[AXIS_noise], job.target)};
+    Oracle *oracle = oracle_open(d->graph, &context);
+    oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
+    for (int i = 0; i < count; i++)
+        oracle_material(oracle, d->graph->materials[material].node, &points[i], &values[i]);
+    oracle_close(oracle);
+}
+
 char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
 {
     Job job;
@@ -442,10 +456,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault) {
-        ReferenceContext context = {.noise = noise_for(job.choice[AXIS_noise], job.target)};
-        Oracle *oracle = oracle_open(d->graph, &context);
-        oracle_material(oracle, d->graph->materials[material].node, &surface, &values);
-        oracle_close(oracle);
+        document_evaluate(d, material, options, &surface, 1, &values);
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             text_put(&out, slot_table[slot].name);
             for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {

@@ -51,6 +51,10 @@ static const Option options[] = {
     TEXT("--eval", eval),
     TEXT("--explain", explain),
     TEXT("--textures", textures),
+    TEXT("--max-error", max_error),
+    TEXT("--range", range),
+    TEXT("--gl", gl),
+    FLAG("--pareto", pareto),
     {"--emit", TAKES_emit, 0},
     {"--diagnostics", TAKES_form, 0},
     {"--no-validate", TAKES_novalidate, 0},
@@ -89,6 +93,12 @@ const char *const options_help =
     "  --derivatives=D      finite (default), analytic\n"
     "  --material=NAME      of `materials:`; without it, the only one\n"
     "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
+    "measuring\n"
+    "  --max-error=E        the fastest choices, among those not named, that keep every slot within E of the "
+    "reference\n"
+    "  --pareto             run time and error of every choice not named; -o BASENAME: also as .csv, .svg and .png\n"
+    "  --range=R            coordinates that count are in [-R, R]: 4\n"
+    "  --gl=KIND            measure on osmesa (default), or on egl: a GPU where there is one\n"
     "questions\n"
     "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
     "  --list               materials, maps, waves, channels, slots\n"

@@ -42,7 +42,10 @@ typedef struct {
     const char *eval;      /* --eval */
     const char *explain;   /* --explain */
     const char *textures;  /* --textures */
-    bool list, schema, stats, help, version;
+    const char *max_error; /* --max-error */
+    const char *range;     /* --range */
+    const char *gl;        /* --gl */
+    bool pareto, list, schema, stats, help, version;
     MatcForm diagnostics;
 } CommandLine;
 

@@ -119,6 +119,19 @@ check "prints every slot" test "$(wc -l <"$work/stdout")" = 12
 check "--eval with a bad point" status 2 "$matc" --eval "q=1" $example
 check "--stats" status 0 $fast --stats $example -o /dev/null
 check "on standard error" says 'lower'
+check "--max-error" status 0 $fast --max-error=0.1 --stats $example -o "$work/max.frag"
+check "says what it chose" says '^chosen: .*layout='
+check "and compiles it" test -s "$work/max.frag"
+check "an error that nothing keeps" status 1 $fast --max-error=1e-9 $example -o "$work/none.frag"
+check "names the best" says 'no choice keeps every slot within 1e-09; the best is'
+check "writes nothing" test ! -e "$work/none.frag"
+check "old GLSL gets what it can" status 0 "$matc" --target=glsl110 --max-error=0.1 $example -o "$work/old.frag"
+check "--max-error of nothing" status 2 $fast --max-error=0 $example
+check "--pareto" status 0 "$matc" --pareto --noise=lattice --precision=fast --aa=none --derivatives=finite $example -o "$work/pareto"
+check "prints a table" prints 'ns/pixel'
+check "writes a CSV and a plot" test -s "$work/pareto.csv" -a -s "$work/pareto.svg"
+check "--pareto of two documents" status 2 "$matc" --pareto $example $example
+check "an unknown kind of GL" status 2 "$matc" --pareto --gl=vga $example
 check "--list" status 0 "$matc" --list
 check "knows Wood" prints Wood
 check "--explain" status 0 "$matc" --explain Checker

@@ -139,6 +139,58 @@ static void every_language_draws(void **state)
     }
 }
 
+/* EGL does the same where it is to be had; it and OSMesa get on in one process. */
+static void egl_draws(void **state)
+{
+    (void)state;
+    char error[512] = "";
+    GlContext *first = open_context(true);
+    for (size_t i = 0; i < sizeof languages / sizeof *languages; i++) {
+        GlContext *gl = gl_open(GL_KIND_egl, languages[i].core, error, sizeof error);
+        if (!gl) {
+            print_message("no EGL: %s\n", error);
+            gl_close(first);
+            skip();
+        }
+        GLuint program = make_program(gl, &languages[i]);
+        draw_constant(gl, program, GL_RGBA32F);
+        gl_close(gl);
+    }
+    assert_true(gl_use(first));
+    GLuint program = make_program(first, &languages[1]);
+    draw_constant(first, program, GL_RGBA32F);
+    gl_close(first);
+}
+
+static void egl_contexts_take_turns(void **state)
+{
+    (void)state;
+    char error[512] = "";
+    GlContext *first = gl_open(GL_KIND_egl, true, error, sizeof error);
+    GlContext *second = gl_open(GL_KIND_egl, false, error, sizeof error);
+    if (!first || !second) {
+        gl_close(first);
+        gl_close(second);
+        skip();
+    }
+    print_message("EGL: %s; %s; %s\n", first->version, first->renderer, first->hardware ? "hardware" : "software");
+    assert_true(gl_use(first));
+    GLuint program = first->CreateProgram();
+    gl_close(second); /* not the current one, and on the same display */
+    first->DeleteProgram(program);
+    assert_true(gl_check(first, "outliving another"));
+    gl_close(first);
+}
+
+static void kinds_have_names(void **state)
+{
+    (void)state;
+    GlKind kind = GL_KIND_count;
+    for (int i = 0; i < GL_KIND_count; i++)
+        assert_true(gl_kind_find(gl_kind_name((GlKind)i), &kind) && (int)kind == i);
+    assert_false(gl_kind_find("glx", &kind));
+}
+
 static void faults_are_said(void **state)
 {
     (void)state;
@@ -512,13 +564,23 @@ static void view_refuses(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(context_opens),          cmocka_unit_test(two_contexts_take_turns),
-        cmocka_unit_test(every_language_draws),   cmocka_unit_test(faults_are_said),
-        cmocka_unit_test(depth_only_is_complete), cmocka_unit_test(textures_keep_their_numbers),
-        cmocka_unit_test(shapes_are_oriented),    cmocka_unit_test(derivatives_are_those_of_the_position),
-        cmocka_unit_test(matrices_invert),        cmocka_unit_test(png_comes_back),
-        cmocka_unit_test(bad_png_is_refused),     cmocka_unit_test(encoding_is_srgb),
-        cmocka_unit_test(materials_are_seen),     cmocka_unit_test(view_refuses),
+        cmocka_unit_test(context_opens),
+        cmocka_unit_test(two_contexts_take_turns),
+        cmocka_unit_test(every_language_draws),
+        cmocka_unit_test(egl_draws),
+        cmocka_unit_test(egl_contexts_take_turns),
+        cmocka_unit_test(kinds_have_names),
+        cmocka_unit_test(faults_are_said),
+        cmocka_unit_test(depth_only_is_complete),
+        cmocka_unit_test(textures_keep_their_numbers),
+        cmocka_unit_test(shapes_are_oriented),
+        cmocka_unit_test(derivatives_are_those_of_the_position),
+        cmocka_unit_test(matrices_invert),
+        cmocka_unit_test(png_comes_back),
+        cmocka_unit_test(bad_png_is_refused),
+        cmocka_unit_test(encoding_is_srgb),
+        cmocka_unit_test(materials_are_seen),
+        cmocka_unit_test(view_refuses),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

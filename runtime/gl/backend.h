@@ -13,5 +13,5 @@ typedef struct {
     void (*close)(void *state);
 } GlBackend;
 
-extern const GlBackend gl_backend_osmesa;
+extern const GlBackend gl_backend_osmesa, gl_backend_egl;
 #endif

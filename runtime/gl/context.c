@@ -5,10 +5,26 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const GlBackend *const backends[GL_KIND_count] = {
     [GL_KIND_osmesa] = &gl_backend_osmesa,
+    [GL_KIND_egl] = &gl_backend_egl,
 };
+
+static const char *const kind_names[GL_KIND_count] = {[GL_KIND_osmesa] = "osmesa", [GL_KIND_egl] = "egl"};
+
+const char *gl_kind_name(GlKind kind) { return (unsigned)kind < GL_KIND_count ? kind_names[kind] : "?"; }
+
+bool gl_kind_find(const char *name, GlKind *kind)
+{
+    for (int i = 0; i < GL_KIND_count; i++)
+        if (!strcmp(name, kind_names[i])) {
+            *kind = (GlKind)i;
+            return true;
+        }
+    return false;
+}
 
 static bool load(GlContext *gl)
 {
@@ -19,6 +35,9 @@ static bool load(GlContext *gl)
         return gl_fail(gl, "the driver has no gl" #Name);
     GL_FUNCTIONS(F)
 #undef F
+#define F(NAME, Name) gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name);
+    GL_OPTIONAL_FUNCTIONS(F)
+#undef F
     return true;
 }
 
@@ -28,11 +47,18 @@ static const char *string(const GlContext *gl, GLenum name)
     return text ? (const char *)text : "?";
 }
 
+static bool is_software(const char *renderer)
+{
+    return strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "swrast") ||
+           strstr(renderer, "Software Rasterizer");
+}
+
 static void describe(GlContext *gl)
 {
     gl->version = string(gl, GL_VERSION);
     gl->renderer = string(gl, GL_RENDERER);
     gl->language = string(gl, GL_SHADING_LANGUAGE_VERSION);
+    gl->hardware = !is_software(gl->renderer);
     if (sscanf(gl->version, "%d.%d", &gl->major, &gl->minor) != 2)
         gl->major = gl->minor = 0; /* "OpenGL ES 3.2" ends here too */
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);

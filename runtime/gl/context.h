@@ -9,6 +9,7 @@
 
 typedef enum {
     GL_KIND_osmesa, /* Mesa's software renderer, loaded when it is asked for */
+    GL_KIND_egl,    /* EGL without a window: a GPU where there is one; loaded when it is asked for */
     GL_KIND_count
 } GlKind;
 
@@ -19,6 +20,7 @@ typedef struct GlContext {
     const char *version;   /* GL_VERSION; the driver's text */
     const char *renderer;  /* GL_RENDERER */
     const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the greatest there is */
+    bool hardware;         /* the renderer is none of Mesa's software ones */
     int max_texture_size;  /* edge of a texture or framebuffer, texels */
     int max_texture_units; /* samplers in a fragment program */
     int max_draw_buffers;  /* colour targets of one draw */
@@ -26,8 +28,13 @@ typedef struct GlContext {
     char error[4096];      /* what failed last; functions of the GL layer that return false or 0 leave it here */
 #define F(NAME, Name) PFNGL##NAME##PROC Name;
     GL_FUNCTIONS(F)
+    GL_OPTIONAL_FUNCTIONS(F) /* NULL where the driver has none */
 #undef F
 } GlContext;
+
+/* The name of a kind ("osmesa") and back; false for a name that is none. */
+const char *gl_kind_name(GlKind kind);
+bool gl_kind_find(const char *name, GlKind *kind);
 
 /* Opens a context and makes it current: core is 4.5, or 3.3 where there is no more; otherwise the highest
  * compatibility profile there is. NULL: see `error`. */

@@ -5,12 +5,14 @@
 #define GL_FUNCTIONS(F)                                                                                                \
     F(ACTIVETEXTURE, ActiveTexture)                                                                                    \
     F(ATTACHSHADER, AttachShader)                                                                                      \
+    F(BEGINQUERY, BeginQuery)                                                                                          \
     F(BINDATTRIBLOCATION, BindAttribLocation)                                                                          \
     F(BINDBUFFER, BindBuffer)                                                                                          \
     F(BINDFRAGDATALOCATION, BindFragDataLocation)                                                                      \
     F(BINDFRAMEBUFFER, BindFramebuffer)                                                                                \
     F(BINDTEXTURE, BindTexture)                                                                                        \
     F(BINDVERTEXARRAY, BindVertexArray)                                                                                \
+    F(BLENDFUNC, BlendFunc)                                                                                            \
     F(BUFFERDATA, BufferData)                                                                                          \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                  \
     F(CLEAR, Clear)                                                                                                    \
@@ -24,6 +26,7 @@
     F(DELETEBUFFERS, DeleteBuffers)                                                                                    \
     F(DELETEFRAMEBUFFERS, DeleteFramebuffers)                                                                          \
     F(DELETEPROGRAM, DeleteProgram)                                                                                    \
+    F(DELETEQUERIES, DeleteQueries)                                                                                    \
     F(DELETESHADER, DeleteShader)                                                                                      \
     F(DELETETEXTURES, DeleteTextures)                                                                                  \
     F(DELETEVERTEXARRAYS, DeleteVertexArrays)                                                                          \
@@ -34,10 +37,12 @@
     F(DRAWELEMENTS, DrawElements)                                                                                      \
     F(ENABLE, Enable)                                                                                                  \
     F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray)                                                                \
+    F(ENDQUERY, EndQuery)                                                                                              \
     F(FINISH, Finish)                                                                                                  \
     F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                                                                      \
     F(GENBUFFERS, GenBuffers)                                                                                          \
     F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                \
+    F(GENQUERIES, GenQueries)                                                                                          \
     F(GENTEXTURES, GenTextures)                                                                                        \
     F(GENVERTEXARRAYS, GenVertexArrays)                                                                                \
     F(GETACTIVEUNIFORM, GetActiveUniform)                                                                              \
@@ -70,4 +75,7 @@
     F(USEPROGRAM, UseProgram)                                                                                          \
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                                        \
     F(VIEWPORT, Viewport)
+
+/* What a driver may lack: OpenGL 3.3. */
+#define GL_OPTIONAL_FUNCTIONS(F) F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)
 #endif

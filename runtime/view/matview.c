@@ -1,4 +1,4 @@
-/* matview's command line: draws pictures of materials, in software. */
+/* matview's command line: draws pictures of materials. */
 #include "picture.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
@@ -16,13 +16,14 @@ typedef struct {
     const char **inputs;
     int input_count;
     const char *output, *folder, *material;
+    GlKind gl;
     bool help, version;
 } CommandLine;
 
 static const char help_text[] =
     "usage: matview [options] document...\n"
     "\n"
-    "Draws pictures of materials, in software, and prints the names of the files.\n"
+    "Draws pictures of materials, and prints the names of the files.\n"
     "\n"
     "  -o FILE              the picture; without -o and -d NAME.png, here\n"
     "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
@@ -33,6 +34,7 @@ static const char help_text[] =
     "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry: as matc has them\n"
     "  --size=N             pixels of an edge: 512\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
+    "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
     "  --help, --version\n"
     "\n"
     "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
@@ -75,6 +77,8 @@ static const char *set_option(CommandLine *line, const char *name, const char *v
         return NULL;
     else if (!strcmp(name, "--shape"))
         return shape_find(value, &picture->view.shape) ? NULL : "--shape: sphere, plane, cube or torus";
+    else if (!strcmp(name, "--gl"))
+        return gl_kind_find(value, &line->gl) ? NULL : "--gl: osmesa or egl";
     else if (!strcmp(name, "--samples"))
         return read_number(value, VIEW_SUPERSAMPLING_LIMIT, &picture->view.supersampling);
     else if (!strcmp(name, "--size"))
@@ -235,9 +239,9 @@ static int run(CommandLine *line)
     char error[LONGEST_MESSAGE] = "";
     if (line->folder && mkdir(line->folder, 0777) && errno != EEXIST)
         return complain(line->folder, strerror(errno));
-    line->picture.view.gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+    line->picture.view.gl = gl_open(line->gl, true, error, sizeof error);
     if (!line->picture.view.gl)
-        return complain("OSMesa", error);
+        return complain(gl_kind_name(line->gl), error);
     int status = FINE;
     for (int i = 0; i < line->input_count; i++)
         status |= run_input(line, line->inputs[i]);

@@ -40,6 +40,7 @@ static const struct {
     {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share"},
     {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it"},
     {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error"},
+    {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute"},
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
 };
 

@@ -18,4 +18,6 @@ int bench_instructions(int argc, char **argv);
 int bench_layout(int argc, char **argv);
 /* Its second table: whole passes. */
 int bench_layout_frame(void);
+/* Run time against error: --quick --gl=KIND --csv FILE --plot BASENAME --page FILE. */
+int bench_error(int argc, char **argv);
 #endif

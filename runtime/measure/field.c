@@ -1,0 +1,163 @@
+/* Points, planes, and the vertex program that passes them through. */
+#include "field.h"
+#include <stdio.h>
+#include <string.h>
+
+const char *const field_attributes[FIELD_VARYINGS + 1] = {
+    "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray", "in_XU", "in_XV",
+};
+
+/* Number `index` of an even sequence in [0, 1) for each dimension: multiples of an irrational number. */
+static double spread(int index, int dimension)
+{
+    static const double root[] = {0.41421356237309505, 0.7320508075688772, 0.2360679774997898, 0.6457513110645907,
+                                  0.3166247903554,     0.605551275463989,  0.1231056256176605, 0.358898943540674,
+                                  0.795831523312719,   0.385164807134504,  0.567764362830022};
+    return fraction((index + 1) * root[dimension]);
+}
+
+static void set3(float to[3], double x, double y, double z)
+{
+    to[0] = (float)x;
+    to[1] = (float)y;
+    to[2] = (float)z;
+}
+
+/* A normal at any angle, and two tangents that make it a right-handed frame. */
+static void set_frame(FieldVertex *v, double height, double angle, double turn)
+{
+    double r = sqrt(fmax(0, 1 - height * height)), s = sin(angle), c = cos(angle), a = cos(turn), b = sin(turn);
+    const double east[3] = {-s, c, 0}, north[3] = {-height * c, -height * s, r};
+    set3(v->input[INPUT_N], r * c, r * s, height);
+    for (int i = 0; i < 3; i++) {
+        v->input[INPUT_DU][i] = (float)(a * east[i] + b * north[i]);
+        v->input[INPUT_DV][i] = (float)(a * north[i] - b * east[i]);
+    }
+    memcpy(v->input[INPUT_eyeN], v->input[INPUT_N], sizeof v->input[INPUT_N]);
+    memcpy(v->input[INPUT_XU], v->input[INPUT_DU], sizeof v->input[INPUT_DU]);
+    memcpy(v->input[INPUT_XV], v->input[INPUT_DV], sizeof v->input[INPUT_DV]);
+    set3(v->input[INPUT_ray], -r * c, -r * s, -height);
+}
+
+void field_points(FieldVertex points[POINTS], double range)
+{
+    memset(points, 0, POINTS * sizeof *points);
+    for (int i = 0; i < POINTS; i++) {
+        FieldVertex *v = &points[i];
+        double place[8];
+        for (int k = 0; k < 8; k++)
+            place[k] = range * (2 * spread(i, k) - 1);
+        v->at[0] = (float)(2 * (i % POINTS_WIDTH + 0.5) / POINTS_WIDTH - 1);
+        v->at[1] = (float)(2 * (i / POINTS_WIDTH + 0.5) / POINTS_HEIGHT - 1);
+        v->at[3] = 1;
+        set3(v->input[INPUT_P], place[0], place[1], place[2]);
+        set3(v->input[INPUT_X], place[3], place[4], place[5]);
+        set3(v->input[INPUT_U], place[6], place[7], 0);
+        set_frame(v, 2 * spread(i, 8) - 1, 2 * M_PI * spread(i, 9), 2 * M_PI * spread(i, 10));
+    }
+}
+
+void field_surface(const FieldVertex *point, Surface *surface)
+{
+    static const Input input[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
+                                  [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
+    oracle_surface_default(surface);
+    for (Group group = 0; group < GROUP_R; group++)
+        for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
+            surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
+    for (int lane = 0; lane < 3; lane++) {
+        surface->local_u[lane] = point->input[INPUT_XU][lane];
+        surface->local_v[lane] = point->input[INPUT_XV][lane];
+    }
+}
+
+/* Corner (x, y) of the picture, and where its line of sight meets the plane: the clip coordinates' w is the depth there, so
+ * that what lies between is interpolated as perspective has it. */
+static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y, double pitch)
+{
+    const double half = 0.5; /* tangent of half the vertical angle */
+    double c = cos(view->yaw), s = sin(view->yaw), right = x * half * view->aspect;
+    double forward = cos(pitch) + y * half * sin(pitch), up = -sin(pitch) + y * half * cos(pitch), depth = -1 / up;
+    double px = depth * (forward * c + right * s), py = depth * (forward * s - right * c);
+    memset(v, 0, sizeof *v);
+    v->at[0] = (float)(x * depth);
+    v->at[1] = (float)(y * depth);
+    v->at[3] = (float)depth;
+    set3(v->input[INPUT_P], px + view->shift[0], py + view->shift[1], 0);
+    set3(v->input[INPUT_X], px + view->shift[0], py + view->shift[1], 0);
+    set3(v->input[INPUT_U], view->scale * (px + view->shift[0]), view->scale * (py + view->shift[1]), 0);
+    set3(v->input[INPUT_N], 0, 0, 1);
+    set3(v->input[INPUT_eyeN], 0, 0, 1);
+    set3(v->input[INPUT_DU], 1 / view->scale, 0, 0);
+    set3(v->input[INPUT_DV], 0, 1 / view->scale, 0);
+    set3(v->input[INPUT_XU], 1 / view->scale, 0, 0);
+    set3(v->input[INPUT_XV], 0, 1 / view->scale, 0);
+    set3(v->input[INPUT_ray], px, py, -1);
+}
+
+void field_plane(FieldVertex vertices[PLANE_VERTICES], const PlaneView *view)
+{
+    const double beyond = 0.1 * 2 / view->height; /* a tenth of a pixel: the horizon itself is not met */
+    double pitch = atan(0.5 * (1 + beyond));
+    for (int i = 0; i < PLANE_VERTICES; i++)
+        set_corner(&vertices[i], view, i % 2 ? 1.2 : -1.2, i < 2 ? -1.2 : 1 + beyond / 2, pitch);
+}
+
+bool field_make(GlContext *gl, const FieldVertex *vertices, int count, GLenum mode, Field *made)
+{
+    *made = (Field){.mode = mode, .count = count};
+    gl->GenVertexArrays(1, &made->array);
+    gl->GenBuffers(1, &made->buffer);
+    gl->BindVertexArray(made->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, made->buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *vertices), vertices, GL_STATIC_DRAW);
+    for (int i = 0; i <= FIELD_VARYINGS; i++) {
+        size_t offset = i ? offsetof(FieldVertex, input) + (size_t)(i - 1) * sizeof vertices->input[0] : 0;
+        gl->VertexAttribPointer((GLuint)i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof *vertices, (void *)offset);
+        gl->EnableVertexAttribArray((GLuint)i);
+    }
+    gl->BindVertexArray(0);
+    return gl_check(gl, "making vertices");
+}
+
+void field_draw(const GlContext *gl, const Field *field)
+{
+    gl->BindVertexArray(field->array);
+    gl->DrawArrays(field->mode, 0, field->count);
+}
+
+void field_delete(const GlContext *gl, Field *field)
+{
+    gl->DeleteVertexArrays(1, &field->array);
+    gl->DeleteBuffers(1, &field->buffer);
+    *field = (Field){0};
+}
+
+/* The fragment program declares it: "... worldNormal;" */
+static bool declares(const char *fragment, const InputRow *row)
+{
+    char text[64];
+    snprintf(text, sizeof text, "in %s %s;", type_table[row->type].name, row->glsl);
+    return strstr(fragment, text) != NULL;
+}
+
+/* Appends like snprintf. */
+#define PUT(...) (size += snprintf(text + size, size < FIELD_TEXT ? (size_t)(FIELD_TEXT - size) : 0, __VA_ARGS__))
+
+void field_vertex_text(const char *fragment, char text[FIELD_TEXT])
+{
+    int size = 0;
+    PUT("#version 330 core\nin vec4 at;\nuniform vec2 measure_jitter;\n");
+    for (int i = 0; i < FIELD_VARYINGS; i++) {
+        const InputRow *row = &input_table[i];
+        if (declares(fragment, row))
+            PUT("in %s %s;\nout %s %s;\n", type_table[row->type].name, field_attributes[1 + i],
+                type_table[row->type].name, row->glsl);
+    }
+    PUT("void main() {\n");
+    for (int i = 0; i < FIELD_VARYINGS; i++)
+        if (declares(fragment, &input_table[i]))
+            PUT("    %s = %s;\n", input_table[i].glsl, field_attributes[1 + i]);
+    PUT("    gl_Position = at + vec4(measure_jitter * at.w, 0.0, 0.0);\n}\n");
+}
+#undef PUT

@@ -1,0 +1,390 @@
+/* Measures variants one after the other: errors first, then all times together. */
+#include "candidates.h"
+#include "runtime/gl/message.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const double measure_range = 4;
+
+enum { LEAST_ROUNDS = 5, SOFTWARE_SIDE = 512, HARDWARE_SIDE = 2048, MOST_MEAN = 16, REFERENCE_SIDE = 16 };
+
+/* A program of pass value whose errors are known: variants often share it. */
+typedef struct {
+    char *fragment;
+    int slot, truth; /* of the reference */
+    Distance computed, aliased;
+} Known;
+
+/* Values that several variants are compared with. */
+typedef struct {
+    SlotValues *values;      /* by the C reference */
+    float *mean[SLOT_COUNT]; /* supersampled; NULL: not made yet */
+} Truth;
+
+typedef struct {
+    Meter *meter;
+    const MeasureRequest *request;
+    FieldVertex vertices[POINTS];
+    Field points, view;
+    Framebuffer picture;
+    Known *known;
+    int known_count, known_room;
+    Truth truth[CHOICE_COUNT * CHOICE_COUNT]; /* by the choices of noise and derivatives */
+    Shader *shaders;                          /* of pass gbuffer, one for each of the list */
+    double start;
+} Work;
+
+static void *grow(void *list, int count, int *room, size_t size)
+{
+    if (count < *room)
+        return list;
+    *room = *room ? 2 * *room : 16;
+    list = realloc(list, (size_t)*room * size);
+    if (!list)
+        abort();
+    return list;
+}
+
+static void *make(size_t count, size_t size)
+{
+    void *memory = calloc(count ? count : 1, size);
+    if (!memory)
+        abort();
+    return memory;
+}
+
+/* Two noises are two pictures, and so are finite and exact derivatives. */
+static int truth_index(const Variant *variant)
+{
+    return variant->choice[AXIS_noise] * CHOICE_COUNT + variant->choice[AXIS_derivatives];
+}
+
+static Truth *truth_of(Work *w, const Variant *variant)
+{
+    Truth *truth = &w->truth[truth_index(variant)];
+    if (truth->values)
+        return truth;
+    truth->values = make(POINTS, sizeof *truth->values);
+    measure_reference(w->request, variant, w->vertices, truth->values);
+    return truth;
+}
+
+static bool make_work(Work *w)
+{
+    FieldVertex plane[PLANE_VERTICES];
+    Meter *m = w->meter;
+    double scale = w->request->scale > 0 ? w->request->scale : 1;
+    FramebufferSpec spec = {
+        .width = MEASURE_SIDE, .height = MEASURE_SIDE, .color_count = 1, .color_format = GL_RGBA32F};
+    field_points(w->vertices, w->request->range);
+    field_plane(plane, &(PlaneView){.yaw = 0.3, .scale = scale, .aspect = 1, .height = MEASURE_SIDE});
+    return (field_make(m->gl, w->vertices, POINTS, GL_POINTS, &w->points) &&
+            field_make(m->gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &w->view) &&
+            framebuffer_make(m->gl, &spec, &w->picture)) ||
+           message_fail(m->error, sizeof m->error, "%s", m->gl->error);
+}
+
+/* n for n x n samples: as many as a second of drawing allows. */
+static int mean_side(Work *w, const Shader *shader)
+{
+    const double seconds = clamp(w->request->seconds / 50, 0.05, 0.8);
+    float *scratch = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *scratch);
+    meter_draw_mean(w->meter, shader, &w->view, &w->picture, 1, scratch);
+    double start = meter_now();
+    meter_draw_mean(w->meter, shader, &w->view, &w->picture, 2, scratch);
+    double once = fmax((meter_now() - start) / 4, 1e-5);
+    free(scratch);
+    return (int)clamp(sqrt(seconds / once), 8, 2 * REFERENCE_SIDE);
+}
+
+/* The supersampled picture of a slot, without antialiasing. */
+static const float *mean_of(Work *w, const Variant *variant, int slot)
+{
+    Truth *truth = truth_of(w, variant);
+    if (truth->mean[slot])
+        return truth->mean[slot];
+    Variant plain;
+    variant_of(w->request->options, &plain);
+    plain.choice[AXIS_noise] = variant->choice[AXIS_noise];
+    plain.choice[AXIS_derivatives] = variant->choice[AXIS_derivatives];
+    plain.choice[AXIS_aa] = CHOICE_aa_none;
+    plain.choice[AXIS_coordinates] = CHOICE_coordinates_long; /* what rounds a coordinate is no reference */
+    MatcOptions options = variant_options(&plain, w->request->options);
+    options.pass = "value";
+    options.slot = slot_table[slot].name;
+    MatcProgram *program = shader_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
+    Shader shader = {0};
+    float *mean = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *mean);
+    if (program && shader_make(w->meter->gl, program, &shader) &&
+        meter_draw_mean(w->meter, &shader, &w->view, &w->picture, mean_side(w, &shader), mean))
+        truth->mean[slot] = mean;
+    else
+        free(mean);
+    shader_delete(w->meter->gl, &shader);
+    return truth->mean[slot];
+}
+
+static Distance picture_distance(int slot, const float *found, const float *wanted)
+{
+    const SlotRow *row = &slot_table[slot];
+    int lanes = type_table[row->type].lanes, count = MEASURE_SIDE * MEASURE_SIDE;
+    double most = 0, squares = 0;
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < lanes; lane++) {
+            double want = clamp(wanted[4 * i + lane], row->low, row->high), got = found[4 * i + lane];
+            double d = isfinite(got) ? fabs(clamp(got, row->low, row->high) - want) / fmax(1, fabs(want)) : INFINITY;
+            most = fmax(most, d);
+            squares += d * d;
+        }
+    return (Distance){most, sqrt(squares / (count * lanes))};
+}
+
+static Distance find_aliased(Work *w, const Variant *variant, int slot, const Shader *shader)
+{
+    Distance none = {NAN, NAN};
+    if (!w->request->aliasing || slot == SLOT_normal)
+        return none;
+    const float *wanted = mean_of(w, variant, slot);
+    float *found = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *found);
+    if (wanted && meter_draw_mean(w->meter, shader, &w->view, &w->picture, 1, found))
+        none = picture_distance(slot, found, wanted);
+    free(found);
+    return none;
+}
+
+static Distance find_computed(Work *w, const Variant *variant, int slot, const Shader *shader)
+{
+    Distance result = {NAN, NAN};
+    float(*rgba)[4] = make(POINTS, sizeof *rgba);
+    SlotValues *found = make(POINTS, sizeof *found);
+    if (meter_draw_points(w->meter, shader, &w->points, rgba)) {
+        for (int i = 0; i < POINTS; i++)
+            for (int lane = 0; lane < 4; lane++)
+                found[i].lane[slot][lane] = rgba[i][lane];
+        result = measure_distance((Slot)slot, found, truth_of(w, variant)->values, POINTS);
+    }
+    free(found);
+    free(rgba);
+    return result;
+}
+
+static const Known *find_known(const Work *w, const char *fragment, int slot, int truth)
+{
+    for (int i = 0; i < w->known_count; i++)
+        if (w->known[i].slot == slot && w->known[i].truth == truth && !strcmp(w->known[i].fragment, fragment))
+            return &w->known[i];
+    return NULL;
+}
+
+/* What does not vary over the surface has no varyings; it is neither slow nor aliased. */
+static bool is_constant(const char *fragment) { return !strstr(fragment, "\nin "); }
+
+static const Known *learn(Work *w, const Variant *variant, int slot, MatcProgram *program)
+{
+    Shader shader = {0};
+    const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
+    Known known = {strdup(fragment), slot, truth_index(variant), {NAN, NAN}, {NAN, NAN}};
+    if (!known.fragment)
+        abort();
+    if (shader_make(w->meter->gl, program, &shader)) {
+        known.computed = find_computed(w, variant, slot, &shader);
+        known.aliased = is_constant(fragment) ? (Distance){0, 0} : find_aliased(w, variant, slot, &shader);
+    }
+    shader_delete(w->meter->gl, &shader);
+    w->known = grow(w->known, w->known_count, &w->known_room, sizeof *w->known);
+    w->known[w->known_count] = known;
+    return &w->known[w->known_count++];
+}
+
+/* The errors of a slot before it is packed. */
+static void measure_slot(Work *w, Measured *m, int slot)
+{
+    MatcOptions options = variant_options(&m->variant, w->request->options);
+    options.pass = "value";
+    options.slot = slot_table[slot].name;
+    MatcProgram *program = shader_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
+    if (!program)
+        return;
+    const Known *known = find_known(w, matc_output(program, MATC_FRAGMENT, NULL), slot, truth_index(&m->variant));
+    if (known)
+        matc_program_free(program);
+    else
+        known = learn(w, &m->variant, slot, program);
+    m->computed[slot] = known->computed;
+    m->aliased[slot] = known->aliased;
+}
+
+static bool measure_packed(Work *w, Measured *m, MatcProgram *program, Shader *shader)
+{
+    char *unpack = strdup(matc_output(program, MATC_UNPACK, NULL));
+    SlotValues *found = make(POINTS, sizeof *found);
+    bool fine = shader_make(w->meter->gl, program, shader) ||
+                message_fail(w->meter->error, sizeof w->meter->error, "%s", w->meter->gl->error);
+    fine = fine && meter_draw_packed(w->meter, shader, (Layout)m->variant.layout, unpack, &w->points, found);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        m->packed[slot] = fine && w->meter->holds[m->variant.layout][slot]
+                              ? measure_distance((Slot)slot, found, truth_of(w, &m->variant)->values, POINTS)
+                              : (Distance){NAN, NAN};
+    free(found);
+    free(unpack);
+    return fine;
+}
+
+static void sum_up(Measured *m)
+{
+    m->error = m->rms = 0;
+    m->aliasing = NAN;
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        m->error = fmax(m->error, m->packed[slot].maximum); /* fmax passes a NaN over */
+        m->rms = fmax(m->rms, m->packed[slot].rms);
+        m->aliasing = fmax(m->aliasing, m->aliased[slot].rms);
+    }
+}
+
+/* Two thirds of the time for errors, the rest for times. */
+static bool has_time(const Work *w) { return meter_now() - w->start < w->request->seconds * 2 / 3; }
+
+static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredList *list)
+{
+    list->at = make((size_t)count, sizeof *list->at);
+    w->shaders = make((size_t)count, sizeof *w->shaders);
+    for (int i = 0; i < count; i++) {
+        Measured *m = &list->at[list->count];
+        Shader *shader = &w->shaders[list->count];
+        if (w->request->progress)
+            w->request->progress(w->request->user, i, count);
+        if (i > 0 && !has_time(w)) {
+            list->left_out++;
+            matc_program_free(candidates[i].program);
+            continue;
+        }
+        *m = (Measured){.variant = candidates[i].variant};
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            m->computed[slot] = m->aliased[slot] = (Distance){NAN, NAN};
+        if (!measure_packed(w, m, candidates[i].program, shader)) {
+            shader_delete(w->meter->gl, shader);
+            list->refused++;
+            continue;
+        }
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            measure_slot(w, m, slot);
+        sum_up(m);
+        list->count++;
+    }
+}
+
+/* Targets to be timed with: one set a layout. */
+static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[LAYOUT_COUNT], Framebuffer *plain)
+{
+    int side = w->meter->gl->hardware ? HARDWARE_SIDE : SOFTWARE_SIDE;
+    FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
+    for (int i = 0; i < list->count; i++) {
+        int layout = list->at[i].variant.layout;
+        if (!targets[layout].name && !meter_make_targets(w->meter, (Layout)layout, side, side, &targets[layout]))
+            return false;
+    }
+    return framebuffer_make(w->meter->gl, &spec, plain) ||
+           message_fail(w->meter->error, sizeof w->meter->error, "%s", w->meter->gl->error);
+}
+
+/* As many rounds as the rest of the time allows. */
+static int find_rounds(Work *w, const TimedDraw *draws, int count)
+{
+    double *scratch = make((size_t)count, sizeof *scratch), start = meter_now();
+    meter_time(w->meter, draws, count, 1, scratch);
+    double once = meter_now() - start, left = w->request->seconds - (start - w->start) - once;
+    free(scratch);
+    return (int)clamp(left / fmax(once, 1e-3) - 2, LEAST_ROUNDS, MEASURE_ROUNDS);
+}
+
+static bool measure_times(Work *w, MeasuredList *list)
+{
+    Framebuffer targets[LAYOUT_COUNT], plain;
+    Shader constant = {0};
+    TimedDraw *draws = make((size_t)list->count + 1, sizeof *draws);
+    double *nanoseconds = make((size_t)list->count + 1, sizeof *nanoseconds);
+    memset(targets, 0, sizeof targets);
+    memset(&plain, 0, sizeof plain);
+    bool fine = make_targets(w, list, targets, &plain) && meter_make_constant(w->meter, &constant);
+    draws[0] = (TimedDraw){&constant, &w->view, &plain};
+    for (int i = 0; i < list->count; i++)
+        draws[1 + i] = (TimedDraw){&w->shaders[i], &w->view, &targets[list->at[i].variant.layout]};
+    fine = fine && meter_time(w->meter, draws, list->count + 1, find_rounds(w, draws, list->count + 1), nanoseconds);
+    list->constant = nanoseconds[0];
+    for (int i = 0; i < list->count; i++)
+        list->at[i].nanoseconds = fmax(0, nanoseconds[1 + i] - nanoseconds[0]);
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        framebuffer_delete(w->meter->gl, &targets[i]);
+    framebuffer_delete(w->meter->gl, &plain);
+    shader_delete(w->meter->gl, &constant);
+    free(nanoseconds);
+    free(draws);
+    return fine;
+}
+
+static void mark_fronts(MeasuredList *list)
+{
+    FrontPoint *points = make((size_t)list->count, sizeof *points);
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; i < list->count; i++)
+            points[i] = (FrontPoint){list->at[i].nanoseconds, pass ? list->at[i].aliasing : list->at[i].error, false};
+        front_mark(points, list->count);
+        for (int i = 0; i < list->count; i++)
+            *(pass ? &list->at[i].alias_front : &list->at[i].front) = points[i].front;
+    }
+    free(points);
+}
+
+static void discard(Work *w, int shaders)
+{
+    GlContext *gl = w->meter->gl;
+    for (int i = 0; i < shaders; i++)
+        shader_delete(gl, &w->shaders[i]);
+    for (int i = 0; i < w->known_count; i++)
+        free(w->known[i].fragment);
+    for (int i = 0; i < CHOICE_COUNT * CHOICE_COUNT; i++) {
+        free(w->truth[i].values);
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            free(w->truth[i].mean[slot]);
+    }
+    field_delete(gl, &w->points);
+    field_delete(gl, &w->view);
+    framebuffer_delete(gl, &w->picture);
+    free(w->shaders);
+    free(w->known);
+    free(w);
+}
+
+bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList *list)
+{
+    Work *w = make(1, sizeof *w);
+    int count;
+    *list = (MeasuredList){0};
+    w->meter = meter;
+    w->request = request;
+    w->start = meter_now();
+    *meter->error = 0;
+    bool fine = make_work(w);
+    if (fine) {
+        Candidate *candidates = candidates_make(request, list, &count);
+        measure_errors(w, candidates, count, list);
+        free(candidates);
+        fine = list->count > 0 ? measure_times(w, list)
+                               : *meter->error || message_fail(meter->error, sizeof meter->error,
+                                                               "the material compiles in no way that is asked for");
+        fine = fine && list->count > 0;
+    }
+    if (fine)
+        mark_fronts(list);
+    discard(w, list->count);
+    if (!fine)
+        measured_free(list);
+    return fine;
+}
+
+void measured_free(MeasuredList *list)
+{
+    free(list->at);
+    *list = (MeasuredList){0};
+}

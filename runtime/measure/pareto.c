@@ -1,0 +1,211 @@
+/* Tables, plots and choices. */
+#include "pareto.h"
+#include "compiler/output.h"
+#include "plot.h"
+#include "runtime/gl/message.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LONGEST_PATH = 4096 };
+static const double pareto_seconds = 40, choose_seconds = 20, picture_scale = 2;
+
+static PlotPoint *make_points(const MeasuredList *list, bool aliasing, char (*names)[VARIANT_NAME])
+{
+    PlotPoint *points = calloc((size_t)list->count + 1, sizeof *points);
+    if (!points)
+        abort();
+    for (int i = 0; i < list->count; i++) {
+        const Measured *m = &list->at[i];
+        variant_name(&m->variant, &list->at[0].variant, names[i]);
+        points[i] = (PlotPoint){.x = m->nanoseconds,
+                                .y = aliasing ? m->aliasing : m->error,
+                                .front = aliasing ? m->alias_front : m->front,
+                                .named = i == 0,
+                                .label = names[i]};
+    }
+    return points;
+}
+
+char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *gl)
+{
+    char note[512];
+    char(*names)[VARIANT_NAME] = calloc((size_t)list->count + 1, sizeof *names);
+    if (!names)
+        abort();
+    PlotPoint *errors = make_points(list, false, names), *aliasing = make_points(list, true, names);
+    snprintf(note, sizeof note, "%d variants on %s; the time of a constant colour is subtracted", list->count,
+             gl->renderer);
+    const PlotPanel panels[] = {
+        {"Greatest error of a slot, packed and read back", "ns a pixel", "error", errors, list->count},
+        {"Aliasing on a plane up to its horizon", "ns a pixel", "RMS of the worst slot", aliasing, list->count}};
+    char *svg = plot_svg(&(Plot){title, note, panels, 2, 2});
+    free(errors);
+    free(aliasing);
+    free(names);
+    return svg;
+}
+
+static bool write_text(const char *basename, const char *suffix, const char *text, char *error, size_t room)
+{
+    char path[LONGEST_PATH];
+    snprintf(path, sizeof path, "%s%s", basename, suffix);
+    const char *why = output_write(path, text, strlen(text));
+    return !why || message_fail(error, room, "%s: %s", path, why);
+}
+
+/* A missing library for the PNG is no fault: the SVG is there. */
+static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl,
+                        const char *basename, FILE *out, char *error, size_t room)
+{
+    char path[LONGEST_PATH], reason[512];
+    const char *name = matc_material_name(subject->document, subject->material);
+    char *csv = measure_csv(list, name, gl, true), *svg = pareto_svg(list, name, gl);
+    bool done = write_text(basename, ".csv", csv, error, room) && write_text(basename, ".svg", svg, error, room);
+    snprintf(path, sizeof path, "%s.png", basename);
+    if (done && !plot_png(svg, picture_scale, path, reason, sizeof reason))
+        fprintf(out, "no %s: %s\n", path, reason);
+    free(csv);
+    free(svg);
+    return done;
+}
+
+static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter, const MatcOptions *options)
+{
+    char name[VARIANT_NAME];
+    Variant none = list->at[0].variant;
+    (void)options;
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        none.choice[axis] = -1;
+    none.layout = -1;
+    variant_name(&list->at[0].variant, &none, name);
+    fprintf(out, "as given: %s\n", name);
+    fprintf(out, "front: e, none is faster with less error; a, none is faster with less aliasing\n");
+    fprintf(out, "%d programs on %s; a constant colour takes %.3f ns/pixel, which is subtracted", list->count,
+            meter->gl->renderer, list->constant);
+    if (list->same)
+        fprintf(out, "; %d variants are the same as one of them", list->same);
+    if (list->refused)
+        fprintf(out, "; %d cannot be had", list->refused);
+    if (list->left_out)
+        fprintf(out, "; %d left out for want of time", list->left_out);
+    fputc('\n', out);
+}
+
+bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, const char *basename, char **table,
+                    char *error, size_t room)
+{
+    MeasuredList list;
+    size_t size;
+    Meter *meter = meter_open(subject->gl, error, room);
+    if (!meter)
+        return false;
+    const MeasureRequest request = {.document = subject->document,
+                                    .material = subject->material,
+                                    .options = options,
+                                    .open = variant_open(options),
+                                    .range = subject->range,
+                                    .seconds = pareto_seconds,
+                                    .aliasing = true};
+    bool done = measure_variants(meter, &request, &list) || message_fail(error, room, "%s", meter->error);
+    FILE *out = done ? open_memstream(table, &size) : NULL;
+    if (out) {
+        char *lines = measure_table(&list);
+        fputs(lines, out);
+        put_summary(out, &list, meter, options);
+        free(lines);
+        done = !basename || write_files(subject, &list, meter->gl, basename, out, error, room);
+        fclose(out);
+        measured_free(&list);
+        if (!done)
+            free(*table);
+    }
+    meter_close(meter);
+    return done && out;
+}
+
+/* What is chosen is how well something is computed, not what. */
+static VariantAxes open_for_choice(const MatcOptions *options)
+{
+    VariantAxes open = variant_open(options);
+    open.axis[AXIS_noise] = open.axis[AXIS_aa] = open.axis[AXIS_derivatives] = false;
+    return open;
+}
+
+static const char *worst_slot(const Measured *m)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (m->packed[slot].maximum == m->error)
+            return slot_table[slot].name;
+    return "?";
+}
+
+/* All choices that were open, by name. */
+static void chosen_name(const Measured *m, const VariantAxes *open, char name[VARIANT_NAME])
+{
+    Variant other = m->variant;
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        if (open->axis[axis])
+            other.choice[axis] = -1;
+    if (open->layout)
+        other.layout = -1;
+    variant_name(&m->variant, &other, name);
+}
+
+static char *explain(const MeasuredList *list, int chosen, double most, const VariantAxes *open, const Meter *meter)
+{
+    char *text = NULL, name[VARIANT_NAME];
+    size_t size;
+    const Measured *m = &list->at[chosen];
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        abort();
+    chosen_name(m, open, name);
+    fprintf(out, "chosen: %s, because it is the fastest of %d within %g: %.3f ns/pixel, error %.3g (%s), on %s\n", name,
+            list->count, most, m->nanoseconds, m->error, worst_slot(m), meter->gl->renderer);
+    for (int i = 0; i < list->count; i++)
+        if (list->at[i].nanoseconds < m->nanoseconds && list->at[i].error > most) {
+            chosen_name(&list->at[i], open, name);
+            fprintf(out, "not:    %s: %.3f ns/pixel, error %.3g (%s)\n", name, list->at[i].nanoseconds,
+                    list->at[i].error, worst_slot(&list->at[i]));
+        }
+    fclose(out);
+    return text;
+}
+
+static bool refuse(const MeasuredList *list, int best, double most, const VariantAxes *open, char *error, size_t room)
+{
+    char name[VARIANT_NAME];
+    chosen_name(&list->at[best], open, name);
+    return message_fail(error, room, "no choice keeps every slot within %g; the best is %s: %.3g (%s)", most, name,
+                        list->at[best].error, worst_slot(&list->at[best]));
+}
+
+bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options, char **why, char *error,
+                   size_t room)
+{
+    MeasuredList list;
+    int best;
+    Meter *meter = meter_open(subject->gl, error, room);
+    if (!meter)
+        return false;
+    const MeasureRequest request = {.document = subject->document,
+                                    .material = subject->material,
+                                    .options = options,
+                                    .open = open_for_choice(options),
+                                    .range = subject->range,
+                                    .seconds = choose_seconds};
+    bool done = measure_variants(meter, &request, &list) || message_fail(error, room, "%s", meter->error);
+    if (done) {
+        int chosen = measure_choose(&list, most, &best);
+        done = chosen >= 0 || refuse(&list, best, most, &request.open, error, room);
+        if (done) {
+            *why = explain(&list, chosen, most, &request.open, meter);
+            *options = variant_options(&list.at[chosen].variant, options);
+        }
+        measured_free(&list);
+    }
+    meter_close(meter);
+    return done;
+}

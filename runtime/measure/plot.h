@@ -1,0 +1,31 @@
+/* Plots of error against time: small panels, both axes logarithmic, the Pareto front a line. */
+#ifndef MATC_MEASURE_PLOT_H
+#define MATC_MEASURE_PLOT_H
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct {
+    double x, y;       /* 0 and below stand on the axis; a NaN is left out */
+    bool front;        /* on the line, and labelled */
+    bool named;        /* labelled even if not */
+    const char *label; /* NULL or "": none */
+} PlotPoint;
+
+typedef struct {
+    const char *title, *x, *y; /* y: what the axis shows */
+    const PlotPoint *points;
+    int count;
+} PlotPanel;
+
+typedef struct {
+    const char *title, *note; /* note: a line below the title, or NULL */
+    const PlotPanel *panels;
+    int count, columns; /* panels, and how many stand side by side */
+} Plot;
+
+/* The plot as SVG, in light and dark colours as the reader prefers them. From malloc. */
+char *plot_svg(const Plot *plot);
+
+/* An SVG text as a PNG of `scale` times its size, by librsvg and cairo, loaded when this is called. False: see `error`. */
+bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room);
+#endif

@@ -1,0 +1,41 @@
+/* What the numbers should be, and how far they are from that. */
+#include "compiler/evaluate.h"
+#include "measure.h"
+#include <math.h>
+#include <stdlib.h>
+
+void measure_reference(const MeasureRequest *request, const Variant *variant, const FieldVertex *points,
+                       SlotValues *values)
+{
+    MatcOptions options = variant_options(variant, request->options);
+    options.target = NULL; /* programs are drawn as GLSL 3.30 */
+    Surface *surfaces = calloc(POINTS, sizeof *surfaces);
+    if (!surfaces)
+        abort();
+    for (int i = 0; i < POINTS; i++)
+        field_surface(&points[i], &surfaces[i]);
+    document_evaluate(request->document, request->material, &options, surfaces, POINTS, values);
+    free(surfaces);
+}
+
+static double distance(const SlotRow *row, double found, double wanted)
+{
+    if (!isfinite(found))
+        return INFINITY;
+    double right = clamp(wanted, row->low, row->high);
+    return fabs(clamp(found, row->low, row->high) - right) / fmax(1, fabs(right));
+}
+
+Distance measure_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count)
+{
+    const SlotRow *row = &slot_table[slot];
+    int lanes = type_table[row->type].lanes;
+    double most = 0, squares = 0;
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < lanes; lane++) {
+            double d = distance(row, found[i].lane[slot][lane], wanted[i].lane[slot][lane]);
+            most = fmax(most, d);
+            squares += d * d;
+        }
+    return (Distance){most, sqrt(squares / fmax(1, (double)count * lanes))};
+}

@@ -1,0 +1,96 @@
+/* How long draws last. */
+#include "meter.h"
+#include "runtime/gl/message.h"
+#include <stdlib.h>
+#include <time.h>
+
+enum { MOST_REPEATS = 1 << 14 };
+static const double least_sample = 2.5e-3; /* seconds: what a clock and a queue add is small against it */
+
+double meter_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static int by_value(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double meter_median(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, by_value);
+    return count % 2 ? values[count / 2] : (values[count / 2 - 1] + values[count / 2]) / 2;
+}
+
+static void repeat(const GlContext *gl, const Field *field, int repeats)
+{
+    for (int i = 0; i < repeats; i++)
+        field_draw(gl, field);
+}
+
+/* A software renderer's GPU clock is the wall clock, at best. */
+static bool has_clock(const GlContext *gl) { return gl->hardware && gl->GetQueryObjectui64v; }
+
+static double seconds_by_gpu(const GlContext *gl, const Field *field, int repeats)
+{
+    GLuint query = 0;
+    GLuint64 nanoseconds = 0;
+    gl->GenQueries(1, &query);
+    gl->BeginQuery(GL_TIME_ELAPSED, query);
+    repeat(gl, field, repeats);
+    gl->EndQuery(GL_TIME_ELAPSED);
+    gl->GetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds); /* waits */
+    gl->DeleteQueries(1, &query);
+    return (double)nanoseconds * 1e-9;
+}
+
+static double seconds_by_wall(const GlContext *gl, const Field *field, int repeats)
+{
+    gl->Finish();
+    double start = meter_now();
+    repeat(gl, field, repeats);
+    gl->Finish();
+    return meter_now() - start;
+}
+
+static double time_once(Meter *m, const TimedDraw *draw, int repeats)
+{
+    framebuffer_use(m->gl, draw->target);
+    shader_use(m->gl, draw->shader, (float[2]){0, 0});
+    return has_clock(m->gl) ? seconds_by_gpu(m->gl, draw->field, repeats)
+                            : seconds_by_wall(m->gl, draw->field, repeats);
+}
+
+/* The first draw compiles; then doubled until a sample is long enough. */
+static int find_repeats(Meter *m, const TimedDraw *draw)
+{
+    int repeats = 1;
+    time_once(m, draw, 1);
+    while (repeats < MOST_REPEATS && time_once(m, draw, repeats) < least_sample)
+        repeats *= 2;
+    return repeats;
+}
+
+bool meter_time(Meter *m, const TimedDraw *draws, int count, int rounds, double *nanoseconds)
+{
+    int *repeats = calloc((size_t)count, sizeof *repeats);
+    double *seconds = calloc((size_t)count * (size_t)rounds, sizeof *seconds);
+    if (!repeats || !seconds)
+        abort();
+    for (int i = 0; i < count; i++)
+        repeats[i] = find_repeats(m, &draws[i]);
+    for (int round = 0; round < rounds; round++)
+        for (int i = 0; i < count; i++)
+            seconds[i * rounds + round] = time_once(m, &draws[i], repeats[i]) / repeats[i];
+    for (int i = 0; i < count; i++) {
+        const FramebufferSpec *spec = &draws[i].target->spec;
+        nanoseconds[i] = meter_median(seconds + i * rounds, rounds) * 1e9 / ((double)spec->width * spec->height);
+    }
+    free(repeats);
+    free(seconds);
+    return gl_check(m->gl, "timing") || message_fail(m->error, sizeof m->error, "%s", m->gl->error);
+}

@@ -1,0 +1,228 @@
+/* matbench error: run time against error of every variant, as a CSV, a plot and a page. */
+#include "error.h"
+#include "compiler/output.h"
+#include "matbench.h"
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PANEL_COLUMNS = 4, LONGEST_PATH = 4096, HARDWARE_FACTOR = 8 };
+static const double picture_scale = 1, quick_seconds = 1.2, full_seconds = 40;
+
+void error_target(ErrorBench *bench, const char *what, bool reached, const char *format, ...)
+{
+    char text[2 * TARGET_TEXT];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    if (bench->target_count == TARGETS_LIMIT)
+        return;
+    ErrorTarget *target = &bench->targets[bench->target_count++];
+    char *bar = strchr(text, '|');
+    if (bar)
+        *bar = 0;
+    snprintf(target->what, sizeof target->what, "%s", what);
+    snprintf(target->wanted, sizeof target->wanted, "%.*s", TARGET_TEXT - 1, text);
+    snprintf(target->measured, sizeof target->measured, "%.*s", TARGET_TEXT - 1, bar ? bar + 1 : "");
+    target->reached = reached;
+}
+
+void error_figure(ErrorBench *bench, const char *group, const char *subject, const char *variant, const char *quantity,
+                  double value)
+{
+    const GlContext *gl = bench->meter->gl;
+    fprintf(bench->csv, "%s,\"%s\",%s%s,%s,%s,%.6g\n", group, subject, gl_kind_name(gl->kind),
+            gl->hardware ? " hardware" : "", variant, quantity, value);
+}
+
+MatcDocument *error_document(const char *name, const char *text)
+{
+    char path[LONGEST_PATH];
+    const char *root =
+        access(SOURCE_FOLDER "/examples", R_OK) ? "." : SOURCE_FOLDER; /* a binary may have been carried */
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    snprintf(path, sizeof path, "%s/%s.yaml", root, name);
+    MatcDocument *document = matc_read(path, text, strlen(text), &options);
+    if (matc_material_count(document))
+        return document;
+    fputs(matc_diagnostics(document, MATC_TEXT), stderr);
+    exit(1); /* a document of our own */
+}
+
+bool error_shader(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Shader *shader)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options = variant_options(variant, &options);
+    options.pass = "value";
+    MatcProgram *program = shader_compile(document, 0, MATC_FRAGMENT, &options);
+    *shader = (Shader){0};
+    if (!program)
+        return false;
+    if (shader_make(bench->meter->gl, program, shader))
+        return true;
+    shader_delete(bench->meter->gl, shader);
+    return false;
+}
+
+static void show(const char *what) { fprintf(stderr, "\r\033[K%s", what); }
+static void keep_quiet(const char *what) { (void)what; }
+
+typedef struct {
+    bool quick;
+    GlKind gl;
+    double seconds;
+    const char *csv, *plot, *page;
+} Arguments;
+
+/* "--name=value", or "--name value". NULL: another argument. */
+static const char *value_of(const char *name, int argc, char **argv, int *i)
+{
+    size_t size = strlen(name);
+    if (strncmp(argv[*i], name, size) != 0)
+        return NULL;
+    if (argv[*i][size] == '=')
+        return argv[*i] + size + 1;
+    return !argv[*i][size] && *i + 1 < argc ? argv[++*i] : NULL;
+}
+
+static bool read_arguments(Arguments *a, int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++) {
+        const char *value;
+        if (!strcmp(argv[i], "--quick"))
+            a->quick = true;
+        else if ((value = value_of("--seconds", argc, argv, &i)))
+            a->seconds = atof(value);
+        else if ((value = value_of("--gl", argc, argv, &i))) {
+            if (!gl_kind_find(value, &a->gl))
+                return false;
+        } else if ((value = value_of("--csv", argc, argv, &i)))
+            a->csv = value;
+        else if ((value = value_of("--plot", argc, argv, &i)))
+            a->plot = value;
+        else if ((value = value_of("--page", argc, argv, &i)))
+            a->page = value;
+        else
+            return false;
+    }
+    return true;
+}
+
+static bool write_text(const char *path, const char *text)
+{
+    const char *why = output_write(path, text, strlen(text));
+    if (why)
+        fprintf(stderr, "matbench: %s: %s\n", path, why);
+    return !why;
+}
+
+static bool write_plot(const ErrorBench *bench, const char *basename)
+{
+    char path[LONGEST_PATH], note[512], error[512];
+    const char *renderer = bench->meter->gl->renderer;
+    snprintf(
+        note, sizeof note,
+        "Of every material: the greatest error through the G-buffer; the aliasing on a plane up to its horizon. %s",
+        renderer);
+    char *svg = plot_svg(&(Plot){"Run time against error", note, bench->panels, bench->panel_count, PANEL_COLUMNS});
+    snprintf(path, sizeof path, "%s.svg", basename);
+    bool done = write_text(path, svg);
+    snprintf(path, sizeof path, "%s.png", basename);
+    if (done && !plot_png(svg, picture_scale, path, error, sizeof error))
+        fprintf(stderr, "matbench: no %s: %s\n", path, error); /* the SVG is there */
+    free(svg);
+    return done;
+}
+
+static void run_all(ErrorBench *bench)
+{
+    error_normals(bench);
+    error_codes(bench);
+    error_powers(bench);
+    error_noise(bench);
+    error_checker(bench);
+    error_materials(bench);
+    bench->progress("");
+}
+
+static void print_targets(const ErrorBench *bench)
+{
+    for (int i = 0; i < bench->target_count; i++) {
+        const ErrorTarget *t = &bench->targets[i];
+        printf("%-8s %s: %s / %s\n", t->reached ? "reached" : "missed", t->what, t->wanted, t->measured);
+    }
+}
+
+/* The plot as the page names it: relative to the page's folder. */
+static const char *plot_from_page(const Arguments *a)
+{
+    const char *slash = a->page ? strrchr(a->page, '/') : NULL;
+    size_t folder = slash ? (size_t)(slash - a->page) + 1 : 0;
+    return a->plot && folder && !strncmp(a->plot, a->page, folder) ? a->plot + folder : a->plot ? a->plot : "accuracy";
+}
+
+static int finish(ErrorBench *bench, const Arguments *a, const char *csv, char *const *parts)
+{
+    bool done = !a->csv || write_text(a->csv, csv);
+    if (a->plot)
+        done = write_plot(bench, a->plot) && done;
+    char *page = a->page ? error_page(bench, plot_from_page(a), parts) : NULL;
+    if (a->page && !page)
+        fputs("matbench: tests/bench/accuracy.md.in cannot be read\n", stderr);
+    if (a->page)
+        done = page && write_text(a->page, page) && done;
+    free(page);
+    if (!a->csv && !a->page)
+        fputs(csv, stdout);
+    else
+        print_targets(bench);
+    return done ? 0 : 1;
+}
+
+int bench_error(int argc, char **argv)
+{
+    Arguments arguments = {0};
+    char error[4096], *csv, *parts[SECTION_PART_count];
+    size_t sizes[1 + SECTION_PART_count];
+    if (!read_arguments(&arguments, argc, argv)) {
+        fputs("usage: matbench error [--quick] [--seconds=N] [--gl=osmesa|egl] [--csv FILE] [--plot BASENAME] [--page "
+              "FILE]\n",
+              stderr);
+        return 2;
+    }
+    ErrorBench *bench = calloc(1, sizeof *bench);
+    bench->quick = arguments.quick;
+    for (int i = 0; i < argc; i++) {
+        size_t size = strlen(bench->command);
+        snprintf(bench->command + size, sizeof bench->command - size, i ? " %s" : "build/matbench %s", argv[i]);
+    }
+    bench->seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? quick_seconds : full_seconds;
+    bench->progress = isatty(STDERR_FILENO) ? show : keep_quiet;
+    bench->meter = meter_open(arguments.gl, error, sizeof error);
+    if (!bench->meter) {
+        fprintf(stderr, "matbench: %s\n", error);
+        free(bench);
+        return 1;
+    }
+    bench->factor = bench->meter->gl->hardware ? HARDWARE_FACTOR : 1;
+    bench->csv = open_memstream(&csv, &sizes[0]);
+    for (int i = 0; i < SECTION_PART_count; i++)
+        bench->part[i] = open_memstream(&parts[i], &sizes[1 + i]);
+    fputs("group,subject,gl,variant,quantity,value\n", bench->csv);
+    run_all(bench);
+    fclose(bench->csv);
+    for (int i = 0; i < SECTION_PART_count; i++)
+        fclose(bench->part[i]);
+    int status = finish(bench, &arguments, csv, parts);
+    for (int i = 0; i < SECTION_PART_count; i++)
+        free(parts[i]);
+    free(csv);
+    meter_close(bench->meter);
+    free(bench);
+    return status;
+}

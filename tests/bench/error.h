@@ -1,0 +1,67 @@
+/* What the parts of `matbench error` share: what is measured with, and where the figures go. */
+#ifndef MATBENCH_ERROR_H
+#define MATBENCH_ERROR_H
+#include "runtime/measure/measure.h"
+#include "runtime/measure/plot.h"
+#include <stdio.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { TARGETS_LIMIT = 64, TARGET_TEXT = 256, PANELS_LIMIT = 32 };
+
+/* A line of the table of targets. */
+typedef struct {
+    char what[TARGET_TEXT], wanted[TARGET_TEXT], measured[TARGET_TEXT];
+    bool reached;
+} ErrorTarget;
+
+/* Parts of the page, each a table; the template names them as @NORMALS@ and so on. */
+typedef enum {
+    SECTION_PART_materials,
+    SECTION_PART_normals,
+    SECTION_PART_checker,
+    SECTION_PART_noise,
+    SECTION_PART_powers,
+    SECTION_PART_codes,
+    SECTION_PART_count
+} SectionPart;
+
+typedef struct {
+    Meter *meter;
+    char command[1024]; /* as it was called */
+    bool quick;
+    double seconds; /* for a material */
+    int factor; /* pictures that are timed are so many times wider and higher on a GPU, or they would last no time */
+    FILE *csv;  /* group,subject,gl,variant,quantity,value */
+    FILE *part[SECTION_PART_count]; /* Markdown */
+    ErrorTarget targets[TARGETS_LIMIT];
+    int target_count;
+    PlotPanel panels[PANELS_LIMIT];
+    int panel_count;
+    void (*progress)(const char *what); /* never NULL */
+} ErrorBench;
+
+__attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what, bool reached,
+                                                        const char *wanted_then_measured, ...);
+/* A figure of the CSV. */
+void error_figure(ErrorBench *bench, const char *group, const char *subject, const char *variant, const char *quantity,
+                  double value);
+
+/* A document of the benches, read with its pictures; its materials exist, or the program has a fault and ends. */
+MatcDocument *error_document(const char *name, const char *text);
+/* A program of pass value, slot diffuse, of a document's first material. False: it does not compile. */
+bool error_shader(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Shader *shader);
+
+/* Each fills its parts and targets. */
+void error_normals(ErrorBench *bench);
+void error_materials(ErrorBench *bench);
+void error_checker(ErrorBench *bench);
+void error_noise(ErrorBench *bench);
+void error_powers(ErrorBench *bench);
+void error_codes(ErrorBench *bench);
+
+/* The page, from its template, the parts and the targets. From malloc; NULL: the template cannot be read. */
+char *error_page(ErrorBench *bench, const char *plot, char *const *parts);
+#endif

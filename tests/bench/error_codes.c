@@ -1,0 +1,126 @@
+/* Every layout: whatever a slot reads back as is packed and read back once more, and must come back the same, so that no code
+ * is lost between a shader, a render target and the next shader. */
+#include "error.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SWEEP = 65536, QUICK_SWEEP = 8192 };
+
+/* Every slot of a colour is x. */
+static const char document_text[] =
+    "material: Phong\n"
+    "diffuse: &x { map: Gradient, direction: [1, 0, 0] }\n"
+    "specular: *x\ntransparency: *x\ndiffuseTransparency: *x\nambient: *x\nemissive: *x\n";
+static const Slot slots[] = {SLOT_diffuse, SLOT_specular, SLOT_transparency, SLOT_diffuseTransparency,
+                             SLOT_ambient, SLOT_emissive};
+enum { SLOTS = sizeof slots / sizeof *slots };
+
+typedef struct {
+    ErrorBench *bench;
+    Layout layout;
+    Shader shader;
+    char *unpack;
+    FieldVertex points[POINTS];
+    SlotValues first[POINTS], second[POINTS];
+    double *codes; /* that one lane was read back as, in the order of the sweep */
+    long read, changed;
+} Sweep;
+
+static bool draw(Sweep *s, SlotValues *values)
+{
+    Field field;
+    bool done = field_make(s->bench->meter->gl, s->points, POINTS, GL_POINTS, &field) &&
+                meter_draw_packed(s->bench->meter, &s->shader, s->layout, s->unpack, &field, values);
+    field_delete(s->bench->meter->gl, &field);
+    return done;
+}
+
+/* The lane is fed what it was read as. */
+static bool check_lane(Sweep *s, Slot slot, int lane)
+{
+    for (int i = 0; i < POINTS; i++)
+        s->points[i].input[INPUT_X][0] = (float)s->first[i].lane[slot][lane];
+    if (!draw(s, s->second))
+        return false;
+    for (int i = 0; i < POINTS; i++, s->read++)
+        s->changed += s->second[i].lane[slot][lane] != s->first[i].lane[slot][lane];
+    return true;
+}
+
+static bool check_batch(Sweep *s, int from, int steps)
+{
+    for (int i = 0; i < POINTS; i++)
+        s->points[i].input[INPUT_X][0] = (float)(from + i) / (float)(steps - 1);
+    if (!draw(s, s->first))
+        return false;
+    for (int i = 0; i < POINTS; i++)
+        s->codes[from + i] = s->first[i].lane[SLOT_specular][0];
+    for (int k = 0; k < SLOTS; k++)
+        for (int lane = 0; lane < 3 && s->bench->meter->holds[s->layout][slots[k]]; lane++)
+            if (!check_lane(s, slots[k], lane))
+                return false;
+    return true;
+}
+
+static int distinct(const double *codes, int count)
+{
+    int found = count > 0;
+    for (int i = 1; i < count; i++)
+        found += codes[i] != codes[i - 1]; /* a sweep upwards reads back upwards */
+    return found;
+}
+
+static bool sweep_layout(Sweep *s, const MatcDocument *document)
+{
+    Variant variant;
+    MatcOptions options;
+    matc_options_init(&options);
+    variant_of(&options, &variant);
+    variant.layout = (int)s->layout;
+    options = variant_options(&variant, &options);
+    MatcProgram *program = shader_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
+    if (!program)
+        return false;
+    s->unpack = strdup(matc_output(program, MATC_UNPACK, NULL));
+    int steps = s->bench->quick ? QUICK_SWEEP : SWEEP;
+    bool done = shader_make(s->bench->meter->gl, program, &s->shader);
+    field_points(s->points, 1);
+    for (int from = 0; from < steps && done; from += POINTS)
+        done = check_batch(s, from, steps);
+    if (done) {
+        fprintf(s->bench->part[SECTION_PART_codes], "| %s | %d | %ld | %ld |\n", layout_table[s->layout].name,
+                distinct(s->codes, steps), s->read, s->changed);
+        error_figure(s->bench, "codes", layout_table[s->layout].name, "", "read", (double)s->read);
+        error_figure(s->bench, "codes", layout_table[s->layout].name, "", "changed", (double)s->changed);
+    }
+    shader_delete(s->bench->meter->gl, &s->shader);
+    free(s->unpack);
+    return done;
+}
+
+void error_codes(ErrorBench *bench)
+{
+    long read = 0, changed = 0;
+    Sweep *s = calloc(1, sizeof *s);
+    double *codes = calloc(SWEEP, sizeof *codes);
+    if (!s || !codes)
+        abort();
+    MatcDocument *document = error_document("codes", document_text);
+    fputs(
+        "| layout | codes of a lane of specular | codes read twice, all lanes | changed |\n| --- | --- | --- | --- |\n",
+        bench->part[SECTION_PART_codes]);
+    for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
+        bench->progress(layout_table[layout].name);
+        *s = (Sweep){.bench = bench, .layout = (Layout)layout, .codes = codes};
+        if (!sweep_layout(s, document))
+            continue;
+        read += s->read;
+        changed += s->changed;
+    }
+    error_target(bench, "packed codes of colours", read > 0 && changed == 0,
+                 "every one exact|%ld of %ld changed when packed again", changed, read);
+    matc_document_free(document);
+    free(codes);
+    free(s);
+}

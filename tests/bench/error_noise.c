@@ -1,0 +1,188 @@
+/* How fast noise is, and what fading its octaves brings at a distance. */
+#include "error.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 512, ROUNDS = 25, QUICK_ROUNDS = 7, SAMPLES_SIDE = 16, MOST = 16 };
+
+/* Cells of the first octave a pixel. */
+static const double distances[] = {0.2, 2};
+
+static const char noise_document[] =
+    "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: 1, size: 8, frequency: 0.5, phase: 0.5 }\n";
+static const char octaves_document[] =
+    "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: 8, noiseRatio: 0.5, "
+    "frequency: 0.5, phase: 0.5 }\n";
+
+/* A square of 2 x `extent` units that fills the picture, seen at a right angle. */
+static bool make_square(Meter *m, double extent, Field *made)
+{
+    FieldVertex corners[4];
+    memset(corners, 0, sizeof corners);
+    for (int i = 0; i < 4; i++) {
+        FieldVertex *v = &corners[i];
+        const float x = i % 2 ? 1 : -1, y = i < 2 ? -1 : 1, reach = (float)extent;
+        v->at[0] = 1.1f * x;
+        v->at[1] = 1.1f * y;
+        v->at[3] = 1;
+        v->input[INPUT_N][2] = v->input[INPUT_eyeN][2] = v->input[INPUT_DU][0] = v->input[INPUT_DV][1] = 1;
+        v->input[INPUT_XU][0] = v->input[INPUT_XV][1] = 1;
+        for (int k = 0; k < 3; k++) {
+            float at = 1.1f * reach * (k == 0 ? x : k == 1 ? y : 0.1f * x + 0.3f);
+            v->input[INPUT_P][k] = v->input[INPUT_X][k] = at;
+            v->input[INPUT_U][k] = k < 2 ? at : 0;
+        }
+    }
+    return field_make(m->gl, corners, 4, GL_TRIANGLE_STRIP, made);
+}
+
+typedef struct {
+    char name[VARIANT_NAME];
+    Shader shader;
+    double nanoseconds;
+} Timed;
+
+/* Every choice of an axis; returns how many compile. */
+static int make_choices(ErrorBench *bench, const MatcDocument *document, Axis axis, Timed list[MOST])
+{
+    Variant base, variant;
+    MatcOptions options;
+    int count = 0;
+    matc_options_init(&options);
+    variant_of(&options, &base);
+    for (int i = 0; i < axis_choices(axis) && count < MOST; i++) {
+        variant = base;
+        variant.choice[axis] = axis_table[axis].first + i;
+        snprintf(list[count].name, VARIANT_NAME, "%s=%s", axis_table[axis].name,
+                 choice_table[variant.choice[axis]].name);
+        count += error_shader(bench, document, &variant, &list[count].shader);
+    }
+    return count;
+}
+
+static bool time_choices(ErrorBench *bench, const Field *field, const Framebuffer *target, Timed *list, int count)
+{
+    Shader constant;
+    TimedDraw draws[MOST + 1];
+    double nanoseconds[MOST + 1];
+    if (!meter_make_constant(bench->meter, &constant))
+        return false;
+    draws[0] = (TimedDraw){&constant, field, target};
+    for (int i = 0; i < count; i++)
+        draws[1 + i] = (TimedDraw){&list[i].shader, field, target};
+    bool done = meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
+    for (int i = 0; i < count; i++)
+        list[i].nanoseconds = fmax(nanoseconds[1 + i] - nanoseconds[0], 1e-3);
+    shader_delete(bench->meter->gl, &constant);
+    return done;
+}
+
+static void report_noise(ErrorBench *bench, const Timed *list, int count)
+{
+    FILE *out = bench->part[SECTION_PART_noise];
+    double best = 0;
+    fputs("| one octave in space | ns a pixel | Mpixel/s |\n| --- | --- | --- |\n", out);
+    for (int i = 0; i < count; i++) {
+        double speed = 1000 / list[i].nanoseconds;
+        fprintf(out, "| %s | %.2f | %.0f |\n", list[i].name, list[i].nanoseconds, speed);
+        error_figure(bench, "noise", "one octave", list[i].name, "ns_per_pixel", list[i].nanoseconds);
+        best = strcmp(list[i].name, "noise=lattice") ? best : speed;
+    }
+    error_target(bench, "lattice noise in space", best >= 200, "200 Mpixel/s|%.0f Mpixel/s", best);
+}
+
+/* RMS and greatest difference from the supersampled picture. */
+static Distance difference(ErrorBench *bench, const Shader *shader, const Field *field, const Framebuffer *target,
+                           const float *wanted)
+{
+    double squares = 0, most = 0;
+    float *found = calloc(SIDE * SIDE * 4, sizeof *found);
+    if (!found)
+        abort();
+    meter_draw_mean(bench->meter, shader, field, target, 1, found);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double d = fabs((double)found[4 * i] - wanted[4 * i]);
+        squares += d * d / (SIDE * SIDE);
+        most = fmax(most, d);
+    }
+    free(found);
+    return (Distance){most, sqrt(squares)};
+}
+
+static void report_fading(ErrorBench *bench, double cells, const Field *field, const Framebuffer *target,
+                          const Timed *list, int count)
+{
+    FILE *out = bench->part[SECTION_PART_noise];
+    float *wanted = calloc(SIDE * SIDE * 4, sizeof *wanted);
+    double speedup = 0, rms = 0;
+    char what[TARGET_TEXT];
+    if (!wanted)
+        abort();
+    fprintf(out, "\n| eight octaves, %g cells of the first a pixel | ns a pixel | RMS error | max error |\n", cells);
+    fputs("| --- | --- | --- | --- |\n", out);
+    snprintf(what, sizeof what, "%g cells a pixel", cells);
+    meter_draw_mean(bench->meter, &list[0].shader, field, target, SAMPLES_SIDE, wanted);
+    for (int i = 0; i < count; i++) {
+        Distance d = difference(bench, &list[i].shader, field, target, wanted);
+        fprintf(out, "| %s | %.2f | %.5f | %.4f |\n", list[i].name, list[i].nanoseconds, d.rms, d.maximum);
+        error_figure(bench, "fading", what, list[i].name, "ns_per_pixel", list[i].nanoseconds);
+        error_figure(bench, "fading", what, list[i].name, "rmse", d.rms);
+        if (!strcmp(list[i].name, "aa=box")) {
+            speedup = list[0].nanoseconds / list[i].nanoseconds;
+            rms = d.rms;
+        }
+    }
+    snprintf(what, sizeof what, "fading of octaves, aa=box, %g cells a pixel", cells);
+    if (speedup > 0)
+        error_target(bench, what, speedup >= 2 && rms <= 1. / 255,
+                     "2 times faster, within 1/255 = 0.0039|%.2f times, RMS error %.4f", speedup, rms);
+    free(wanted);
+}
+
+static bool make_target(ErrorBench *bench, int side, GLenum format, Framebuffer *made)
+{
+    const FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = format};
+    return framebuffer_make(bench->meter->gl, &spec, made);
+}
+
+static void measure_document(ErrorBench *bench, const char *text, Axis axis, double extent, bool fading)
+{
+    Field field = {0}, wide = {0}; /* what is looked at; as much more of it as more is timed */
+    Framebuffer full, half;
+    Timed *list = calloc(MOST, sizeof *list);
+    GlContext *gl = bench->meter->gl;
+    if (!list)
+        abort();
+    MatcDocument *document = error_document("noise", text);
+    int count = make_choices(bench, document, axis, list);
+    bool done = count > 0 && make_square(bench->meter, extent, &field) &&
+                make_square(bench->meter, extent * bench->factor, &wide);
+    bool made = done && make_target(bench, SIDE * bench->factor, GL_RGBA16F, &half) &&
+                make_target(bench, SIDE, GL_RGBA32F, &full);
+    if (made && time_choices(bench, &wide, &half, list, count)) {
+        if (fading)
+            report_fading(bench, 2 * extent / SIDE, &field, &full, list, count);
+        else
+            report_noise(bench, list, count);
+    }
+    if (made) {
+        framebuffer_delete(gl, &full);
+        framebuffer_delete(gl, &half);
+    }
+    for (int i = 0; i < count; i++)
+        shader_delete(gl, &list[i].shader);
+    field_delete(gl, &field);
+    field_delete(gl, &wide);
+    matc_document_free(document);
+    free(list);
+}
+
+void error_noise(ErrorBench *bench)
+{
+    bench->progress("speed of noise");
+    measure_document(bench, noise_document, AXIS_noise, 1, false);
+    bench->progress("fading of octaves");
+    for (size_t i = 0; i < sizeof distances / sizeof *distances; i++)
+        measure_document(bench, octaves_document, AXIS_aa, distances[i] * SIDE / 2, true);
+}
