@@ -167,6 +167,8 @@ Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *
         return diag_add(c, NO_SPAN, DIAG_broken_ir, "lower", fault);
     if (c->optimize > 0 && !optimize(c, ir))
         return NULL;
+    if (job->choice[AXIS_trigonometry] == CHOICE_trigonometry_bounded)
+        opt_trigonometry(ir);
     opt_dead(ir);
     ir_done(ir);
     return ir;

@@ -84,6 +84,7 @@ typedef struct Ir {
     const Graph *graph; /* for uniforms' names */
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
+    bool keep_pow;          /* powers stay calls of pow */
     ReferenceNoise noise;   /* which the folder computes with */
     uint32_t argument_sets; /* function arguments made so far */
     uint8_t hint;           /* given to new nodes */

@@ -113,6 +113,7 @@ static Lower start(Compile *c, const Graph *graph, const Job *job, int optimize)
 {
     Lower l = {.c = c, .graph = graph, .ir = ir_new(c, graph), .job = job, .cheap = optimize > 0};
     l.ir->simplify = optimize > 0 ? opt_simplify : NULL;
+    l.ir->keep_pow = job->choice[AXIS_powers] == CHOICE_powers_pow;
     l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
     l.ir->hint = HINT_SURFACE;
     l.uniform_use = ARENA_ARRAY(c->arena, uint8_t, graph->uniform_count);

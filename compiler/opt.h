@@ -6,14 +6,15 @@
 /* All passes until none changes anything. False: the IR is broken after a pass (a fault of matc; reported). */
 bool optimize(Compile *c, Ir *ir);
 
-bool opt_fold(Ir *ir);     /* constant operands -> constant */
-bool opt_algebra(Ir *ir);  /* grammar/rules.def */
-bool opt_swizzle(Ir *ir);  /* lanes of lanes, lanes of vectors; narrow early */
-bool opt_select(Ir *ir);   /* decided conditions, equal arms, work on constant arms */
-bool opt_power(Ir *ir);    /* whole exponents -> products */
-bool opt_range(Ir *ir);    /* bounds that cannot be reached, comparisons that are decided */
-bool opt_function(Ir *ir); /* functions that do not use their arguments, or not all */
-bool opt_polish(Ir *ir);   /* the local rules together, with what is known of uses */
+bool opt_fold(Ir *ir);         /* constant operands -> constant */
+bool opt_algebra(Ir *ir);      /* grammar/rules.def */
+bool opt_swizzle(Ir *ir);      /* lanes of lanes, lanes of vectors; narrow early */
+bool opt_select(Ir *ir);       /* decided conditions, equal arms, work on constant arms */
+bool opt_power(Ir *ir);        /* whole exponents -> products */
+bool opt_range(Ir *ir);        /* bounds that cannot be reached, comparisons that are decided */
+bool opt_function(Ir *ir);     /* functions that do not use their arguments, or not all */
+bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
+bool opt_polish(Ir *ir);       /* the local rules together, with what is known of uses */
 /* The local rules of fold, algebra, swizzle, select and power, until none applies: for nodes as they are made. */
 Ref opt_simplify(Ir *ir, Ref ref);
 bool opt_dead(Ir *ir); /* drops what the outputs do not reach */

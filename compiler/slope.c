@@ -183,6 +183,16 @@ static Ref call_sibling(Lower *l, const SlopeRow *row, const Ref *args, int coun
     return ir_call(l->ir, row->by, all, used);
 }
 
+/* n x^(n - 1) dx, the exponent being a constant. */
+static Ref power_slope(Lower *l, const Ref *args, Ref d)
+{
+    double n = ir_numbers(l->ir, args[1])[0];
+    if (!d)
+        return 0;
+    Ref lower = n > 1 ? ir_call(l->ir, FN_powerCompensated, (Ref[]){args[0], ir_int(l->ir, n - 1)}, 2) : number(l, 1);
+    return times(l, ir_binary(l->ir, OP_mul, lower, number(l, n)), d);
+}
+
 static Ref call_slope(Lower *l, Ref ref, const Ref *slopes)
 {
     const IrNode node = *ir_at(l->ir, ref);
@@ -202,6 +212,8 @@ static Ref call_slope(Lower *l, Ref ref, const Ref *slopes)
         return d ? call_sibling(l, row, args, node.count, d) : 0;
     case SLOPE_factor:
         return d ? ir_binary(l->ir, OP_mul, call_sibling(l, row, args, node.count, 0), d) : 0;
+    case SLOPE_power:
+        return power_slope(l, args, d);
     case SLOPE_difference:
         break;
     }
