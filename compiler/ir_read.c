@@ -11,7 +11,7 @@ typedef struct {
     const char *fault;
 } Scanner;
 
-enum { LARGEST_NUMBER = 1 << 20, MOST_OPERANDS = 16 };
+enum { LARGEST_NUMBER = 1 << 20, MOST_OPERANDS = 16, MOST_FUNCTIONS = 1 << 12 };
 
 static void skip_spaces(Scanner *s)
 {
@@ -157,18 +157,32 @@ static bool read_output(Scanner *s)
     return ref != 0;
 }
 
-/* function fN = result arguments... ; numbered in the order they are defined */
+/* Room for function fN: a function stands where its last node does, which need not be in the order of the numbers. */
+static bool number_function(Scanner *s, const char *text, size_t *number)
+{
+    const IrFunction none = {0};
+    char *end;
+    *number = strtoul(text + 1, &end, 10);
+    if (text[0] != 'f' || end == text + 1 || *end || *number >= MOST_FUNCTIONS)
+        return false;
+    while (s->ir->function_count <= *number)
+        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room, none);
+    return !s->ir->functions[*number].result;
+}
+
+/* function fN = result arguments... */
 static bool read_function(Scanner *s)
 {
     char text[LIMIT_NAME];
+    size_t number;
     IrFunction function = {.arguments = ARENA_ARRAY(s->ir->arena, Ref, MOST_OPERANDS)};
-    if (!word(s, text, sizeof text) || atoi(text + 1) != (int)s->ir->function_count || !word(s, text, sizeof text) ||
+    if (!word(s, text, sizeof text) || !number_function(s, text, &number) || !word(s, text, sizeof text) ||
         !word(s, text, sizeof text) || !(function.result = operand(s, text)))
         return fail(s, "a function is not `function fN = %result %argument...`");
     while (function.count < MOST_OPERANDS && word(s, text, sizeof text))
         if (!(function.arguments[function.count++] = operand(s, text)))
             return false;
-    ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room, function);
+    s->ir->functions[number] = function;
     return true;
 }
 
@@ -191,7 +205,8 @@ static bool read_line(Scanner *s)
 
 Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault)
 {
-    Scanner s = {.ir = ir_new(c, graph), .at = text, .named_room = LARGEST_NUMBER};
+    size_t size = strlen(text) + 1; /* a node takes more than a byte */
+    Scanner s = {.ir = ir_new(c, graph), .at = text, .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
     s.named = ARENA_ARRAY(c->arena, Ref, s.named_room);
     while (*s.at && !s.fault) {
         if (!read_line(&s))
@@ -200,6 +215,9 @@ Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault
             s.at++;
         s.at += *s.at == '\n';
     }
+    for (size_t i = 0; i < s.ir->function_count; i++)
+        if (!s.ir->functions[i].result)
+            fail(&s, "a function's number is left out");
     *fault = s.fault;
     return s.fault ? NULL : s.ir;
 }
