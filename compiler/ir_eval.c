@@ -6,6 +6,7 @@ typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
     const double (*inputs)[4];
+    const IrRounding *rounding; /* NULL: none */
     Arena scratch;
 } Evaluator;
 
@@ -100,6 +101,8 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
                     args[i].type = TYPE_float;
         fold_value(e->context, (Op)node->op, (Type)node->type, node->payload, args, node->count, result);
     }
+    for (int i = 0; e->rounding && i < type_table[node->type].lanes; i++)
+        result[i] = e->rounding->round(e->rounding->user, node, args, result[i]);
 }
 
 /* All that `result` needs, in the order of the numbers: operands come first. Both arms of a select are evaluated. */
@@ -117,10 +120,10 @@ static void eval(Evaluator *e, Frame *frame, Ref result)
         }
 }
 
-void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-             double result[MOST_OUTPUTS][4])
+void ir_eval_rounded(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+                     const IrRounding *rounding, double result[MOST_OUTPUTS][4])
 {
-    Evaluator e = {.ir = ir, .context = context, .inputs = inputs};
+    Evaluator e = {.ir = ir, .context = context, .inputs = inputs, .rounding = rounding};
     Frame frame = {0};
     frame.value = arena_alloc(&e.scratch, sizeof *frame.value * ir->count);
     frame.known = arena_zero(&e.scratch, ir->count);
@@ -129,4 +132,10 @@ void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[
         memcpy(result[i], frame.value[ir->outputs[i].value], sizeof result[i]);
     }
     arena_free(&e.scratch);
+}
+
+void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+             double result[MOST_OUTPUTS][4])
+{
+    ir_eval_rounded(ir, context, inputs, NULL, result);
 }

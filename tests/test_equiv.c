@@ -5,9 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/fold.h"
-#include "runtime/lib/carpenter.h"
 #include "tests/value/documents.h"
+#include "tests/value/evaluate.h"
 #include "tests/value/points.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +16,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { STEP = 4, SAMPLES = POINT_COUNT / STEP, TEXTURES = 16 };
+enum { STEP = 4, SAMPLES = POINT_COUNT / STEP };
 static const double bound = 1e-9;
 
 /* Every STEPth of the points, but for those whose numbers lead out of the range in which doubles are as exact as wanted. */
@@ -30,40 +29,6 @@ static int sample_points(Point samples[SAMPLES])
         if (!point_is_extreme(&points[i]))
             samples[count++] = points[i];
     return count;
-}
-
-/* The textures of an IR, as the reference functions take them. */
-static void make_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[TEXTURES])
-{
-    assert_true(ir->texture_count <= TEXTURES);
-    for (size_t i = 0; i < ir->texture_count; i++) {
-        const IrTexture *t = &ir->textures[i];
-        textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .lanes = 1};
-        if (t->kind == TEXTURE_image) {
-            textures[i].lanes = 4;
-            textures[i].bytes = t->image->bytes;
-            continue;
-        }
-        double n[4];
-        float *floats = arena_alloc(arena, sizeof *floats * (size_t)t->width * (size_t)t->height);
-        for (int k = 0; k < 4; k++) {
-            double lanes[4];
-            value_number(&t->node->params[1 + k], TYPE_float, lanes);
-            n[k] = lanes[0];
-        }
-        carpenter_bake(n[0], n[1], n[2], (int64_t)n[3], t->width, t->height, floats);
-        textures[i].floats = floats;
-    }
-}
-
-static void make_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4])
-{
-    memset(inputs, 0, sizeof(double[INPUT_COUNT][4]));
-    for (int i = 0; i < POINT_VARYINGS; i++)
-        for (int lane = 0; lane < 3; lane++)
-            inputs[i][lane] = point->input[i][lane];
-    inputs[INPUT_front][0] = front;
-    inputs[INPUT_IOR][0] = point_ior;
 }
 
 typedef struct {
@@ -91,14 +56,14 @@ static void fault(Test *t, int material, Slot slot, const char *format, ...)
 static void check_values(Test *t, int material, Slot slot, int level, const Ir *ir)
 {
     Arena arena = {0};
-    ReferenceTexture textures[TEXTURES];
-    make_textures(&arena, ir, textures);
+    ReferenceTexture textures[EVALUATE_TEXTURES];
+    assert_true(evaluate_textures(&arena, ir, textures));
     ReferenceContext context = {ir->noise, textures};
     for (int i = 0; i < 2 * t->count; i++) {
         bool front = i < t->count;
         int point = i % t->count;
         double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
-        make_inputs(&t->points[point], front, inputs);
+        evaluate_inputs(&t->points[point], front, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
         for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
             const Hull *hull = &t->hulls[front][point];

@@ -40,6 +40,7 @@ static const struct {
     {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share"},
     {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it"},
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
+    {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk"},
 };
 
 int main(int argc, char **argv)

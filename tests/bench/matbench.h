@@ -15,4 +15,5 @@ int bench_compile(int argc, char **argv);
 /* glslang VERTEX FRAGMENT: only validates; what bench_compile compares a process of matc with. */
 int bench_glslang(int argc, char **argv);
 int bench_instructions(int argc, char **argv);
+int bench_stress(int argc, char **argv);
 #endif
