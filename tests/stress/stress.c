@@ -11,7 +11,7 @@
 #include <malloc.h>
 #endif
 
-enum { THREADS_MOST = 64, SHRINK_TRIES = 3000, SHRINK_TRIES_DRAWN = 300, SHRINK_SECONDS = 40 };
+enum { THREADS_MOST = 64, SHRINK_TRIES = 3000, SHRINK_TRIES_DRAWN = 300, SHRINK_SECONDS = 20 };
 
 typedef struct {
     const StressOptions *options;
