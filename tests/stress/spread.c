@@ -200,8 +200,10 @@ static double watch(void *user, const IrNode *node, const FoldArg *args, double 
 {
     (void)node, (void)args;
     Evaluation *e = user;
-    e->finite &= isfinite(value) != 0;
-    e->peak = fmax(e->peak, fabs(value));
+    if (isfinite(value))
+        e->peak = fmax(e->peak, fabs(value));
+    else
+        e->finite = false;
     return value;
 }
 

@@ -19,7 +19,7 @@ double spread_miss(const Spread *spread, int output, int lane, double value, dou
 /* An evaluation as exact as doubles are, and what was seen on the way. */
 typedef struct {
     double value[MOST_OUTPUTS][4];
-    double peak; /* greatest number of all nodes */
+    double peak; /* greatest finite number of all nodes */
     bool finite; /* all of them */
 } Evaluation;
 void evaluate_double(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e);
