@@ -77,6 +77,13 @@ static bool read_lanes(const char *text, Type type, uint32_t *payload)
     return true;
 }
 
+/* The number, or -1 if the text has not said what that function is. */
+static int defined_function(const Scanner *s, int number)
+{
+    bool known = number >= 0 && (size_t)number < s->ir->function_count && s->ir->functions[number].result;
+    return known ? number : -1;
+}
+
 static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
 {
     char text[LIMIT_NAME + 8];
@@ -93,7 +100,7 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
     else if (op == OP_swizzle)
         found = read_lanes(text, type, payload) ? (int)*payload : -1;
     else if ((op == OP_apply || op == OP_kernel) && text[0] == 'f')
-        found = atoi(text + 1);
+        found = defined_function(s, atoi(text + 1));
     else if (op == OP_argument && strchr(text, '.'))
         found = atoi(text) << 8 | atoi(strchr(text, '.') + 1);
     else if (op == OP_texture)
