@@ -77,6 +77,12 @@ static bool read_lanes(const char *text, Type type, uint32_t *payload)
     return true;
 }
 
+/* Whose set and its number in it, as a payload; -1: out of bounds. */
+static int argument_place(int set, int number)
+{
+    return set >= 0 && set < LARGEST_NUMBER && number >= 0 && number < 256 ? set << 8 | number : -1;
+}
+
 /* The number, or -1 if the text has not said what that function is. */
 static int defined_function(const Scanner *s, int number)
 {
@@ -102,7 +108,7 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
     else if ((op == OP_apply || op == OP_kernel) && text[0] == 'f')
         found = defined_function(s, atoi(text + 1));
     else if (op == OP_argument && strchr(text, '.'))
-        found = atoi(text) << 8 | atoi(strchr(text, '.') + 1);
+        found = argument_place(atoi(text), atoi(strchr(text, '.') + 1));
     else if (op == OP_texture)
         found = atoi(text);
     for (int i = 0; op == OP_uniform && i < s->ir->graph->uniform_count; i++)
