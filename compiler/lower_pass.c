@@ -133,7 +133,7 @@ static void write_shadow(Lower *l, const Node *material, const Env *env)
 static void write_sky(Lower *l, const Node *material, const Env *env)
 {
     Ref light = add(l, lower_slot(l, material, SLOT_diffuse, env), lower_slot(l, material, SLOT_emissive, env));
-    ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
+    ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, raw_field(l, light, 0, 3), TYPE_vec4));
 }
 
 static void write_pass(Lower *l, const Node *material)

@@ -222,16 +222,16 @@ static int output_of(const Ir *ir, int target)
     return i;
 }
 
-static bool in_range(Trial *t, const Spot *s, Layout layout)
+static bool in_range(Trial *t, const Spot *s, Layout layout, bool packed)
 {
     const Ir *ir = s->program->ir[1];
-    for (int target = 0; target < layout_table[layout].targets; target++)
+    for (int target = 0; target < (packed ? layout_table[layout].targets : 1); target++)
         for (int lane = 0; lane < 4; lane++) {
             double v = s->exact[1].value[output_of(ir, target)][lane];
             if (!(fabs(v) <= 65504))
                 return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target, lane, v, where(s));
         }
-    for (int i = 0; i < field_count; i++) {
+    for (int i = 0; i < field_count && packed; i++) {
         const FieldRow *f = &field_table[i];
         double v = s->exact[1].value[output_of(ir, f->target)][f->lane];
         if (f->layout == layout && f->encoding == ENCODING_pair && !(v >= 1 && v <= 65504))
@@ -251,8 +251,8 @@ static bool try_pass(Trial *t, Pass pass)
         bool beyond = false;
         spot_open(&s, &p, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
         fine = is_finite(t, &s, &beyond);
-        if (fine && !beyond && (pass == PASS_gbuffer || pass == PASS_plane))
-            fine = in_range(t, &s, LAYOUT_thesis);
+        if (fine && !beyond && pass != PASS_shadow)
+            fine = in_range(t, &s, LAYOUT_thesis, pass != PASS_sky);
         for (int output = 0; fine && !beyond && output < p.ir[0]->output_count; output++)
             for (int lane = 0; fine && lane < 4; lane++)
                 fine = agrees(t, &s, 1, output, lane, s.exact[0].value[output][lane]);
