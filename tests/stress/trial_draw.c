@@ -42,8 +42,8 @@ typedef struct {
     MatcDocument *document;
     Slot slot;
     Arena arena;
-    const Ir *ir[2]; /* as written, with the noise of glsl330 and of glsl110 */
-    ReferenceTexture textures[2][EVALUATE_TEXTURES];
+    const Ir *ir[2][2]; /* with the noise of glsl330 and of glsl110; as written and optimised */
+    ReferenceTexture textures[2][2][EVALUATE_TEXTURES];
     Oracle *oracles[2];
     Evaluation (*exact)[FIELD_COUNT]; /* of either noise */
     double bound;
@@ -51,50 +51,74 @@ typedef struct {
     float *rgba[4];
 } Drawing;
 
-static bool drawing_open(Drawing *d)
+static ReferenceContext context_of(const Drawing *d, int noise, int level)
+{
+    return (ReferenceContext){d->ir[noise][level]->noise, d->textures[noise][level]};
+}
+
+static bool make_ir(Drawing *d, int noise)
 {
     static const Target targets[] = {TARGET_glsl330, TARGET_glsl110};
     Trial *t = d->trial;
+    t->options.target = target_table[targets[noise]].name;
+    for (int level = 0; level < 2; level++) {
+        d->ir[noise][level] = trial_ir(t, &d->arena, PASS_value, d->slot, 2 * level);
+        if (d->ir[noise][level])
+            evaluate_textures(&d->arena, d->ir[noise][level], d->textures[noise][level]);
+    }
+    t->options.target = NULL;
+    return d->ir[noise][0] && d->ir[noise][1];
+}
+
+static bool drawing_open(Drawing *d)
+{
+    Trial *t = d->trial;
     d->work = 0;
     for (int i = 0; i < 2; i++) {
-        t->options.target = target_table[targets[i]].name;
-        d->ir[i] = trial_ir(t, &d->arena, PASS_value, d->slot, 0);
-        t->options.target = NULL;
-        if (!d->ir[i])
+        if (!make_ir(d, i))
             return false;
-        d->each = (double)d->ir[i]->count * pow(27, t->material->filters);
-        evaluate_textures(&d->arena, d->ir[i], d->textures[i]);
-        ReferenceContext context = {d->ir[i]->noise, d->textures[i]};
+        d->each = (double)d->ir[i][0]->count * pow(27, t->material->filters);
+        ReferenceContext context = context_of(d, i, 0);
         d->oracles[i] = oracle_open(t->graph, &context);
         for (int k = 0; k < FIELD_COUNT; k++) {
             double inputs[INPUT_COUNT][4];
             evaluate_inputs(&t->plan->field[k], true, inputs);
-            evaluate_double(d->ir[i], &context, (const double(*)[4])inputs, &d->exact[i][k]);
+            evaluate_double(d->ir[i][0], &context, (const double(*)[4])inputs, &d->exact[i][k]);
         }
     }
     return true;
+}
+
+/* How far a drawn number is from what rounding may make of the program as written and, of an optimised one, of that: its mix
+ * rounds by the greater of its operands. */
+static double spread_of(Drawing *d, int noise, int optimize, int k, int count, int lane, double want, double got)
+{
+    double inputs[INPUT_COUNT][4], miss = INFINITY;
+    evaluate_inputs(&d->trial->plan->field[k], true, inputs);
+    for (int level = 0; level <= optimize / 2; level++) {
+        Spread spread;
+        ReferenceContext context = context_of(d, noise, level);
+        d->trial->count->spreads++;
+        d->work += d->each * count;
+        spread_make(d->ir[noise][level], &context, (const double(*)[4])inputs, MACHINE_float, count,
+                    (const double(*)[4])d->exact[noise][k].value, &spread);
+        miss = fmin(miss, spread_miss(&spread, 0, lane, want, got));
+    }
+    return miss;
 }
 
 static bool judge(Drawing *d, int noise, const Variant *v, int k, const double want[4])
 {
     Trial *t = d->trial;
     const float *got = &d->rgba[0][4 * k];
-    ReferenceContext context = {d->ir[noise]->noise, d->textures[noise]};
-    double inputs[INPUT_COUNT][4];
-    evaluate_inputs(&t->plan->field[k], true, inputs);
     for (int lane = 0; lane < type_table[slot_table[d->slot].type].lanes; lane++) {
         double miss = fabs(got[lane] - want[lane]) / fmax(1, fabs(want[lane]));
         t->count->drawn_values++;
         t->count->judged += miss <= d->bound;
         for (int count = FEW; count <= MANY && miss > d->bound; count *= MANY / FEW) {
-            Spread spread;
-            t->count->spreads++;
-            d->work += d->each * count;
             if (d->work > MOST_WORK)
                 return true;
-            spread_make(d->ir[noise], &context, (const double(*)[4])inputs, MACHINE_float, count,
-                        (const double(*)[4])d->exact[noise][k].value, &spread);
-            miss = spread_miss(&spread, 0, lane, want[lane], got[lane]);
+            miss = spread_of(d, noise, v->optimize, k, count, lane, want[lane], got[lane]);
         }
         const float *u = t->plan->field[k].input[INPUT_U], *x = t->plan->field[k].input[INPUT_X];
         if (miss > d->bound)
