@@ -169,25 +169,6 @@ static double err(void *user, const IrNode *node, const FoldArg *args, double va
     return e->machine == MACHINE_float && fabs(value) < FLT_MIN ? 0 : value;
 }
 
-void spread_make(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Machine machine,
-                 int count, const double value[MOST_OUTPUTS][4], Spread *spread)
-{
-    Erring erring = {.machine = machine, .context = context};
-    IrRounding rounding = {err, &erring};
-    choices_random(&erring.random, 1, (uint64_t)count);
-    memcpy(spread->low, value, sizeof spread->low);
-    memcpy(spread->high, value, sizeof spread->high);
-    for (int i = 0; i < count; i++) {
-        double result[MOST_OUTPUTS][4] = {{0}};
-        erring.evaluation = i;
-        ir_eval_rounded(ir, context, inputs, &rounding, result);
-        for (int k = 0; k < 4 * ir->output_count; k++) {
-            spread->low[k / 4][k % 4] = fmin(spread->low[k / 4][k % 4], result[k / 4][k % 4]);
-            spread->high[k / 4][k % 4] = fmax(spread->high[k / 4][k % 4], result[k / 4][k % 4]);
-        }
-    }
-}
-
 double spread_miss(const Spread *spread, int output, int lane, double value, double number)
 {
     double low = spread->low[output][lane], high = spread->high[output][lane], width = high - low;
@@ -232,4 +213,34 @@ void evaluate_double(const Ir *ir, const ReferenceContext *context, const double
 void evaluate_float(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e)
 {
     evaluate(ir, context, inputs, to_float, e);
+}
+
+static void widen(Spread *spread, const double result[MOST_OUTPUTS][4])
+{
+    for (int k = 0; k < 4 * MOST_OUTPUTS; k++) {
+        spread->low[k / 4][k % 4] = fmin(spread->low[k / 4][k % 4], result[k / 4][k % 4]);
+        spread->high[k / 4][k % 4] = fmax(spread->high[k / 4][k % 4], result[k / 4][k % 4]);
+    }
+}
+
+/* With floats, one evaluation rounds as it should: it may meet a place, a texel or an edge, that no other one meets. */
+void spread_make(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Machine machine,
+                 int count, const double value[MOST_OUTPUTS][4], Spread *spread)
+{
+    Erring erring = {.machine = machine, .context = context};
+    IrRounding rounding = {err, &erring};
+    Evaluation rounded;
+    choices_random(&erring.random, 1, (uint64_t)count);
+    memcpy(spread->low, value, sizeof spread->low);
+    memcpy(spread->high, value, sizeof spread->high);
+    if (machine == MACHINE_float) {
+        evaluate_float(ir, context, inputs, &rounded);
+        widen(spread, (const double(*)[4])rounded.value);
+    }
+    for (int i = 0; i < count; i++) {
+        double result[MOST_OUTPUTS][4] = {{0}};
+        erring.evaluation = i;
+        ir_eval_rounded(ir, context, inputs, &rounding, result);
+        widen(spread, (const double(*)[4])result);
+    }
 }
