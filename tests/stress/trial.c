@@ -46,7 +46,9 @@ static bool open_document(Trial *t, const char *text, size_t size)
     if (!t->graph || t->c.diags.errors || !t->graph->material_count)
         return trial_fault(t, FAULT_refused, "%s", said(&t->c));
     t->material = t->graph->materials[0].node;
-    t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+    Job job;
+    job_of(&t->options, &job);
+    t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = noise_for(job.choice[AXIS_noise], job.target)});
     t->count->nodes += t->graph->node_count;
     return true;
 }
