@@ -19,6 +19,11 @@ typedef struct {
 
 static void eval(Evaluator *e, Frame *frame, Ref result);
 
+static double rounded(const Evaluator *e, const IrNode *node, const FoldArg *args, double value)
+{
+    return e->rounding ? e->rounding->round(e->rounding->user, node, args, value) : value;
+}
+
 static void load_argument(const Evaluator *e, const Frame *frame, Ref ref, FoldArg *arg)
 {
     arg->type = ir_type(e->ir, ref);
@@ -44,7 +49,7 @@ static int argument_number(const IrFunction *function, Ref argument)
     return i;
 }
 
-/* The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
+/* Each partial sum is rounded. The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
 static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, double *result)
 {
     FoldArg moved[FOLD_OPERANDS];
@@ -59,7 +64,7 @@ static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, d
                 moved[i].numbers[lane] += offset[lane];
         eval_apply(e, node, moved, value);
         for (int lane = 0; lane < type_table[node->type].lanes; lane++)
-            result[lane] += value[lane];
+            result[lane] = rounded(e, node, args, result[lane] + value[lane]);
     }
 }
 
@@ -101,8 +106,8 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
                     args[i].type = TYPE_float;
         fold_value(e->context, (Op)node->op, (Type)node->type, node->payload, args, node->count, result);
     }
-    for (int i = 0; e->rounding && i < type_table[node->type].lanes; i++)
-        result[i] = e->rounding->round(e->rounding->user, node, args, result[i]);
+    for (int i = 0; i < type_table[node->type].lanes; i++)
+        result[i] = rounded(e, node, args, result[i]);
 }
 
 /* All that `result` needs, in the order of the numbers: operands come first. Both arms of a select are evaluated. */
