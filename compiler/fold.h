@@ -18,4 +18,11 @@ bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payl
  * ir_eval.c. */
 void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
              double result[MOST_OUTPUTS][4]);
+/* What becomes of every lane of every node's value: as a machine with fewer digits has it, or one that errs otherwise. */
+typedef struct {
+    double (*round)(void *user, const IrNode *node, const FoldArg *args, double value);
+    void *user;
+} IrRounding;
+void ir_eval_rounded(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+                     const IrRounding *rounding, double result[MOST_OUTPUTS][4]);
 #endif

@@ -67,9 +67,11 @@ static uint32_t hash_node(const IrNode *node, const Ref *args)
 
 void ir_rehash(Ir *ir)
 {
-    for (Ref ref = 1; ref < ir->count; ref++)
-        if (ir->nodes[ref].op != OP_const) /* a constant's hash is that of its numbers */
-            ir->nodes[ref].hash = hash_node(&ir->nodes[ref], &ir->args[ir->nodes[ref].first]);
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        IrNode *node = &ir->nodes[ref];
+        if (node->op != OP_const) /* a constant's hash is that of its numbers */
+            node->hash = hash_node(node, node->count ? &ir->args[node->first] : NULL);
+    }
     memset(ir->table, 0, sizeof(Ref) * (ir->mask + 1));
     fill_table(ir);
 }

@@ -6,6 +6,7 @@ typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
     const double (*inputs)[4];
+    const IrRounding *rounding; /* NULL: none */
     Arena scratch;
 } Evaluator;
 
@@ -17,6 +18,11 @@ typedef struct {
 } Frame;
 
 static void eval(Evaluator *e, Frame *frame, Ref result);
+
+static double rounded(const Evaluator *e, const IrNode *node, const FoldArg *args, double value)
+{
+    return e->rounding ? e->rounding->round(e->rounding->user, node, args, value) : value;
+}
 
 static void load_argument(const Evaluator *e, const Frame *frame, Ref ref, FoldArg *arg)
 {
@@ -43,7 +49,7 @@ static int argument_number(const IrFunction *function, Ref argument)
     return i;
 }
 
-/* The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
+/* Each partial sum is rounded. The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
 static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, double *result)
 {
     FoldArg moved[FOLD_OPERANDS];
@@ -58,7 +64,7 @@ static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, d
                 moved[i].numbers[lane] += offset[lane];
         eval_apply(e, node, moved, value);
         for (int lane = 0; lane < type_table[node->type].lanes; lane++)
-            result[lane] += value[lane];
+            result[lane] = rounded(e, node, args, result[lane] + value[lane]);
     }
 }
 
@@ -100,6 +106,8 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
                     args[i].type = TYPE_float;
         fold_value(e->context, (Op)node->op, (Type)node->type, node->payload, args, node->count, result);
     }
+    for (int i = 0; i < type_table[node->type].lanes; i++)
+        result[i] = rounded(e, node, args, result[i]);
 }
 
 /* All that `result` needs, in the order of the numbers: operands come first. Both arms of a select are evaluated. */
@@ -117,10 +125,10 @@ static void eval(Evaluator *e, Frame *frame, Ref result)
         }
 }
 
-void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-             double result[MOST_OUTPUTS][4])
+void ir_eval_rounded(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+                     const IrRounding *rounding, double result[MOST_OUTPUTS][4])
 {
-    Evaluator e = {.ir = ir, .context = context, .inputs = inputs};
+    Evaluator e = {.ir = ir, .context = context, .inputs = inputs, .rounding = rounding};
     Frame frame = {0};
     frame.value = arena_alloc(&e.scratch, sizeof *frame.value * ir->count);
     frame.known = arena_zero(&e.scratch, ir->count);
@@ -129,4 +137,10 @@ void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[
         memcpy(result[i], frame.value[ir->outputs[i].value], sizeof result[i]);
     }
     arena_free(&e.scratch);
+}
+
+void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+             double result[MOST_OUTPUTS][4])
+{
+    ir_eval_rounded(ir, context, inputs, NULL, result);
 }

@@ -11,7 +11,7 @@ typedef struct {
     const char *fault;
 } Scanner;
 
-enum { LARGEST_NUMBER = 1 << 20, MOST_OPERANDS = 16 };
+enum { LARGEST_NUMBER = 1 << 20, MOST_OPERANDS = 16, MOST_FUNCTIONS = 1 << 12 };
 
 static void skip_spaces(Scanner *s)
 {
@@ -77,6 +77,19 @@ static bool read_lanes(const char *text, Type type, uint32_t *payload)
     return true;
 }
 
+/* Whose set and its number in it, as a payload; -1: out of bounds. */
+static int argument_place(int set, int number)
+{
+    return set >= 0 && set < LARGEST_NUMBER && number >= 0 && number < 256 ? set << 8 | number : -1;
+}
+
+/* The number, or -1 if the text has not said what that function is. */
+static int defined_function(const Scanner *s, int number)
+{
+    bool known = number >= 0 && (size_t)number < s->ir->function_count && s->ir->functions[number].result;
+    return known ? number : -1;
+}
+
 static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
 {
     char text[LIMIT_NAME + 8];
@@ -93,9 +106,9 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
     else if (op == OP_swizzle)
         found = read_lanes(text, type, payload) ? (int)*payload : -1;
     else if ((op == OP_apply || op == OP_kernel) && text[0] == 'f')
-        found = atoi(text + 1);
+        found = defined_function(s, atoi(text + 1));
     else if (op == OP_argument && strchr(text, '.'))
-        found = atoi(text) << 8 | atoi(strchr(text, '.') + 1);
+        found = argument_place(atoi(text), atoi(strchr(text, '.') + 1));
     else if (op == OP_texture)
         found = atoi(text);
     for (int i = 0; op == OP_uniform && i < s->ir->graph->uniform_count; i++)
@@ -157,18 +170,32 @@ static bool read_output(Scanner *s)
     return ref != 0;
 }
 
-/* function fN = result arguments... ; numbered in the order they are defined */
+/* Room for function fN: a function stands where its last node does, which need not be in the order of the numbers. */
+static bool number_function(Scanner *s, const char *text, size_t *number)
+{
+    const IrFunction none = {0};
+    char *end;
+    *number = strtoul(text + 1, &end, 10);
+    if (text[0] != 'f' || end == text + 1 || *end || *number >= MOST_FUNCTIONS)
+        return false;
+    while (s->ir->function_count <= *number)
+        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room, none);
+    return !s->ir->functions[*number].result;
+}
+
+/* function fN = result arguments... */
 static bool read_function(Scanner *s)
 {
     char text[LIMIT_NAME];
+    size_t number;
     IrFunction function = {.arguments = ARENA_ARRAY(s->ir->arena, Ref, MOST_OPERANDS)};
-    if (!word(s, text, sizeof text) || atoi(text + 1) != (int)s->ir->function_count || !word(s, text, sizeof text) ||
+    if (!word(s, text, sizeof text) || !number_function(s, text, &number) || !word(s, text, sizeof text) ||
         !word(s, text, sizeof text) || !(function.result = operand(s, text)))
         return fail(s, "a function is not `function fN = %result %argument...`");
     while (function.count < MOST_OPERANDS && word(s, text, sizeof text))
         if (!(function.arguments[function.count++] = operand(s, text)))
             return false;
-    ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room, function);
+    s->ir->functions[number] = function;
     return true;
 }
 
@@ -191,7 +218,8 @@ static bool read_line(Scanner *s)
 
 Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault)
 {
-    Scanner s = {.ir = ir_new(c, graph), .at = text, .named_room = LARGEST_NUMBER};
+    size_t size = strlen(text) + 1; /* a node takes more than a byte */
+    Scanner s = {.ir = ir_new(c, graph), .at = text, .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
     s.named = ARENA_ARRAY(c->arena, Ref, s.named_room);
     while (*s.at && !s.fault) {
         if (!read_line(&s))
@@ -200,6 +228,9 @@ Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault
             s.at++;
         s.at += *s.at == '\n';
     }
+    for (size_t i = 0; i < s.ir->function_count; i++)
+        if (!s.ir->functions[i].result)
+            fail(&s, "a function's number is left out");
     *fault = s.fault;
     return s.fault ? NULL : s.ir;
 }

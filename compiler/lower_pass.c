@@ -101,6 +101,8 @@ static void write_shadow(Lower *l, const Node *material, const Env *env)
 static void write_sky(Lower *l, const Node *material, const Env *env)
 {
     Ref light = add(l, lower_slot(l, material, SLOT_diffuse, env), lower_slot(l, material, SLOT_emissive, env));
+    const double most = slot_table[SLOT_emissive].high; /* what a half float holds */
+    light = ir_ternary(l->ir, OP_clamp, light, number(l, -most), number(l, most));
     ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
 }
 

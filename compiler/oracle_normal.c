@@ -163,12 +163,13 @@ static double shifted_input(Environment *environment, const Node *node, int chan
 /* Weights of a 3x3x3 kernel by how many of the three indices differ from the centre's. */
 typedef double Kernel[4];
 
+/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the weights' sum. */
 static double filtered(Environment *environment, const Node *node, int channel, const double size[3],
                        const Kernel kernel)
 {
     if (lane_of(channel) == 3)
         return 1;
-    double sum = 0;
+    double centre = shifted_input(environment, node, channel, (double[3]){0}), sum = 0, weights = 0;
     for (int cell = 0; cell < 27; cell++) {
         int offset[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
         double weight = kernel[(offset[0] != 0) + (offset[1] != 0) + (offset[2] != 0)];
@@ -177,9 +178,10 @@ static double filtered(Environment *environment, const Node *node, int channel, 
         double shift[3];
         for (int i = 0; i < 3; i++)
             shift[i] = size[i] * offset[i] / 2;
-        sum += weight * shifted_input(environment, node, channel, shift);
+        sum += weight * (shifted_input(environment, node, channel, shift) - centre);
+        weights += weight;
     }
-    return sum;
+    return sum + centre * (fabs(weights) < 1e-12 ? 0 : 1); /* the weights of either kernel sum up to 0 or 1 */
 }
 
 double oracle_Smooth3D(Environment *environment, const Node *node, int channel)

@@ -5,10 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/fold.h"
 #include "tests/value/documents.h"
+#include "tests/value/evaluate.h"
 #include "tests/value/points.h"
-#include "tests/value/textures.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +16,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { STEP = 4, SAMPLES = POINT_COUNT / STEP, TEXTURES = 16 };
+enum { STEP = 4, SAMPLES = POINT_COUNT / STEP };
 static const double bound = 1e-9;
 
 /* Every STEPth of the points, but for those whose numbers lead out of the range in which doubles are as exact as wanted. */
@@ -30,16 +29,6 @@ static int sample_points(Point samples[SAMPLES])
         if (!point_is_extreme(&points[i]))
             samples[count++] = points[i];
     return count;
-}
-
-static void make_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4])
-{
-    memset(inputs, 0, sizeof(double[INPUT_COUNT][4]));
-    for (int i = 0; i < POINT_VARYINGS; i++)
-        for (int lane = 0; lane < 3; lane++)
-            inputs[i][lane] = point->input[i][lane];
-    inputs[INPUT_front][0] = front;
-    inputs[INPUT_IOR][0] = point_ior;
 }
 
 typedef struct {
@@ -67,14 +56,14 @@ static void fault(Test *t, int material, Slot slot, const char *format, ...)
 static void check_values(Test *t, int material, Slot slot, int level, const Ir *ir)
 {
     Arena arena = {0};
-    ReferenceTexture textures[TEXTURES];
-    assert_true(textures_of(&arena, ir, textures, TEXTURES));
+    ReferenceTexture textures[EVALUATE_TEXTURES];
+    assert_true(evaluate_textures(&arena, ir, textures));
     ReferenceContext context = {ir->noise, textures};
     for (int i = 0; i < 2 * t->count; i++) {
         bool front = i < t->count;
         int point = i % t->count;
         double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
-        make_inputs(&t->points[point], front, inputs);
+        evaluate_inputs(&t->points[point], front, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
         for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
             const Hull *hull = &t->hulls[front][point];

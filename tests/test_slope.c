@@ -10,7 +10,7 @@
 #include "compiler/slope.h"
 #include "tests/value/documents.h"
 #include "tests/value/points.h"
-#include "tests/value/textures.h"
+#include "tests/value/evaluate.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { STEP = 3, TEXTURES = 16, MOST_NODES = 4096 };
+enum { STEP = 3, MOST_NODES = 4096 };
 static const double bound = 1e-6; /* of |slope - difference| / max(1, |difference|) */
 
 typedef struct {
@@ -111,7 +111,7 @@ static void check_axis(Test *t, const Node *map, int axis)
     Arena arena = {0};
     Compile c = {.options = &t->document.options, .arena = &arena, .optimize = 2, .check = true};
     Job job;
-    ReferenceTexture textures[TEXTURES];
+    ReferenceTexture textures[EVALUATE_TEXTURES];
     job_of(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &job);
     Lower l = {.c = &c, .graph = t->document.graph, .ir = ir_new(&c, t->document.graph), .job = &job, .cheap = true};
     l.uniform_use = ARENA_ARRAY(&arena, uint8_t, l.graph->uniform_count);
@@ -122,7 +122,7 @@ static void check_axis(Test *t, const Node *map, int axis)
     assert_null(ir_check(l.ir));
     assert_true(optimize(&c, l.ir));
     opt_dead(l.ir);
-    assert_true(textures_of(&arena, l.ir, textures, TEXTURES));
+    assert_true(evaluate_textures(&arena, l.ir, textures));
     ReferenceContext context = {l.ir->noise, textures};
     compare(t, map, axis, l.ir, &context);
     ir_done(l.ir);

@@ -42,6 +42,7 @@ static const struct {
     {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error"},
     {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute"},
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
+    {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk"},
 };
 
 int main(int argc, char **argv)

@@ -1,19 +1,9 @@
 /* libFuzzer's entry for the whole compiler, glslang aside: any bytes as a document, compiled for the G-buffer and as IR, with the
- * IR checked after every pass. Built with MATC_FUZZ=ON and clang: build-fuzz/fuzz_compile -dict=… corpus/ examples/ */
+ * IR checked after every pass. */
+#include "fuzz.h"
 #include "matc.h"
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
-
-/* No file is read: includes and pictures do not exist. */
-static char *no_file(void *user, const char *path, size_t *size, const char **why)
-{
-    (void)user, (void)path, (void)size;
-    *why = "no files here";
-    return NULL;
-}
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
@@ -21,7 +11,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     matc_options_init(&options);
     options.validate = false;
     options.check = true;
-    options.read_file = no_file;
+    options.read_file = fuzz_no_file;
     MatcDocument *document =
         matc_read(size && bytes[0] == '{' ? "fuzz.json" : "fuzz.yaml", (const char *)bytes, size, &options);
     for (int i = 0; i < matc_material_count(document) && i < 4; i++)

@@ -15,33 +15,36 @@ static bool fail(Drawer *d, const char *text)
     return false;
 }
 
+static int height_of(const Drawer *d) { return d->width == GRID_WIDTH ? GRID_HEIGHT : d->width; }
+
 /* Middle of the pixel of point i in clip space, moved by (x, y) pixels. */
-static void put_vertex(float *out, int i, double x, double y, const Point *point)
+static void put_vertex(float *out, const Drawer *d, int i, double x, double y, const Point *point)
 {
-    out[0] = (float)(2 * (i % GRID_WIDTH + 0.5 + x) / GRID_WIDTH - 1);
-    out[1] = (float)(2 * (i / GRID_WIDTH + 0.5 + y) / GRID_HEIGHT - 1);
+    out[0] = (float)(2 * (i % d->width + 0.5 + x) / d->width - 1);
+    out[1] = (float)(2 * (i / d->width + 0.5 + y) / height_of(d) - 1);
     memcpy(out + 2, point->input, sizeof point->input);
 }
 
 /* Points, then triangles around the middles of the same pixels, turning clockwise: their back is seen. */
-static float *make_vertices(const Point *points, int count)
+static float *make_vertices(const Drawer *d, const Point *points)
 {
+    int count = d->count;
     static const double corner[CORNERS][2] = {{-0.3, -0.3}, {0, 0.4}, {0.3, -0.3}};
     float *vertices = calloc((size_t)count * (1 + CORNERS) * FLOATS, sizeof *vertices), *at = vertices;
     if (!vertices)
         abort();
     for (int i = 0; i < count; i++, at += FLOATS)
-        put_vertex(at, i, 0, 0, &points[i]);
+        put_vertex(at, d, i, 0, 0, &points[i]);
     for (int i = 0; i < count; i++)
         for (int k = 0; k < CORNERS; k++, at += FLOATS)
-            put_vertex(at, i, corner[k][0], corner[k][1], &points[i]);
+            put_vertex(at, d, i, corner[k][0], corner[k][1], &points[i]);
     return vertices;
 }
 
 static void upload(Drawer *d, const Point *points)
 {
     const GlContext *gl = d->gl;
-    float *vertices = make_vertices(points, d->count);
+    float *vertices = make_vertices(d, points);
     gl->GenVertexArrays(1, &d->array);
     gl->BindVertexArray(d->array);
     gl->GenBuffers(1, &d->buffer);
@@ -65,7 +68,9 @@ static void load(Drawer *d, const char *name, void *function)
 
 bool drawer_open(Drawer *d, bool core, const Point *points, int count, int targets, GLenum format)
 {
-    *d = (Drawer){.core = core, .count = count};
+    *d = (Drawer){.core = core, .count = count, .width = GRID_WIDTH};
+    while (d->width * height_of(d) < count)
+        d->width++;
     d->gl = gl_open(GL_KIND_osmesa, core, d->error, sizeof d->error);
     if (!d->gl)
         return false;
@@ -74,7 +79,7 @@ bool drawer_open(Drawer *d, bool core, const Point *points, int count, int targe
     load(d, "glGetUniformIndices", &d->uniform_indices);
     load(d, "glGetActiveUniformsiv", &d->uniform_values);
     upload(d, points);
-    FramebufferSpec spec = {GRID_WIDTH, GRID_HEIGHT, targets, format, false};
+    FramebufferSpec spec = {d->width, height_of(d), targets, format, false};
     return framebuffer_make(d->gl, &spec, &d->target) || fail(d, d->gl->error);
 }
 

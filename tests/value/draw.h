@@ -12,6 +12,7 @@ typedef struct {
     GlContext *gl;
     bool core;
     int count; /* points */
+    int width; /* of the grid of points */
     Framebuffer target;
     GLuint array, buffer;
     void (*bind_buffer_base)(GLenum target, GLuint index, GLuint buffer);
@@ -21,7 +22,7 @@ typedef struct {
     char error[4096];
 } Drawer;
 
-/* The first `count` of the points, at most POINT_COUNT. `format` is that of `targets` colour targets. False: see error. */
+/* The first `count` of the points, in rows of GRID_WIDTH, or in a square when there are more than POINT_COUNT. `format` is that of `targets` colour targets. False: see error. */
 bool drawer_open(Drawer *d, bool core, const Point *points, int count, int targets, GLenum format);
 void drawer_close(Drawer *d);
 

@@ -1,0 +1,36 @@
+/* libFuzzer's entry for the IR's text: any bytes. What reads and passes the check prints and reads back as itself, goes through
+ * the optimiser, and passes the check again. */
+#include "fuzz.h"
+#include "opt.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const char *printed(Arena *arena, const Ir *ir)
+{
+    Text text = text_new(arena);
+    ir_print(&text, ir);
+    return text.at ? text.at : "";
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    static const Graph none;
+    MatcOptions options;
+    Arena arena = {0};
+    matc_options_init(&options);
+    Compile c = {.options = &options, .arena = &arena, .optimize = 2, .check = true};
+    const char *fault = NULL, *text = arena_string(&arena, (const char *)bytes, size);
+    Ir *ir = ir_read(&c, text, &none, &fault);
+    if (ir && !ir_check(ir)) {
+        opt_dead(ir); /* what is not reached is not printed */
+        const char *first = printed(&arena, ir);
+        const Ir *again = ir_read(&c, first, &none, &fault);
+        if (!again || ir_check(again) || strcmp(printed(&arena, again), first) != 0)
+            abort();
+        ir->simplify = opt_simplify;
+        if (optimize(&c, ir) && ir_check(ir))
+            abort();
+    }
+    arena_free(&arena);
+    return 0;
+}

@@ -1,0 +1,340 @@
+/* The grammar, run backwards. Flow style, so that nothing depends on columns. */
+#include "generate.h"
+#include "grammar/tables.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_DEFINITIONS = 2, MOST_PARAMS = 6, MOST_FILTERS = 2, MOST_ITEMS = 5, MOST_CHAIN = 3, WIDEST_RELIEF = 64 };
+
+/* Of parameters that may be any number: as for coordinates. */
+#define GREATEST 1e8
+
+typedef struct {
+    Choices *c;
+    Text *out;
+    int left;        /* maps that may still be made */
+    int definitions; /* that may be referred to */
+    int filters;     /* within which this stands */
+    int params;      /* uniforms so far */
+    bool hostile;
+} Generator;
+
+static void map_value(Generator *g);
+
+static void put_number(Generator *g, double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.9g", value);
+    text_put(g->out, text);
+}
+
+static double ordinary(Choices *c, double low, double high)
+{
+    static const double plain[] = {1, 0.5, 0, 2, -1, 0.25, 3, 8, -0.5, 0.1};
+    double value = chance(c, 1, 2) ? 4 * choose_part(c) - 2 : plain[choose(c, sizeof plain / sizeof *plain)];
+    return fmin(fmax(value, low), high);
+}
+
+double generate_number(Choices *c, double low, double high, bool hostile)
+{
+    static const double special[] = {0,     -0.,    1e-8, -1e-8, 1e4,      -1e4,      1e6,       -1e6,      1e8,
+                                     -1e8,  1e-30,  1e3,  -1e3,  16,       -16,       0.9999,    1.000001,  -1e-30,
+                                     1e-40, 65536., 1e-4, 100,   1 - 1e-7, 6.2831855, 1.5707964, 0.33333334};
+    if (!hostile || chance(c, 1, 2))
+        return ordinary(c, low, high);
+    bool bounded = high < GREATEST && chance(c, 1, 2);
+    double value = special[choose(c, sizeof special / sizeof *special)];
+    if (bounded)
+        value = (double[]){low, high, nextafterf((float)low, (float)high),
+                           nextafterf((float)high, (float)low)}[choose(c, 4)];
+    return fmin(fmax((float)value, low), high);
+}
+
+static double any_number(Generator *g) { return generate_number(g->c, -GREATEST, GREATEST, g->hostile); }
+
+/* What has to be known when the program is written. */
+static bool may_be_param(const ParamRow *row)
+{
+    return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") && strcmp(row->name, "sun") &&
+           strcmp(row->name, "turbidity");
+}
+
+static void begin_param(Generator *g) { text_format(g->out, "{ param: p%d, default: ", g->params++); }
+
+static bool choose_param(Generator *g) { return g->params < MOST_PARAMS && chance(g->c, 1, 16); }
+
+static void put_vector(Generator *g, int lanes, double low, double high)
+{
+    text_put(g->out, "[");
+    for (int i = 0; i < lanes; i++) {
+        text_put(g->out, i ? ", " : "");
+        put_number(g, generate_number(g->c, low, high, g->hostile));
+    }
+    text_put(g->out, "]");
+}
+
+static void put_float(Generator *g)
+{
+    bool param = choose_param(g);
+    if (param)
+        begin_param(g);
+    put_number(g, any_number(g));
+    text_put(g->out, param ? " }" : "");
+}
+
+static void put_numeric(Generator *g, const ParamRow *row)
+{
+    bool param = may_be_param(row) && choose_param(g);
+    double low = fmax(row->low, -GREATEST), high = fmin(row->high, GREATEST);
+    if (row->kind == KIND_Carpenter && high == 2048)
+        high = WIDEST_RELIEF; /* a large one takes long to make and shows nothing new */
+    if (param)
+        begin_param(g);
+    if (row->type == PARAM_Int) {
+        double most = fmin(high, chance(g->c, 1, 8) ? 200 : 12), least = fmax(low, -3);
+        put_number(g, least + (double)choose(g->c, (uint32_t)(most - least) + 1));
+    } else if (row->type == PARAM_Vec3 && !chance(g->c, 1, 8)) {
+        put_vector(g, 3, low, high);
+    } else {
+        double value = generate_number(g->c, low, high, g->hostile);
+        put_number(g, row->kind == KIND_SunSkyLight && row->type == PARAM_Vec3 && value == 0 ? 1 : value);
+    }
+    text_put(g->out, param ? " }" : "");
+}
+
+static void put_wave(Generator *g, int depth)
+{
+    uint32_t kind = choose(g->c, WAVE_COUNT + (depth < MOST_CHAIN ? 3 : 0));
+    if (kind < WAVE_COUNT) {
+        text_put(g->out, wave_table[kind].name);
+        return;
+    }
+    text_put(g->out, "{ wave: Chain, first: ");
+    put_wave(g, depth + 1);
+    if (chance(g->c, 1, 2)) {
+        text_put(g->out, ", factor: ");
+        put_float(g);
+        text_put(g->out, ", shift: ");
+        put_float(g);
+    }
+    if (chance(g->c, 1, 2)) {
+        text_put(g->out, ", second: ");
+        put_wave(g, depth + 1);
+    }
+    text_put(g->out, " }");
+}
+
+static void put_matrix(Generator *g)
+{
+    text_put(g->out, "{ matrix: [");
+    for (int i = 0; i < 12; i++) {
+        put_number(g, chance(g->c, 1, 2) ? any_number(g) : i % 5 == 0);
+        text_put(g->out, ", ");
+    }
+    text_put(g->out, "0, 0, 0, 1] }");
+}
+
+static void put_transform(Generator *g)
+{
+    static const char *const parts[] = {"translation", "rotation", "scale", "shear"};
+    uint32_t kind = choose(g->c, 4);
+    if (kind == 3) {
+        put_matrix(g);
+        return;
+    }
+    text_put(g->out, "{ ");
+    if (kind == 0) {
+        text_put(g->out, "scale: ");
+        put_float(g);
+    } else if (kind == 1) {
+        text_put(g->out, "translation: ");
+        put_vector(g, 3, -GREATEST, GREATEST);
+    } else {
+        for (int i = 0, count = 0; i < 4; i++)
+            if (i == 1 || chance(g->c, 1, 2)) {
+                text_format(g->out, "%s%s: ", count++ ? ", " : "", parts[i]);
+                put_vector(g, 3, -GREATEST, GREATEST);
+            }
+    }
+    text_put(g->out, " }");
+}
+
+/* Values that ascend, some of them equal; rarely any values. */
+static void put_items(Generator *g)
+{
+    int count = (int)choose(g->c, MOST_ITEMS + 1);
+    bool any = chance(g->c, 1, 8);
+    double value = ordinary(g->c, -2, 2);
+    text_put(g->out, "[");
+    for (int i = 0; i < count; i++) {
+        text_put(g->out, i ? ", { value: " : "{ value: ");
+        if (any)
+            put_float(g);
+        else
+            put_number(g, value);
+        value += (double[]){0.5, 0.25, 1, 0, 1e-6, 1e4}[choose(g->c, g->hostile ? 6 : 4)];
+        if (!chance(g->c, 1, 16)) {
+            text_put(g->out, ", input: ");
+            map_value(g);
+        }
+        text_put(g->out, " }");
+    }
+    text_put(g->out, "]");
+}
+
+static void put_parameter(Generator *g, const ParamRow *row)
+{
+    text_format(g->out, ", %s: ", row->name);
+    switch (row->type) {
+    case PARAM_Map:
+        map_value(g);
+        break;
+    case PARAM_Bool:
+        text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
+        break;
+    case PARAM_Wave:
+        put_wave(g, 0);
+        break;
+    case PARAM_Transform:
+        put_transform(g);
+        break;
+    case PARAM_Image:
+        text_put(g->out, chance(g->c, 1, 8) ? "null" : "tiles.png");
+        break;
+    case PARAM_Items:
+        put_items(g);
+        break;
+    default:
+        put_numeric(g, row);
+    }
+}
+
+/* A map's inputs are what it is about: they are more often given than a number. */
+static bool is_given(Generator *g, const ParamRow *row)
+{
+    if (row->type == PARAM_Map || row->type == PARAM_Items)
+        return g->left > 0 && chance(g->c, 5, 6);
+    return chance(g->c, 1, 2);
+}
+
+static void put_map(Generator *g)
+{
+    static const Kind first = KIND_Constant + 1;
+    Kind kind = (Kind)(first + choose(g->c, KIND_COUNT - first));
+    bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D;
+    if (filter && (g->filters == MOST_FILTERS || !chance(g->c, 1, 3)))
+        kind = KIND_Checker, filter = false;
+    const KindRow *row = &kind_table[kind];
+    g->left--;
+    g->filters += filter;
+    text_format(g->out, "{ map: %s", row->name);
+    for (int i = 0; i < row->count; i++)
+        if (is_given(g, &param_table[row->first + i]))
+            put_parameter(g, &param_table[row->first + i]);
+    text_put(g->out, " }");
+    g->filters -= filter;
+}
+
+static void put_constant(Generator *g)
+{
+    int lanes = 1 + (int)choose(g->c, 4);
+    bool param = choose_param(g);
+    if (param)
+        begin_param(g);
+    if (lanes == 1)
+        put_number(g, any_number(g));
+    else
+        put_vector(g, lanes, -GREATEST, GREATEST);
+    text_put(g->out, param ? " }" : "");
+}
+
+static void map_value(Generator *g)
+{
+    if (g->definitions && chance(g->c, 1, 8))
+        text_format(g->out, "{ ref: d%d }", (int)choose(g->c, (uint32_t)g->definitions));
+    else if (g->left > 0 && chance(g->c, 3, 4))
+        put_map(g);
+    else
+        put_constant(g);
+}
+
+static void put_material(Generator *g, bool nested);
+
+static void put_material_parameter(Generator *g, const ParamRow *row, const char *separator)
+{
+    text_format(g->out, "%s%s: ", separator, row->name);
+    if (row->type == PARAM_Map)
+        map_value(g);
+    else if (row->type == PARAM_Material)
+        put_material(g, true);
+    else if (row->type == PARAM_Bool)
+        text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
+    else
+        put_numeric(g, row);
+}
+
+/* Mostly a Phong. */
+static Kind choose_material(Choices *c, bool nested)
+{
+    static const Kind others[] = {KIND_RGBA, KIND_SunSkyLight, KIND_SideSwitch, KIND_AlgorithmSwitch};
+    return chance(c, 1, 4) ? others[choose(c, nested ? 2 : 4)] : KIND_Phong;
+}
+
+static void put_material(Generator *g, bool nested)
+{
+    const KindRow *row = &kind_table[choose_material(g->c, nested)];
+    const char *separator = nested ? ", " : "\n";
+    text_format(g->out, nested ? "{ material: %s" : "material: %s", row->name);
+    for (int i = 0; i < row->count; i++)
+        if (chance(g->c, row->count > 6 ? 2 : 4, 6))
+            put_material_parameter(g, &param_table[row->first + i], separator);
+    text_put(g->out, nested ? " }" : "\n");
+}
+
+void generate_document(Choices *c, Text *out)
+{
+    static const int sizes[] = {1, 2, 3, 5, 8, 12, 20, LARGEST_TREE};
+    int definitions = chance(c, 1, 4) ? 1 + (int)choose(c, MOST_DEFINITIONS) : 0;
+    int size = sizes[choose(c, sizeof sizes / sizeof *sizes)];
+    Generator g = {.c = c, .out = out, .left = size, .hostile = chance(c, 1, 2)};
+    if (definitions)
+        text_put(out, "defs:\n");
+    for (int i = 0; i < definitions; i++) {
+        g.left = size / 3;
+        g.filters = MOST_FILTERS; /* it may be used within others */
+        text_format(out, "  d%d: ", i);
+        map_value(&g);
+        g.definitions = i + 1;
+        text_put(out, "\n");
+    }
+    g.left = size;
+    g.filters = 0;
+    put_material(&g, false);
+}
+
+void generate_map(Choices *c, Text *out, int size)
+{
+    Generator g = {.c = c, .out = out, .left = size, .hostile = chance(c, 1, 2)};
+    map_value(&g);
+}
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+char *generate_file(void *user, const char *path, size_t *size, const char **why)
+{
+    (void)user;
+    static const char picture[] = SOURCE_FOLDER "/examples/tiles.png";
+    FILE *file = strstr(path, "tiles.png") ? fopen(picture, "rb") : NULL;
+    enum { MOST = 1 << 16 };
+    char *bytes = file ? malloc(MOST) : NULL;
+    *why = "only examples/tiles.png is here";
+    if (bytes)
+        *size = fread(bytes, 1, MOST, file);
+    if (file)
+        fclose(file);
+    return bytes;
+}

@@ -1,0 +1,16 @@
+/* Makes a script of choices smaller that leads to a fault, as long as what is made from it still does. It knows nothing of
+ * what the choices mean. */
+#ifndef MATC_STRESS_SHRINK_H
+#define MATC_STRESS_SHRINK_H
+#include "choices.h"
+
+typedef struct {
+    /* Whether what the script leads to still has the fault. */
+    bool (*fails)(void *user, const uint32_t *script, int count);
+    void *user;
+    int tries; /* that may still be made */
+} Shrinker;
+
+/* In place; the new count. */
+int shrink(Shrinker *s, uint32_t *script, int count);
+#endif

@@ -1,0 +1,28 @@
+/* What rounding makes of a value: an IR evaluated many times, each operation erring at random as much as it may. Where a
+ * function jumps or is steep, the values lie far apart; a correct program's value lies among them. */
+#ifndef MATC_STRESS_SPREAD_H
+#define MATC_STRESS_SPREAD_H
+#include "tests/value/evaluate.h"
+
+typedef enum { MACHINE_double, MACHINE_float } Machine;
+
+typedef struct {
+    double low[MOST_OUTPUTS][4], high[MOST_OUTPUTS][4];
+} Spread;
+
+/* Of `count` evaluations. `value` is included. */
+void spread_make(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Machine machine,
+                 int count, const double value[MOST_OUTPUTS][4], Spread *spread);
+/* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its own width on both sides. */
+double spread_miss(const Spread *spread, int output, int lane, double value, double number);
+
+/* An evaluation as exact as doubles are, and what was seen on the way. */
+typedef struct {
+    double value[MOST_OUTPUTS][4];
+    double peak; /* greatest finite number of all nodes */
+    bool finite; /* all of them */
+} Evaluation;
+void evaluate_double(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e);
+/* Every operation's result rounded to float, denormals to 0. */
+void evaluate_float(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e);
+#endif

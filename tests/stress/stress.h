@@ -1,0 +1,23 @@
+/* Many random documents, each tried in every way. */
+#ifndef MATC_STRESS_STRESS_H
+#define MATC_STRESS_STRESS_H
+#include "trial.h"
+#include <stdio.h>
+
+typedef struct {
+    uint64_t seed;
+    long first, count;
+    long validate_every, draw_every; /* which trees glslang and the driver see; 0: none */
+    int threads;
+    int points;          /* of a tree */
+    int faults;          /* after which it ends */
+    const char *folder;  /* documents of faults are written here, or NULL */
+    bool progress;       /* on a terminal */
+    MatcOptions options; /* choices */
+    FILE *out;
+} StressOptions;
+
+void stress_options_init(StressOptions *options);
+/* The number of faults; what was done is added to `total`. */
+int stress_run(const StressOptions *options, TrialCount *total);
+#endif

@@ -1,0 +1,296 @@
+/* Everything that needs no GL. */
+#include "trial.h"
+#include "generate.h"
+#include "spread.h"
+#include "tests/value/bounds.h"
+#include "compiler/lower.h"
+#include <stdio.h>
+#include <string.h>
+
+const char *const fault_names[] = {"none", "document refused", "no IR",  "text of the IR", "not a number", "-O0",
+                                   "-O2",  "in float",         "packed", "not valid",      "not drawn",    "drawn NaN",
+                                   "drawn"};
+
+/* Evaluations of a spread: few first, many before anything is called a fault. */
+enum { FEW = 12, MANY = 300 };
+static const double double_bound = 1e-9;
+
+bool trial_fault(Trial *t, FaultKind kind, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    vsnprintf(t->fault->text, sizeof t->fault->text, format, args);
+    va_end(args);
+    t->fault->kind = kind;
+    return false;
+}
+
+static const char *said(Compile *c)
+{
+    Text out = text_new(c->arena);
+    for (size_t i = 0; i < c->diags.count; i++)
+        diag_print(&out, &c->diags.at[i], c->sources);
+    return out.at ? out.at : "";
+}
+
+static bool open_document(Trial *t, const char *text, size_t size)
+{
+    t->options = t->plan->options;
+    t->options.pixels = true;
+    t->options.validate = false;
+    t->options.read_file = generate_file;
+    t->c = (Compile){.options = &t->options, .arena = &t->arena, .check = true};
+    Source source = {"stress.yaml", text, size};
+    ARENA_PUSH(&t->arena, t->c.sources, t->c.source_count, t->c.source_room, source);
+    t->graph = compile_front(&t->c, 0, &t->tree);
+    if (!t->graph || t->c.diags.errors || !t->graph->material_count)
+        return trial_fault(t, FAULT_refused, "%s", said(&t->c));
+    t->material = t->graph->materials[0].node;
+    Job job;
+    job_of(&t->options, &job);
+    t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = noise_for(job.choice[AXIS_noise], job.target)});
+    t->count->nodes += t->graph->node_count;
+    return true;
+}
+
+const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level)
+{
+    Compile c = {.options = &t->options, .arena = arena, .optimize = level, .check = true};
+    Job job;
+    job_of(&t->options, &job);
+    job.pass = pass;
+    job.slot = slot;
+    c.sources = t->c.sources;
+    const Ir *ir = compile_ir(&c, t->graph, t->material, &job);
+    if (!ir)
+        trial_fault(t, FAULT_no_ir, "%s %s -O%d: %s", pass_table[pass].name, slot_table[slot].name, level, said(&c));
+    return ir;
+}
+
+/* Slots that are more than a constant, and one of the others. */
+static void find_slots(Trial *t)
+{
+    int plain = 0;
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        Subjects subjects;
+        subjects_of(t->material, (Slot)slot, &subjects);
+        for (int kind = 0; kind < KIND_COUNT; kind++)
+            t->slots[slot] |=
+                subjects.has[kind] && kind != KIND_Constant && kind_table[kind].lowering != LOWERING_MATERIAL;
+        plain += !t->slots[slot];
+    }
+    if (plain)
+        t->slots[t->plan->first % SLOT_COUNT] = true;
+}
+
+static bool reads_back(Trial *t, Arena *arena, const Ir *ir)
+{
+    Compile c = {.options = &t->options, .arena = arena};
+    const char *wrong = "";
+    Text first = text_new(arena), second = text_new(arena);
+    ir_print(&first, ir);
+    const Ir *back = ir_read(&c, first.at, t->graph, &wrong);
+    if (!back)
+        return trial_fault(t, FAULT_text, "ir_read: %s\n%s", wrong, first.at);
+    ir_print(&second, back);
+    return !strcmp(first.at, second.at) || trial_fault(t, FAULT_text, "it changes:\n%s", first.at);
+}
+
+/* A program at both levels, and what it samples. */
+typedef struct {
+    Arena arena;
+    const Ir *ir[2]; /* -O0, -O2 */
+    ReferenceTexture textures[2][EVALUATE_TEXTURES];
+    ReferenceContext context[2];
+    const char *name;
+} Program;
+
+static bool program_make(Trial *t, Program *p, Pass pass, Slot slot)
+{
+    p->arena = (Arena){0};
+    p->name = pass == PASS_value ? slot_table[slot].name : pass_table[pass].name;
+    for (int i = 0; i < 2; i++) {
+        p->ir[i] = trial_ir(t, &p->arena, pass, slot, 2 * i);
+        if (!p->ir[i])
+            return false;
+        evaluate_textures(&p->arena, p->ir[i], p->textures[i]);
+        p->context[i] = (ReferenceContext){p->ir[i]->noise, p->textures[i]};
+    }
+    return reads_back(t, &p->arena, p->ir[1]);
+}
+
+/* One point of a program. */
+typedef struct {
+    Program *program;
+    const Point *point;
+    bool front;
+    double inputs[INPUT_COUNT][4];
+    Evaluation exact[2]; /* by level */
+} Spot;
+
+static const char *where(const Spot *s)
+{
+    static _Thread_local char text[400];
+    const float(*i)[3] = s->point->input;
+    snprintf(text, sizeof text,
+             "%s at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g px=%.9g py=%.9g pz=%.9g nx=%.9g ny=%.9g nz=%.9g "
+             "dpxdu=%.9g dpydu=%.9g dpzdu=%.9g dpxdv=%.9g dpydv=%.9g dpzdv=%.9g front=%d",
+             s->program->name, i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0], i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0],
+             i[INPUT_P][1], i[INPUT_P][2], i[INPUT_N][0], i[INPUT_N][1], i[INPUT_N][2], i[INPUT_DU][0], i[INPUT_DU][1],
+             i[INPUT_DU][2], i[INPUT_DV][0], i[INPUT_DV][1], i[INPUT_DV][2], s->front);
+    return text;
+}
+
+/* The plane and the eye of the passes that know them are those of the point. */
+static void spot_open(Spot *s, Program *program, const Point *point, bool front)
+{
+    *s = (Spot){.program = program, .point = point, .front = front};
+    evaluate_inputs(point, front, s->inputs);
+    memcpy(s->inputs[INPUT_planeU], s->inputs[INPUT_DU], sizeof s->inputs[0]);
+    memcpy(s->inputs[INPUT_planeV], s->inputs[INPUT_DV], sizeof s->inputs[0]);
+    memcpy(s->inputs[INPUT_eye], s->inputs[INPUT_P], sizeof s->inputs[0]);
+    s->inputs[INPUT_clipZ][2] = s->inputs[INPUT_clipW][2] = -1;
+    s->inputs[INPUT_clipZ][3] = -1;
+}
+
+/* Finite at every node, as written and optimised, in double and in float; false with no fault: values leave the range. */
+static bool is_finite(Trial *t, Spot *s, bool *beyond)
+{
+    Evaluation rounded;
+    for (int i = 0; i < 2; i++) {
+        evaluate_double(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs, &s->exact[i]);
+        *beyond |= s->exact[i].peak > GREATEST_VALUE;
+    }
+    t->count->beyond += *beyond;
+    for (int i = 0; i < 2 && !*beyond; i++) {
+        if (!s->exact[i].finite)
+            return trial_fault(t, FAULT_infinite, "-O%d %s", 2 * i, where(s));
+        evaluate_float(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs, &rounded);
+        if (!rounded.finite && rounded.peak <= GREATEST_VALUE)
+            return trial_fault(t, FAULT_float, "-O%d %s", 2 * i, where(s));
+    }
+    return true;
+}
+
+/* One lane at one level, against what it should be: the spread is only made where they are apart. */
+static bool agrees(Trial *t, Spot *s, int level, int output, int lane, double want)
+{
+    double got = s->exact[level].value[output][lane];
+    if (fabs(got - want) <= double_bound * fmax(1, fabs(want)))
+        return true;
+    double miss = INFINITY;
+    for (int count = FEW; count <= MANY && miss > double_bound; count *= MANY / FEW) {
+        Spread spread;
+        t->count->spreads++;
+        spread_make(s->program->ir[0], &s->program->context[0], (const double(*)[4])s->inputs, MACHINE_double, count,
+                    (const double(*)[4])s->exact[0].value, &spread);
+        miss = fmax(spread_miss(&spread, output, lane, want, got), spread_miss(&spread, output, lane, got, want));
+    }
+    return miss <= double_bound || trial_fault(t, level ? FAULT_level_2 : FAULT_level_0,
+                                               "lane %d is %.17g, should be %.17g: %s", lane, got, want, where(s));
+}
+
+static bool try_slot(Trial *t, Program *p, Slot slot)
+{
+    for (int i = 0; i < t->plan->count; i++) {
+        Spot s;
+        Surface surface;
+        SlotValues values;
+        bool beyond = false, front = (t->plan->first + i) % 4 != 0;
+        const Point *point = &t->plan->field[(t->plan->first + i) % FIELD_COUNT];
+        spot_open(&s, p, point, front);
+        if (!is_finite(t, &s, &beyond))
+            return false;
+        if (beyond)
+            continue;
+        point_surface(point, front, &surface);
+        oracle_material(t->oracle, t->material, &surface, &values);
+        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
+            for (int level = 0; level < 2; level++) {
+                double want = t->plan->oracle ? values.lane[slot][lane] : s.exact[0].value[0][lane];
+                if (!agrees(t, &s, level, 0, lane, want))
+                    return false;
+                t->count->values++;
+            }
+    }
+    return true;
+}
+
+static int output_of(const Ir *ir, int target)
+{
+    int i = 0;
+    while (i < ir->output_count && (ir->outputs[i].kind != OUT_color || ir->outputs[i].index != target))
+        i++;
+    return i;
+}
+
+static bool in_range(Trial *t, const Spot *s, Layout layout, bool packed)
+{
+    const Ir *ir = s->program->ir[1];
+    for (int target = 0; target < (packed ? layout_table[layout].targets : 1); target++)
+        for (int lane = 0; lane < 4; lane++) {
+            double v = s->exact[1].value[output_of(ir, target)][lane];
+            if (!(fabs(v) <= 65504))
+                return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target, lane, v, where(s));
+        }
+    for (int i = 0; i < field_count && packed; i++) {
+        const FieldRow *f = &field_table[i];
+        double v = s->exact[1].value[output_of(ir, f->target)][f->lane];
+        if (f->layout == layout && f->encoding == ENCODING_pair && !(v >= 1 && v <= 65504))
+            return trial_fault(t, FAULT_packed, "the pair of target %d lane %d is %g: %s", f->target, f->lane, v,
+                               where(s));
+    }
+    return true;
+}
+
+/* A pass of the whole material: finite, and at -O2 as at -O0. */
+static bool try_pass(Trial *t, Pass pass)
+{
+    Program p;
+    bool fine = program_make(t, &p, pass, SLOT_diffuse);
+    for (int i = 0; i < t->plan->count && fine; i++) {
+        Spot s;
+        bool beyond = false;
+        spot_open(&s, &p, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
+        fine = is_finite(t, &s, &beyond);
+        if (fine && !beyond && pass != PASS_shadow)
+            fine = in_range(t, &s, LAYOUT_thesis, pass != PASS_sky);
+        for (int output = 0; fine && !beyond && output < p.ir[0]->output_count; output++)
+            for (int lane = 0; fine && lane < 4; lane++)
+                fine = agrees(t, &s, 1, output, lane, s.exact[0].value[output][lane]);
+    }
+    arena_free(&p.arena);
+    return fine;
+}
+
+static bool try_slots(Trial *t)
+{
+    bool fine = true;
+    for (int slot = 0; slot < SLOT_COUNT && fine; slot++) {
+        Program p;
+        if (!t->slots[slot])
+            continue;
+        fine = program_make(t, &p, PASS_value, (Slot)slot) && try_slot(t, &p, (Slot)slot);
+        arena_free(&p.arena);
+    }
+    return fine;
+}
+
+bool trial_run(const TrialPlan *plan, const char *text, size_t size, TrialCount *count, TrialFault *fault)
+{
+    static const Pass others[] = {PASS_plane, PASS_sky, PASS_shadow, PASS_gbuffer};
+    Trial t = {.plan = plan, .count = count, .fault = fault};
+    *fault = (TrialFault){0};
+    count->trees++;
+    bool fine = open_document(&t, text, size);
+    if (fine)
+        find_slots(&t);
+    fine = fine && try_slots(&t) && try_pass(&t, PASS_gbuffer);
+    fine = fine && (plan->first % 4 == 3 || try_pass(&t, others[plan->first % 4]));
+    fine = fine && (!plan->validate || trial_validate(&t, text, size));
+    fine = fine && (!plan->core || trial_draw(&t, text, size));
+    if (t.oracle)
+        oracle_close(t.oracle);
+    arena_free(&t.arena);
+    return fine;
+}

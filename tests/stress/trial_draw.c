@@ -1,0 +1,244 @@
+/* What glslang says to a program, and what it draws. */
+#include "generate.h"
+#include "spread.h"
+#include "trial.h"
+#include "tests/value/bounds.h"
+#include "compiler/lower.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { FEW = 8, MANY = 400, JUDGED_STEP = 16 }; /* every 16th point is compared, all are looked at for NaN */
+enum { MOST_FILTERS = 1 };                      /* of a tree that is drawn: drivers inline the 27 calls of each */
+static const double MOST_WORK = 2e7;            /* evaluations of nodes for the spreads of a slot; then it is let be */
+
+typedef struct {
+    Target target;
+    int optimize;
+} Variant;
+static const Variant variants[] = {
+    {TARGET_glsl330, 0}, {TARGET_glsl330, 2}, {TARGET_glsl110, 2}, {TARGET_glsl450, 2}, {TARGET_essl300, 2}};
+enum { VARIANTS = sizeof variants / sizeof *variants };
+
+bool trial_validate(Trial *t, const char *text, size_t size)
+{
+    MatcOptions options = t->options;
+    MatcDocument *document = matc_read("stress.yaml", text, size, &options);
+    bool fine = true;
+    options.validate = true;
+    for (int target = 0; target < TARGET_COUNT && fine; target++) {
+        options.target = target_table[target].name;
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX, &options);
+        fine = matc_ok(program) || trial_fault(t, FAULT_not_valid, "%s", matc_program_diagnostics(program, MATC_TEXT));
+        t->count->validated++;
+        matc_program_free(program);
+    }
+    matc_document_free(document);
+    return fine;
+}
+
+/* What a slot of a document should be at the field's points. */
+typedef struct {
+    Trial *trial;
+    MatcDocument *document;
+    Slot slot;
+    Arena arena;
+    const Ir *ir[2][2]; /* with the noise of glsl330 and of glsl110; as written and optimised */
+    ReferenceTexture textures[2][2][EVALUATE_TEXTURES];
+    Oracle *oracles[2];
+    Evaluation (*exact)[FIELD_COUNT]; /* of either noise */
+    double bound;
+    double work, each; /* done; of an evaluation */
+    float *rgba[4];
+} Drawing;
+
+static ReferenceContext context_of(const Drawing *d, int noise, int level)
+{
+    return (ReferenceContext){d->ir[noise][level]->noise, d->textures[noise][level]};
+}
+
+static bool make_ir(Drawing *d, int noise)
+{
+    static const Target targets[] = {TARGET_glsl330, TARGET_glsl110};
+    Trial *t = d->trial;
+    t->options.target = target_table[targets[noise]].name;
+    for (int level = 0; level < 2; level++) {
+        d->ir[noise][level] = trial_ir(t, &d->arena, PASS_value, d->slot, 2 * level);
+        if (d->ir[noise][level])
+            evaluate_textures(&d->arena, d->ir[noise][level], d->textures[noise][level]);
+    }
+    t->options.target = NULL;
+    return d->ir[noise][0] && d->ir[noise][1];
+}
+
+static bool drawing_open(Drawing *d)
+{
+    Trial *t = d->trial;
+    d->work = 0;
+    for (int i = 0; i < 2; i++) {
+        if (!make_ir(d, i))
+            return false;
+        d->each = (double)d->ir[i][0]->count * pow(27, t->material->filters);
+        ReferenceContext context = context_of(d, i, 0);
+        d->oracles[i] = oracle_open(t->graph, &context);
+        for (int k = 0; k < FIELD_COUNT; k++) {
+            double inputs[INPUT_COUNT][4];
+            evaluate_inputs(&t->plan->field[k], true, inputs);
+            evaluate_double(d->ir[i][0], &context, (const double(*)[4])inputs, &d->exact[i][k]);
+        }
+    }
+    return true;
+}
+
+/* How far a drawn number is from what rounding may make of the program as written and, of an optimised one, of that: its mix
+ * rounds by the greater of its operands. */
+static double spread_of(Drawing *d, int noise, int optimize, int k, int count, int lane, double want, double got)
+{
+    double inputs[INPUT_COUNT][4], miss = INFINITY;
+    evaluate_inputs(&d->trial->plan->field[k], true, inputs);
+    for (int level = 0; level <= optimize / 2; level++) {
+        Spread spread;
+        ReferenceContext context = context_of(d, noise, level);
+        d->trial->count->spreads++;
+        d->work += d->each * count;
+        spread_make(d->ir[noise][level], &context, (const double(*)[4])inputs, MACHINE_float, count,
+                    (const double(*)[4])d->exact[noise][k].value, &spread);
+        miss = fmin(miss, spread_miss(&spread, 0, lane, want, got));
+    }
+    return miss;
+}
+
+static bool judge(Drawing *d, int noise, const Variant *v, int k, const double want[4])
+{
+    Trial *t = d->trial;
+    const float *got = &d->rgba[0][4 * k];
+    for (int lane = 0; lane < type_table[slot_table[d->slot].type].lanes; lane++) {
+        double miss = fabs(got[lane] - want[lane]) / fmax(1, fabs(want[lane]));
+        t->count->drawn_values++;
+        t->count->judged += miss <= d->bound;
+        for (int count = FEW; count <= MANY && miss > d->bound; count *= MANY / FEW) {
+            if (d->work > MOST_WORK)
+                return true;
+            miss = spread_of(d, noise, v->optimize, k, count, lane, want[lane], got[lane]);
+        }
+        const float *u = t->plan->field[k].input[INPUT_U], *x = t->plan->field[k].input[INPUT_X];
+        if (miss > d->bound)
+            return trial_fault(
+                t, FAULT_drawn_value,
+                "%s -O%d %s lane %d is %.9g, should be %.9g, at point %d: u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g",
+                target_table[v->target].name, v->optimize, slot_table[d->slot].name, lane, got[lane], want[lane], k,
+                u[0], u[1], x[0], x[1], x[2]);
+    }
+    return true;
+}
+
+static bool compare(Drawing *d, const Variant *v)
+{
+    Trial *t = d->trial;
+    int noise = v->target == TARGET_glsl110;
+    for (int k = 0; k < FIELD_COUNT; k++) {
+        if (d->exact[noise][k].peak > GREATEST_VALUE)
+            continue;
+        for (int lane = 0; lane < 4; lane++)
+            if (!isfinite(d->rgba[0][4 * k + lane]))
+                return trial_fault(t, FAULT_drawn_nan, "%s -O%d %s lane %d at point %d", target_table[v->target].name,
+                                   v->optimize, slot_table[d->slot].name, lane, k);
+    }
+    for (int k = t->plan->first % JUDGED_STEP; k < FIELD_COUNT; k += JUDGED_STEP) {
+        Surface surface;
+        SlotValues values;
+        if (d->exact[noise][k].peak > GREATEST_VALUE || point_is_extreme(&t->plan->field[k]))
+            continue;
+        point_surface(&t->plan->field[k], true, &surface);
+        if (t->plan->oracle)
+            oracle_material(d->oracles[noise], t->material, &surface, &values);
+        else
+            memcpy(values.lane[d->slot], d->exact[noise][k].value[0], sizeof values.lane[0]);
+        if (!judge(d, noise, v, k, values.lane[d->slot]))
+            return false;
+    }
+    return true;
+}
+
+/* A compiled program, drawn into the first `targets` of rgba. */
+static bool draw(Drawing *d, const Variant *v, bool half, int targets)
+{
+    Trial *t = d->trial;
+    const TrialPlan *plan = t->plan;
+    MatcOptions options = t->options;
+    options.pass = half ? "gbuffer" : "value";
+    options.slot = slot_table[d->slot].name;
+    options.target = target_table[v->target].name;
+    options.optimize = v->optimize;
+    MatcProgram *program = matc_compile(d->document, 0, MATC_FRAGMENT, &options);
+    bool old = v->target == TARGET_glsl110, fine = false;
+    Drawer *drawer = old ? (half ? plan->compat_half : plan->compat) : half ? plan->core_half : plan->core;
+    if (matc_ok(program)) {
+        Shading shading = {matc_output(program, MATC_FRAGMENT, NULL), NULL, v->target, program, t->graph};
+        GLuint name = drawer_program(drawer, &shading);
+        fine = name && drawer_draw(drawer, name, &shading, true, d->rgba, targets);
+        drawer->gl->DeleteProgram(name);
+        t->count->programs++;
+    }
+    if (!fine)
+        trial_fault(t, FAULT_not_drawn, "%s -O%d: %s%s", options.target, v->optimize,
+                    matc_program_diagnostics(program, MATC_TEXT), drawer->error);
+    matc_program_free(program);
+    return fine;
+}
+
+static bool draw_slot(Drawing *d)
+{
+    Subjects subjects;
+    subjects_of(d->trial->material, d->slot, &subjects);
+    d->bound = bound_table[subject_governing(&subjects)].bound;
+    bool fine = drawing_open(d);
+    for (int i = 0; i < VARIANTS && fine; i++)
+        fine = draw(d, &variants[i], false, 1) && compare(d, &variants[i]);
+    oracle_close(d->oracles[0]);
+    oracle_close(d->oracles[1]);
+    d->oracles[0] = d->oracles[1] = NULL;
+    arena_free(&d->arena);
+    d->arena = (Arena){0};
+    return fine;
+}
+
+/* What half-float targets hold after a G-buffer pass: no NaN and no infinity, whatever the values on the way. */
+static bool draw_packed(Drawing *d)
+{
+    Trial *t = d->trial;
+    for (int i = 0; i < VARIANTS; i += 2) {
+        if (!draw(d, &variants[i], true, layout_table[LAYOUT_thesis].targets))
+            return false;
+        for (int k = 0; k < 4 * FIELD_COUNT * layout_table[LAYOUT_thesis].targets; k++) {
+            float v = d->rgba[k / (4 * FIELD_COUNT)][k % (4 * FIELD_COUNT)];
+            if (!isfinite(v))
+                return trial_fault(t, FAULT_packed, "%s -O%d: target %d lane %d holds %g at point %d",
+                                   target_table[variants[i].target].name, variants[i].optimize, k / (4 * FIELD_COUNT),
+                                   k % 4, v, k % (4 * FIELD_COUNT) / 4);
+        }
+    }
+    return true;
+}
+
+bool trial_draw(Trial *t, const char *text, size_t size)
+{
+    if (t->material->filters > MOST_FILTERS)
+        return true;
+    Drawing d = {.trial = t, .document = matc_read("stress.yaml", text, size, &t->options)};
+    d.exact = malloc(2 * sizeof *d.exact);
+    for (int i = 0; i < 4; i++)
+        d.rgba[i] = malloc(sizeof(float) * 4 * FIELD_COUNT);
+    if (!d.exact || !d.rgba[0] || !d.rgba[1] || !d.rgba[2] || !d.rgba[3])
+        abort();
+    bool fine = true;
+    for (int slot = 0; slot < SLOT_COUNT && fine; slot++) {
+        d.slot = (Slot)slot;
+        fine = !t->slots[slot] || draw_slot(&d);
+    }
+    fine = fine && (!t->plan->core_half || draw_packed(&d));
+    for (int i = 0; i < 4; i++)
+        free(d.rgba[i]);
+    free(d.exact);
+    matc_document_free(d.document);
+    return fine;
+}

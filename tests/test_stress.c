@@ -1,0 +1,78 @@
+/* A small run of what `matbench stress` does without end: random documents mean the same to all who evaluate them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/stress/generate.h"
+#include "tests/stress/shrink.h"
+#include "tests/stress/stress.h"
+#include <string.h>
+
+enum { TREES = 400 };
+
+static void random_trees_hold(void **state)
+{
+    (void)state;
+    StressOptions options;
+    TrialCount n = {0};
+    stress_options_init(&options);
+    options.count = TREES;
+    options.validate_every = 20;
+    options.draw_every = 32;
+    int faults = stress_run(&options, &n);
+    print_message("%ld trees, %ld values, %ld validated, %ld drawn\n", n.trees, n.values, n.validated, n.programs);
+    assert_int_equal(faults, 0);
+    assert_int_equal(n.trees, TREES);
+    assert_true(n.values > 10 * TREES && n.programs > TREES / 32 && n.judged > 1000);
+}
+
+/* One seed, one document: a fault's seed is all that is needed to see it again. */
+static void a_seed_is_a_document(void **state)
+{
+    (void)state;
+    for (uint64_t i = 0; i < 50; i++) {
+        Arena arena = {0};
+        Choices first, again;
+        Text a = text_new(&arena), b = text_new(&arena);
+        choices_random(&first, 5, i);
+        generate_document(&first, &a);
+        choices_script(&again, first.made, first.count);
+        generate_document(&again, &b);
+        assert_string_equal(a.at, b.at);
+        assert_int_equal(first.count, again.count);
+        arena_free(&arena);
+    }
+}
+
+/* Fails where any two neighbours sum to 100 or more. */
+static bool has_pair(void *user, const uint32_t *script, int count)
+{
+    (void)user;
+    for (int i = 0; i + 1 < count; i++)
+        if (script[i] + script[i + 1] >= 100)
+            return true;
+    return false;
+}
+
+static void scripts_shrink(void **state)
+{
+    (void)state;
+    uint32_t script[200];
+    for (int i = 0; i < 200; i++)
+        script[i] = (uint32_t)(i * 37 % 90);
+    Shrinker shrinker = {has_pair, NULL, 5000};
+    int count = shrink(&shrinker, script, 200);
+    assert_int_equal(count, 2);
+    assert_int_equal(script[0] + script[1], 100);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_seed_is_a_document),
+        cmocka_unit_test(scripts_shrink),
+        cmocka_unit_test(random_trees_hold),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

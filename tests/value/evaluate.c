@@ -1,0 +1,44 @@
+/* Textures and inputs for ir_eval. */
+#include "evaluate.h"
+#include "runtime/lib/carpenter.h"
+#include <string.h>
+
+static const float *bake(Arena *arena, const IrTexture *t)
+{
+    double n[4];
+    float *floats = arena_alloc(arena, sizeof *floats * (size_t)t->width * (size_t)t->height);
+    for (int k = 0; k < 4; k++) {
+        double lanes[4];
+        value_number(&t->node->params[1 + k], TYPE_float, lanes);
+        n[k] = lanes[0];
+    }
+    carpenter_bake(n[0], n[1], n[2], (int64_t)n[3], t->width, t->height, floats);
+    return floats;
+}
+
+bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVALUATE_TEXTURES])
+{
+    if (ir->texture_count > EVALUATE_TEXTURES)
+        return false;
+    for (size_t i = 0; i < ir->texture_count; i++) {
+        const IrTexture *t = &ir->textures[i];
+        textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .lanes = 1};
+        if (t->kind == TEXTURE_image) {
+            textures[i].lanes = 4;
+            textures[i].bytes = t->image->bytes;
+        } else {
+            textures[i].floats = bake(arena, t);
+        }
+    }
+    return true;
+}
+
+void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4])
+{
+    memset(inputs, 0, sizeof(double[INPUT_COUNT][4]));
+    for (int i = 0; i < POINT_VARYINGS; i++)
+        for (int lane = 0; lane < 3; lane++)
+            inputs[i][lane] = point->input[i][lane];
+    inputs[INPUT_front][0] = front;
+    inputs[INPUT_IOR][0] = point_ior;
+}
