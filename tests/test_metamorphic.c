@@ -133,7 +133,7 @@ static void try_rule(const Rule *rule, uint64_t seed)
 {
     static Point field[FIELD_COUNT];
     static char first[LONGEST], second[LONGEST];
-    field_make(field);
+    hostile_points(field);
     for (int tree = 0; tree < TREES; tree++) {
         Arena arena = {0};
         Choices choices;

@@ -46,9 +46,9 @@ void main() {
     vec2 checker_1 = fract(uv * vec2(4.0, 2.0));
     vec3 checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0007963267, 0.9999997), vec3(0.0, -0.9999997, 0.0007963267)) * localPosition : mat3(vec3(0.0007963267, 0.0, -0.9999997), vec3(0.0, 1.0, 0.0), vec3(0.9999997, 0.0, 0.0007963267)) * localPosition;
     // Wood
-    float wood_1 = abs(fract(wood(checker) * 6.0 - 0.25) * 4.0 - 2.0);
+    float wood_1 = abs(fract(wood(checker) * 6.0) * 4.0 - 1.0) - 2.0;
     // Blend
-    vec3 blend = mix(vec3(0.043137256, 0.015686275, 0.007843138), vec3(0.6784314, 0.4392157, 0.1882353), clamp((wood_1 - 1.0 + 1.0) * 0.5, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.043137256, 0.015686275, 0.007843138), vec3(0.6784314, 0.4392157, 0.1882353), clamp((abs(wood_1) - 1.0 + 1.0) * 0.5, 0.0, 1.0));
     fragment1 = vec4(blend, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);

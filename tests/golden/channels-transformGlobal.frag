@@ -34,9 +34,9 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Gradient
-    float gradient_1 = fract(dot(worldPosition * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0 - 0.25) * 4.0 - 2.0;
+    float gradient_1 = abs(fract(dot(worldPosition * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0) * 4.0 - 1.0);
     // Blend
-    vec3 blend = mix(vec3(0.8862745, 0.8392157, 0.7372549), vec3(0.015686275, 0.039215688, 0.105882354), clamp((abs(gradient_1) - 1.0 + 0.2) * 2.5, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.8862745, 0.8392157, 0.7372549), vec3(0.015686275, 0.039215688, 0.105882354), clamp((abs(gradient_1 - 2.0) - 1.0 + 0.2) * 2.5, 0.0, 1.0));
     fragment1 = vec4(blend, 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);

@@ -122,8 +122,8 @@ void main() {
     // Turbulence
     vec3 turbulenceValue = vectorTurbulence(xyzTransform, 3, 2.0, 0.45) * vec3(0.35) + xyzTransform;
     // Wood
-    float wood_1 = abs(fract(wood(turbulenceValue) * 5.0 - 0.25) * 4.0 - 2.0);
-    float wood_2 = sin((wood_1 - 1.0) * 0.9 + 0.1);
+    float wood_1 = abs(fract(wood(turbulenceValue) * 5.0) * 4.0 - 1.0) - 2.0;
+    float wood_2 = sin((abs(wood_1) - 1.0) * 0.9 + 0.1);
     // Blend
     float blend_1 = wood_2 + 1.0;
     vec3 blend_2 = mix(mix(vec3(0.0, 0.03529412, 0.023529412), vec3(0.007843138, 0.19607843, 0.105882354), clamp(blend_1 * 1.1111112, 0.0, 1.0)), bright, clamp((wood_2 + 0.1) * 1.6666666, 0.0, 1.0));

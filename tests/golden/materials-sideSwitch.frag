@@ -34,9 +34,9 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // Gradient
-    float gradient_1 = abs(fract(localPosition.z * 6.0 - 0.25) * 4.0 - 2.0) - 1.0;
+    float gradient_1 = abs(abs(fract(localPosition.z * 6.0) * 4.0 - 1.0) - 2.0);
     // Blend
-    vec3 blend = mix(vec3(0.87058824, 0.8, 0.67058825), vec3(0.019607844, 0.06666667, 0.15294118), clamp((gradient_1 + 0.1) * 5.0, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.87058824, 0.8, 0.67058825), vec3(0.019607844, 0.06666667, 0.15294118), clamp((gradient_1 - 1.0 + 0.1) * 5.0, 0.0, 1.0));
     fragment1 = vec4(gl_FrontFacing ? blend : vec3(0.35, 0.03, 0.05), 1.0);
     fragment2 = vec4(0.0, 0.0, 0.0, 1.0);
     fragment3 = vec4(0.0, 0.0, 0.0, 1.0);

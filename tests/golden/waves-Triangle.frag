@@ -44,8 +44,8 @@ void main() {
     // XYZTransform
     vec3 xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
     // Wood
-    float wood_1 = abs(fract(wood(xyzTransform) * 5.0 - 0.25) * 4.0 - 2.0);
-    float wood_2 = wood_1 - 1.0;
+    float wood_1 = abs(fract(wood(xyzTransform) * 5.0) * 4.0 - 1.0) - 2.0;
+    float wood_2 = abs(wood_1) - 1.0;
     // Blend
     vec3 blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(wood_2 + 1.0, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp(wood_2, 0.0, 1.0));
     fragment1 = vec4(blend, 1.0);

@@ -61,7 +61,7 @@ static void make_point(Choices *c, Point *p)
         p->input[INPUT_ray][choose(c, 3)] = 0;
 }
 
-void field_make(Point points[FIELD_COUNT])
+void hostile_points(Point points[FIELD_COUNT])
 {
     static const uint64_t seed = 20;
     for (int i = 0; i < FIELD_COUNT; i++) {

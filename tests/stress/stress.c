@@ -1,4 +1,5 @@
 /* Threads that take one tree after another; a fault is shrunk and told at once. */
+#include "compiler/layout.h"
 #include "stress.h"
 #include "generate.h"
 #include "shrink.h"
@@ -53,7 +54,7 @@ static double now(void)
 static bool open_drawers(Worker *w)
 {
     const Point *field = w->run->field;
-    const int targets = layout_table[LAYOUT_thesis].targets;
+    const int targets = layout_targets(&layout_table[LAYOUT_thesis]);
     w->can_draw = drawer_open(&w->core, true, field, FIELD_COUNT, 1, GL_RGBA32F) &&
                   drawer_open(&w->compat, false, field, FIELD_COUNT, 1, GL_RGBA32F) &&
                   drawer_open(&w->core_half, true, field, FIELD_COUNT, targets, GL_RGBA16F) &&
@@ -225,7 +226,7 @@ int stress_run(const StressOptions *options, TrialCount *total)
     run->options = options;
     run->total = total;
     run->start = now();
-    field_make(run->field);
+    hostile_points(run->field);
     pthread_mutex_init(&run->lock, NULL);
     for (int i = 0; i < count; i++)
         if (pthread_create(&threads[i], NULL, work, run))

@@ -1,4 +1,5 @@
 /* What glslang says to a program, and what it draws. */
+#include "compiler/layout.h"
 #include "generate.h"
 #include "spread.h"
 #include "trial.h"
@@ -207,9 +208,9 @@ static bool draw_packed(Drawing *d)
 {
     Trial *t = d->trial;
     for (int i = 0; i < VARIANTS; i += 2) {
-        if (!draw(d, &variants[i], true, layout_table[LAYOUT_thesis].targets))
+        if (!draw(d, &variants[i], true, layout_targets(&layout_table[LAYOUT_thesis])))
             return false;
-        for (int k = 0; k < 4 * FIELD_COUNT * layout_table[LAYOUT_thesis].targets; k++) {
+        for (int k = 0; k < 4 * FIELD_COUNT * layout_targets(&layout_table[LAYOUT_thesis]); k++) {
             float v = d->rgba[k / (4 * FIELD_COUNT)][k % (4 * FIELD_COUNT)];
             if (!isfinite(v))
                 return trial_fault(t, FAULT_packed, "%s -O%d: target %d lane %d holds %g at point %d",
