@@ -105,7 +105,7 @@ typedef struct {
     int lanes;                  /* 1 or 4 a texel */
     const unsigned char *bytes; /* a byte a lane, over 255; or NULL */
     const float *floats;        /* a float a lane; or NULL */
-    bool linear;                /* filter; matc's own code asks for nearest texels */
+    bool mipmaps;               /* give it all mipmaps and filter linearly in and between them; else: nearest texels */
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
 /* Made on first request. */

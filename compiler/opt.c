@@ -122,8 +122,10 @@ static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
 bool optimize(Compile *c, Ir *ir)
 {
     static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range},
-                         function = {"function", opt_function};
-    bool changed = true;
+                         function = {"function", opt_function}, merge = {"merge", opt_merge};
+    bool changed = true, merged = false;
+    if (!run_pass(c, ir, &merge, &merged))
+        return false;
     for (int round = 0; round < MOST_ROUNDS; round++) {
         if (!run_pass(c, ir, &polish, &changed))
             return false;

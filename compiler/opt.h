@@ -13,6 +13,7 @@ bool opt_select(Ir *ir);       /* decided conditions, equal arms, work on consta
 bool opt_power(Ir *ir);        /* whole exponents -> products */
 bool opt_range(Ir *ir);        /* bounds that cannot be reached, comparisons that are decided */
 bool opt_function(Ir *ir);     /* functions that do not use their arguments, or not all */
+bool opt_merge(Ir *ir);        /* a value whose gradient is computed anyhow -> a lane of that */
 bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
 bool opt_polish(Ir *ir);       /* the local rules together, with what is known of uses */
 /* The local rules of fold, algebra, swizzle, select and power, until none applies: for nodes as they are made. */

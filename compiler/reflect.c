@@ -98,12 +98,13 @@ static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, co
         bool bytes = made_by[i] >= 0 ? t->path != NULL : !strcmp(t->name, "matc_xor");
         next(&list);
         text_format(out,
-                    "{\"name\": \"%s\", \"width\": %d, \"height\": %d, \"format\": \"%s\", \"filter\": \"nearest\", "
+                    "{\"name\": \"%s\", \"width\": %d, \"height\": %d, \"format\": \"%s\", \"filter\": \"%s\", "
                     "\"wrap\": \"repeat\", \"origin\": \"bottom-left\", ",
                     t->name, t->width, t->height,
                     bytes           ? t->lanes == 4 ? "RGBA8" : "R8"
                     : t->lanes == 4 ? "RGBA32F"
-                                    : "R32F");
+                                    : "R32F",
+                    t->mipmaps ? "mipmaps" : "nearest");
         if (has_locations(job->target))
             text_format(out, "\"binding\": %d, ", texture_binding(c, ir, interface, t->name));
         text_put(out, t->path ? "\"file\": " : "\"baked\": true}");

@@ -17,7 +17,22 @@ static const Table tables[] = {
     {"matc_xor", TABLE_XOR, SIDE, SIDE, 1, false},
 };
 
-static MatcTexture of_document(Compile *c, const Ir *ir, int i)
+/* Its mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10, which takes samples). */
+static bool is_averaged(const Ir *ir, const Interface *interface, int texture)
+{
+    bool from_mipmaps = false;
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        from_mipmaps |= !strcmp(interface->chunks.at[i]->name, "imageFiltered");
+    if (!from_mipmaps)
+        return false;
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_imageFiltered &&
+            ir_at(ir, ir_arg(ir, ref, 0))->payload == (uint32_t)texture)
+            return true;
+    return false;
+}
+
+static MatcTexture of_document(Compile *c, const Ir *ir, const Interface *interface, int i)
 {
     const IrTexture *t = &ir->textures[i];
     MatcTexture texture = {.name = texture_name(c, ir, i), .width = t->width, .height = t->height, .lanes = 1};
@@ -25,6 +40,7 @@ static MatcTexture of_document(Compile *c, const Ir *ir, int i)
         texture.path = t->image->path;
         texture.lanes = 4;
         texture.bytes = t->image->bytes;
+        texture.mipmaps = is_averaged(ir, interface, i);
     }
     return texture;
 }
@@ -46,7 +62,7 @@ int texture_list(Compile *c, const Ir *ir, const Interface *interface, MatcTextu
     for (size_t i = 0; i < ir->texture_count; i++)
         if (interface->textures[i]) {
             (*made_by)[count] = (int)i;
-            (*list)[count++] = of_document(c, ir, (int)i);
+            (*list)[count++] = of_document(c, ir, interface, (int)i);
         }
     for (int i = 0; i < TABLE_COUNT; i++)
         if (declares(interface, tables[i].name)) {

@@ -89,7 +89,7 @@ static void round_trip(Fixture *f, const char *pack, const char *packing, const 
 {
     if (f->source)
         f->gl->DeleteTextures(1, &f->source);
-    f->source = texture_make(f->gl, &(TextureSpec){SIDE, SIDE, 4, NULL, &f->numbers[0][0], false, false});
+    f->source = texture_make(f->gl, &(TextureSpec){SIDE, SIDE, 4, NULL, &f->numbers[0][0], false, false, false});
     assert_true(f->source);
     draw(f, pack, packing, f->source, &f->half);
     assert_true(framebuffer_read(f->gl, &f->half, 0, &f->packed[0][0]));

@@ -28,11 +28,16 @@ typedef struct {
 
 /* Without a footprint filtered maps have the values of plain ones. */
 static const Variant variants[] = {
-    {TARGET_glsl330, 0, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_lattice},
-    {TARGET_glsl110, 2, CHOICE_noise_lattice},        {TARGET_glsl450, 2, CHOICE_noise_lattice},
-    {TARGET_essl300, 2, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_groimp},
-    {TARGET_glsl110, 2, CHOICE_noise_groimp},         {TARGET_glsl330, 2, CHOICE_noise_simplex},
-    {TARGET_glsl110, 2, CHOICE_noise_simplex},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
+    {TARGET_glsl330, 0, CHOICE_noise_lattice},
+    {TARGET_glsl330, 2, CHOICE_noise_lattice},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice},
+    {TARGET_glsl450, 2, CHOICE_noise_lattice},
+    {TARGET_essl300, 2, CHOICE_noise_lattice},
+    {TARGET_glsl330, 2, CHOICE_noise_groimp},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp},
+    {TARGET_glsl330, 2, CHOICE_noise_simplex},
+    {TARGET_glsl110, 2, CHOICE_noise_simplex},
+    {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
     {TARGET_glsl110, 2, CHOICE_derivatives_analytic},
     {TARGET_glsl330, 2, CHOICE_aa_box},
     {TARGET_glsl110, 2, CHOICE_aa_aniso},

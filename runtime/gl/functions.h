@@ -43,6 +43,7 @@
     F(GENBUFFERS, GenBuffers)                                                                                          \
     F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                \
     F(GENQUERIES, GenQueries)                                                                                          \
+    F(GENERATEMIPMAP, GenerateMipmap)                                                                                  \
     F(GENTEXTURES, GenTextures)                                                                                        \
     F(GENVERTEXARRAYS, GenVertexArrays)                                                                                \
     F(GETACTIVEUNIFORM, GetActiveUniform)                                                                              \

@@ -19,11 +19,12 @@ static void set_parameters(const GlContext *gl, const TextureSpec *spec)
 {
     GLint filter = spec->linear ? GL_LINEAR : GL_NEAREST;
     GLint wrap = spec->repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, spec->mipmaps ? GL_LINEAR_MIPMAP_LINEAR : filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, spec->mipmaps ? GL_LINEAR : filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    if (!spec->mipmaps)
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
 static void upload(const GlContext *gl, const TextureSpec *spec)
@@ -45,6 +46,8 @@ GLuint texture_make(GlContext *gl, const TextureSpec *spec)
     gl->BindTexture(GL_TEXTURE_2D, texture);
     set_parameters(gl, spec);
     upload(gl, spec);
+    if (spec->mipmaps)
+        gl->GenerateMipmap(GL_TEXTURE_2D);
     if (gl_check(gl, "making a texture"))
         return texture;
     gl->DeleteTextures(1, &texture);

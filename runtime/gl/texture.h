@@ -1,4 +1,4 @@
-/* Two-dimensional textures of bytes or floats, without mip maps. */
+/* Two-dimensional textures of bytes or floats. */
 #ifndef MATC_GL_TEXTURE_H
 #define MATC_GL_TEXTURE_H
 #include "context.h"
@@ -12,6 +12,7 @@ typedef struct {
     const float *floats;  /* R32F, RGBA32F */
     bool linear;          /* filter; false: nearest */
     bool repeat;          /* wrap; false: clamp to the edge */
+    bool mipmaps;         /* make them, and filter linearly in and between them */
 } TextureSpec;
 
 /* The texture stays bound to the active unit. 0: see gl->error. Delete with gl->DeleteTextures. */

@@ -62,6 +62,17 @@ REFERENCE(cubicMean) { (void)context, result[0] = box_mean(cubic, args[0], args[
 REFERENCE(triangleMean) { (void)context, result[0] = box_mean(triangle, args[0], args[1]); }
 REFERENCE(scallopMean) { (void)context, result[0] = box_mean(scallop, args[0], args[1]); }
 
+static double end_rate(Wave *wave, const double *args)
+{
+    double edge = fmax(args[1], 1. / 256);
+    return (wave(args[0] + edge / 2) - wave(args[0] - edge / 2)) / edge;
+}
+
+REFERENCE(rampRate) { (void)context, result[0] = end_rate(ramp, args); }
+REFERENCE(cubicRate) { (void)context, result[0] = end_rate(cubic, args); }
+REFERENCE(triangleRate) { (void)context, result[0] = end_rate(triangle, args); }
+REFERENCE(scallopRate) { (void)context, result[0] = end_rate(scallop, args); }
+
 /* Arguments: root, p, then columns and offset, each as two numbers that are added. */
 REFERENCE(affineRest)
 {

@@ -38,13 +38,13 @@ static double noise_at(const void *context, const double p[3], const double rest
 static double octave_share(const void *context, double width)
 {
     double w = width * statistics(context).grain, q = w * w;
-    return fmax(1.15 / (1 + q * (.383 + .0467 * q)) - .15, 0);
+    return fmax(1.43 / (1 + q * (.383 + .0467 * q)) - .43, 0);
 }
 
 static double magnitude_share(const void *context, double width)
 {
     double w = width * statistics(context).grain, q = w * w;
-    return fmax(1.1 / (1 + q * (1.08 + .19 * q)) - .1, 0);
+    return fmax(1.35 / (1 + q * (1.08 + .19 * q)) - .35, 0);
 }
 
 /* Variance that is left of an octave, beside its slope, whose mean square over an edge of 1 is `steep` of the variance. */

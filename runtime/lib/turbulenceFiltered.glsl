@@ -1,15 +1,15 @@
-// needs: noiseLong noiseStatistics octaveShare
+// needs: noiseLong noiseStatistics octaveMean octaveShare
 // turbulence(p + rest, ...) over a square of an edge `width`: octaves fade to their mean, and finer ones are not computed at all.
 float turbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
-    float sum = 0.0;
+    float sum = octaveMean(count, noiseRatio);
     for (int k = 0; k < count; k++) {
         float share = octaveShare(width);
         if (share > 0.0)
-            sum += strength * mix(noiseMean, noiseLong(p, rest), share);
-        else
-            sum += strength * noiseMean;
+            sum += strength * share * (noiseLong(p, rest) - noiseMean);
+        else if (abs(frequencyRatio) >= 1.0)
+            break;
         strength *= noiseRatio;
         p *= frequencyRatio;
         rest *= frequencyRatio;

@@ -1,16 +1,17 @@
-// needs: noiseSlope noiseStatistics octaveShare
+// needs: noiseSlope noiseStatistics octaveMean octaveShare
 // Gradient by p of turbulenceFiltered(p, rest, ...), then its value.
 vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;
     float frequency = 1.0;
-    vec4 sum = vec4(0.0);
+    vec4 sum = vec4(0.0, 0.0, 0.0, octaveMean(count, noiseRatio));
     for (int k = 0; k < count; k++) {
         float share = octaveShare(width);
-        vec4 octave = vec4(0.0, 0.0, 0.0, noiseMean);
-        if (share > 0.0)
-            octave = mix(octave, noiseSlope(p, rest), share);
-        sum += strength * vec4(frequency * octave.xyz, octave.w);
+        if (share > 0.0) {
+            vec4 octave = noiseSlope(p, rest);
+            sum += strength * share * vec4(frequency * octave.xyz, octave.w - noiseMean);
+        } else if (abs(frequencyRatio) >= 1.0)
+            break;
         strength *= noiseRatio;
         frequency *= frequencyRatio;
         p *= frequencyRatio;

@@ -11,7 +11,8 @@ vec3 vectorTurbulenceAlong(vec3 p, vec3 rest, int octaves, float frequencyRatio,
             vec3 cell, d;
             latticeCell(p, rest, cell, d);
             sum += strength * share * vectorNoiseAlong(cell, d, direction);
-        }
+        } else if (abs(frequencyRatio) >= 1.0)
+            break;
         strength *= noiseRatio * frequencyRatio;
         p *= frequencyRatio;
         rest *= frequencyRatio;

@@ -10,7 +10,8 @@ vec3 vectorTurbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRat
             vec3 cell, d;
             latticeCell(p, rest, cell, d);
             sum += strength * share * vectorNoise(cell, d);
-        }
+        } else if (abs(frequencyRatio) >= 1.0)
+            break;
         strength *= noiseRatio;
         p *= frequencyRatio;
         rest *= frequencyRatio;

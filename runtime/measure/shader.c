@@ -35,7 +35,7 @@ static bool make_textures(GlContext *gl, Shader *made)
         return gl_fail(gl, "a material with more than %d textures", SHADER_TEXTURES);
     for (int i = 0; i < count; i++) {
         MatcTexture t = matc_texture(made->program, i);
-        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, t.linear, true};
+        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, false, true, t.mipmaps};
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)i); /* making a texture binds it */
         made->textures[i] = texture_make(gl, &spec);
         if (!made->textures[i])

@@ -28,7 +28,7 @@ static void take_textures(Parts *parts, MatcProgram *program)
     parts->textures = array(count, sizeof *parts->textures);
     for (int i = 0; i < count; i++) {
         MatcTexture t = matc_texture(program, i);
-        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, t.linear, true};
+        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, false, true, t.mipmaps};
         parts->textures[i] = (ViewTexture){t.name, spec};
     }
     parts->program.textures = parts->textures;

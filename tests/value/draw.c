@@ -218,7 +218,7 @@ static bool set_textures(Drawer *d, GLuint program, const Shading *shading, GLui
     int count = shading->program ? matc_texture_count(shading->program) : 0;
     for (int i = 0; i < count && i < UNITS; i++) {
         MatcTexture t = matc_texture(shading->program, i);
-        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, t.linear, true};
+        TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, false, true, t.mipmaps};
         d->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)i); /* making a texture binds it */
         names[i] = texture_make(d->gl, &spec);
         if (!names[i])
