@@ -486,7 +486,7 @@ typedef struct {
 static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsigned char *rgb)
 {
     char error[4096] = "";
-    const ViewTexture texture = {"image", {1, 1, 4, c->light, NULL, true, true}};
+    const ViewTexture texture = {"image", {1, 1, 4, c->light, NULL, true, true, false}};
     const ProgramValue values[] = {{"dark", 3, c->dark},
                                    {"specular", 3, c->specular},
                                    {"transparency", 3, c->transparency},
