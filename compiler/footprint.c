@@ -7,7 +7,7 @@ static const double LEAST_EDGE = 1e-7; /* of a box that something is divided by 
 
 static const Ref NO_VARIANCE = UINT32_MAX; /* in the memo: known to be none */
 
-bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none; }
+bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none && !l->filters; }
 
 static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
 
@@ -23,8 +23,7 @@ int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS])
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
     if (!is_filtered(l) || (!right && !up && !variance_of(l, coordinate)))
         return 0;
-    if (l->job->choice[AXIS_aa] == CHOICE_aa_box || l->filters || !right ||
-        !up) { /* what a filter blurs needs one box */
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_box || !right || !up) {
         taps[0] = (Tap){coordinate, footprint_edges(l, coordinate)};
         return 1;
     }

@@ -10,7 +10,7 @@ typedef struct {
     Ref middle, edges;
 } Tap;
 
-/* Whether maps are averaged over the pixel. */
+/* Whether maps are averaged over the pixel. What Smooth3D and Laplace3D evaluate many times is not: they sample it themselves. */
 bool is_filtered(const Lower *l);
 /* The boxes that stand for the pixel's footprint on a coordinate, of equal weight: one, or MOST_TAPS along the longer side with
  * --aa=aniso. 0: the coordinate is the same all over the pixel. */

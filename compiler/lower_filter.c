@@ -53,8 +53,7 @@ static Ref filter_size(Lower *l, const Node *node)
     return ir_vec(l->ir, TYPE_vec3, size, 3);
 }
 
-/* A filter's input is averaged over the pixel already, where that is wanted: what follows takes the result as it is, instead of
- * differentiating every one of its evaluations. */
+/* What follows takes the result as it is, instead of differentiating every one of its evaluations. */
 static Ref steady(Lower *l, Ref value)
 {
     slope_set(l, value, DIRECTION_right, 0);

@@ -51,16 +51,27 @@ static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
     return ir_ternary(l->ir, OP_mix, ir_convert(l->ir, b, type), ir_convert(l->ir, a, type), share);
 }
 
+static const char *const lane_name[] = {"x", "y", "z"};
+
+/* Whether floor(2 (q + rest)) is odd, from the nearest edge: the distance to that is exact, and so small that the rest counts. */
+static Ref odd_beside_edge(Lower *l, Ref q, Ref rest)
+{
+    Ref twice = add(l, mul(l, q, number(l, 2)), number(l, 0.5));
+    Ref edge = mul(l, ir_unary(l->ir, OP_floor, twice), number(l, 0.5));
+    Ref distance = add(l, sub(l, q, edge), rest);
+    Ref middle = ir_binary(l->ir, OP_le, number(l, 0.5), ir_unary(l->ir, OP_fract, edge));
+    return ir_binary(l->ir, OP_ne, middle, ir_binary(l->ir, OP_lt, distance, number(l, 0)));
+}
+
 /* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
  * for every float, while a sum of large whole numbers loses its last bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
-    static const char *const lane[] = {"x", "y", "z"};
-    Ref part = ir_unary(l->ir, OP_fract, q), rest = rest_of(l, q), odd = 0;
-    if (rest)
-        part = ir_unary(l->ir, OP_fract, add(l, part, rest));
+    Ref rest = rest_of(l, q), part = rest ? 0 : ir_unary(l->ir, OP_fract, q), odd = 0;
     for (int i = 0; i < ir_lanes(l->ir, q); i++) {
-        Ref upper = ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane[i]));
+        const char *lane = lane_name[i];
+        Ref upper = rest ? odd_beside_edge(l, ir_swizzle(l->ir, q, lane), ir_swizzle(l->ir, rest, lane))
+                         : ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane));
         odd = i ? ir_binary(l->ir, OP_ne, odd, upper) : upper;
     }
     return odd;

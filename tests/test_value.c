@@ -28,21 +28,14 @@ typedef struct {
 
 /* Without a footprint filtered maps have the values of plain ones. */
 static const Variant variants[] = {
-    {TARGET_glsl330, 0, CHOICE_noise_lattice},
-    {TARGET_glsl330, 2, CHOICE_noise_lattice},
-    {TARGET_glsl110, 2, CHOICE_noise_lattice},
-    {TARGET_glsl450, 2, CHOICE_noise_lattice},
-    {TARGET_essl300, 2, CHOICE_noise_lattice},
-    {TARGET_glsl330, 2, CHOICE_noise_groimp},
-    {TARGET_glsl110, 2, CHOICE_noise_groimp},
-    {TARGET_glsl330, 2, CHOICE_noise_simplex},
-    {TARGET_glsl110, 2, CHOICE_noise_simplex},
-    {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
-    {TARGET_glsl110, 2, CHOICE_derivatives_analytic},
-    {TARGET_glsl330, 2, CHOICE_aa_box},
-    {TARGET_glsl110, 2, CHOICE_aa_aniso},
-    {TARGET_glsl330, 2, CHOICE_coordinates_long},
-    {TARGET_glsl110, 2, CHOICE_coordinates_long},
+    {TARGET_glsl330, 0, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_lattice},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice},        {TARGET_glsl450, 2, CHOICE_noise_lattice},
+    {TARGET_essl300, 2, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_groimp},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp},         {TARGET_glsl330, 2, CHOICE_noise_simplex},
+    {TARGET_glsl110, 2, CHOICE_noise_simplex},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
+    {TARGET_glsl110, 2, CHOICE_derivatives_analytic}, {TARGET_glsl330, 2, CHOICE_aa_box},
+    {TARGET_glsl330, 2, CHOICE_coordinates_long},     {TARGET_glsl330, 2, CHOICE_trigonometry_bounded},
+    {TARGET_glsl330, 2, CHOICE_powers_compensated},
 };
 enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_NOISE_COUNT };
 
@@ -254,7 +247,8 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice choice = c->variant->choice;
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = noise_for(basis, c->variant->target);
-    bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
+    bool exact = choice == CHOICE_derivatives_analytic,
+         steep = choice == CHOICE_noise_simplex || choice == CHOICE_aa_box;
     const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;

@@ -9,7 +9,7 @@ typedef double Wave(double v);
 static double box_mean(Wave *wave, double v, double edge)
 {
     double sum = 0;
-    if (edge < 1e-6)
+    if (edge <= 1e-6)
         return wave(v);
     for (int i = 0; i < PIECES; i++)
         sum += wave(v + edge * ((i + .5) / PIECES - .5));
@@ -26,7 +26,7 @@ static double scallop(double v) { return 2 * fabs(sin(M_PI * v)) - 1; }
 static double stripe_mean(double v, double edge)
 {
     double a = v - edge / 2, b = v + edge / 2;
-    if (edge < 1e-12)
+    if (edge <= 1e-6)
         return stripe(v);
     return (fabs(fraction(a) - .5) - fabs(fraction(b) - .5)) / edge;
 }
