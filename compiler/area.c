@@ -120,22 +120,23 @@ Ref area_volume(Lower *l, Kind kind, const Ref *args, int count)
 Ref area_odd_share(Lower *l, Ref q)
 {
     static const char *const lane[] = {"x", "y", "z"};
-    Tap taps[MOST_TAPS];
-    Ref products[MOST_TAPS] = {0};
-    int count = footprint_taps(l, q, taps), lanes = ir_lanes(l->ir, q);
-    Ref rest = rest_of(l, q);
-    if (!count)
+    int lanes = ir_lanes(l->ir, q);
+    Ref edges = footprint_edges(l, q), rest = rest_of(l, q), part, product;
+    if (!edges)
         return 0;
-    for (int i = 0; i < count; i++) {
-        Ref part = ir_unary(l->ir, OP_fract, taps[i].middle);
-        if (rest)
-            part = ir_unary(l->ir, OP_fract, add(l, part, rest));
-        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, (Ref[]){part, taps[i].edges}, 2);
-        products[i] = ir_swizzle(l->ir, stripes, lane[0]);
+    part = ir_unary(l->ir, OP_fract, q);
+    if (rest)
+        part = ir_unary(l->ir, OP_fract, add(l, part, rest));
+    Ref longer = footprint_longer(l, q, &edges);
+    if (longer) {
+        product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, (Ref[]){part, longer, edges}, 3);
+    } else {
+        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, (Ref[]){part, edges}, 2);
+        product = ir_swizzle(l->ir, stripes, lane[0]);
         for (int k = 1; k < lanes; k++)
-            products[i] = mul(l, products[i], ir_swizzle(l->ir, stripes, lane[k]));
+            product = mul(l, product, ir_swizzle(l->ir, stripes, lane[k]));
     }
-    return sub(l, number(l, 0.5), mul(l, mean_of(l, products, count), number(l, 0.5)));
+    return sub(l, number(l, 0.5), mul(l, product, number(l, 0.5)));
 }
 
 Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)

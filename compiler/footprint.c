@@ -18,22 +18,31 @@ static Ref filled(Lower *l, Ref value, Type type) { return value ? value : ir_co
 
 static Ref scaled(Lower *l, Ref value, double factor) { return mul(l, value, number(l, factor)); }
 
-int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS])
+Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges)
 {
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
-    if (!is_filtered(l) || (!right && !up && !variance_of(l, coordinate)))
+    if (l->job->choice[AXIS_aa] != CHOICE_aa_aniso || !is_filtered(l) || !right || !up)
         return 0;
-    if (l->job->choice[AXIS_aa] == CHOICE_aa_box || !right || !up) {
-        taps[0] = (Tap){coordinate, footprint_edges(l, coordinate)};
-        return 1;
-    }
     Ref wide = ir_binary(l->ir, OP_lt, ir_binary(l->ir, OP_dot, up, up), ir_binary(l->ir, OP_dot, right, right));
     Ref longer = ir_select(l->ir, wide, right, up), shorter = ir_select(l->ir, wide, up, right);
     Ref part = scaled(l, longer, 1.0 / MOST_TAPS), variance = variance_of(l, coordinate);
-    Ref edges = ir_binary(l->ir, OP_max, unary(l, OP_abs, part), unary(l, OP_abs, shorter));
+    *edges = ir_binary(l->ir, OP_max, unary(l, OP_abs, part), unary(l, OP_abs, shorter));
     if (variance)
-        edges = unary(l, OP_sqrt, add(l, mul(l, edges, edges), scaled(l, variance, BOX_VARIANCE)));
-    edges = ir_binary(l->ir, OP_max, edges, number(l, LEAST_EDGE));
+        *edges = unary(l, OP_sqrt, add(l, mul(l, *edges, *edges), scaled(l, variance, BOX_VARIANCE)));
+    *edges = ir_binary(l->ir, OP_max, *edges, number(l, LEAST_EDGE));
+    return longer;
+}
+
+int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS])
+{
+    Ref edges = footprint_edges(l, coordinate);
+    if (!edges)
+        return 0;
+    Ref longer = footprint_longer(l, coordinate, &edges);
+    if (!longer) {
+        taps[0] = (Tap){coordinate, edges};
+        return 1;
+    }
     for (int i = 0; i < MOST_TAPS; i++)
         taps[i] = (Tap){add(l, coordinate, scaled(l, longer, (i + 0.5) / MOST_TAPS - 0.5)), edges};
     return MOST_TAPS;

@@ -15,6 +15,8 @@ bool is_filtered(const Lower *l);
 /* The boxes that stand for the pixel's footprint on a coordinate, of equal weight: one, or MOST_TAPS along the longer side with
  * --aa=aniso. 0: the coordinate is the same all over the pixel. */
 int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS]);
+/* The longer side of the footprint, and the edges of the boxes along it; 0 but for --aa=aniso. */
+Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges);
 /* MOST_TAPS points spread over the footprint; 0 as above. For functions of which nothing better is known. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
 /* Edges by lane of a box that varies as much as the value does within the pixel: by its slope and by what it has left out.

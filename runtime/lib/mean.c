@@ -47,6 +47,20 @@ static void rates(const double *args, int lanes, double *result)
 
 REFERENCE(stripes2) { (void)context, stripes(args, 2, result); }
 REFERENCE(stripes3) { (void)context, stripes(args, 3, result); }
+static double stripes_along(const double *args, int lanes)
+{
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+        double product = 1;
+        for (int lane = 0; lane < lanes; lane++)
+            product *= stripe_mean(args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane], args[2 * lanes + lane]);
+        sum += product / 4;
+    }
+    return sum;
+}
+
+REFERENCE(stripesAlong2) { (void)context, result[0] = stripes_along(args, 2); }
+REFERENCE(stripesAlong3) { (void)context, result[0] = stripes_along(args, 3); }
 REFERENCE(stripesRate2) { (void)context, rates(args, 2, result); }
 REFERENCE(stripesRate3) { (void)context, rates(args, 3, result); }
 

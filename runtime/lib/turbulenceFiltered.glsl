@@ -6,10 +6,8 @@ float turbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio, f
     float sum = octaveMean(count, noiseRatio);
     for (int k = 0; k < count; k++) {
         float share = octaveShare(width);
-        if (share > 0.0)
-            sum += strength * share * (noiseLong(p, rest) - noiseMean);
-        else if (abs(frequencyRatio) >= 1.0)
-            break;
+        if (share <= 0.0 && abs(frequencyRatio) >= 1.0) break;
+        sum += strength * share * (noiseLong(p, rest) - noiseMean);
         strength *= noiseRatio;
         p *= frequencyRatio;
         rest *= frequencyRatio;

@@ -7,11 +7,9 @@ vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, fl
     vec4 sum = vec4(0.0, 0.0, 0.0, octaveMean(count, noiseRatio));
     for (int k = 0; k < count; k++) {
         float share = octaveShare(width);
-        if (share > 0.0) {
-            vec4 octave = noiseSlope(p, rest);
-            sum += strength * share * vec4(frequency * octave.xyz, octave.w - noiseMean);
-        } else if (abs(frequencyRatio) >= 1.0)
-            break;
+        if (share <= 0.0 && abs(frequencyRatio) >= 1.0) break;
+        vec4 octave = noiseSlope(p, rest);
+        sum += strength * share * vec4(frequency * octave.xyz, octave.w - noiseMean);
         strength *= noiseRatio;
         frequency *= frequencyRatio;
         p *= frequencyRatio;

@@ -6,12 +6,10 @@ vec3 vectorTurbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRat
     vec3 sum = vec3(0.0);
     for (int k = 0; k < count; k++) {
         float share = octaveShare(width);
-        if (share > 0.0) {
-            vec3 cell, d;
-            latticeCell(p, rest, cell, d);
-            sum += strength * share * vectorNoise(cell, d);
-        } else if (abs(frequencyRatio) >= 1.0)
-            break;
+        if (share <= 0.0 && abs(frequencyRatio) >= 1.0) break;
+        vec3 cell, d;
+        latticeCell(p, rest, cell, d);
+        sum += strength * share * vectorNoise(cell, d);
         strength *= noiseRatio;
         p *= frequencyRatio;
         rest *= frequencyRatio;

@@ -7,7 +7,7 @@
 enum { SIDE = 512, ROUNDS = 25, QUICK_ROUNDS = 7, SAMPLES_SIDE = 16, MOST = 16 };
 
 /* Cells of the first octave a pixel. */
-static const double distances[] = {0.2, 2};
+static const double distances[] = {0.2, 2, 128};
 
 static const char noise_document[] =
     "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: 1, size: 8, frequency: 0.5, phase: 0.5 }\n";

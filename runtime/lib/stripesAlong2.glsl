@@ -1,0 +1,17 @@
+// needs: stripes2
+// Mean of the product of the lanes' stripes over four boxes side by side along a direction; q in [0, 1], the boxes' edges by lane.
+// A lane whose box is below 1/1024 is the same for all four. Error 1e-4 where a box is near that, else 1e-6.
+float stripesAlong2(vec2 q, vec2 along, vec2 edges) {
+    vec2 narrow = step(edges, vec2(1.0 / 1024.0));
+    vec2 near = stripes2(q, min(edges, 1.0 / 1024.0));
+    vec2 width = max(edges, 1.0 / 1024.0);
+    vec2 inverse = 1.0 / width;
+    float sum = 0.0;
+    for (float at = -0.375; at < 0.5; at += 0.25) {
+        vec2 x = q + at * along;
+        vec2 s = (abs(fract(x - 0.5 * width) - 0.5) - abs(fract(x + 0.5 * width) - 0.5)) * inverse;
+        s = mix(s, near, narrow);
+        sum += s.x * s.y;
+    }
+    return 0.25 * sum;
+}
