@@ -1,5 +1,5 @@
 /* What rounding takes from a coordinate: affine chains of constants are followed back, in double, to the value they start from,
- * and GLSL computes M root + offset - p as exactly as the parts allow. */
+ * and GLSL computes M root + offset as a whole number and a fraction, each good to the last bit. */
 #include "footprint.h"
 #include <math.h>
 #include <string.h>
@@ -127,17 +127,27 @@ static bool is_exact(const Line *line)
     return (terms == 0 || line->offset == 0) && terms <= 1;
 }
 
-/* A double as the sum of two floats, by columns: the numbers as they are written, and what they leave. */
-static void put_column(Lower *l, const Line *lines, int lanes, int column, Ref *high, Ref *low)
+/* The upper 12 bits of a number's mantissa. */
+static double upper_bits(double x)
 {
-    double h[4] = {0}, r[4] = {0};
+    enum { BITS = 12 };
+    int exponent;
+    double mantissa = frexp(x, &exponent);
+    return ldexp(trunc(ldexp(mantissa, BITS)), exponent - BITS);
+}
+
+/* A column, or the offset, times `scale`, as three vectors that add up to it: two of 12 bits, and what is left. */
+static void put_column(Lower *l, const Line *lines, int lanes, int column, double scale, Ref parts[3])
+{
+    double value[3][4] = {{0}};
     for (int i = 0; i < lanes; i++) {
-        double exact = column < LANES ? lines[i].factor[column] : lines[i].offset;
-        h[i] = (double)(float)exact;
-        r[i] = exact - h[i];
+        double exact = scale * (column < LANES ? lines[i].factor[column] : lines[i].offset);
+        value[0][i] = upper_bits(exact);
+        value[1][i] = upper_bits(exact - value[0][i]);
+        value[2][i] = exact - value[0][i] - value[1][i];
     }
-    *high = ir_const(l->ir, TYPE_vec3, h);
-    *low = ir_const(l->ir, TYPE_vec3, r);
+    for (int part = 0; part < 3; part++)
+        parts[part] = ir_const(l->ir, TYPE_vec3, value[part]);
 }
 
 static Ref as_vec3(Lower *l, Ref value)
@@ -146,32 +156,51 @@ static Ref as_vec3(Lower *l, Ref value)
     int lanes = ir_lanes(l->ir, value);
     if (lanes == 4)
         return ir_swizzle(l->ir, value, "xyz");
-    return lanes == 3 ? value
-                      : ir_vec(l->ir, TYPE_vec3,
-                               (Ref[]){value, ir_const(l->ir, lanes == 2 ? TYPE_float : TYPE_vec2, none)}, 2);
+    if (lanes == 3)
+        return value;
+    Ref rest = ir_const(l->ir, lanes == 2 ? TYPE_float : TYPE_vec2, none);
+    return ir_vec(l->ir, TYPE_vec3, (Ref[]){value, rest}, 2);
 }
 
-Ref rest_of(Lower *l, Ref coordinate)
+/* The lanes as lines from one root; false if there is nothing to gain. */
+static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
 {
-    Line lines[LANES];
     int lanes = ir_lanes(l->ir, coordinate);
     bool exact = true;
-    Ref root = 0, args[10];
+    *root = 0;
     if (l->job->choice[AXIS_coordinates] != CHOICE_coordinates_long || lanes > LANES)
-        return 0;
+        return false;
     for (int i = 0; i < lanes; i++) {
         lines[i] = line_of(l->ir, coordinate, i, 0);
         exact &= is_exact(&lines[i]);
-        if (lines[i].root == coordinate || (root && lines[i].root && lines[i].root != root))
-            return 0;
-        root = lines[i].root ? lines[i].root : root;
+        if (lines[i].root == coordinate || (*root && lines[i].root && lines[i].root != *root))
+            return false;
+        *root = lines[i].root ? lines[i].root : *root;
     }
-    if (exact || !root)
-        return 0;
+    return !exact && *root;
+}
+
+bool long_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts)
+{
+    static const char *const lanes_of[] = {"", "x", "xy"};
+    Line lines[LANES];
+    Ref root, args[1 + 3 * (LANES + 1)];
+    int lanes = ir_lanes(l->ir, coordinate);
+    if (!lines_of(l, coordinate, lines, &root))
+        return false;
     args[0] = as_vec3(l, root);
-    args[1] = as_vec3(l, coordinate);
     for (int column = 0; column <= LANES; column++)
-        put_column(l, lines, lanes, column, &args[2 + 2 * column], &args[3 + 2 * column]);
-    Ref rest = ir_call(l->ir, FN_affineRest, args, 10);
-    return lanes == 3 ? rest : ir_swizzle(l->ir, rest, lanes == 2 ? "xy" : "x");
+        put_column(l, lines, lanes, column, scale, &args[1 + 3 * column]);
+    parts->whole = ir_call(l->ir, FN_affineWhole, args, 1 + 3 * (LANES + 1));
+    parts->fraction = ir_call(l->ir, FN_affineFraction, args, 1 + 3 * (LANES + 1));
+    if (lanes < LANES) {
+        parts->whole = ir_swizzle(l->ir, parts->whole, lanes_of[lanes]);
+        parts->fraction = ir_swizzle(l->ir, parts->fraction, lanes_of[lanes]);
+    }
+    for (int d = 0; d < DIRECTION_COUNT; d++) { /* the sum changes as the coordinate does */
+        Ref slope = slope_of(l, coordinate, (Direction)d);
+        slope_set(l, parts->whole, (Direction)d, slope && scale != 1 ? mul(l, slope, number(l, scale)) : slope);
+        slope_set(l, parts->fraction, (Direction)d, 0);
+    }
+    return true;
 }

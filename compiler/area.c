@@ -24,15 +24,17 @@ static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
 {
     Tap taps[MOST_TAPS];
     Ref values[MOST_TAPS] = {0}, all[8];
+    LongCoordinate parts;
     int tap_count = footprint_taps(l, args[0], taps);
     Ref edge = tap_count ? greatest_lane(l, taps[0].edges) : number(l, 0);
-    Ref rest = rest_of(l, args[0]);
-    if (!tap_count)
-        taps[0].middle = args[0];
+    bool is_long = long_coordinate(l, args[0], 1, &parts);
     for (int i = 0; i < tap_count + !tap_count; i++) {
         int used = 0;
-        all[used++] = taps[i].middle;
-        all[used++] = rest ? rest : zero3(l);
+        Ref middle = tap_count ? taps[i].middle : args[0];
+        all[used++] = is_long ? parts.whole : middle;
+        all[used++] = !is_long         ? zero3(l)
+                      : tap_count <= 1 ? parts.fraction
+                                       : add(l, parts.fraction, sub(l, middle, args[0]));
         for (int k = 1; k < count; k++)
             all[used++] = args[k];
         all[used++] = edge;
@@ -46,15 +48,15 @@ static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
         all[used++] = args[k];
     all[used++] = edge;
     Ref variance = mul(l, ir_call(l->ir, o->variance, all, used), number(l, o->factor));
-    variance_set(l, value,
-                 o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, (Ref[]){variance, variance, variance}, 3) : variance);
+    Ref lanes[] = {variance, variance, variance};
+    variance_set(l, value, o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, lanes, 3) : variance);
     return value;
 }
 
 static bool is_plain(Lower *l, Ref p)
 {
-    Tap taps[MOST_TAPS];
-    return !rest_of(l, p) && !footprint_taps(l, p, taps);
+    LongCoordinate parts;
+    return !footprint_edges(l, p) && !long_coordinate(l, p, 1, &parts);
 }
 
 Ref area_turbulence(Lower *l, const Ref args[4])
@@ -121,12 +123,11 @@ Ref area_odd_share(Lower *l, Ref q)
 {
     static const char *const lane[] = {"x", "y", "z"};
     int lanes = ir_lanes(l->ir, q);
-    Ref edges = footprint_edges(l, q), rest = rest_of(l, q), part, product;
+    LongCoordinate parts;
+    Ref edges = footprint_edges(l, q), product;
     if (!edges)
         return 0;
-    part = ir_unary(l->ir, OP_fract, q);
-    if (rest)
-        part = ir_unary(l->ir, OP_fract, add(l, part, rest));
+    Ref part = ir_unary(l->ir, OP_fract, long_coordinate(l, q, 1, &parts) ? parts.fraction : q);
     Ref longer = footprint_longer(l, q, &edges);
     if (longer) {
         product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, (Ref[]){part, longer, edges}, 3);

@@ -27,8 +27,12 @@ Ref greatest_lane(Lower *l, Ref value);
 /* Variance within the pixel that a mean's slope does not show, by lane; 0 for none. It passes through linear operations. */
 void variance_set(Lower *l, Ref value, Ref variance);
 Ref variance_of(Lower *l, Ref value);
-/* What rounding took from a coordinate that constants scaled, turned and moved, for --coordinates=long; 0 for none. affine.c */
-Ref rest_of(Lower *l, Ref coordinate);
+/* `scale` times a coordinate that constants scaled, turned and moved, as a whole number and a fraction in [-1/2, 1/2], for
+ * --coordinates=long. False: it is exact as it is, or not of that kind. affine.c */
+typedef struct {
+    Ref whole, fraction;
+} LongCoordinate;
+bool long_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts);
 /* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than max(x, 0). */
 Ref box_corner(Lower *l, Ref x, Ref edge);
 #endif

@@ -53,25 +53,27 @@ static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
 
 static const char *const lane_name[] = {"x", "y", "z"};
 
-/* Whether floor(2 (q + rest)) is odd, from the nearest edge: the distance to that is exact, and so small that the rest counts. */
-static Ref odd_beside_edge(Lower *l, Ref q, Ref rest)
+/* Whether floor(2 q) is odd, from the whole number and the fraction of 2 q, by lane: edges are at whole numbers, and beside them
+ * the fraction is small and good to its last bit. */
+static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
 {
-    Ref twice = add(l, mul(l, q, number(l, 2)), number(l, 0.5));
-    Ref edge = mul(l, ir_unary(l->ir, OP_floor, twice), number(l, 0.5));
-    Ref distance = add(l, sub(l, q, edge), rest);
-    Ref middle = ir_binary(l->ir, OP_le, number(l, 0.5), ir_unary(l->ir, OP_fract, edge));
-    return ir_binary(l->ir, OP_ne, middle, ir_binary(l->ir, OP_lt, distance, number(l, 0)));
+    Ref whole = ir_swizzle(l->ir, twice->whole, lane), fraction = ir_swizzle(l->ir, twice->fraction, lane);
+    Ref half = ir_unary(l->ir, OP_fract, mul(l, whole, number(l, 0.5)));
+    Ref odd = ir_binary(l->ir, OP_le, number(l, 0.5), half);
+    return ir_binary(l->ir, OP_ne, odd, ir_binary(l->ir, OP_lt, fraction, number(l, 0)));
 }
 
 /* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
  * for every float, while a sum of large whole numbers loses its last bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
-    Ref rest = rest_of(l, q), part = rest ? 0 : ir_unary(l->ir, OP_fract, q), odd = 0;
+    LongCoordinate twice;
+    bool is_long = long_coordinate(l, q, 2, &twice);
+    Ref part = is_long ? 0 : ir_unary(l->ir, OP_fract, q), odd = 0;
     for (int i = 0; i < ir_lanes(l->ir, q); i++) {
         const char *lane = lane_name[i];
-        Ref upper = rest ? odd_beside_edge(l, ir_swizzle(l->ir, q, lane), ir_swizzle(l->ir, rest, lane))
-                         : ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane));
+        Ref upper = is_long ? odd_beside_edge(l, &twice, lane)
+                            : ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane));
         odd = i ? ir_binary(l->ir, OP_ne, odd, upper) : upper;
     }
     return odd;

@@ -87,13 +87,26 @@ REFERENCE(cubicRate) { (void)context, result[0] = end_rate(cubic, args); }
 REFERENCE(triangleRate) { (void)context, result[0] = end_rate(triangle, args); }
 REFERENCE(scallopRate) { (void)context, result[0] = end_rate(scallop, args); }
 
-/* Arguments: root, p, then columns and offset, each as two numbers that are added. */
-REFERENCE(affineRest)
+/* Arguments: root, then columns and offset, each as three numbers that are added. */
+static double affine(const double *args, int lane)
+{
+    double sum = 0;
+    for (int column = 0; column < 4; column++)
+        for (int part = 0; part < 3; part++)
+            sum += args[3 + 9 * column + 3 * part + lane] * (column < 3 ? args[column] : 1);
+    return sum;
+}
+
+REFERENCE(affineWhole)
 {
     (void)context;
-    for (int i = 0; i < 3; i++) {
-        result[i] = -args[3 + i];
-        for (int column = 0; column < 4; column++)
-            result[i] += (args[6 + 6 * column + i] + args[9 + 6 * column + i]) * (column < 3 ? args[column] : 1);
-    }
+    for (int i = 0; i < 3; i++)
+        result[i] = floor(affine(args, i) + .5);
+}
+
+REFERENCE(affineFraction)
+{
+    (void)context;
+    for (int i = 0; i < 3; i++)
+        result[i] = affine(args, i) - floor(affine(args, i) + .5);
 }
