@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum {
-    POINTS = 120,      /* footprints of a map */
+    POINTS = 300,      /* footprints of a map */
     SIDE = 24,         /* samples of a footprint, an axis */
     EXACT_POINTS = 16, /* footprints along the axes */
     PIECES = 4,        /* of a period: between their borders every map of an EXACT row is smooth */
