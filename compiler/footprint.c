@@ -102,6 +102,21 @@ void variance_set(Lower *l, Ref value, Ref variance)
     l->variances[value] = variance ? variance : NO_VARIANCE;
 }
 
+void split_set(Lower *l, Ref value, Split split)
+{
+    if (value >= l->split_room) {
+        size_t more = 2 * (size_t)value + 64;
+        Split *grown = ARENA_ARRAY(l->c->arena, Split, more);
+        if (l->split_room)
+            memcpy(grown, l->splits, l->split_room * sizeof(Split));
+        l->splits = grown;
+        l->split_room = more;
+    }
+    l->splits[value] = split;
+}
+
+Split split_of(const Lower *l, Ref value) { return value < l->split_room ? l->splits[value] : (Split){0, 0, 0}; }
+
 static Ref sum(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : add(l, a, b); }
 
 static Ref lane_variance(Lower *l, Ref ref, const IrNode *node)

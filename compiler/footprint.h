@@ -3,7 +3,10 @@
 #define MATC_FOOTPRINT_H
 #include "slope.h"
 
-enum { MOST_TAPS = 4 };
+enum {
+    MOST_TAPS = 4,
+    MOST_SPLITS = 4, /* checkers within checkers whose colours are told apart */
+};
 
 /* One box: its middle and its edges by lane. */
 typedef struct {
@@ -25,6 +28,9 @@ Ref greatest_lane(Lower *l, Ref value);
 /* Variance within the pixel that a mean's slope does not show, by lane; 0 for none. It passes through linear operations. */
 void variance_set(Lower *l, Ref value, Ref variance);
 Ref variance_of(Lower *l, Ref value);
+/* Notes that a value is the mean of two within the pixel: what is not linear has to be asked of both. */
+void split_set(Lower *l, Ref value, Split split);
+Split split_of(const Lower *l, Ref value);
 /* What rounding took from a coordinate that constants scaled, turned and moved, for --coordinates=long; 0 for none. affine.c */
 Ref rest_of(Lower *l, Ref coordinate);
 /* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than max(x, 0). */
