@@ -11,8 +11,11 @@ bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_n
 
 static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
 
-/* The greater by lane; 0 is zero, and neither is negative. */
-static Ref greater(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : ir_binary(l->ir, OP_max, a, b); }
+/* The edge of one box as wide as two are one after the other, by lane: their variances add. */
+static Ref together(Lower *l, Ref a, Ref b)
+{
+    return a && b ? unary(l, OP_sqrt, add(l, mul(l, a, a), mul(l, b, b))) : unary(l, OP_abs, a ? a : b);
+}
 
 static Ref filled(Lower *l, Ref value, Type type) { return value ? value : ir_const(l->ir, type, (double[4]){0}); }
 
@@ -26,7 +29,7 @@ Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges)
     Ref wide = ir_binary(l->ir, OP_lt, ir_binary(l->ir, OP_dot, up, up), ir_binary(l->ir, OP_dot, right, right));
     Ref longer = ir_select(l->ir, wide, right, up), shorter = ir_select(l->ir, wide, up, right);
     Ref part = scaled(l, longer, 1.0 / MOST_TAPS), variance = variance_of(l, coordinate);
-    *edges = ir_binary(l->ir, OP_max, unary(l, OP_abs, part), unary(l, OP_abs, shorter));
+    *edges = together(l, part, shorter);
     if (variance)
         *edges = unary(l, OP_sqrt, add(l, mul(l, *edges, *edges), scaled(l, variance, BOX_VARIANCE)));
     *edges = ir_binary(l->ir, OP_max, *edges, number(l, LEAST_EDGE));
@@ -68,9 +71,9 @@ Ref footprint_edges(Lower *l, Ref value)
 {
     if (!is_filtered(l))
         return 0;
-    Ref right = unary(l, OP_abs, slope_of(l, value, DIRECTION_right));
-    Ref up = unary(l, OP_abs, slope_of(l, value, DIRECTION_up));
-    Ref edges = greater(l, right, up), variance = variance_of(l, value);
+    Ref right = slope_of(l, value, DIRECTION_right), up = slope_of(l, value, DIRECTION_up);
+    Ref edges = together(l, right, up);
+    Ref variance = variance_of(l, value);
     if (variance) {
         Ref square = scaled(l, variance, BOX_VARIANCE);
         edges = unary(l, OP_sqrt, edges ? add(l, mul(l, edges, edges), square) : square);
@@ -106,6 +109,21 @@ void variance_set(Lower *l, Ref value, Ref variance)
     }
     l->variances[value] = variance ? variance : NO_VARIANCE;
 }
+
+void split_set(Lower *l, Ref value, Split split)
+{
+    if (value >= l->split_room) {
+        size_t more = 2 * (size_t)value + 64;
+        Split *grown = ARENA_ARRAY(l->c->arena, Split, more);
+        if (l->split_room)
+            memcpy(grown, l->splits, l->split_room * sizeof(Split));
+        l->splits = grown;
+        l->split_room = more;
+    }
+    l->splits[value] = split;
+}
+
+Split split_of(const Lower *l, Ref value) { return value < l->split_room ? l->splits[value] : (Split){0, 0, 0}; }
 
 static Ref sum(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : add(l, a, b); }
 

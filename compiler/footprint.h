@@ -3,7 +3,10 @@
 #define MATC_FOOTPRINT_H
 #include "slope.h"
 
-enum { MOST_TAPS = 4 };
+enum {
+    MOST_TAPS = 4,
+    MOST_SPLITS = 4, /* checkers within checkers whose colours are told apart */
+};
 
 /* One box: its middle and its edges by lane. */
 typedef struct {
@@ -27,6 +30,9 @@ Ref greatest_lane(Lower *l, Ref value);
 /* Variance within the pixel that a mean's slope does not show, by lane; 0 for none. It passes through linear operations. */
 void variance_set(Lower *l, Ref value, Ref variance);
 Ref variance_of(Lower *l, Ref value);
+/* Notes that a value is the mean of two within the pixel: what is not linear has to be asked of both. */
+void split_set(Lower *l, Ref value, Split split);
+Split split_of(const Lower *l, Ref value);
 /* `scale` times a coordinate that constants scaled, turned and moved, as a whole number and a fraction in [-1/2, 1/2], for
  * --coordinates=long. False: it is exact as it is, or not of that kind. affine.c */
 typedef struct {

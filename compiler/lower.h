@@ -20,6 +20,11 @@ typedef struct {
     Ref value;
 } Memo;
 
+/* A value that is one of two all over the pixel: a for a share of it, b for the rest. No share: it is not known to be. */
+typedef struct {
+    Ref share, a, b;
+} Split;
+
 typedef struct {
     Compile *c;
     Ir *ir;
@@ -34,6 +39,8 @@ typedef struct {
     size_t slope_room;
     Ref *variances; /* by Ref; footprint.c */
     size_t variance_room;
+    Split *splits; /* by Ref; footprint.c */
+    size_t split_room;
     uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
     bool failed;          /* a diagnostic was made */
 } Lower;

@@ -111,6 +111,32 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < CHEAP_ARMS;
 }
 
+static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
+{
+    Ref edge = count <= MOST_AREA_ITEMS && ascending_values(l->ir, stops, count) ? footprint_edges(l, t) : 0;
+    if (edge)
+        return blend_area(l, t, edge, stops, count);
+    bool ascending = strictly_ascending(l->ir, stops, count);
+    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count))
+        return blend_mixes(l, t, stops, count);
+    if (ascending && (l->cheap || count > LIMIT_WALK))
+        return blend_search(l, t, stops, count, 0, count);
+    return blend_walk(l, t, stops, count);
+}
+
+/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */
+static Ref blend_split(Lower *l, Ref x, const Stop *stops, int count, int depth)
+{
+    Split split = split_of(l, x);
+    if (!split.share || depth == 0)
+        return blend_at(l, ir_swizzle(l->ir, x, "x"), stops, count);
+    split.a = blend_split(l, split.a, stops, count, depth - 1);
+    split.b = blend_split(l, split.b, stops, count, depth - 1);
+    Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, split.share);
+    split_set(l, value, split);
+    return value;
+}
+
 Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *blend = node_param(node, P_Blend_blend);
@@ -118,7 +144,8 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     int count = blend->kind == VALUE_items ? blend->items->count : 0;
     if (!count || l->failed)
         return ask(l, input, group, env);
-    Ref t = ir_swizzle(l->ir, ask(l, input, GROUP_X, env), "x");
+    Ref x = ask(l, input, GROUP_X, env);
+    ir_swizzle(l->ir, x, "x"); /* before what the items make */
     Stop *stops = ARENA_ARRAY(l->c->arena, Stop, count);
     Type type = TYPE_float;
     for (int i = 0; i < count; i++) {
@@ -128,17 +155,10 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     }
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);
-    Ref edge = count <= MOST_AREA_ITEMS && ascending_values(l->ir, stops, count) ? footprint_edges(l, t) : 0;
-    if (edge)
-        return blend_area(l, t, edge, stops, count);
-    bool ascending = strictly_ascending(l->ir, stops, count);
-    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count))
-        return blend_mixes(l, t, stops, count);
-    if (ascending && (l->cheap || count > LIMIT_WALK))
-        return blend_search(l, t, stops, count, 0, count);
-    if (count <= LIMIT_WALK)
-        return blend_walk(l, t, stops, count);
-    diag_add(l->c, blend->span, DIAG_long_walk, LIMIT_WALK);
-    l->failed = true;
-    return stops[0].result;
+    if (count > LIMIT_WALK && !strictly_ascending(l->ir, stops, count)) {
+        diag_add(l->c, blend->span, DIAG_long_walk, LIMIT_WALK);
+        l->failed = true;
+        return stops[0].result;
+    }
+    return blend_split(l, x, stops, count, MOST_SPLITS);
 }

@@ -1,5 +1,5 @@
 /* Materials: each answers for the shading slots. Only the slots that a pass stores are ever asked for. */
-#include "lower.h"
+#include "footprint.h"
 #include "runtime/lib/sky.h"
 
 /* The surface where there is no material: GroIMP's grey. */
@@ -30,11 +30,21 @@ static Ref alpha_of(Lower *l, const Node *map, const Env *env)
     return ir_type(l->ir, value) == TYPE_vec4 ? ir_swizzle(l->ir, value, "w") : number(l, 1);
 }
 
+/* Of a shininess that is one of two within the pixel: the mean of both exponents. */
+static Ref exponent_of(Lower *l, Ref shininess, int depth)
+{
+    Split split = split_of(l, shininess);
+    if (!split.share || depth == 0)
+        return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, shininess, "x")}, 1);
+    Ref a = exponent_of(l, split.a, depth - 1), b = exponent_of(l, split.b, depth - 1);
+    return ir_ternary(l->ir, OP_mix, b, a, split.share);
+}
+
 static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 {
     if (!map)
         return number(l, without);
-    return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, ask(l, map, GROUP_R, env), "x")}, 1);
+    return exponent_of(l, ask(l, map, GROUP_R, env), MOST_SPLITS);
 }
 
 /* 1 + alpha (c - 1) */

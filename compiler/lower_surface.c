@@ -48,7 +48,10 @@ static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
 static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
 {
     Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
-    return ir_ternary(l->ir, OP_mix, ir_convert(l->ir, b, type), ir_convert(l->ir, a, type), share);
+    Split split = {share, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type)};
+    Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, share);
+    split_set(l, value, split);
+    return value;
 }
 
 static const char *const lane_name[] = {"x", "y", "z"};

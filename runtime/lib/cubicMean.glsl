@@ -7,8 +7,8 @@ float cubicMean(float v, float edge) {
     float point = t * t * (6.0 - 4.0 * t) - 1.0;
     float side = distance < 0.0 ? -1.0 : 1.0;
     float near = point + side - clamp(2.0 * distance / edge, -1.0, 1.0);
-    float a = fract(v - 0.5 * edge);
-    float b = fract(v + 0.5 * edge);
+    float a = fract(t - 0.5 * edge);
+    float b = fract(t + 0.5 * edge);
     float far = (b * (b * b * (2.0 - b) - 1.0) - a * (a * a * (2.0 - a) - 1.0)) / max(edge, 1.0 / 64.0);
     return edge <= 1.0e-6 ? point : edge < 1.0 / 32.0 ? near : far;
 }

@@ -1,33 +1,41 @@
 /* Means over boxes, from antiderivatives in double precision. Arguments: the place, the box's edge. */
 #include "runtime/reference.h"
 
-enum { PIECES = 4096 };
-
 typedef double Wave(double v);
 
-/* By the midpoint rule, which needs no antiderivative: a box of at most some periods in thousands of pieces. */
-static double box_mean(Wave *wave, double v, double edge)
+/* A wave of period 1 and its antiderivative over [0, 1], from 0. */
+typedef struct {
+    Wave *wave, *integral;
+} Periodic;
+
+static double integral_to(const Periodic *p, double v) { return floor(v) * p->integral(1) + p->integral(fraction(v)); }
+
+static double box_mean(const Periodic *p, double v, double edge)
 {
-    double sum = 0;
-    if (edge <= 1e-6)
-        return wave(v);
-    for (int i = 0; i < PIECES; i++)
-        sum += wave(v + edge * ((i + .5) / PIECES - .5));
-    return sum / PIECES;
+    const double narrow = 1e-9; /* below, the difference has no digits */
+    double t = fraction(v);
+    return edge < narrow ? p->wave(t) : (integral_to(p, t + edge / 2) - integral_to(p, t - edge / 2)) / edge;
 }
 
 static double stripe(double v) { return fraction(v) < .5 ? 1 : -1; }
-static double ramp(double v) { return 2 * fraction(v) - 1; }
-static double cubic(double v) { return fraction(v) * fraction(v) * (6 - 4 * fraction(v)) - 1; }
-static double triangle(double v) { return fabs(4 * fraction(v - .25) - 2) - 1; }
-static double scallop(double v) { return 2 * fabs(sin(M_PI * v)) - 1; }
+static double ramp(double t) { return 2 * t - 1; }
+static double ramp_integral(double t) { return t * (t - 1); }
+static double cubic(double t) { return t * t * (6 - 4 * t) - 1; }
+static double cubic_integral(double t) { return t * (t * t * (2 - t) - 1); }
+static double triangle(double t) { return fabs(4 * fraction(t - .25) - 2) - 1; }
+static double triangle_integral(double t)
+{
+    return t < .25 ? 2 * t * t : t < .75 ? .25 - 2 * (t - .5) * (t - .5) : 2 * (t - 1) * (t - 1);
+}
+static double scallop(double t) { return 2 * sin(M_PI * t) - 1; }
+static double scallop_integral(double t) { return 2 / M_PI * (1 - cos(M_PI * t)) - t; }
 
 /* Exact: the antiderivative of the stripes is a triangle of period 1. */
 static double stripe_mean(double v, double edge)
 {
     double a = v - edge / 2, b = v + edge / 2;
     if (edge <= 1e-6)
-        return stripe(v);
+        return v < .5 ? 1 : -1; /* 1 is what rounding makes of the numbers below it */
     return (fabs(fraction(a) - .5) - fabs(fraction(b) - .5)) / edge;
 }
 
@@ -71,15 +79,27 @@ REFERENCE(sincMean)
     result[0] = fabs(h) < 1e-9 ? 1 : sin(h) / h;
 }
 
-REFERENCE(rampMean) { (void)context, result[0] = box_mean(ramp, args[0], args[1]); }
-REFERENCE(cubicMean) { (void)context, result[0] = box_mean(cubic, args[0], args[1]); }
-REFERENCE(triangleMean) { (void)context, result[0] = box_mean(triangle, args[0], args[1]); }
-REFERENCE(scallopMean) { (void)context, result[0] = box_mean(scallop, args[0], args[1]); }
+/* Waves that jump: a narrow box is the point, as in GLSL. */
+static double jump_mean(const Periodic *p, double v, double edge)
+{
+    return edge <= 1e-6 ? p->wave(fraction(v)) : box_mean(p, v, edge);
+}
+
+REFERENCE(rampMean) { (void)context, result[0] = jump_mean(&(Periodic){ramp, ramp_integral}, args[0], args[1]); }
+REFERENCE(cubicMean) { (void)context, result[0] = jump_mean(&(Periodic){cubic, cubic_integral}, args[0], args[1]); }
+REFERENCE(triangleMean)
+{
+    (void)context, result[0] = box_mean(&(Periodic){triangle, triangle_integral}, args[0], args[1]);
+}
+REFERENCE(scallopMean)
+{
+    (void)context, result[0] = box_mean(&(Periodic){scallop, scallop_integral}, args[0], args[1]);
+}
 
 static double end_rate(Wave *wave, const double *args)
 {
     double edge = fmax(args[1], 1. / 256);
-    return (wave(args[0] + edge / 2) - wave(args[0] - edge / 2)) / edge;
+    return (wave(fraction(args[0] + edge / 2)) - wave(fraction(args[0] - edge / 2))) / edge;
 }
 
 REFERENCE(rampRate) { (void)context, result[0] = end_rate(ramp, args); }

@@ -1,14 +1,14 @@
 // needs:
 // Mean of the triangle wave (0 at whole v, 1 a quarter after) over a box. Below an edge of 1/2 only the nearest corner counts,
-// which does not cancel: error 3e-7. Above from the antiderivative.
+// which does not cancel; above from the antiderivative: error 3e-7.
 float triangleMean(float v, float edge) {
-    float t = fract(v - 0.25);
+    float t = fract(fract(v) - 0.25);
     float height = abs(4.0 * t - 2.0) - 1.0;
     float corner = 0.25 * (1.0 - abs(height));
     float over = max(0.5 * edge - corner, 0.0);
     float near = height - sign(height) * 4.0 * over * over / edge;
-    float a = fract(v - 0.25 - 0.5 * edge);
-    float b = fract(v - 0.25 + 0.5 * edge);
+    float a = fract(t - 0.5 * edge);
+    float b = fract(t + 0.5 * edge);
     vec2 q = vec2(a, b);
     vec2 integral = q * (1.0 - 2.0 * q) + max(q - 0.5, 0.0) * (4.0 * q - 2.0);
     float far = (integral.y - integral.x) / max(edge, 0.25);

@@ -1,5 +1,6 @@
 // needs: latticeCell octaveShare vectorNoise
 // vectorTurbulence(p + rest, ...) over a square of an edge `width`: octaves fade to 0, and finer ones are not computed at all.
+// Error as of turbulence.
 vec3 vectorTurbulenceFiltered(vec3 p, vec3 rest, int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

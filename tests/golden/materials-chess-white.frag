@@ -90,7 +90,8 @@ vec3 vectorNoise(vec3 cell, vec3 d) {
     return sum * latticeScale;
 }
 
-// Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
+// Sum of octaves noiseRatio^k vectorNoise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised. Error as of
+// turbulence.
 vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     int count = octaves > 1 ? octaves : 1;
     float strength = 1.0;

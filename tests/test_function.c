@@ -1,0 +1,331 @@
+/* Every library function and every volume map's: its GLSL, drawn, against its reference in double at the same floats. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/ir.h"
+#include "compiler/pipeline.h"
+#include "runtime/lib/java_random.h"
+#include "tests/value/tuple.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    NEIGHBOURS = 48,   /* that make a hull */
+    MOST_VARIANTS = 8, /* texts of a function for one target */
+    MOST_SHOWN = 3,    /* faults of a case that are printed */
+    MOST_NUMBERS = 4 * CALL_ARGUMENTS
+};
+static const double least_relative = 1e-30; /* below, errors count as if the value were this: floats end at 1e-38 */
+
+typedef enum {
+    UNIT_ABSOLUTE,
+    UNIT_RELATIVE,
+    UNIT_VECTOR,
+    UNIT_MIXED,
+    UNIT_ULP,
+    UNIT_STRENGTH,
+    UNIT_SLOPE,
+    UNIT_TURN,
+    UNIT_CODE
+} Unit;
+
+typedef struct {
+    const char *function;
+    double bound;
+    Unit unit;
+    double reach;
+    Argument arguments[CALL_ARGUMENTS];
+} Case;
+
+#define PLACE(size, far)                                                                                               \
+    {                                                                                                                  \
+        FORM_place, size, far                                                                                          \
+    }
+#define RANGE(low, high)                                                                                               \
+    {                                                                                                                  \
+        FORM_range, low, high                                                                                          \
+    }
+#define WIDTH(least, most)                                                                                             \
+    {                                                                                                                  \
+        FORM_width, least, most                                                                                        \
+    }
+#define WIDE(least, most)                                                                                              \
+    {                                                                                                                  \
+        FORM_wide, least, most                                                                                         \
+    }
+#define WHOLE(low, high)                                                                                               \
+    {                                                                                                                  \
+        FORM_whole, low, high                                                                                          \
+    }
+#define RATIO                                                                                                          \
+    {                                                                                                                  \
+        FORM_ratio, 0, 0                                                                                               \
+    }
+#define UNIT                                                                                                           \
+    {                                                                                                                  \
+        FORM_unit, 0, 0                                                                                                \
+    }
+#define REST                                                                                                           \
+    {                                                                                                                  \
+        FORM_rest, 0, 0                                                                                                \
+    }
+#define PICTURE                                                                                                        \
+    {                                                                                                                  \
+        FORM_texture, 0, 0                                                                                             \
+    }
+#define RELIEF                                                                                                         \
+    {                                                                                                                  \
+        FORM_texture, 1, 0                                                                                             \
+    }
+#define SIZE                                                                                                           \
+    {                                                                                                                  \
+        FORM_size, 0, 0                                                                                                \
+    }
+#define AFFINE                                                                                                         \
+    {                                                                                                                  \
+        FORM_affine, 0, 0                                                                                              \
+    }
+#define SKY                                                                                                            \
+    {                                                                                                                  \
+        FORM_sky, 0, 0                                                                                                 \
+    }
+static const Case cases[] = {
+#define CASE(function, bound, unit, reach, ...) {#function, bound, UNIT_##unit, reach, {__VA_ARGS__}},
+#include "functions.def"
+};
+enum { CASE_COUNT = sizeof cases / sizeof *cases };
+
+typedef struct {
+    Caller caller;
+    const Case *row;
+    int function, tuples, moved, faults;
+    double worst;
+    ReferenceContext context;
+    const char *choices;
+    Tuple tuple[CALL_COUNT];
+    double result[CALL_COUNT][CALL_LANES];
+} Test;
+
+static int function_find(const char *name)
+{
+    for (int i = 0; i < FUNCTION_COUNT; i++)
+        if (function_row(i)->name && !strcmp(function_row(i)->name, name))
+            return i;
+    return FN_none;
+}
+
+static double ulp(double v) { return ldexp(1, ilogb(fmax(fabs(v), 1e-20)) - 23); }
+
+/* The sum of |noiseRatio|^k, times |frequencyRatio|^k for slopes. */
+static double octave_sum(Test *t, Tuple tuple, bool slope)
+{
+    int at = (int)strcspn(function_arguments(t->function), "i");
+    double frequency = fabs((double)tuple[at + 1][0]), noise = fabs((double)tuple[at + 2][0]), sum = 0;
+    for (int k = 0; k < (int)tuple[at][0]; k++)
+        sum += pow(noise, k) * (slope ? fmax(pow(frequency, k), 1) : 1);
+    return sum;
+}
+
+/* What an error is divided by. */
+static double scale_of(Test *t, int i, const double expected[CALL_LANES], int lane, int lanes)
+{
+    double greatest = 0, v = fabs(expected[lane]);
+    switch (t->row->unit) {
+    case UNIT_RELATIVE:
+        return fmax(v, least_relative);
+    case UNIT_MIXED:
+        return fmax(v, 1);
+    case UNIT_ULP:
+        return ulp(v);
+    case UNIT_STRENGTH:
+    case UNIT_SLOPE:
+        return octave_sum(t, t->tuple[i], t->row->unit == UNIT_SLOPE);
+    case UNIT_VECTOR:
+        for (int k = 0; k < lanes; k++)
+            greatest = fmax(greatest, fabs(expected[k]));
+        return fmax(greatest, least_relative);
+    default:
+        return 1;
+    }
+}
+
+static void reference(const Test *t, const double *args, double expected[CALL_LANES])
+{
+    function_row(t->function)->reference(&t->context, args, expected);
+}
+
+/* From what the reference makes of the neighbours: from the nearest of them for codes, else from their hull, which is taken to be
+ * wider by its own width. */
+static double miss_nearby(Test *t, int i, int lane, double start)
+{
+    double low = start, high = start, got = t->result[i][lane];
+    uint64_t state = java_random(i);
+    for (int k = 0; k < NEIGHBOURS; k++) {
+        double args[MOST_NUMBERS], expected[CALL_LANES] = {0};
+        tuple_move(t->tuple[i], t->row->arguments, function_arguments(t->function), t->row->reach, &state, args);
+        reference(t, args, expected);
+        if (expected[lane] == got)
+            return 0;
+        low = fmin(low, expected[lane]);
+        high = fmax(high, expected[lane]);
+    }
+    if (t->row->unit == UNIT_CODE)
+        return 1;
+    double room = high - low;
+    return fmax(fmax(low - room - got, got - high - room), 0);
+}
+
+static double miss_of(Test *t, int i, const double expected[CALL_LANES], int lane, int lanes)
+{
+    double scale = scale_of(t, i, expected, lane, lanes), got = t->result[i][lane];
+    double miss = fabs(got - expected[lane]);
+    if (!isfinite(got))
+        return INFINITY;
+    if (t->row->unit == UNIT_TURN)
+        miss = fabs(got - expected[lane] - rint(got - expected[lane]));
+    if (t->row->unit == UNIT_CODE)
+        miss = miss != 0;
+    if (miss <= t->row->bound * scale || t->row->reach == 0)
+        return miss / scale;
+    t->moved++;
+    return miss_nearby(t, i, lane, expected[lane]) / scale;
+}
+
+static void show(const Test *t, int i, int lane, const double *args, double expected, double miss)
+{
+    char text[1024];
+    int size = 0, count = 0;
+    const char *letters = function_arguments(t->function);
+    for (int k = 0; letters[k]; k++)
+        count += argument_lanes(letters[k]);
+    for (int k = 0; k < count; k++)
+        size += snprintf(text + size, sizeof text - (size_t)size, " %.9g", args[k]);
+    print_error("%s %s (%s) lane %d:%s\n    is %.9g, should be %.9g, off by %.2g\n", t->row->function,
+                target_table[t->caller.target].name, t->choices, lane, text, t->result[i][lane], expected, miss);
+}
+
+static void compare(Test *t)
+{
+    const char *letters = function_arguments(t->function);
+    Type type = function_row(t->function)->result;
+    int lanes = type == TYPE_uint ? 1 : type_table[type].lanes, shown = 0;
+    for (int i = 0; i < CALL_COUNT; i++) {
+        double args[MOST_NUMBERS], expected[CALL_LANES] = {0};
+        tuple_flatten(t->tuple[i], letters, args);
+        reference(t, args, expected);
+        t->tuples++;
+        for (int lane = 0; lane < lanes; lane++) {
+            double miss = miss_of(t, i, expected, lane, lanes);
+            t->worst = fmax(t->worst, miss);
+            if (miss <= t->row->bound)
+                continue;
+            t->faults++;
+            if (shown++ < MOST_SHOWN)
+                show(t, i, lane, args, expected[lane], miss);
+        }
+    }
+}
+
+static void call(Test *t)
+{
+    uint64_t state = java_random(t->row - cases);
+    for (int i = 0; i < CALL_COUNT; i++)
+        tuple_draw(t->row->arguments, function_arguments(t->function), &state, t->tuple[i]);
+    if (!call_draw(&t->caller, t->function, t->tuple, t->result))
+        fail_msg("%s: %s", t->row->function, t->caller.error);
+    compare(t);
+}
+
+/* Every text that the choices of noise and trigonometry make, once. */
+static void call_variants(Test *t)
+{
+    static const char *const noises[] = {"lattice", "groimp", "simplex"}, *const trigonometry[] = {"native", "bounded"};
+    static const char *const names[][2] = {
+        {"lattice", "lattice, bounded"}, {"groimp", "groimp, bounded"}, {"simplex", "simplex, bounded"}};
+    char *texts[MOST_VARIANTS];
+    int count = 0;
+    for (int i = 0; i < 6; i++) {
+        Job job;
+        MatcOptions options;
+        matc_options_init(&options);
+        options.target = target_table[t->caller.target].name;
+        options.noise = noises[i / 2];
+        options.trigonometry = trigonometry[i % 2];
+        assert_null(job_of(&options, &job));
+        assert_true(call_gather(&t->caller, t->function, &job));
+        bool seen = false;
+        for (int k = 0; k < count; k++)
+            seen |= !strcmp(texts[k], t->caller.text);
+        if (seen)
+            continue;
+        texts[count++] = strdup(t->caller.text);
+        t->choices = names[i / 2][i % 2];
+        t->context = (ReferenceContext){noise_for(job.choice[AXIS_noise], t->caller.target), call_textures};
+        call(t);
+    }
+    while (count)
+        free(texts[--count]);
+}
+
+/* GLSL 1.10 has no words. */
+static bool exists(int function, Target target)
+{
+    return target != TARGET_glsl110 || function_row(function)->result != TYPE_uint;
+}
+
+static int check_target(Test *t, Target target, const char *only)
+{
+    int faults = 0;
+    if (!caller_open(&t->caller, target))
+        fail_msg("%s", t->caller.error);
+    print_message("%-26s %9s %9s %7s %s\n", target_table[target].name, "bound", "worst", "tuples", "by neighbours");
+    for (int i = 0; i < CASE_COUNT; i++) {
+        t->row = &cases[i];
+        t->function = function_find(t->row->function);
+        if (t->function == FN_none)
+            fail_msg("functions.def: there is no %s", t->row->function);
+        if (!exists(t->function, target) || (only && strcmp(only, t->row->function)))
+            continue;
+        t->tuples = t->moved = t->faults = 0;
+        t->worst = 0;
+        call_variants(t);
+        print_message("%-26s %9.1e %9.1e %7d %d%s\n", t->row->function, t->row->bound, t->worst, t->tuples, t->moved,
+                      t->faults ? "  TOO LARGE" : "");
+        faults += t->faults;
+    }
+    caller_close(&t->caller);
+    return faults;
+}
+
+static void functions_are_their_references(void **state)
+{
+    (void)state;
+    static Test test;
+    const char *only = getenv("FUNCTION_ONLY");
+    int faults = check_target(&test, TARGET_glsl330, only) + check_target(&test, TARGET_glsl110, only);
+    assert_int_equal(faults, 0);
+}
+
+static void every_function_has_a_case(void **state)
+{
+    (void)state;
+    for (int i = 0; i < FUNCTION_COUNT; i++) {
+        bool found = !function_row(i)->name;
+        for (int k = 0; k < CASE_COUNT && !found; k++)
+            found = !strcmp(cases[k].function, function_row(i)->name);
+        if (!found)
+            fail_msg("tests/functions.def has no case for %s", function_row(i)->name);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_function_has_a_case),
+        cmocka_unit_test(functions_are_their_references),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
