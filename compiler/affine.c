@@ -148,7 +148,7 @@ static Ref as_vec3(Lower *l, Ref value)
         return ir_swizzle(l->ir, value, "xyz");
     return lanes == 3 ? value
                       : ir_vec(l->ir, TYPE_vec3,
-                               (Ref[]){value, ir_const(l->ir, lanes == 2 ? TYPE_float : TYPE_vec2, none)}, 2);
+                               REFS(l->ir, value, ir_const(l->ir, lanes == 2 ? TYPE_float : TYPE_vec2, none)), 2);
 }
 
 Ref rest_of(Lower *l, Ref coordinate)

@@ -176,13 +176,7 @@ Ref ir_int(Ir *ir, double value) { return ir_const(ir, TYPE_int, &value); }
 Ref ir_vec3(Ir *ir, double x, double y, double z) { return ir_const(ir, TYPE_vec3, (double[]){x, y, z}); }
 Ref ir_input(Ir *ir, Input input) { return ir_make(ir, OP_input, input_table[input].type, input, NULL, 0); }
 Ref ir_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, op, 0, 0, &a, 1); }
-Ref ir_binary(Ir *ir, Op op, Ref a, Ref b) { return ir_make(ir, op, 0, 0, (Ref[]){a, b}, 2); }
-Ref ir_ternary(Ir *ir, Op op, Ref a, Ref b, Ref c) { return ir_make(ir, op, 0, 0, (Ref[]){a, b, c}, 3); }
-
-Ref ir_select(Ir *ir, Ref condition, Ref a, Ref b)
-{
-    return ir_make(ir, OP_select, ir_type(ir, a), 0, (Ref[]){condition, a, b}, 3);
-}
+Ref ir_select_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_select, ir_type(ir, x[1]), 0, x, 3); }
 
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 

@@ -85,8 +85,8 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q);
 #undef PRESET
 
 /* Shorthands for building. */
-static inline Ref add(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_add, a, b); }
-static inline Ref sub(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_sub, a, b); }
-static inline Ref mul(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_mul, a, b); }
+#define add(l, a, b) ir_binary((l)->ir, OP_add, a, b)
+#define sub(l, a, b) ir_binary((l)->ir, OP_sub, a, b)
+#define mul(l, a, b) ir_binary((l)->ir, OP_mul, a, b)
 static inline Ref number(Lower *l, double value) { return ir_float(l->ir, value); }
 #endif

@@ -123,7 +123,8 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     Type type = TYPE_float;
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
-        stops[i] = (Stop){param_value(l, &item->value, TYPE_float), ask(l, item->input, group, env)};
+        stops[i].value = param_value(l, &item->value, TYPE_float);
+        stops[i].result = ask(l, item->input, group, env);
         type = i ? common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
     }
     for (int i = 0; i < count; i++)

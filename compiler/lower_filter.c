@@ -11,7 +11,7 @@ static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
     Env env = *outer;
     env.number = ++l->env_count;
     env.root[GROUP_X] = arguments[0];
-    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){arguments[1], number(l, 0)}, 2);
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, arguments[1], number(l, 0)), 2);
     return env;
 }
 
@@ -41,7 +41,7 @@ static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, int i,
 {
     Ref offset = mul(l, size, ir_vec3(l->ir, 0.5 * i, 0.5 * j, 0.5 * k));
     Ref uv = add(l, ir_swizzle(l->ir, env->root[GROUP_U], "xy"), ir_swizzle(l->ir, offset, "xy"));
-    return ir_apply(l->ir, function, (Ref[]){add(l, env->root[GROUP_X], offset), uv});
+    return ir_apply(l->ir, function, REFS(l->ir, add(l, env->root[GROUP_X], offset), uv));
 }
 
 /* The three sizes, which are the first parameters behind `input`. */
@@ -71,8 +71,8 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     Ref size = filter_size(l, node), sum = 0;
     bool costly = cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
     if (costly)
-        sum =
-            ir_kernel(l->ir, function, (Ref[]){env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")}, size);
+        sum = ir_kernel(l->ir, function, REFS(l->ir, env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")),
+                        size);
     for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
         Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
         sum = n ? add(l, sum, value) : value;
