@@ -6,7 +6,6 @@ const OpRow op_table[OP_COUNT] = {
 #define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
     {#name, SHAPE_##shape, glsl, arity, RULE_##rule, cost, doc},
 #include "grammar/ops.def"
-#undef OP
 };
 
 enum { FIRST_TABLE = 256 };

@@ -8,7 +8,6 @@
 typedef enum {
 #define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc) OP_##name,
 #include "grammar/ops.def"
-#undef OP
     OP_COUNT
 } Op;
 typedef enum { SHAPE_special, SHAPE_infix, SHAPE_prefix, SHAPE_call } Shape;

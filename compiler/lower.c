@@ -11,14 +11,7 @@ static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env)
 #define VOLUME_LOWERING(name) lower_volume
 static const LowerMap lower_map[KIND_COUNT] = {
 #define MAP(name, function, lowering, cost, doc) [KIND_##name] = lowering##_LOWERING(name),
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "grammar/maps.def"
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 };
 
 const Node *param_node(const Node *node, int param)

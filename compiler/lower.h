@@ -75,14 +75,7 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q);
 
 #define MAP(name, function, lowering, cost, doc)                                                                       \
     Ref lower_##name(Lower *l, const Node *node, Group group, const Env *env);
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "grammar/maps.def"
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 
 /* Shorthands for building. */
 #define add(l, a, b) ir_binary((l)->ir, OP_add, a, b)

@@ -122,9 +122,6 @@ Ref rewrite_algebra(Ir *ir, Ref ref, const void *user)
         return result;
 #define END break;
 #include "grammar/rules.def"
-#undef ON
-#undef RULE
-#undef END
     default:
         break;
     }

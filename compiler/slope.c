@@ -88,7 +88,6 @@ static Ref lanes_slope(Lower *l, Op op, Ref r, const Ref *x, const Ref *dx)
     case OP_##name:                                                                                                    \
         return slope;
 #include "grammar/ops.def"
-#undef OP
     default:
         return 0;
     }
