@@ -248,21 +248,39 @@ Ref ir_convert(Ir *ir, Ref a, Type type)
     }
 }
 
-void ir_arguments(Ir *ir, const Type *types, int count, Ref *arguments)
+void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments)
 {
     enum { SET_SHIFT = 8 };
-    uint32_t set = ir->argument_sets++;
     for (int i = 0; i < count; i++)
-        arguments[i] = ir_make(ir, OP_argument, types[i], set << SET_SHIFT | (uint32_t)i, NULL, 0);
+        arguments[i] = ir_make(ir, OP_argument, types[i], (uint32_t)set << SET_SHIFT | (uint32_t)i, NULL, 0);
+}
+
+static int *function_of(Ir *ir, Ref result)
+{
+    if (result >= ir->function_of_room) {
+        size_t more = 2 * (size_t)result + 64;
+        int *grown = ARENA_ARRAY(ir->arena, int, more);
+        if (ir->function_of_room)
+            memcpy(grown, ir->function_of, ir->function_of_room * sizeof *grown);
+        ir->function_of = grown;
+        ir->function_of_room = more;
+    }
+    return &ir->function_of[result];
 }
 
 int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
 {
-    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint};
+    int *last = function_of(ir, result);
+    for (int f = *last; f; f = ir->functions[f - 1].next)
+        if (ir->functions[f - 1].count == count &&
+            !memcmp(ir->functions[f - 1].arguments, arguments, (size_t)count * sizeof *arguments))
+            return f - 1;
+    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint, *last};
     for (int i = 0; i < count; i++)
         function.arguments[i] = arguments[i];
     ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
-    return (int)ir->function_count - 1;
+    *last = (int)ir->function_count;
+    return *last - 1;
 }
 
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value)

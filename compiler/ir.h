@@ -44,6 +44,7 @@ typedef struct {
     Ref *arguments; /* OP_argument nodes, in order */
     int count;
     uint8_t hint; /* Kind it was made for */
+    int next;     /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
 } IrFunction;
 
 typedef enum { OUT_discard, OUT_depth, OUT_color } OutputKind;
@@ -87,8 +88,9 @@ typedef struct Ir {
     ReferenceNoise noise; /* which the folder computes with */
     Ref *held;            /* operands of calls whose arguments are being made; see REFS */
     size_t held_count, held_room;
-    uint32_t argument_sets; /* function arguments made so far */
-    uint8_t hint;           /* given to new nodes */
+    int *function_of; /* by Ref: the last function of that result, from 1; by ir_function alone */
+    size_t function_of_room;
+    uint8_t hint; /* given to new nodes */
     /* What stands for a node that was just made; NULL leaves it as written. */
     Ref (*simplify)(struct Ir *ir, Ref ref);
 } Ir;
@@ -163,8 +165,9 @@ enum { KERNEL_POINTS = 27 };
 Ref ir_kernel(Ir *ir, int function, const Ref *args, Ref size);
 /* The conversion table. */
 Ref ir_convert(Ir *ir, Ref a, Type type);
-/* Arguments of a function to be; then, when its result is made, the function. Functions that it calls come before it. */
-void ir_arguments(Ir *ir, const Type *types, int count, Ref *arguments);
+/* Arguments of a function to be; then, when its result is made, the function, or the equal one that exists already. Functions
+ * that it calls come before it, and have arguments of another set. */
+void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments);
 int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
 
@@ -176,7 +179,7 @@ uint8_t *ir_live(const Ir *ir, Arena *arena);
 int ir_cost(const Ir *ir, Ref ref);
 /* Nodes alive, and their cost. */
 void ir_measure(const Ir *ir, int *nodes, int *cost);
-/* Invariants: operands before users, types by the rules, arguments only in their function. NULL, or what is wrong. */
+/* Invariants: operands before users, types by the rules, arguments only in functions that have them. NULL, or what is wrong. */
 const char *ir_check(const Ir *ir);
 
 void ir_print(Text *out, const Ir *ir);

@@ -9,7 +9,7 @@ typedef struct {
     Ref root[GROUP_COUNT];
     Ref front;  /* bool: seen from the front */
     Ref eye_n;  /* the root normal in eye space, 0 if only eyeFromWorld can tell */
-    int number; /* for the memo */
+    int number; /* for the memo: of how many filters it is the inside */
 } Env;
 
 /* Along what a value is differentiated: to the next pixel on the screen, and by the surface's own u and v. */
@@ -26,7 +26,6 @@ typedef struct {
     const Graph *graph;
     Memo *memo;
     size_t memo_count, memo_mask;
-    int env_count;
     const Job *job;
     int filters;                  /* under way: Smooth3D, Laplace3D */
     bool cheap;                   /* forms that are cheaper but not the plainest: -O1 and up */

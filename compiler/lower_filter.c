@@ -1,5 +1,6 @@
 /* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
- * Filters within filters are functions that call functions: the program grows by one function for each. */
+ * Filters within filters are functions that call functions: the program grows by one function for each. All filters of one depth
+ * share their arguments, so that equal inputs are equal nodes and one function. */
 #include "lower.h"
 #include "footprint.h"
 
@@ -9,7 +10,7 @@ enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
     Env env = *outer;
-    env.number = ++l->env_count;
+    env.number = outer->number + 1;
     env.root[GROUP_X] = arguments[0];
     env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, arguments[1], number(l, 0)), 2);
     return env;
@@ -24,7 +25,7 @@ static Ref without_alpha(Lower *l, Ref value)
 static int make_function(Lower *l, const Node *input, Group group, const Env *env)
 {
     Ref arguments[2];
-    ir_arguments(l->ir, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
+    ir_arguments(l->ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
     Ref root[] = {env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")};
     for (int i = 0; i < 2; i++)
         for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
