@@ -1,10 +1,13 @@
 /* Blend: a walk along items of ascending value. */
 #include "area.h"
+#include <math.h>
 
 enum {
     CHEAP_ARMS = 40,      /* scalar operations of all items together up to which mixing beats branching */
     MOST_MIXES = 8,       /* items up to which mixing beats searching */
     MOST_AREA_ITEMS = 64, /* items up to which a blend is averaged over the pixel */
+    ALIKE = 16,           /* how many times the least of alike items the greatest is at most */
+    KNOWN_DEPTH = 6,      /* operations that are looked through for a value's bounds */
 };
 
 typedef struct {
@@ -111,6 +114,66 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < CHEAP_ARMS;
 }
 
+/* Every lane of a value is surely in [0, 1]. */
+static bool within_unit(const Ir *ir, Ref ref, int depth)
+{
+    const IrNode *node = ir_at(ir, ref);
+    int first = 0; /* of the operands that must be so too */
+    switch (node->op) {
+    case OP_const:
+        for (int i = 0; i < ir_lanes(ir, ref); i++)
+            if (!(ir_numbers(ir, ref)[i] >= 0 && ir_numbers(ir, ref)[i] <= 1))
+                return false;
+        return true;
+    case OP_fract:
+    case OP_step:
+        return true;
+    case OP_select: /* whatever decides */
+    case OP_clamp:  /* whatever is clamped */
+        first = 1;
+        break;
+    case OP_mix:
+    case OP_mul:
+    case OP_min:
+    case OP_max:
+    case OP_vec:
+    case OP_swizzle:
+        break;
+    default:
+        return false;
+    }
+    for (int i = first; i < node->count; i++)
+        if (!depth || !within_unit(ir, ir_arg(ir, ref, i), depth - 1))
+            return false;
+    return true;
+}
+
+/* Constants of which none is ALIKE times another. */
+static bool alike_constants(const Ir *ir, const Stop *stops, int count)
+{
+    double least = INFINITY, greatest = 0;
+    for (int i = 0; i < count; i++) {
+        if (!known(ir, stops[i].result))
+            return false;
+        for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
+            double size = fabs(ir_numbers(ir, stops[i].result)[lane]);
+            least = fmin(least, size);
+            greatest = fmax(greatest, size);
+        }
+    }
+    return greatest <= ALIKE * least;
+}
+
+/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a small item behind a great one
+ * would be lost. */
+static bool alike_arms(const Ir *ir, const Stop *stops, int count)
+{
+    bool unit = true;
+    for (int i = 0; unit && i < count; i++)
+        unit = within_unit(ir, stops[i].result, KNOWN_DEPTH);
+    return unit || alike_constants(ir, stops, count);
+}
+
 Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *blend = node_param(node, P_Blend_blend);
@@ -133,7 +196,8 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     if (edge)
         return blend_area(l, t, edge, stops, count);
     bool ascending = strictly_ascending(l->ir, stops, count);
-    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count))
+    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
+        alike_arms(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);
     if (ascending && (l->cheap || count > LIMIT_WALK))
         return blend_search(l, t, stops, count, 0, count);
