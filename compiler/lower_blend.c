@@ -83,18 +83,6 @@ static bool ascending_values(const Ir *ir, const Stop *stops, int count)
     return true;
 }
 
-/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
-static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
-{
-    Ref result = stops[0].result;
-    for (int i = 1; i < count; i++) {
-        double low = ir_numbers(l->ir, stops[i - 1].value)[0], high = ir_numbers(l->ir, stops[i].value)[0];
-        Ref share = area_ramp(l, t, edge, low, high);
-        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
-    }
-    return result;
-}
-
 static bool strictly_ascending(const Ir *ir, const Stop *stops, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -174,6 +162,37 @@ static bool alike_arms(const Ir *ir, const Stop *stops, int count)
     return unit || alike_constants(ir, stops, count);
 }
 
+/* How much of a box of t has the step from a stop to the next behind it. */
+static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
+{
+    return area_ramp(l, t, edge, ir_numbers(l->ir, stop[0].value)[0], ir_numbers(l->ir, stop[1].value)[0]);
+}
+
+/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
+static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = stops[0].result;
+    for (int i = 1; i < count; i++) {
+        Ref share = step_share(l, t, edge, &stops[i - 1]);
+        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
+    }
+    return result;
+}
+
+/* The same of items that are not alike: each by its own weight, exactly 0 where the box does not reach it. */
+static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = 0, share = number(l, 1);
+    for (int i = 0; i < count; i++) {
+        bool last = i + 1 == count;
+        Ref next = last ? 0 : step_share(l, t, edge, &stops[i]);
+        Ref term = mul(l, stops[i].result, last ? share : sub(l, share, next));
+        result = i ? add(l, result, term) : term;
+        share = next;
+    }
+    return result;
+}
+
 Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *blend = node_param(node, P_Blend_blend);
@@ -194,7 +213,8 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);
     Ref edge = count <= MOST_AREA_ITEMS && ascending_values(l->ir, stops, count) ? footprint_edges(l, t) : 0;
     if (edge)
-        return blend_area(l, t, edge, stops, count);
+        return alike_arms(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
+                                               : blend_weights(l, t, edge, stops, count);
     bool ascending = strictly_ascending(l->ir, stops, count);
     if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
         alike_arms(l->ir, stops, count))
