@@ -48,8 +48,9 @@ static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
         all[used++] = args[k];
     all[used++] = edge;
     Ref variance = mul(l, ir_call(l->ir, o->variance, all, used), number(l, o->factor));
-    Ref lanes[] = {variance, variance, variance};
-    variance_set(l, value, o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, lanes, 3) : variance);
+    variance_set(l, value,
+                 o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, REFS(l->ir, variance, variance, variance), 3)
+                                      : variance);
     return value;
 }
 
@@ -98,7 +99,7 @@ static Ref leopard(Lower *l, const Ref *args)
     Ref values[MOST_TAPS] = {0};
     int count = footprint_taps(l, args[0], taps);
     for (int i = 0; i < count; i++)
-        values[i] = ir_call(l->ir, FN_leopardFiltered, (Ref[]){taps[i].middle, taps[i].edges}, 2);
+        values[i] = ir_call(l->ir, FN_leopardFiltered, REFS(l->ir, taps[i].middle, taps[i].edges), 2);
     return count ? mean_of(l, values, count) : ir_call(l->ir, FN_FIRST_MAP + KIND_Leopard, args, 1);
 }
 
@@ -130,9 +131,9 @@ Ref area_odd_share(Lower *l, Ref q)
     Ref part = ir_unary(l->ir, OP_fract, long_coordinate(l, q, 1, &parts) ? parts.fraction : q);
     Ref longer = footprint_longer(l, q, &edges);
     if (longer) {
-        product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, (Ref[]){part, longer, edges}, 3);
+        product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, REFS(l->ir, part, longer, edges), 3);
     } else {
-        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, (Ref[]){part, edges}, 2);
+        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, REFS(l->ir, part, edges), 2);
         product = ir_swizzle(l->ir, stripes, lane[0]);
         for (int k = 1; k < lanes; k++)
             product = mul(l, product, ir_swizzle(l->ir, stripes, lane[k]));
@@ -145,13 +146,14 @@ Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
     Ref right = slope_of(l, uv, DIRECTION_right), up = slope_of(l, uv, DIRECTION_up);
     if (!is_filtered(l) || (!right && !up))
-        return ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
+        return ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
     Ref none = ir_const(l->ir, TYPE_vec2, (double[]){0, 0});
     if (function == FN_imageBilinear)
-        return ir_call(l->ir, FN_imageFiltered, (Ref[]){sampler, uv, size, right ? right : none, up ? up : none}, 5);
+        return ir_call(l->ir, FN_imageFiltered, REFS(l->ir, sampler, uv, size, right ? right : none, up ? up : none),
+                       5);
     int count = footprint_points(l, uv, points);
     for (int i = 0; i < count; i++)
-        values[i] = ir_call(l->ir, function, (Ref[]){sampler, points[i], size}, 3);
+        values[i] = ir_call(l->ir, function, REFS(l->ir, sampler, points[i], size), 3);
     return mean_of(l, values, count);
 }
 

@@ -7,7 +7,6 @@ enum { LONGEST_LINE = 160 };
 const DiagRow diag_table[DIAG_COUNT] = {
 #define DIAG(name, severity, format, doc) {#name, SEVERITY_##severity, format, doc},
 #include "grammar/diags.def"
-#undef DIAG
 };
 
 static const char *const severity_name[] = {"note", "warning", "error"};

@@ -10,7 +10,6 @@ typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error } Severity;
 typedef enum {
 #define DIAG(name, severity, format, doc) DIAG_##name,
 #include "grammar/diags.def"
-#undef DIAG
     DIAG_COUNT
 } DiagKind;
 

@@ -14,7 +14,6 @@ static double lane_value(Op op, double a, double b, double c)
     case OP_##name:                                                                                                    \
         return fold;
 #include "grammar/ops.def"
-#undef OP
     default:
         return 0;
     }

@@ -125,7 +125,8 @@ void split_set(Lower *l, Ref value, Split split)
 
 Split split_of(const Lower *l, Ref value) { return value < l->split_room ? l->splits[value] : (Split){0, 0, 0}; }
 
-static Ref sum(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : add(l, a, b); }
+#define sum(l, a, b) sum_of(l, REFS((l)->ir, a, b))
+static Ref sum_of(Lower *l, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0] : add(l, x[0], x[1]); }
 
 static Ref lane_variance(Lower *l, Ref ref, const IrNode *node)
 {
@@ -186,7 +187,7 @@ static Ref derive(Lower *l, Ref ref)
     }
     Ref variance = lane_variance(l, ref, &node);
     bool narrow = variance && ir_lanes(l->ir, variance) < type_table[node.type].lanes;
-    return narrow ? ir_vec(l->ir, (Type)node.type, (Ref[]){variance, variance, variance, variance},
+    return narrow ? ir_vec(l->ir, (Type)node.type, REFS(l->ir, variance, variance, variance, variance),
                            type_table[node.type].lanes)
                   : variance;
 }

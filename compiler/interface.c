@@ -1,4 +1,5 @@
 /* What a program declares, per target: version, inputs, uniforms, textures, outputs. */
+#include "choice.h"
 #include "emit.h"
 #include "emit_declare.h"
 #include <string.h>
@@ -144,7 +145,9 @@ void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, cons
         text_format(out, ", layout %s", job->layout->name);
     if (job->pass == PASS_value)
         text_format(out, ", slot %s", slot_table[job->slot].name);
-    text_put(out, "\n\n");
+    text_put(out, "\n");
+    choices_comment(out, job);
+    text_put(out, "\n");
     size_t before = out->size;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (interface->inputs[i] && input_table[i].source == SOURCE_varying)

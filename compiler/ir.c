@@ -6,7 +6,6 @@ const OpRow op_table[OP_COUNT] = {
 #define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
     {#name, SHAPE_##shape, glsl, arity, RULE_##rule, cost, doc},
 #include "grammar/ops.def"
-#undef OP
 };
 
 enum { FIRST_TABLE = 256 };
@@ -176,13 +175,7 @@ Ref ir_int(Ir *ir, double value) { return ir_const(ir, TYPE_int, &value); }
 Ref ir_vec3(Ir *ir, double x, double y, double z) { return ir_const(ir, TYPE_vec3, (double[]){x, y, z}); }
 Ref ir_input(Ir *ir, Input input) { return ir_make(ir, OP_input, input_table[input].type, input, NULL, 0); }
 Ref ir_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, op, 0, 0, &a, 1); }
-Ref ir_binary(Ir *ir, Op op, Ref a, Ref b) { return ir_make(ir, op, 0, 0, (Ref[]){a, b}, 2); }
-Ref ir_ternary(Ir *ir, Op op, Ref a, Ref b, Ref c) { return ir_make(ir, op, 0, 0, (Ref[]){a, b, c}, 3); }
-
-Ref ir_select(Ir *ir, Ref condition, Ref a, Ref b)
-{
-    return ir_make(ir, OP_select, ir_type(ir, a), 0, (Ref[]){condition, a, b}, 3);
-}
+Ref ir_select_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_select, ir_type(ir, x[1]), 0, x, 3); }
 
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
@@ -255,21 +248,39 @@ Ref ir_convert(Ir *ir, Ref a, Type type)
     }
 }
 
-void ir_arguments(Ir *ir, const Type *types, int count, Ref *arguments)
+void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments)
 {
     enum { SET_SHIFT = 8 };
-    uint32_t set = ir->argument_sets++;
     for (int i = 0; i < count; i++)
-        arguments[i] = ir_make(ir, OP_argument, types[i], set << SET_SHIFT | (uint32_t)i, NULL, 0);
+        arguments[i] = ir_make(ir, OP_argument, types[i], (uint32_t)set << SET_SHIFT | (uint32_t)i, NULL, 0);
+}
+
+static int *function_of(Ir *ir, Ref result)
+{
+    if (result >= ir->function_of_room) {
+        size_t more = 2 * (size_t)result + 64;
+        int *grown = ARENA_ARRAY(ir->arena, int, more);
+        if (ir->function_of_room)
+            memcpy(grown, ir->function_of, ir->function_of_room * sizeof *grown);
+        ir->function_of = grown;
+        ir->function_of_room = more;
+    }
+    return &ir->function_of[result];
 }
 
 int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
 {
-    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint};
+    int *last = function_of(ir, result);
+    for (int f = *last; f; f = ir->functions[f - 1].next)
+        if (ir->functions[f - 1].count == count &&
+            !memcmp(ir->functions[f - 1].arguments, arguments, (size_t)count * sizeof *arguments))
+            return f - 1;
+    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint, *last};
     for (int i = 0; i < count; i++)
         function.arguments[i] = arguments[i];
     ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
-    return (int)ir->function_count - 1;
+    *last = (int)ir->function_count;
+    return *last - 1;
 }
 
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value)

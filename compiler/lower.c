@@ -11,14 +11,7 @@ static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env)
 #define VOLUME_LOWERING(name) lower_volume
 static const LowerMap lower_map[KIND_COUNT] = {
 #define MAP(name, function, lowering, cost, doc) [KIND_##name] = lowering##_LOWERING(name),
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "grammar/maps.def"
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 };
 
 const Node *param_node(const Node *node, int param)
@@ -178,8 +171,9 @@ Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *e
     double n = clamp(given[0], 1, MOST_OCTAVES);
     Ref p = ask(l, param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
     Ref omega = param_value(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
-    Ref args[] = {mul(l, p, param_value(l, node_param(node, P_VolumeTurbulence_size), TYPE_float)), ir_int(l->ir, n),
-                  param_value(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float), omega};
+    Ref size = param_value(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
+    Ref frequency = param_value(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
+    Ref scaled = mul(l, p, size), args[] = {scaled, ir_int(l->ir, n), frequency, omega};
     Ref f = mul(l, area_turbulence(l, args), octave_scale(l, omega, n));
     return as_group(l, through_wave(l, node, f), group);
 }

@@ -9,7 +9,7 @@ typedef struct {
     Ref root[GROUP_COUNT];
     Ref front;  /* bool: seen from the front */
     Ref eye_n;  /* the root normal in eye space, 0 if only eyeFromWorld can tell */
-    int number; /* for the memo */
+    int number; /* for the memo: of how many filters it is the inside */
 } Env;
 
 /* Along what a value is differentiated: to the next pixel on the screen, and by the surface's own u and v. */
@@ -31,7 +31,6 @@ typedef struct {
     const Graph *graph;
     Memo *memo;
     size_t memo_count, memo_mask;
-    int env_count;
     const Job *job;
     int filters;                  /* under way: Smooth3D, Laplace3D */
     bool cheap;                   /* forms that are cheaper but not the plainest: -O1 and up */
@@ -82,18 +81,11 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q);
 
 #define MAP(name, function, lowering, cost, doc)                                                                       \
     Ref lower_##name(Lower *l, const Node *node, Group group, const Env *env);
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "grammar/maps.def"
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 
 /* Shorthands for building. */
-static inline Ref add(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_add, a, b); }
-static inline Ref sub(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_sub, a, b); }
-static inline Ref mul(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_mul, a, b); }
+#define add(l, a, b) ir_binary((l)->ir, OP_add, a, b)
+#define sub(l, a, b) ir_binary((l)->ir, OP_sub, a, b)
+#define mul(l, a, b) ir_binary((l)->ir, OP_mul, a, b)
 static inline Ref number(Lower *l, double value) { return ir_float(l->ir, value); }
 #endif

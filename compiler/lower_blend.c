@@ -1,10 +1,13 @@
 /* Blend: a walk along items of ascending value. */
 #include "area.h"
+#include <math.h>
 
 enum {
     CHEAP_ARMS = 40,      /* scalar operations of all items together up to which mixing beats branching */
     MOST_MIXES = 8,       /* items up to which mixing beats searching */
     MOST_AREA_ITEMS = 64, /* items up to which a blend is averaged over the pixel */
+    ALIKE = 16,           /* how many times the least of alike items the greatest is at most */
+    KNOWN_DEPTH = 6,      /* operations that are looked through for a value's bounds */
 };
 
 typedef struct {
@@ -80,18 +83,6 @@ static bool ascending_values(const Ir *ir, const Stop *stops, int count)
     return true;
 }
 
-/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
-static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
-{
-    Ref result = stops[0].result;
-    for (int i = 1; i < count; i++) {
-        double low = ir_numbers(l->ir, stops[i - 1].value)[0], high = ir_numbers(l->ir, stops[i].value)[0];
-        Ref share = area_ramp(l, t, edge, low, high);
-        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
-    }
-    return result;
-}
-
 static bool strictly_ascending(const Ir *ir, const Stop *stops, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -111,13 +102,106 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < CHEAP_ARMS;
 }
 
+/* Every lane of a value is surely in [0, 1]. */
+static bool within_unit(const Ir *ir, Ref ref, int depth)
+{
+    const IrNode *node = ir_at(ir, ref);
+    int first = 0; /* of the operands that must be so too */
+    switch (node->op) {
+    case OP_const:
+        for (int i = 0; i < ir_lanes(ir, ref); i++)
+            if (!(ir_numbers(ir, ref)[i] >= 0 && ir_numbers(ir, ref)[i] <= 1))
+                return false;
+        return true;
+    case OP_fract:
+    case OP_step:
+        return true;
+    case OP_select: /* whatever decides */
+    case OP_clamp:  /* whatever is clamped */
+        first = 1;
+        break;
+    case OP_mix:
+    case OP_mul:
+    case OP_min:
+    case OP_max:
+    case OP_vec:
+    case OP_swizzle:
+        break;
+    default:
+        return false;
+    }
+    for (int i = first; i < node->count; i++)
+        if (!depth || !within_unit(ir, ir_arg(ir, ref, i), depth - 1))
+            return false;
+    return true;
+}
+
+/* Constants of which none is ALIKE times another. */
+static bool alike_constants(const Ir *ir, const Stop *stops, int count)
+{
+    double least = INFINITY, greatest = 0;
+    for (int i = 0; i < count; i++) {
+        if (!known(ir, stops[i].result))
+            return false;
+        for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
+            double size = fabs(ir_numbers(ir, stops[i].result)[lane]);
+            least = fmin(least, size);
+            greatest = fmax(greatest, size);
+        }
+    }
+    return greatest <= ALIKE * least;
+}
+
+/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a small item behind a great one
+ * would be lost. */
+static bool alike_arms(const Ir *ir, const Stop *stops, int count)
+{
+    bool unit = true;
+    for (int i = 0; unit && i < count; i++)
+        unit = within_unit(ir, stops[i].result, KNOWN_DEPTH);
+    return unit || alike_constants(ir, stops, count);
+}
+
+/* How much of a box of t has the step from a stop to the next behind it. */
+static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
+{
+    return area_ramp(l, t, edge, ir_numbers(l->ir, stop[0].value)[0], ir_numbers(l->ir, stop[1].value)[0]);
+}
+
+/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
+static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = stops[0].result;
+    for (int i = 1; i < count; i++) {
+        Ref share = step_share(l, t, edge, &stops[i - 1]);
+        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
+    }
+    return result;
+}
+
+/* The same of items that are not alike: each by its own weight, exactly 0 where the box does not reach it. */
+static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = 0, share = number(l, 1);
+    for (int i = 0; i < count; i++) {
+        bool last = i + 1 == count;
+        Ref next = last ? 0 : step_share(l, t, edge, &stops[i]);
+        Ref term = mul(l, stops[i].result, last ? share : sub(l, share, next));
+        result = i ? add(l, result, term) : term;
+        share = next;
+    }
+    return result;
+}
+
 static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ref edge = count <= MOST_AREA_ITEMS && ascending_values(l->ir, stops, count) ? footprint_edges(l, t) : 0;
     if (edge)
-        return blend_area(l, t, edge, stops, count);
+        return alike_arms(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
+                                               : blend_weights(l, t, edge, stops, count);
     bool ascending = strictly_ascending(l->ir, stops, count);
-    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count))
+    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
+        alike_arms(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);
     if (ascending && (l->cheap || count > LIMIT_WALK))
         return blend_search(l, t, stops, count, 0, count);
@@ -150,7 +234,8 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     Type type = TYPE_float;
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
-        stops[i] = (Stop){param_value(l, &item->value, TYPE_float), ask(l, item->input, group, env)};
+        stops[i].value = param_value(l, &item->value, TYPE_float);
+        stops[i].result = ask(l, item->input, group, env);
         type = i ? common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
     }
     for (int i = 0; i < count; i++)

@@ -1,5 +1,6 @@
 /* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
- * Filters within filters are functions that call functions: the program grows by one function for each. */
+ * Filters within filters are functions that call functions: the program grows by one function for each. All filters of one depth
+ * share their arguments, so that equal inputs are equal nodes and one function. */
 #include "lower.h"
 #include "footprint.h"
 
@@ -9,9 +10,9 @@ enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
     Env env = *outer;
-    env.number = ++l->env_count;
+    env.number = outer->number + 1;
     env.root[GROUP_X] = arguments[0];
-    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){arguments[1], number(l, 0)}, 2);
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, arguments[1], number(l, 0)), 2);
     return env;
 }
 
@@ -24,7 +25,7 @@ static Ref without_alpha(Lower *l, Ref value)
 static int make_function(Lower *l, const Node *input, Group group, const Env *env)
 {
     Ref arguments[2];
-    ir_arguments(l->ir, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
+    ir_arguments(l->ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
     Ref root[] = {env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")};
     for (int i = 0; i < 2; i++)
         for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
@@ -41,7 +42,7 @@ static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, int i,
 {
     Ref offset = mul(l, size, ir_vec3(l->ir, 0.5 * i, 0.5 * j, 0.5 * k));
     Ref uv = add(l, ir_swizzle(l->ir, env->root[GROUP_U], "xy"), ir_swizzle(l->ir, offset, "xy"));
-    return ir_apply(l->ir, function, (Ref[]){add(l, env->root[GROUP_X], offset), uv});
+    return ir_apply(l->ir, function, REFS(l->ir, add(l, env->root[GROUP_X], offset), uv));
 }
 
 /* The three sizes, which are the first parameters behind `input`. */
@@ -70,8 +71,8 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     Ref size = filter_size(l, node), sum = 0;
     bool costly = cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
     if (costly)
-        sum =
-            ir_kernel(l->ir, function, (Ref[]){env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")}, size);
+        sum = ir_kernel(l->ir, function, REFS(l->ir, env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")),
+                        size);
     for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
         Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
         sum = n ? add(l, sum, value) : value;

@@ -48,8 +48,10 @@ static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 }
 
 /* 1 + alpha (c - 1) */
-static Ref transparency(Lower *l, Ref alpha, Ref c)
+static Ref transparency(Lower *l, const Node *m, const Env *env)
 {
+    Ref alpha = alpha_of(l, param_node(m, P_Phong_diffuse), env);
+    Ref c = color(l, param_node(m, P_Phong_transparency), env);
     if (ir_is_number(l->ir, alpha, 1))
         return c;
     return add(l, mul(l, alpha, sub(l, c, white(l))), white(l));
@@ -68,7 +70,7 @@ static Ref phong_slot(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_shininess:
         return exponent(l, param_node(m, P_Phong_shininess), DEFAULT_EXPONENT, env);
     case SLOT_transparency:
-        return transparency(l, alpha_of(l, diffuse, env), color(l, param_node(m, P_Phong_transparency), env));
+        return transparency(l, m, env);
     case SLOT_transparencyShininess:
         return exponent(l, param_node(m, P_Phong_transparencyShininess), MAX_EXPONENT, env);
     case SLOT_interpolatedTransparency:
@@ -111,16 +113,18 @@ static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *en
 
 static Ref rgba_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
-    Ref rgb[] = {param_value(l, node_param(m, P_RGBA_r), TYPE_float),
-                 param_value(l, node_param(m, P_RGBA_g), TYPE_float),
-                 param_value(l, node_param(m, P_RGBA_b), TYPE_float)};
-    Ref a = param_value(l, node_param(m, P_RGBA_a), TYPE_float);
-    return plain_slot(l, ir_vec(l->ir, TYPE_vec3, rgb, 3), sub(l, number(l, 1), a), slot, env);
+    Ref r = param_value(l, node_param(m, P_RGBA_r), TYPE_float),
+        g = param_value(l, node_param(m, P_RGBA_g), TYPE_float);
+    Ref b = param_value(l, node_param(m, P_RGBA_b), TYPE_float),
+        a = param_value(l, node_param(m, P_RGBA_a), TYPE_float);
+    Ref diffuse = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3);
+    return plain_slot(l, diffuse, sub(l, number(l, 1), a), slot, env);
 }
 
 static Ref missing_slot(Lower *l, Slot slot, const Env *env)
 {
-    return plain_slot(l, ir_vec3(l->ir, missing_gray, missing_gray, missing_gray), number(l, 0), slot, env);
+    Ref diffuse = ir_vec3(l->ir, missing_gray, missing_gray, missing_gray);
+    return plain_slot(l, diffuse, number(l, 0), slot, env);
 }
 
 /* The sky's radiance along the local position. What depends on the sun alone is computed here, in double. */
@@ -146,7 +150,8 @@ static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     if (slot == SLOT_emissive)
         return sky_radiance(l, m, env);
-    return plain_slot(l, black(l), number(l, 0), slot, env);
+    Ref diffuse = black(l);
+    return plain_slot(l, diffuse, number(l, 0), slot, env);
 }
 
 /* The materials of the two sides. A missing back is as the front; a missing front stays missing. */
@@ -165,9 +170,9 @@ static const Node *algorithm(const Node *m)
     return gui ? gui : ray ? ray : param_node(m, P_AlgorithmSwitch_radiationShader);
 }
 
-static Ref both_sides(Lower *l, const Env *env, Ref front, Ref back)
+static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
 {
-    return front == back ? front : ir_select(l->ir, env->front, front, back);
+    return sides[0] == sides[1] ? sides[0] : ir_select(l->ir, env->front, sides[0], sides[1]);
 }
 
 static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
@@ -186,7 +191,7 @@ static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
         return value_slot(l, algorithm(m), slot, env);
     case KIND_SideSwitch:
         sides(m, &front, &back);
-        return both_sides(l, env, value_slot(l, front, slot, env), value_slot(l, back, slot, env));
+        return both_sides(l, env, REFS(l->ir, value_slot(l, front, slot, env), value_slot(l, back, slot, env)));
     default:
         return missing_slot(l, slot, env);
     }
@@ -207,7 +212,7 @@ static Ref normal_of(Lower *l, const Node *m, const Env *env, bool eye)
         return normal_of(l, algorithm(m), env, eye);
     if (m && m->kind == KIND_SideSwitch) {
         sides(m, &front, &back);
-        return both_sides(l, env, normal_of(l, front, env, eye), normal_of(l, back, env, eye));
+        return both_sides(l, env, REFS(l->ir, normal_of(l, front, env, eye), normal_of(l, back, env, eye)));
     }
     Ref normal = raw_normal(l, m, env);
     return eye ? in_eye_space(l, normal, env) : normal;

@@ -10,14 +10,17 @@ typedef struct {
 static Frame input_frame(Lower *l, const Node *input, const Env *env)
 {
     const double least = 1e-30;
-    Frame f = {ask(l, input, GROUP_N, env), ask(l, input, GROUP_DU, env), ask(l, input, GROUP_DV, env), 0};
+    Frame f = {.n = ask(l, input, GROUP_N, env)};
+    f.tu = ask(l, input, GROUP_DU, env);
+    f.tv = ask(l, input, GROUP_DV, env);
     f.size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, f.n), number(l, least));
     return f;
 }
 
 /* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv'. */
-static Ref tilted(Lower *l, const Frame *f, Ref du, Ref dv, Group group)
+static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 {
+    Ref du = slope[0], dv = slope[1];
     Ref tu = group == GROUP_DV ? 0 : add(l, f->tu, mul(l, f->n, du));
     Ref tv = group == GROUP_DU ? 0 : add(l, f->tv, mul(l, f->n, dv));
     return group == GROUP_DU ? tu : group == GROUP_DV ? tv : ir_binary(l->ir, OP_cross, tu, tv);
@@ -39,19 +42,21 @@ static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
     slopes = along_tangents(l, param_node(input, kind_table[input->kind].first), slopes);
     if (input->kind != KIND_UVTransform)
         return slopes;
-    return (Slopes){uv_tangent(l, input, slopes.u, slopes.v, GROUP_DU),
-                    uv_tangent(l, input, slopes.u, slopes.v, GROUP_DV)};
+    Ref u = uv_tangent(l, input, slopes.u, slopes.v, GROUP_DU), v = uv_tangent(l, input, slopes.u, slopes.v, GROUP_DV);
+    return (Slopes){u, v};
 }
 
 /* How red rises: what the maps answer for their derivative channels, or the derivative of what they compute. */
 static Slopes height_slopes(Lower *l, const Node *displacement, const Node *input, const Env *env)
 {
-    if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite)
-        return (Slopes){ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x"),
-                        ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x")};
+    if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite) {
+        Ref by_u = ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x");
+        Ref by_v = ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x");
+        return (Slopes){by_u, by_v};
+    }
     Ref height = ir_swizzle(l->ir, ask(l, displacement, GROUP_R, env), "x");
-    Slopes slopes = {filled(l, slope_of(l, height, DIRECTION_u)), filled(l, slope_of(l, height, DIRECTION_v))};
-    return along_tangents(l, input, slopes);
+    Ref by_u = filled(l, slope_of(l, height, DIRECTION_u)), by_v = filled(l, slope_of(l, height, DIRECTION_v));
+    return along_tangents(l, input, (Slopes){by_u, by_v});
 }
 
 Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
@@ -64,7 +69,7 @@ Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref strength = param_value(l, node_param(node, P_BumpMap_strength), TYPE_float);
     Ref k = ir_binary(l->ir, OP_div, mul(l, strength, number(l, step)), frame.size);
     Slopes slopes = height_slopes(l, displacement, input, env);
-    return tilted(l, &frame, mul(l, k, slopes.u), mul(l, k, slopes.v), group);
+    return tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group);
 }
 
 /* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
@@ -75,8 +80,8 @@ typedef struct {
 static Ripple ripple(Lower *l, Ref x, Ref count)
 {
     Ref rate = mul(l, count, number(l, 2 * M_PI)), angle = mul(l, rate, x);
-    Ref sine = ir_unary(l->ir, OP_sin, angle);
-    return (Ripple){ir_unary(l->ir, OP_cos, angle), ir_unary(l->ir, OP_neg, mul(l, rate, sine))};
+    Ref height = ir_unary(l->ir, OP_cos, angle), sine = ir_unary(l->ir, OP_sin, angle);
+    return (Ripple){height, ir_unary(l->ir, OP_neg, mul(l, rate, sine))};
 }
 
 /* The top face of a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
@@ -109,6 +114,7 @@ Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref amplitude = param_value(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
     Ref k = ir_binary(l->ir, OP_div, amplitude, frame.size);
     Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
-    Ref result = tilted(l, &frame, mul(l, k, mul(l, a.slope, b.height)), mul(l, k, mul(l, a.height, b.slope)), group);
+    Ref by_u = mul(l, k, mul(l, a.slope, b.height)), by_v = mul(l, k, mul(l, a.height, b.slope));
+    Ref result = tilted(l, &frame, REFS(l->ir, by_u, by_v), group);
     return box_top[0] != 0 ? ir_select(l->ir, in_box_top(l, u, v), result, ask(l, input, group, env)) : result;
 }

@@ -8,17 +8,18 @@ Env surface_env(Lower *l)
 {
     static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                    [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
-    Env env = {.front = ir_input(l->ir, INPUT_front), .eye_n = ir_input(l->ir, INPUT_eyeN)};
+    Env env = {.front = ir_input(l->ir, INPUT_front)};
+    env.eye_n = ir_input(l->ir, INPUT_eyeN);
     for (int group = 0; group < GROUP_COUNT; group++)
         if (group != GROUP_U && group != GROUP_R)
             env.root[group] = ir_input(l->ir, direct[group]);
-    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, (Ref[]){ir_input(l->ir, INPUT_U), number(l, 0)}, 2);
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, ir_input(l->ir, INPUT_U), number(l, 0)), 2);
     env.root[GROUP_R] = ir_const(l->ir, TYPE_vec4, (double[4]){0});
     return env;
 }
 
-static Ref dot(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_dot, a, b); }
-static Ref quotient(Lower *l, Ref a, Ref b) { return ir_binary(l->ir, OP_div, a, b); }
+#define dot(l, a, b)      ir_binary((l)->ir, OP_dot, a, b)
+#define quotient(l, a, b) ir_binary((l)->ir, OP_div, a, b)
 
 /* x away from 0, for a divisor: a denominator is guarded, never a result. */
 static Ref nonzero(Lower *l, Ref x)
@@ -47,8 +48,8 @@ static Env plane_env(Lower *l)
     Ref p = add(l, eye, mul(l, ray, along)), from = sub(l, p, origin);
     Ref u = quotient(l, dot(l, from, u_axis), nonzero(l, dot(l, u_axis, u_axis)));
     Ref v = quotient(l, dot(l, from, v_axis), nonzero(l, dot(l, v_axis, v_axis)));
-    Ref uv = ir_vec(ir, TYPE_vec3, (Ref[]){u, v, number(l, 0)}, 3);
-    Ref point = ir_vec(ir, TYPE_vec4, (Ref[]){p, number(l, 1)}, 2);
+    Ref uv = ir_vec(ir, TYPE_vec3, REFS(l->ir, u, v, number(l, 0)), 3);
+    Ref point = ir_vec(ir, TYPE_vec4, REFS(l->ir, p, number(l, 1)), 2);
     Ref z = dot(l, ir_input(ir, INPUT_clipZ), point), w = dot(l, ir_input(ir, INPUT_clipW), point);
     Ref depth = quotient(l, z, nonzero(l, w));
     if (l->job->target != TARGET_spirv) /* Vulkan's clip space has depth in [0, 1] already */
@@ -57,7 +58,8 @@ static Env plane_env(Lower *l)
     ir_output(ir, OUT_depth, 0, ir_ternary(ir, OP_clamp, depth, number(l, 0), number(l, 1)));
     set_root(l, u, number(l, 1), 0);
     set_root(l, v, 0, number(l, 1));
-    set_root(l, uv, ir_vec3(ir, 1, 0, 0), ir_vec3(ir, 0, 1, 0));
+    Ref right = ir_vec3(ir, 1, 0, 0), up = ir_vec3(ir, 0, 1, 0);
+    set_root(l, uv, right, up);
     set_root(l, p, u_axis, v_axis);
     env.root[GROUP_P] = p;
     env.root[GROUP_X] = env.root[GROUP_U] = uv;
@@ -84,7 +86,7 @@ static Env sky_env(Lower *l)
     set_root(l, v, 0, 0);
     set_root(l, direction, 0, 0);
     env.root[GROUP_P] = env.root[GROUP_X] = direction;
-    env.root[GROUP_U] = ir_vec(ir, TYPE_vec3, (Ref[]){u, v, number(l, 0)}, 3);
+    env.root[GROUP_U] = ir_vec(ir, TYPE_vec3, REFS(l->ir, u, v, number(l, 0)), 3);
     env.root[GROUP_N] = ir_unary(ir, OP_neg, direction);
     env.root[GROUP_DU] = env.root[GROUP_DV] = ir_vec3(ir, 0, 0, 0);
     env.front = ir_const(ir, TYPE_bool, (double[]){1});

@@ -18,10 +18,10 @@ Ref lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
 Ref lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
-    Ref lanes[] = {param_value(l, node_param(node, P_RGBColor_r), TYPE_float),
-                   param_value(l, node_param(node, P_RGBColor_g), TYPE_float),
-                   param_value(l, node_param(node, P_RGBColor_b), TYPE_float)};
-    return constant(l, ir_vec(l->ir, TYPE_vec3, lanes, 3), group);
+    Ref r = param_value(l, node_param(node, P_RGBColor_r), TYPE_float);
+    Ref g = param_value(l, node_param(node, P_RGBColor_g), TYPE_float);
+    Ref b = param_value(l, node_param(node, P_RGBColor_b), TYPE_float);
+    return constant(l, ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3), group);
 }
 
 Ref lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
@@ -48,7 +48,8 @@ static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
 static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
 {
     Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
-    Split split = {share, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type)};
+    Split split = {share, ir_convert(l->ir, a, type), 0};
+    split.b = ir_convert(l->ir, b, type);
     Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, share);
     split_set(l, value, split);
     return value;
@@ -162,11 +163,11 @@ static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Re
     Ref sampler = texture(l, *wanted);
     if (!is_derivative(group))
         return as_group(l, area_picture(l, function, sampler, uv, size), group);
-    Ref here = ir_call(l->ir, function, (Ref[]){sampler, uv, size}, 3);
+    Ref here = ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
     double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
     bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
     Ref beyond = turns ? stepped(l, uv, u, v) : add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){u, v}));
-    Ref there = ir_call(l->ir, function, (Ref[]){sampler, beyond, size}, 3);
+    Ref there = ir_call(l->ir, function, REFS(l->ir, sampler, beyond, size), 3);
     return as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
 }
 
@@ -183,7 +184,7 @@ Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
                              1.0 / picture->width, 1.0 / picture->height);
     if (group == GROUP_R && picture->opaque)
-        return ir_vec(l->ir, TYPE_vec4, (Ref[]){ir_swizzle(l->ir, value, "xyz"), number(l, 1)}, 2);
+        return ir_vec(l->ir, TYPE_vec4, REFS(l->ir, ir_swizzle(l->ir, value, "xyz"), number(l, 1)), 2);
     return value;
 }
 

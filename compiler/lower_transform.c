@@ -13,10 +13,10 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
         for (int k = 0; k < size; k++)
             diagonal &= i == k || is_zero(l->ir, m[i][k]);
     if (diagonal)
-        return mul(l, q, ir_vec(l->ir, type, (Ref[]){m[0][0], m[1][1], size == 3 ? m[2][2] : 0}, size));
+        return mul(l, q, ir_vec(l->ir, type, REFS(l->ir, m[0][0], m[1][1], size == 3 ? m[2][2] : 0), size));
     Ref args[4] = {q};
     for (int k = 0; k < size; k++)
-        args[k + 1] = ir_vec(l->ir, type, (Ref[]){m[0][k], m[1][k], size == 3 ? m[2][k] : 0}, size);
+        args[k + 1] = ir_vec(l->ir, type, REFS(l->ir, m[0][k], m[1][k], size == 3 ? m[2][k] : 0), size);
     return ir_make(l->ir, OP_linear, type, 0, args, size + 1);
 }
 
@@ -56,16 +56,19 @@ Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
 Ref lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *input = param_node(node, P_UVTransform_input);
-    if (group == GROUP_DU || group == GROUP_DV)
-        return uv_tangent(l, node, ask(l, input, GROUP_DU, env), ask(l, input, GROUP_DV, env), group);
+    if (group == GROUP_DU || group == GROUP_DV) {
+        Ref du = ask(l, input, GROUP_DU, env), dv = ask(l, input, GROUP_DV, env);
+        return uv_tangent(l, node, du, dv, group);
+    }
     if (group != GROUP_U)
         return ask(l, input, group, env);
     Ref m[3][3], uvw = ask(l, input, GROUP_U, env);
     uv_matrix(l, node, m);
-    Ref offset[] = {param_value(l, node_param(node, P_UVTransform_offsetU), TYPE_float),
-                    param_value(l, node_param(node, P_UVTransform_offsetV), TYPE_float)};
-    Ref from = sub(l, ir_swizzle(l->ir, uvw, "xy"), ir_vec(l->ir, TYPE_vec2, offset, 2));
-    return ir_vec(l->ir, TYPE_vec3, (Ref[]){times_matrix(l, m, 2, from), ir_swizzle(l->ir, uvw, "z")}, 2);
+    Ref offset_u = param_value(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
+    Ref offset_v = param_value(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
+    Ref offset = ir_vec(l->ir, TYPE_vec2, REFS(l->ir, offset_u, offset_v), 2);
+    Ref from = sub(l, ir_swizzle(l->ir, uvw, "xy"), offset);
+    return ir_vec(l->ir, TYPE_vec3, REFS(l->ir, times_matrix(l, m, 2, from), ir_swizzle(l->ir, uvw, "z")), 2);
 }
 
 /* a b for 3x3 matrices of scalars. */
@@ -162,9 +165,9 @@ Ref lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
     double given[4];
     value_number(octaves, TYPE_float, given);
-    Ref args[] = {q, ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES)),
-                  param_value(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float),
-                  param_value(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
+    Ref n = ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
+    Ref frequency = param_value(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
+    Ref args[] = {q, n, frequency, param_value(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
     Ref offset = area_vector_turbulence(l, args);
     return add(l, q, mul(l, param_value(l, node_param(node, P_Turbulence_amount), TYPE_vec3), offset));
 }

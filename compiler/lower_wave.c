@@ -10,8 +10,8 @@
 #define TWICE(a)          mul(l, a, K(2))
 #define SQUARE(a)         square(l, a)
 #define CLAMP(a, b, c)    ir_ternary(l->ir, OP_clamp, a, K(b), K(c))
-#define CALL(name, a)     ir_call(l->ir, FN_##name, (Ref[]){a}, 1)
-#define CALL2(name, a, b) ir_call(l->ir, FN_##name, (Ref[]){a, b}, 2)
+#define CALL(name, a)     ir_call(l->ir, FN_##name, REFS(l->ir, a), 1)
+#define CALL2(name, a, b) ir_call(l->ir, FN_##name, REFS(l->ir, a, b), 2)
 
 /* By the choice of --powers. Squares of squares become higher powers in opt_power.c. */
 static Ref square(Lower *l, Ref v)
@@ -20,7 +20,7 @@ static Ref square(Lower *l, Ref v)
     case CHOICE_powers_pow:
         return BINARY(pow, UNARY(abs, v), K(2));
     case CHOICE_powers_compensated:
-        return ir_call(l->ir, FN_powerCompensated, (Ref[]){v, ir_int(l->ir, 2)}, 2);
+        return ir_call(l->ir, FN_powerCompensated, REFS(l->ir, v, ir_int(l->ir, 2)), 2);
     default:
         return MUL(v, v);
     }

@@ -1,4 +1,5 @@
 /* The library's surface: documents, programs, their outputs. */
+#include "choice.h"
 #include "evaluate.h"
 #include "fold.h"
 #include "layout.h"
@@ -10,7 +11,6 @@
 #include "validate.h"
 #include <locale.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,98 +58,6 @@ static void leave_c_locale(Locale l)
         return;
     uselocale(l.before);
     freelocale(l.ours);
-}
-
-static const char *target_name(int i) { return target_table[i].name; }
-static const char *pass_name(int i) { return pass_table[i].name; }
-static const char *layout_name(int i) { return layout_table[i].name; }
-static const char *slot_name(int i) { return slot_table[i].name; }
-static const char *precision_name(int i) { return precision_table[i].name; }
-
-static int index_of(const char *name, const char *(*names)(int), int count, int otherwise)
-{
-    if (!name)
-        return otherwise;
-    for (int i = 0; i < count; i++)
-        if (!strcmp(names(i), name))
-            return i;
-    return -1;
-}
-
-typedef struct {
-    const char *name;
-    size_t member;
-} TextOption;
-
-#define TEXT_OPTION(name)                                                                                              \
-    {                                                                                                                  \
-#name, offsetof(MatcOptions, name)                                                                             \
-    }
-static const TextOption text_options[] = {
-#define AXIS(name, chunks, doc) TEXT_OPTION(name),
-#include "grammar/variants.def"
-    TEXT_OPTION(target), TEXT_OPTION(pass), TEXT_OPTION(slot), TEXT_OPTION(layout), TEXT_OPTION(precision),
-};
-
-bool matc_options_set(MatcOptions *options, const char *name, const char *value)
-{
-    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
-        if (strcmp(text_options[i].name, name) != 0)
-            continue;
-        memcpy((char *)options + text_options[i].member, &value, sizeof value);
-        return true;
-    }
-    return false;
-}
-
-/* The axes come first. */
-static const char *option_of(const MatcOptions *options, Axis axis)
-{
-    const char *value;
-    memcpy(&value, (const char *)options + text_options[axis].member, sizeof value);
-    return value;
-}
-
-/* A choice by its name, else the row's, else the axis' own default; -1: there is no such choice. */
-static int choose(const MatcOptions *o, Axis axis, int precision)
-{
-    const char *name = option_of(o, axis);
-    int first = axis_table[axis].first, row = precision_table[precision].choice[axis];
-    if (!name)
-        return row >= 0 ? row : first;
-    for (int i = 0; i < axis_choices(axis); i++)
-        if (!strcmp(choice_table[first + i].name, name))
-            return first + i;
-    return -1;
-}
-
-const char *job_of(const MatcOptions *o, Job *job)
-{
-    int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
-    int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
-    int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, LAYOUT_thesis);
-    int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
-    int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
-    if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
-        return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
-    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
-    for (int axis = 0; axis < AXIS_COUNT; axis++) {
-        int choice = choose(o, (Axis)axis, precision);
-        if (choice < 0)
-            return axis_table[axis].name;
-        job->choice[axis] = (Choice)choice;
-    }
-    return NULL;
-}
-
-const char *matc_options_fault(const MatcOptions *options) { return job_of(options, &(Job){0}); }
-
-void matc_options_init(MatcOptions *options)
-{
-    *options = (MatcOptions){.optimize = 2, .validate = true};
-#ifndef NDEBUG
-    options->check = true;
-#endif
 }
 
 MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
@@ -260,11 +168,12 @@ static void print_stats(Text *out, const Compile *c, const char *heading)
     text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, c->arena->used / 1024);
 }
 
-static const char *stats_text(MatcProgram *p, const MatcDocument *d)
+static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *job)
 {
     Text out = text_new(&p->arena);
     print_stats(&out, &d->c, "document");
     print_stats(&out, &p->c, "program");
+    choices_explain(&out, &p->options, job);
     size_t lines = 0;
     for (const char *c = p->products.fragment; *c; c++)
         lines += *c == '\n';
@@ -299,7 +208,7 @@ static void fill_outputs(MatcProgram *p, const MatcDocument *d, int material, un
         keep(p, MATC_DOT, dot.at, dot.size);
     }
     if (outputs & MATC_STATS) {
-        const char *stats = stats_text(p, d);
+        const char *stats = stats_text(p, d, job);
         keep(p, MATC_STATS, stats, strlen(stats));
     }
 }

@@ -51,8 +51,10 @@ typedef struct {
     int optimize;             /* 0: as written; 1, 2 (default): all passes */
     bool validate;            /* glslang parses and links what is written (default) */
     bool measure;             /* the document keeps times for MATC_STATS */
-    bool check;               /* the IR is checked after every pass (default in debug builds) */
-    bool pixels; /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
+    unsigned
+        measured; /* for MATC_STATS: a bit for each of noise ... trigonometry, in that order, that measuring chose */
+    bool check;   /* the IR is checked after every pass (default in debug builds) */
+    bool pixels;  /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
     MatcReadFile read_file; /* for pictures and includes; NULL reads the file system */
     void *user;             /* for read_file */
 } MatcOptions;
@@ -82,11 +84,11 @@ typedef enum {
     MATC_FRAGMENT = 1, /* GLSL of the fragment program */
     MATC_VERTEX = 2,   /* GLSL of the matching vertex program */
     MATC_UNPACK = 4,   /* GLSL that reads the layout back */
-    MATC_REFLECT = 8,  /* JSON: inputs, uniforms, textures, outputs, opacity, sources, hash */
+    MATC_REFLECT = 8,  /* JSON: choices, inputs, uniforms, textures, outputs, opacity, sources, hash */
     MATC_SPIRV = 16,   /* SPIR-V words of the fragment program */
     MATC_IR = 32,      /* text of the optimised IR */
     MATC_DOT = 64,     /* the same as a graph for Graphviz */
-    MATC_STATS = 128,  /* table of stages and passes */
+    MATC_STATS = 128,  /* table of stages and passes; the choices, and what settled each */
 } MatcOutput;
 
 /* Compiles one material into the outputs asked for (MatcOutput, or-ed). Never NULL. */

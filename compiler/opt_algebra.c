@@ -16,7 +16,7 @@ static Ref all_lanes(const Site *s, double value)
 static Ref spread_to(const Site *s, Ref a)
 {
     int lanes = type_table[s->type].lanes;
-    return ir_type(s->ir, a) == s->type ? a : ir_vec(s->ir, s->type, (Ref[]){a, a, a, a}, lanes);
+    return ir_type(s->ir, a) == s->type ? a : ir_vec(s->ir, s->type, REFS(s->ir, a, a, a, a), lanes);
 }
 
 /* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as one writes it. */
@@ -122,9 +122,6 @@ Ref rewrite_algebra(Ir *ir, Ref ref, const void *user)
         return result;
 #define END break;
 #include "grammar/rules.def"
-#undef ON
-#undef RULE
-#undef END
     default:
         break;
     }

@@ -1,4 +1,5 @@
-/* Drops the nodes that the outputs do not reach, and the functions that nothing calls, and numbers the rest anew. */
+/* Drops the nodes that the outputs do not reach, the functions that nothing calls and the textures that nothing samples, and
+ * numbers the rest anew. */
 #include "opt.h"
 #include <string.h>
 
@@ -28,8 +29,33 @@ static int *renumber_functions(const Ir *ir, const uint8_t *live, Arena *scratch
     return number;
 }
 
+/* Moves the textures that are sampled down; their new numbers. */
+static uint32_t *compact_textures(Ir *ir, const uint8_t *live, Ref count, Arena *scratch)
+{
+    uint32_t *number = ARENA_ARRAY(scratch, uint32_t, ir->texture_count + 1);
+    uint8_t *sampled = ARENA_ARRAY(scratch, uint8_t, ir->texture_count + 1);
+    for (Ref ref = 1; ref < count; ref++)
+        if (live[ref] && ir_is(ir, ref, OP_texture) && ir_at(ir, ref)->payload < ir->texture_count)
+            sampled[ir_at(ir, ref)->payload] = 1;
+    uint32_t next = 0;
+    for (uint32_t i = 0; i < ir->texture_count; i++) {
+        number[i] = next;
+        if (sampled[i])
+            ir->textures[next++] = ir->textures[i];
+    }
+    ir->texture_count = next;
+    return number;
+}
+
+typedef struct {
+    const Ref *node;
+    const int *function;
+    const uint32_t *texture;
+    size_t texture_count; /* before; an IR that was read as text names textures that it has not */
+} Numbers;
+
 /* The node with its parts in the compacted arrays; they only move down. */
-static void compact_node(Ir *ir, IrNode node, const Ref *moved, const int *number)
+static void compact_node(Ir *ir, IrNode node, const Numbers *numbers)
 {
     if (node.op == OP_const) {
         size_t lanes = (size_t)type_table[node.type].lanes;
@@ -38,9 +64,11 @@ static void compact_node(Ir *ir, IrNode node, const Ref *moved, const int *numbe
         ir->number_count += lanes;
     }
     if (node.op == OP_apply || node.op == OP_kernel)
-        node.payload = (uint32_t)number[node.payload];
+        node.payload = (uint32_t)numbers->function[node.payload];
+    if (node.op == OP_texture && node.payload < numbers->texture_count)
+        node.payload = numbers->texture[node.payload];
     for (int i = 0; i < node.count; i++)
-        ir->args[ir->arg_count + (size_t)i] = moved[ir->args[node.first + (uint32_t)i]];
+        ir->args[ir->arg_count + (size_t)i] = numbers->node[ir->args[node.first + (uint32_t)i]];
     node.first = (uint32_t)ir->arg_count;
     ir->arg_count += node.count;
     ir->nodes[ir->count++] = node;
@@ -60,11 +88,13 @@ bool opt_dead(Ir *ir)
             moved[ref] = next++;
     bool changed = next != count;
     if (changed) {
+        Numbers numbers = {moved, number, NULL, ir->texture_count};
+        numbers.texture = compact_textures(ir, live, count, scratch);
         ir->count = 1;
         ir->arg_count = ir->number_count = 0;
         for (Ref ref = 1; ref < count; ref++)
             if (live[ref])
-                compact_node(ir, ir->nodes[ref], moved, number);
+                compact_node(ir, ir->nodes[ref], &numbers);
         size_t kept = 0;
         for (size_t f = 0; f < ir->function_count; f++)
             if (number[f] >= 0)

@@ -29,7 +29,7 @@ static Ref composed(Ir *ir, Ref ref)
     if (!(product >= 1 && product <= LARGEST_EXPONENT))
         return ref;
     Ref exponent = node.op == OP_call ? ir_int(ir, product) : ir_float(ir, product);
-    return ir_make(ir, (Op)node.op, (Type)node.type, node.payload, (Ref[]){ir_arg(ir, inner, 0), exponent}, 2);
+    return ir_make(ir, (Op)node.op, (Type)node.type, node.payload, REFS(ir, ir_arg(ir, inner, 0), exponent), 2);
 }
 
 Ref rewrite_power(Ir *ir, Ref ref, const void *user)

@@ -60,7 +60,6 @@ static Interval function_range(int function)
     case FN_##name:                                                                                                    \
         return (Interval){low, high};
 #include "grammar/functions.def"
-#undef FUNCTION
     default:
         return everything;
     }

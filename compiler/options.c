@@ -104,7 +104,7 @@ const char *const options_help =
     "  --list               materials, maps, waves, channels, slots\n"
     "  --explain NAME       one of them\n"
     "  --schema             JSON Schema of documents\n"
-    "  --stats              times, nodes and cost of every stage, on standard error\n"
+    "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
     "  --diagnostics=FORM   text (default), json\n"
     "  --no-validate        do not ask glslang\n"
     "  --check              check the IR after every pass\n"

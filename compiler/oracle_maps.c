@@ -6,14 +6,7 @@ static Answer *const answers[KIND_COUNT] = {
 #define ANSWER_OWN(name)                         oracle_##name
 #define ANSWER_VOLUME(name)                      oracle_volume
 #define MAP(name, function, lowering, cost, doc) [KIND_##name] = ANSWER_##lowering(name),
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "grammar/maps.def"
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 };
 
 double oracle_answer(Environment *environment, const Node *node, int channel)
@@ -58,7 +51,6 @@ static double named_wave(WaveKind kind, double v)
     case WAVE_##name:                                                                                                  \
         return reference;
 #include "grammar/waves.def"
-#undef WAVE
     case WAVE_Chain:
         break; /* has no row */
     }

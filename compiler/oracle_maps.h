@@ -69,14 +69,7 @@ Answer oracle_volume; /* LOWERING_VOLUME */
 #define DECLARE_OWN(name) Answer oracle_##name;
 #define DECLARE_VOLUME(name)
 #define MAP(name, function, lowering, cost, doc) DECLARE_##lowering(name)
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "grammar/maps.def"
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
 #endif

@@ -17,6 +17,6 @@ Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *
 /* Ir -> GLSL -> valid. */
 bool compile_back(Compile *c, const Ir *ir, const Job *job, Products *products);
 double stage_now(void);
-/* The job that options name; otherwise which of them does not exist. matc.c */
+/* The job that options name; otherwise which of them does not exist. choice.c */
 const char *job_of(const MatcOptions *options, Job *job);
 #endif

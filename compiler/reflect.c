@@ -1,4 +1,5 @@
 /* What a program needs and gives, as JSON. */
+#include "choice.h"
 #include "emit.h"
 #include "emit_declare.h"
 #include "texture.h"
@@ -149,6 +150,8 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
         text_format(out, ",\n  \"slot\": \"%s\"", slot_table[job->slot].name);
     text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", choice_table[job->choice[AXIS_noise]].name,
                 opacity);
+    text_put(out, ",\n  \"choices\": ");
+    choices_json(out, job);
     int block = 0;
     put_inputs(out, job, interface, &block);
     put_uniforms(out, ir, job, interface, &block);

@@ -32,16 +32,18 @@ static Ref widened(Lower *l, Ref value, Type type)
 {
     if (!value || ir_type(l->ir, value) == type || type_table[type].lanes == 1)
         return value;
-    return ir_vec(l->ir, type, (Ref[]){value, value, value, value}, type_table[type].lanes);
+    return ir_vec(l->ir, type, REFS(l->ir, value, value, value, value), type_table[type].lanes);
 }
 
 static Ref zero_of(Lower *l, Type type) { return ir_const(l->ir, type, (double[4]){0}); }
 
 /* Sums and products in which 0 stands for a derivative that is zero. */
-static Ref plus(Lower *l, Ref a, Ref b) { return !a ? b : !b ? a : ir_binary(l->ir, OP_add, a, b); }
+#define plus(l, a, b) sum_of(l, REFS((l)->ir, a, b))
+#define over(l, a, b) quotient_of(l, REFS((l)->ir, a, b))
+static Ref sum_of(Lower *l, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0] : add(l, x[0], x[1]); }
+static Ref quotient_of(Lower *l, const Ref x[2]) { return x[0] ? ir_make(l->ir, OP_div, TYPE_bool, 0, x, 2) : 0; }
 static Ref times(Lower *l, Ref factor, Ref a) { return a ? ir_binary(l->ir, OP_mul, factor, a) : 0; }
 static Ref negated(Lower *l, Ref a) { return a ? ir_unary(l->ir, OP_neg, a) : 0; }
-static Ref over(Lower *l, Ref a, Ref b) { return a ? ir_binary(l->ir, OP_div, a, b) : 0; }
 
 /* a where the mask is 1, b where it is 0. */
 static Ref pick(Lower *l, Ref mask, Ref a, Ref b)
@@ -86,7 +88,6 @@ static Ref lanes_slope(Lower *l, Op op, Ref r, const Ref *x, const Ref *dx)
     case OP_##name:                                                                                                    \
         return slope;
 #include "grammar/ops.def"
-#undef OP
     default:
         return 0;
     }
@@ -189,7 +190,8 @@ static Ref power_slope(Lower *l, const Ref *args, Ref d)
     double n = ir_numbers(l->ir, args[1])[0];
     if (!d)
         return 0;
-    Ref lower = n > 1 ? ir_call(l->ir, FN_powerCompensated, (Ref[]){args[0], ir_int(l->ir, n - 1)}, 2) : number(l, 1);
+    Ref lower =
+        n > 1 ? ir_call(l->ir, FN_powerCompensated, REFS(l->ir, args[0], ir_int(l->ir, n - 1)), 2) : number(l, 1);
     return times(l, ir_binary(l->ir, OP_mul, lower, number(l, n)), d);
 }
 

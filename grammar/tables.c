@@ -7,21 +7,16 @@
 const TypeRow type_table[TYPE_COUNT] = {
 #define TYPE(name, glsl, lanes, doc) {glsl, lanes, doc},
 #include "types.def"
-#undef TYPE
 };
 
 const ChannelRow channel_table[CHANNEL_COUNT] = {
-#define GROUP(name, type, doc)
 #define CHANNEL(name, group, lane, doc) {#name, GROUP_##group, lane, doc},
 #include "channels.def"
-#undef GROUP
-#undef CHANNEL
 };
 
 const SlotRow slot_table[SLOT_COUNT] = {
 #define SLOT(name, type, low, high, absent, doc) {#name, TYPE_##type, low, high, absent, doc},
 #include "slots.def"
-#undef SLOT
 };
 
 #define NONE                                                                                                           \
@@ -34,18 +29,9 @@ const SlotRow slot_table[SLOT_COUNT] = {
 #define RANGE(low, high) low, high
 
 const ParamRow param_table[PARAM_COUNT] = {
-#define MATERIAL(name, doc)
-#define MAP(name, function, lowering, cost, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #define PARAM(kind, name, type, init, range, doc) {KIND_##kind, #name, PARAM_##type, init, range, doc},
 #include "materials.def"
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 };
 
 /* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
@@ -53,13 +39,8 @@ enum {
 #define MATERIAL(name, doc)                       FIRST_##name, RESET_##name = FIRST_##name - 1,
 #define MAP(name, function, lowering, cost, doc)  MATERIAL(name, doc)
 #define PARAM(kind, name, type, init, range, doc) AT_##kind##_##name,
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "materials.def"
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
 };
 enum {
     KINDS_BEGIN = -1 /* each kind's count starts behind a comma and sums over its PARAM lines */
@@ -68,9 +49,6 @@ enum {
 #define PARAM(kind, name, type, init, range, doc) +1
 #include "materials.def"
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
 };
 
 #define VOLUME LOWERING_VOLUME
@@ -78,14 +56,8 @@ enum {
 const KindRow kind_table[KIND_COUNT] = {
 #define MATERIAL(name, doc)                      {#name, #name, LOWERING_MATERIAL, 0, FIRST_##name, COUNT_##name, doc},
 #define MAP(name, function, lowering, cost, doc) {#name, #function, lowering, cost, FIRST_##name, COUNT_##name, doc},
-#define PARAM(kind, name, type, init, range, doc)
 #include "materials.def"
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 };
 
 /* The kind that follows each heading: an enumerator that the kind behind it has too. */
@@ -93,27 +65,13 @@ enum {
 #define SECTION(name, title)                     SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
 #define MATERIAL(name, doc)                      SECTION_KIND_##name,
 #define MAP(name, function, lowering, cost, doc) SECTION_KIND_##name,
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "materials.def"
-#define SECTION(name, title) SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
 };
 const SectionRow section_table[SECTION_COUNT] = {
 #define SECTION(name, title) {title, SECTION_FIRST_##name},
-#define MATERIAL(name, doc)
-#define MAP(name, function, lowering, cost, doc)
 #include "materials.def"
-#define SECTION(name, title) {title, SECTION_FIRST_##name},
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
 };
 
 Section section_of(Kind kind)
@@ -127,47 +85,32 @@ Section section_of(Kind kind)
 const FormulaRow formula_table[KIND_COUNT] = {
 #define FORMULA(kind, answers, formula) [KIND_##kind] = {answers, formula},
 #include "formulas.def"
-#undef FORMULA
 };
 enum {
     FORMULAS = 0
 #define FORMULA(kind, answers, formula) +1
 #include "formulas.def"
-#undef FORMULA
 };
 _Static_assert((int)FORMULAS == (int)KIND_COUNT, "formulas.def has a row for every map and material, and one only");
 
 const AliasRow alias_table[] = {
-#define MATERIAL(name, doc)
-#define MAP(name, function, lowering, cost, doc)
-#define PARAM(kind, name, type, init, range, doc)
 #define ALIAS(alias, name) {#alias, KIND_##name},
-#define PRESET(name, map, param, init, doc)
 #include "materials.def"
 #include "maps.def"
-#undef ALIAS
-#undef PRESET
 };
 const int alias_count = sizeof alias_table / sizeof *alias_table;
 
 #undef D
 #define D(x) x
 const PresetRow preset_table[] = {
-#define ALIAS(alias, name)
 #define PRESET(name, map, param, init, doc) {#name, KIND_##map, P_##map##_##param, init, doc},
 #include "maps.def"
-#undef ALIAS
-#undef PRESET
-#undef MATERIAL
-#undef MAP
-#undef PARAM
 };
 const int preset_count = sizeof preset_table / sizeof *preset_table;
 
 const WaveRow wave_table[WAVE_COUNT] = {
 #define WAVE(name, reference, build, doc) {#name, doc},
 #include "waves.def"
-#undef WAVE
 };
 
 const SlopeRow *slope_row(int function)
@@ -184,34 +127,28 @@ const SlopeRow *slope_row(int function)
 const InputRow input_table[INPUT_COUNT] = {
 #define INPUT(name, type, source, glsl, doc) {#name, TYPE_##type, SOURCE_##source, glsl, doc},
 #include "inputs.def"
-#undef INPUT
 };
 
 const ChangeRow change_table[] = {
-#define INPUT(name, type, source, glsl, doc)
 #define CHANGE(name, of, type, operator, glsl, doc) {INPUT_##name, INPUT_##of, #operator},
 #include "inputs.def"
-#undef INPUT
 };
 const int change_count = sizeof change_table / sizeof *change_table;
 
 const ColorRow color_table[] = {
 #define COLOR(name, r, g, b) {#name, {r, g, b}},
 #include "colors.def"
-#undef COLOR
 };
 const int color_count = sizeof color_table / sizeof *color_table;
 
 const TargetRow target_table[TARGET_COUNT] = {
 #define TARGET(name, version, extension, number, es, doc) {#name, version, extension, number, es, doc},
 #include "targets.def"
-#undef TARGET
 };
 
 const PassRow pass_table[PASS_COUNT] = {
 #define PASS(name, doc) {#name, doc},
 #include "passes.def"
-#undef PASS
 };
 
 const FormatRow format_table[FORMAT_COUNT] = {
@@ -371,20 +308,14 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
     void reference_##name(const void *, const double *, double *);
 #include "functions.def"
-#undef FUNCTION
 
 /* The functions of volume maps: declared, their arguments, their rows. An OWN map has none. */
 #define OWN_DECLARATION(function)
 #define VOLUME_DECLARATION(function)             void reference_##function(const void *, const double *, double *);
 #define MAP(name, function, lowering, cost, doc) lowering##_DECLARATION(function)
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #undef VOLUME
 #undef OWN
 #include "maps.def"
-#undef MAP
-#undef PARAM
 
 #define LETTER_Float     "f"
 #define LETTER_Int       "i"
@@ -402,8 +333,6 @@ static const char *const map_arguments[KIND_COUNT] = {
 #define BASE_PARAM(kind, name, type, init, range, doc)
 #define PARAM(kind, name, type, init, range, doc) LETTER_##type
 #include "maps.def"
-#undef MAP
-#undef PARAM
 };
 
 #define OWN_ROW(function, cost, doc)    {NULL, TYPE_float, cost, NULL, doc},
@@ -411,22 +340,15 @@ static const char *const map_arguments[KIND_COUNT] = {
 static const FunctionRow function_table[FUNCTION_COUNT] = {
 #define FUNCTION(name, result, arguments, low, high, cost, doc) {#name, TYPE_##result, cost, reference_##name, doc},
 #include "functions.def"
-#undef FUNCTION
 #define MATERIAL(name, doc)                      OWN_ROW(name, 0, doc)
 #define MAP(name, function, lowering, cost, doc) lowering##_ROW(function, cost, doc)
-#define PARAM(kind, name, type, init, range, doc)
 #include "materials.def"
-#undef ALIAS
-#undef PRESET
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "maps.def"
 };
 
 static const char *const fixed_arguments[] = {
 #define FUNCTION(name, result, arguments, low, high, cost, doc) arguments,
 #include "functions.def"
-#undef FUNCTION
 };
 
 const FunctionRow *function_row(int function) { return &function_table[function]; }

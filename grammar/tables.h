@@ -7,7 +7,6 @@
 typedef enum {
 #define TYPE(name, glsl, lanes, doc) TYPE_##name,
 #include "types.def"
-#undef TYPE
     TYPE_COUNT
 } Type;
 
@@ -20,10 +19,7 @@ extern const TypeRow type_table[TYPE_COUNT];
 
 typedef enum {
 #define GROUP(name, type, doc) GROUP_##name,
-#define CHANNEL(name, group, lane, doc)
 #include "channels.def"
-#undef GROUP
-#undef CHANNEL
     GROUP_COUNT
 } Group;
 
@@ -36,11 +32,8 @@ typedef struct {
     const char *doc;
 } ChannelRow;
 enum {
-#define GROUP(name, type, doc)
 #define CHANNEL(name, group, lane, doc) CHANNEL_ROW_##name,
 #include "channels.def"
-#undef GROUP
-#undef CHANNEL
     CHANNEL_COUNT
 };
 extern const ChannelRow channel_table[CHANNEL_COUNT];
@@ -48,7 +41,6 @@ extern const ChannelRow channel_table[CHANNEL_COUNT];
 typedef enum {
 #define SLOT(name, type, low, high, absent, doc) SLOT_##name,
 #include "slots.def"
-#undef SLOT
     SLOT_COUNT
 } Slot;
 
@@ -65,14 +57,8 @@ extern const SlotRow slot_table[SLOT_COUNT];
 typedef enum {
 #define MATERIAL(name, doc)                      KIND_##name,
 #define MAP(name, function, lowering, cost, doc) KIND_##name,
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "materials.def"
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
     KIND_COUNT
 } Kind;
 
@@ -101,14 +87,9 @@ typedef struct {
 
 /* One index over all parameters; P_Checker_color1 is that of Checker's color1. */
 enum {
-#define MATERIAL(name, doc)
-#define MAP(name, function, lowering, cost, doc)
 #define PARAM(kind, name, type, init, range, doc) P_##kind##_##name,
 #include "materials.def"
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
     PARAM_COUNT
 };
 extern const ParamRow param_table[PARAM_COUNT];
@@ -128,19 +109,8 @@ extern const KindRow kind_table[KIND_COUNT];
 /* Headings: each stands above the kinds from `first` up to the next heading's. */
 typedef enum {
 #define SECTION(name, title) SECTION_##name,
-#define MATERIAL(name, doc)
-#define MAP(name, function, lowering, cost, doc)
-#define PARAM(kind, name, type, init, range, doc)
-#define ALIAS(alias, name)
-#define PRESET(name, map, param, init, doc)
 #include "materials.def"
-#define SECTION(name, title) SECTION_##name,
 #include "maps.def"
-#undef MATERIAL
-#undef MAP
-#undef PARAM
-#undef ALIAS
-#undef PRESET
     SECTION_COUNT
 } Section;
 typedef struct {
@@ -177,7 +147,6 @@ extern const int preset_count;
 typedef enum {
 #define WAVE(name, reference, build, doc) WAVE_##name,
 #include "waves.def"
-#undef WAVE
     WAVE_COUNT,
     WAVE_Chain = WAVE_COUNT /* has fields, hence no row */
 } WaveKind;
@@ -191,7 +160,6 @@ extern const WaveRow wave_table[WAVE_COUNT];
 typedef enum {
 #define FUNCTION(name, result, arguments, low, high, cost, doc) FN_##name,
 #include "functions.def"
-#undef FUNCTION
     FN_FIRST_MAP
 } Function;
 /* A volume map's function is FN_FIRST_MAP + its Kind; not every value is in use. */
@@ -222,7 +190,6 @@ const SlopeRow *slope_row(int function);
 typedef enum {
 #define INPUT(name, type, source, glsl, doc) INPUT_##name,
 #include "inputs.def"
-#undef INPUT
     INPUT_COUNT
 } Input;
 typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw, SOURCE_change } InputSource;
@@ -252,7 +219,6 @@ extern const int color_count;
 typedef enum {
 #define TARGET(name, version, extension, number, es, doc) TARGET_##name,
 #include "targets.def"
-#undef TARGET
     TARGET_COUNT
 } Target;
 typedef struct {
@@ -266,7 +232,6 @@ extern const TargetRow target_table[TARGET_COUNT];
 typedef enum {
 #define PASS(name, doc) PASS_##name,
 #include "passes.def"
-#undef PASS
     PASS_COUNT
 } Pass;
 typedef struct {

@@ -119,8 +119,14 @@ check "prints every slot" test "$(wc -l <"$work/stdout")" = 12
 check "--eval with a bad point" status 2 "$matc" --eval "q=1" $example
 check "--stats" status 0 $fast --stats $example -o /dev/null
 check "on standard error" says 'lower'
+check "and what was chosen" says '^  noise  *lattice  *default$'
+check "--stats of choices" status 0 $fast --stats --precision=exact --aa=box --powers=pow $example -o "$work/choices.frag"
+check "by a row" says '^  coordinates  *long  *--precision=exact$'
+check "by name, against the row" says '^  powers  *pow  *by name$'
+check "that the shader names" grep -q '^// choices: noise=groimp aa=box coordinates=long powers=pow trigonometry=bounded$' "$work/choices.frag"
 check "--max-error" status 0 $fast --max-error=0.1 --stats $example -o "$work/max.frag"
 check "says what it chose" says '^chosen: .*layout='
+check "and that it was measured" says '^  powers .*measured for --max-error$'
 check "and compiles it" test -s "$work/max.frag"
 check "an error that nothing keeps" status 1 $fast --max-error=1e-9 $example -o "$work/none.frag"
 check "names the best" says 'no choice keeps every slot within 1e-09; the best is'

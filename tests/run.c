@@ -1,5 +1,6 @@
-/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag; for every one in tests/errors/: the
- * diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
+/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json for those in no folder below;
+ * for every one in tests/errors/: the diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass
+ * makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
  * difference before you commit it. Under CI it does not update. */
 #include "matc.h"
 #include "opt.h"
@@ -113,7 +114,7 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
     matc_options_init(&options);
     options.validate = false; /* test_valid does, for every target */
     options.check = true;
-    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT | MATC_IR, &options);
+    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
     const char *which = matc_material_count(document) > 1 ? matc_material_name(document, material) : NULL;
     if (!matc_ok(program)) {
         printf("%s: %s", name, matc_program_diagnostics(program, MATC_TEXT));
@@ -123,6 +124,9 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
         compare(run, path, matc_output(program, MATC_IR, NULL));
         golden_path(path, name, which, ".frag");
         compare(run, path, matc_output(program, MATC_FRAGMENT, NULL));
+        golden_path(path, name, which, ".json");
+        if (!strchr(name + strlen("examples/"), '/'))
+            compare(run, path, matc_output(program, MATC_REFLECT, NULL));
     }
     matc_program_free(program);
 }

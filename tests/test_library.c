@@ -204,6 +204,11 @@ static void reflection_fits_the_shader(void **state)
             cJSON_ArrayForEach(item, list)
                 assert_non_null(strstr(shader, cJSON_GetObjectItem(item, "name")->valuestring));
         }
+        item = cJSON_GetObjectItem(root, "choices");
+        assert_true(cJSON_GetArraySize(item) >= 6); /* noise ... trigonometry */
+        assert_string_equal(cJSON_GetObjectItem(item, "noise")->valuestring, "groimp");
+        assert_string_equal(cJSON_GetObjectItem(item, "aa")->valuestring, "none");
+        assert_non_null(strstr(shader, "// choices: noise=groimp\n"));
         item = cJSON_GetObjectItem(cJSON_GetObjectItem(root, "block"), "size");
         assert_true(i == 2 ? item->valueint == 80 : item == NULL); /* float, vec3 at 16, mat3 at 32 */
         cJSON_Delete(root);

@@ -281,12 +281,14 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
               hulls[point].high.lane[c->slot][lane], point, at);
 }
 
-/* Of the text behind its comment, which names the slot. */
+/* Of the text behind its comments, which name the slot and the choices. */
 static uint64_t hash_text(const char *text, Target target)
 {
     uint64_t hash = 14695981039346656037u + (uint64_t)target;
     const char *comment = strstr(text, "// matc");
-    for (const char *at = comment ? strchr(comment, '\n') : text; *at; at++)
+    while (comment && !strncmp(comment, "//", 2))
+        comment = strchr(comment, '\n') + 1;
+    for (const char *at = comment ? comment : text; *at; at++)
         hash = (hash ^ (unsigned char)*at) * 1099511628211u;
     return hash;
 }

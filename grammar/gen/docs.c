@@ -181,7 +181,6 @@ static double wave_value(WaveKind kind, double v)
     case WAVE_##name:                                                                                                  \
         return reference;
 #include "grammar/waves.def"
-#undef WAVE
     default:
         return v;
     }

@@ -182,6 +182,19 @@ static bool refuse(const MeasuredList *list, int best, double most, const Varian
                         list->at[best].error, worst_slot(&list->at[best]));
 }
 
+/* What was open is set; the rest stays as it was given. */
+static void take(const Variant *variant, const VariantAxes *open, MatcOptions *options)
+{
+    if (open->layout)
+        options->layout = layout_table[variant->layout].name;
+    for (int axis = 0; axis < AXIS_COUNT; axis++) {
+        if (!open->axis[axis])
+            continue;
+        matc_options_set(options, axis_table[axis].name, choice_table[variant->choice[axis]].name);
+        options->measured |= 1u << axis;
+    }
+}
+
 bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options, char **why, char *error,
                    size_t room)
 {
@@ -202,7 +215,7 @@ bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *optio
         done = chosen >= 0 || refuse(&list, best, most, &request.open, error, room);
         if (done) {
             *why = explain(&list, chosen, most, &request.open, meter);
-            *options = variant_options(&list.at[chosen].variant, options);
+            take(&list.at[chosen].variant, &request.open, options);
         }
         measured_free(&list);
     }

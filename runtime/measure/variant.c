@@ -40,6 +40,20 @@ MatcOptions variant_options(const Variant *variant, const MatcOptions *base)
     return options;
 }
 
+/* Up to the comment that names choices, or the empty line that ends the header. */
+static size_t header_size(const char *program)
+{
+    const char *end = strstr(program, "\n\n"), *choices = strstr(program, "\n// choices:");
+    return (size_t)((choices && choices < end ? choices : end ? end : program) - program);
+}
+
+bool programs_equal(const char *a, const char *b)
+{
+    const char *a_body = strstr(a, "\n\n"), *b_body = strstr(b, "\n\n");
+    size_t header = header_size(a);
+    return a_body && b_body && header == header_size(b) && !memcmp(a, b, header) && !strcmp(a_body, b_body);
+}
+
 int variant_distance(const Variant *a, const Variant *b)
 {
     int distance = a->layout != b->layout;

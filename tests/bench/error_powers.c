@@ -92,8 +92,8 @@ static const Power *find(const Power *powers, int count, const char *choice)
 
 static bool is_same(const Power *a, const Power *b)
 {
-    return !strcmp(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
-                   matc_output(b->shader.program, MATC_FRAGMENT, NULL));
+    return programs_equal(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
+                          matc_output(b->shader.program, MATC_FRAGMENT, NULL));
 }
 
 static void report(ErrorBench *bench, const Power *powers, int count)

@@ -31,6 +31,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         if (optimize(&c, ir) && ir_check(ir))
             abort();
     }
+    if (ir)
+        ir_done(ir);
     arena_free(&arena);
     return 0;
 }

@@ -33,8 +33,11 @@ void main() {
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
+    // XYZTransform
+    vec3 xyzTransform = localPosition * 2.0;
+    vec3 xyzTransform2 = localPosition * 6.0;
     // Blend
-    vec3 blend = mix(localPosition * 2.0, localPosition * 6.0, clamp((localPosition.x + 1.0) * 0.5, 0.0, 1.0));
+    vec3 blend = localPosition.x < 1.0 ? (localPosition.x < -1.0 ? xyzTransform : mix(xyzTransform, xyzTransform2, (localPosition.x + 1.0) * 0.5)) : xyzTransform2;
     // VolumeChecker
     vec3 volumeChecker_1 = fract(blend * 0.5);
     fragment1 = ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? vec4(0.8392157, 0.7607843, 0.59607846, 1.0) : vec4(0.02745098, 0.10980392, 0.078431375, 1.0);

@@ -110,9 +110,9 @@ void main() {
     // BumpMap
     float bumpMap_2 = smooth3DInput0(smooth3D_8).x;
     float bumpMap_3 = smooth3DInput1(smooth3D_8).x;
-    float bumpMap_4 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * bumpMap_1;
-    float bumpMap_5 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * bumpMap_1;
-    vec3 bumpMap = cross(bumpMap_5 * worldNormal + worldTangentU, bumpMap_4 * worldNormal + worldTangentV);
+    float bumpMap_4 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * bumpMap_1;
+    float bumpMap_5 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * bumpMap_1;
+    vec3 bumpMap = cross(bumpMap_4 * worldNormal + worldTangentU, bumpMap_5 * worldNormal + worldTangentV);
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(encodeSpheremap(normal), 21.206507, 65504.0);

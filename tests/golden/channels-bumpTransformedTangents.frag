@@ -59,8 +59,8 @@ vec2 encodeSpheremap(vec3 n) {
 
 void main() {
     // UVTransform
-    vec3 uvTransform = worldTangentU * 0.15351017 + worldTangentV * 0.06490306;
-    vec3 uvTransform2 = worldTangentU * -0.099104084 + worldTangentV * 0.32000095;
+    vec3 uvTransform = worldTangentV * 0.06490306 + worldTangentU * 0.15351017;
+    vec3 uvTransform2 = worldTangentV * 0.32000095 + worldTangentU * -0.099104084;
     // BumpMap
     float bumpMap_1 = 0.04 / max(length(worldNormal), 1e-30);
     // UVTransform

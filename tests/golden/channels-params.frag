@@ -88,9 +88,11 @@ void main() {
     vec3 xyzTransform_13 = vec3(xyzTransform_12 * xyzTransform_2 + xyzTransform_10 * xyzTransform_8, xyzTransform_10 * xyzTransform_2 + xyzTransform_11 * xyzTransform_8, xyzTransform_5 * xyzTransform_4);
     vec3 xyzTransform_14 = vec3(xyzTransform_12 * xyzTransform_3 + xyzTransform_10 * xyzTransform_9, xyzTransform_10 * xyzTransform_3 + xyzTransform_11 * xyzTransform_9, xyzTransform_5 * xyzTransform_2);
     vec3 xyzTransform = mat3(vec3(xyzTransform_10 * xyzTransform_7, xyzTransform_11 * xyzTransform_7, -xyzTransform_6 * zoom), xyzTransform_13, xyzTransform_14) * localPosition + pan;
+    // Julia
+    float julia_1 = sin(lift + contrast * julia(xyzTransform, steps, real, imaginary));
     // Blend
-    float blend_1 = clamp((sin(lift + contrast * julia(xyzTransform, steps, real, imaginary)) + 1.0) * 0.5, 0.0, 1.0);
-    vec4 blend = mix(dark, vec4(vec3(bright), 1.0), blend_1);
+    vec4 blend_1 = vec4(vec3(bright), 1.0);
+    vec4 blend = julia_1 < 1.0 ? (julia_1 < -1.0 ? dark : mix(dark, blend_1, (julia_1 + 1.0) * 0.5)) : blend_1;
     fragment1 = vec4(clamp(blend.xyz, -65504.0, 65504.0), 1.0);
     fragment2 = vec4(clamp(vec3(gloss), -65504.0, 65504.0), 1.0);
     fragment3 = vec4(clamp(vec3(1.0) - blend.www, -65504.0, 65504.0), 1.0);

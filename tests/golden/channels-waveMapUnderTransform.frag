@@ -41,8 +41,8 @@ vec2 encodeSpheremap(vec3 n) {
 void main() {
     // UVTransform
     vec2 uvTransform_1 = mat2(vec2(2.6327477, -0.9588511), vec2(1.4382766, 1.7551651)) * uv;
-    vec3 uvTransform = worldTangentU * 0.29252753 + worldTangentV * 0.15980852;
-    vec3 uvTransform2 = worldTangentU * -0.23971277 + worldTangentV * 0.43879128;
+    vec3 uvTransform = worldTangentV * 0.15980852 + worldTangentU * 0.29252753;
+    vec3 uvTransform2 = worldTangentV * 0.43879128 + worldTangentU * -0.23971277;
     // WaveMap
     float waveMap_1 = 0.01 / max(length(worldNormal), 1e-30);
     float waveMap_2 = uvTransform_1.x * 18.849556;

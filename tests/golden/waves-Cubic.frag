@@ -45,7 +45,7 @@ void main() {
     vec3 xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
     // Wood
     float wood_1 = fract(wood(xyzTransform) * 5.0);
-    float wood_2 = wood_1 * wood_1 * (6.0 - wood_1 * 4.0) - 1.0;
+    float wood_2 = (6.0 - wood_1 * 4.0) * (wood_1 * wood_1) - 1.0;
     // Blend
     vec3 blend = mix(mix(vec3(0.043137256, 0.003921569, 0.02745098), vec3(0.5411765, 0.05882353, 0.105882354), clamp(wood_2 + 1.0, 0.0, 1.0)), vec3(0.9647059, 0.74509805, 0.38039216), clamp(wood_2, 0.0, 1.0));
     fragment1 = vec4(blend, 1.0);

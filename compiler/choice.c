@@ -1,0 +1,141 @@
+/* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
+#include "choice.h"
+#include "pipeline.h"
+#include <stddef.h>
+#include <string.h>
+
+/* What settled an axis. */
+typedef enum { CHOSEN_default, CHOSEN_by_name, CHOSEN_by_precision, CHOSEN_by_measuring } ChoiceSource;
+
+static const char *target_name(int i) { return target_table[i].name; }
+static const char *pass_name(int i) { return pass_table[i].name; }
+static const char *layout_name(int i) { return layout_table[i].name; }
+static const char *slot_name(int i) { return slot_table[i].name; }
+static const char *precision_name(int i) { return precision_table[i].name; }
+
+static int index_of(const char *name, const char *(*names)(int), int count, int otherwise)
+{
+    if (!name)
+        return otherwise;
+    for (int i = 0; i < count; i++)
+        if (!strcmp(names(i), name))
+            return i;
+    return -1;
+}
+
+typedef struct {
+    const char *name;
+    size_t member;
+} TextOption;
+
+#define TEXT_OPTION(name)                                                                                              \
+    {                                                                                                                  \
+#name, offsetof(MatcOptions, name)                                                                             \
+    }
+static const TextOption text_options[] = {
+#define AXIS(name, chunks, doc) TEXT_OPTION(name),
+#include "grammar/variants.def"
+    TEXT_OPTION(target), TEXT_OPTION(pass), TEXT_OPTION(slot), TEXT_OPTION(layout), TEXT_OPTION(precision),
+};
+
+bool matc_options_set(MatcOptions *options, const char *name, const char *value)
+{
+    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
+        if (strcmp(text_options[i].name, name) != 0)
+            continue;
+        memcpy((char *)options + text_options[i].member, &value, sizeof value);
+        return true;
+    }
+    return false;
+}
+
+/* The axes come first. */
+static const char *option_of(const MatcOptions *options, Axis axis)
+{
+    const char *value;
+    memcpy(&value, (const char *)options + text_options[axis].member, sizeof value);
+    return value;
+}
+
+/* A choice by its name, else the row's, else the axis' own default; -1: there is no such choice. */
+static int choose(const MatcOptions *o, Axis axis, int precision, ChoiceSource *source)
+{
+    const char *name = option_of(o, axis);
+    int first = axis_table[axis].first, row = precision_table[precision].choice[axis];
+    if (!name) {
+        *source = o->precision && row >= 0 ? CHOSEN_by_precision : CHOSEN_default;
+        return row >= 0 ? row : first;
+    }
+    *source = o->measured >> axis & 1 ? CHOSEN_by_measuring : CHOSEN_by_name;
+    for (int i = 0; i < axis_choices(axis); i++)
+        if (!strcmp(choice_table[first + i].name, name))
+            return first + i;
+    return -1;
+}
+
+const char *job_of(const MatcOptions *o, Job *job)
+{
+    int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
+    int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
+    int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, LAYOUT_thesis);
+    int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
+    int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
+    if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
+        return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
+    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
+    for (int axis = 0; axis < AXIS_COUNT; axis++) {
+        ChoiceSource source;
+        int choice = choose(o, (Axis)axis, precision, &source);
+        if (choice < 0)
+            return axis_table[axis].name;
+        job->choice[axis] = (Choice)choice;
+    }
+    return NULL;
+}
+
+const char *matc_options_fault(const MatcOptions *options) { return job_of(options, &(Job){0}); }
+
+void matc_options_init(MatcOptions *options)
+{
+    *options = (MatcOptions){.optimize = 2, .validate = true};
+#ifndef NDEBUG
+    options->check = true;
+#endif
+}
+
+static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }
+
+void choices_explain(Text *out, const MatcOptions *options, const Job *job)
+{
+    static const char *const by[] = {[CHOSEN_default] = "default",
+                                     [CHOSEN_by_name] = "by name",
+                                     [CHOSEN_by_precision] = "--precision=",
+                                     [CHOSEN_by_measuring] = "measured for --max-error"};
+    int precision = index_of(options->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
+    text_put(out, "choices\n");
+    for (int axis = 0; axis < AXIS_COUNT; axis++) {
+        ChoiceSource source;
+        choose(options, (Axis)axis, precision, &source);
+        text_format(out, "  %-12s %-12s %s%s\n", axis_table[axis].name, choice_name(job, axis), by[source],
+                    source == CHOSEN_by_precision ? options->precision : "");
+    }
+}
+
+void choices_comment(Text *out, const Job *job)
+{
+    bool any = false;
+    for (int axis = 0; axis < AXIS_COUNT; axis++) {
+        if ((int)job->choice[axis] == axis_table[axis].first)
+            continue;
+        text_format(out, "%s %s=%s", any ? "" : "// choices:", axis_table[axis].name, choice_name(job, axis));
+        any = true;
+    }
+    text_put(out, any ? "\n" : "");
+}
+
+void choices_json(Text *out, const Job *job)
+{
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        text_format(out, "%s\"%s\": \"%s\"", axis ? ", " : "{", axis_table[axis].name, choice_name(job, axis));
+    text_put(out, "}");
+}

@@ -1,0 +1,13 @@
+/* What a program is written with: the choices of a job as text. choice.c also has job_of (pipeline.h). */
+#ifndef MATC_CHOICE_H
+#define MATC_CHOICE_H
+#include "compile.h"
+#include "text.h"
+
+/* A line an axis: its choice and what settled it. For --stats. */
+void choices_explain(Text *out, const MatcOptions *options, const Job *job);
+/* "// choices: aa=box powers=pow", those that are not their axis' default; nothing when there is none. */
+void choices_comment(Text *out, const Job *job);
+/* {"noise": "lattice", ...} */
+void choices_json(Text *out, const Job *job);
+#endif

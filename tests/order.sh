@@ -1,0 +1,42 @@
+#!/bin/sh
+# Finds expressions that make IR nodes in an order that C leaves open: two arguments of a call, two members of an
+# initialiser, or both operands of an operator that call functions which take an `Ir *` or a `Lower *`. What only reads
+# takes a `const Ir *`. REFS (compiler/ir.h) or a variable of its own gives each an order.
+# order.sh [FILE...]; needs clang-query. Run from the project's root.
+set -eu
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# pairs MATCHER COUNT: two places of the first COUNT that both make nodes
+pairs() {
+    separator=""
+    i=0
+    while [ "$i" -lt "$2" ]; do
+        k=$((i + 1))
+        while [ "$k" -lt "$2" ]; do
+            printf '%sallOf(%s(%d, maker), %s(%d, maker))' "$separator" "$1" "$i" "$1" "$k"
+            separator=", "
+            k=$((k + 1))
+        done
+        i=$((i + 1))
+    done
+}
+
+{
+    echo "set output diag"
+    echo "set bind-root true"
+    echo "set traversal AsIs"
+    call='callExpr(callee(functionDecl(hasAnyParameter(anyOf(hasType(asString("Ir *")), hasType(asString("struct Ir *")), hasType(asString("Lower *")))))))'
+    echo "let maker expr(anyOf($call, hasDescendant($call)))"
+    here='unless(isExpansionInSystemHeader())'
+    echo "match callExpr($here, anyOf($(pairs hasArgument 8)))"
+    echo "match initListExpr($here, anyOf($(pairs hasInit 8)))"
+    echo "match binaryOperator($here, unless(hasAnyOperatorName(\"&&\", \"||\", \",\")), hasLHS(maker), hasRHS(maker))"
+} >"$work/query"
+
+[ $# -gt 0 ] || set -- compiler/*.c
+for file in "$@"; do
+    clang-query -f "$work/query" "$file" -- -std=c11 -D_GNU_SOURCE -I. -Icompiler -I/usr/include/cjson >"$work/out" 2>&1
+    grep -A1 -E '"root" binds here|error:' "$work/out" >>"$work/found" || :
+done
+[ ! -s "$work/found" ] || { cat "$work/found"; exit 1; }
