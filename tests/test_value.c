@@ -216,10 +216,10 @@ static void record(Run *run, const Case *c, double worst, const char *name, int 
     pthread_mutex_unlock(&run->lock);
 }
 
-/* So far out that differences of the oracle's doubles are no measure of a derivative. */
-static bool point_is_far(const Point *point)
+/* So far out that differences of the oracle's doubles are no measure of a derivative, or the bounded sine's bound is no more. */
+static const float far_for_slopes = 1000, far_for_sines = 1e5f;
+static bool point_is_far(const Point *point, float far)
 {
-    const float far = 1000;
     float greatest = 0;
     for (int i = 0; i < 3; i++) {
         greatest = fmaxf(greatest, fabsf(point->input[INPUT_X][i]));
@@ -255,7 +255,9 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     for (int i = 0; i < POINT_COUNT; i++)
         for (int k = 0; k < lanes; k++) {
             double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
-            bool far = point_is_extreme(&w->run->points[i]) || (exact && point_is_far(&w->run->points[i])) ||
+            bool far = point_is_extreme(&w->run->points[i]) ||
+                       (exact && point_is_far(&w->run->points[i], far_for_slopes)) ||
+                       (choice == CHOICE_trigonometry_bounded && point_is_far(&w->run->points[i], far_for_sines)) ||
                        (steep && point_on_edges(&w->run->points[i]));
             if (far && isfinite(rgba[4 * i + k]))
                 continue;
