@@ -79,7 +79,7 @@ const char *job_of(const MatcOptions *o, Job *job)
     int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
     int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, LAYOUT_thesis);
     int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
-    int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
+    int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
         return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
     *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
@@ -111,7 +111,7 @@ void choices_explain(Text *out, const MatcOptions *options, const Job *job)
                                      [CHOSEN_by_name] = "by name",
                                      [CHOSEN_by_precision] = "--precision=",
                                      [CHOSEN_by_measuring] = "measured for --max-error"};
-    int precision = index_of(options->precision, precision_name, PRECISION_COUNT, PRECISION_balanced);
+    int precision = index_of(options->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     text_put(out, "choices\n");
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;

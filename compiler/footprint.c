@@ -11,10 +11,15 @@ bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_n
 
 static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
 
-/* The edge of one box as wide as two are one after the other, by lane: their variances add. */
+/* The edge of one box that stands for two, one after the other. Of a number, whose box is all that is known: their variances add. Of
+ * a coordinate by lane the greater one, which is as good for checkers and noise, and cheaper. */
 static Ref together(Lower *l, Ref a, Ref b)
 {
-    return a && b ? unary(l, OP_sqrt, add(l, mul(l, a, a), mul(l, b, b))) : unary(l, OP_abs, a ? a : b);
+    if (!a || !b)
+        return unary(l, OP_abs, a ? a : b);
+    if (ir_lanes(l->ir, a) > 1)
+        return ir_binary(l->ir, OP_max, unary(l, OP_abs, a), unary(l, OP_abs, b));
+    return unary(l, OP_sqrt, add(l, mul(l, a, a), mul(l, b, b)));
 }
 
 static Ref filled(Lower *l, Ref value, Type type) { return value ? value : ir_const(l->ir, type, (double[4]){0}); }

@@ -41,7 +41,7 @@ typedef struct {
     const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
     const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
     const char *layout;       /* "thesis" (default), "radix", "thin", "integer", ... */
-    const char *precision;    /* "fast", "balanced" (default), "exact": sets those below that are NULL */
+    const char *precision;    /* "fast" (default), "balanced", "exact": sets those below that are NULL */
     const char *noise;        /* "lattice" (default), "groimp" */
     const char *aa;           /* "none" (default), "box", "aniso" */
     const char *derivatives;  /* "finite" (default), "analytic" */

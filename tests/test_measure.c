@@ -123,7 +123,7 @@ static void aliasing_and_time_are_found(void **state)
     MatcOptions options = defaults();
     options.layout = "thesis";
     options.noise = "lattice";
-    options.precision = "balanced";
+    options.precision = "fast";
     options.aa = "none";
     options.derivatives = "finite";
     list_material("material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n"
@@ -188,12 +188,39 @@ static void choice_keeps_the_promise(void **state)
     matc_document_free(document);
 }
 
+/* Far from the origin, where floats of the coordinate are a thousandth apart, its parts are not. */
+static void long_coordinates_lose_nothing(void **state)
+{
+    (void)state;
+    const char *far =
+        "material: Phong\ndiffuse: { map: Checker, input: { map: UVTransform, offsetU: -12345.678, scaleV: 3.3 } }\n"
+        "emissive: { map: Granite, input: { map: XYZTransform, transform: { translation: [5000.1, 70.7, 9.3], "
+        "scale: [1.7, 1.1, 1.3] } } }\n";
+    MeasuredList plain, parts;
+    MatcOptions options = defaults();
+    options.layout = "integer";
+    options.noise = "lattice";
+    options.precision = "fast";
+    options.aa = "none";
+    options.derivatives = "finite";
+    list_material(far, &options, 1, &plain);
+    options.coordinates = "long";
+    list_material(far, &options, 1, &parts);
+    assert_int_equal(plain.count + parts.count, 2);
+    assert_true(plain.at[0].computed[SLOT_emissive].maximum > 1e-3);
+    assert_true(parts.at[0].computed[SLOT_diffuse].maximum < 1e-6);
+    assert_true(parts.at[0].computed[SLOT_emissive].maximum < 2e-6);
+    measured_free(&plain);
+    measured_free(&parts);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(variants_are_all_there), cmocka_unit_test(front_has_no_beaten_member),
-        cmocka_unit_test(known_errors_are_found), cmocka_unit_test(aliasing_and_time_are_found),
-        cmocka_unit_test(tables_are_well_formed), cmocka_unit_test(choice_keeps_the_promise),
+        cmocka_unit_test(variants_are_all_there),        cmocka_unit_test(front_has_no_beaten_member),
+        cmocka_unit_test(known_errors_are_found),        cmocka_unit_test(aliasing_and_time_are_found),
+        cmocka_unit_test(tables_are_well_formed),        cmocka_unit_test(choice_keeps_the_promise),
+        cmocka_unit_test(long_coordinates_lose_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,9 +1,9 @@
-// needs: stripes3
+// needs: stripesNear3
 // Mean of the product of the lanes' stripes over four boxes side by side along a direction; q in [0, 1], the boxes' edges by lane.
 // A lane whose box is below 1/1024 is the same for all four. Error 1e-4 where a box is near that, else 1e-6.
 float stripesAlong3(vec3 q, vec3 along, vec3 edges) {
     vec3 narrow = step(edges, vec3(1.0 / 1024.0));
-    vec3 near = stripes3(q, min(edges, 1.0 / 1024.0));
+    vec3 near = stripesNear3(q, min(edges, 1.0 / 1024.0));
     vec3 width = max(edges, 1.0 / 1024.0);
     vec3 inverse = 1.0 / width;
     float sum = 0.0;
