@@ -35,7 +35,8 @@ typedef struct {
 static const TextOption text_options[] = {
 #define AXIS(name, chunks, doc) TEXT_OPTION(name),
 #include "grammar/variants.def"
-    TEXT_OPTION(target), TEXT_OPTION(pass), TEXT_OPTION(slot), TEXT_OPTION(layout), TEXT_OPTION(precision),
+    TEXT_OPTION(target), TEXT_OPTION(pass),      TEXT_OPTION(slot),
+    TEXT_OPTION(layout), TEXT_OPTION(precision), TEXT_OPTION(constants),
 };
 
 bool matc_options_set(MatcOptions *options, const char *name, const char *value)
@@ -82,7 +83,10 @@ const char *job_of(const MatcOptions *o, Job *job)
     int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
         return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
+    if (o->constants && strcmp(o->constants, "baked") != 0 && strcmp(o->constants, "uniform") != 0)
+        return "constants";
     *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
+    job->from_buffer = o->constants && !strcmp(o->constants, "uniform");
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;
         int choice = choose(o, (Axis)axis, precision, &source);

@@ -1,6 +1,7 @@
 /* The pipeline, as a list of stages, and what every stage shares: diagnostics, files, statistics. */
 #include "compile.h"
 #include "emit.h"
+#include "key.h"
 #include "lower.h"
 #include "opt.h"
 #include "pipeline.h"
@@ -31,6 +32,24 @@ void *diag_add(Compile *c, Span span, DiagKind kind, ...)
     ARENA_PUSH(c->arena, c->diags.at, c->diags.count, c->diags.room, diag);
     c->diags.errors += diag.severity == SEVERITY_error;
     return NULL;
+}
+
+const char *diag_all(Compile *c, MatcForm form)
+{
+    Text out = text_new(c->arena);
+    if (form == MATC_JSON)
+        text_put(&out, "[");
+    for (size_t i = 0; i < c->diags.count; i++) {
+        if (form == MATC_TEXT) {
+            diag_print(&out, &c->diags.at[i], c->sources);
+        } else {
+            text_put(&out, i ? ",\n " : "\n ");
+            diag_print_json(&out, &c->diags.at[i], c->sources);
+        }
+    }
+    if (form == MATC_JSON)
+        text_put(&out, c->diags.count ? "\n]\n" : "]\n");
+    return out.at ? out.at : "";
 }
 
 double stage_now(void)
@@ -151,6 +170,32 @@ Graph *compile_front(Compile *c, uint32_t source, Tree **tree)
     return graph;
 }
 
+/* A discard that is known to be none needs no code. */
+static void drop_moot(Ir *ir)
+{
+    int kept = 0;
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind != OUT_discard || !ir_is_number(ir, ir->outputs[i].value, 0))
+            ir->outputs[kept++] = ir->outputs[i];
+    ir->output_count = kept;
+}
+
+/* Takes the numbers that the options name out of the program, and lays the buffer out. */
+static Ir *place_members(Compile *c, Ir *ir, const Job *job)
+{
+    if (c->options->member_count) {
+        IrKey key = ir_key(c, ir, job);
+        if (key.place_count != c->options->member_count)
+            return diag_add(c, NO_SPAN, DIAG_wrong_members, c->options->member_count, key.place_count);
+        constants_place(ir, key.places, c->options->members, key.place_count);
+        opt_dead(ir);
+    }
+    constants_finish(c, ir);
+    ir_done(ir);
+    const char *fault = c->check ? ir_check(ir) : NULL;
+    return fault ? diag_add(c, NO_SPAN, DIAG_broken_ir, "constants", fault) : ir;
+}
+
 /* Lowered and optimised; NULL: see the diagnostics. */
 Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
@@ -169,9 +214,10 @@ Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *
         return NULL;
     if (job->choice[AXIS_trigonometry] == CHOICE_trigonometry_bounded)
         opt_trigonometry(ir);
+    drop_moot(ir);
+    constants_hoist(ir);
     opt_dead(ir);
-    ir_done(ir);
-    return ir;
+    return place_members(c, ir, job);
 }
 
 bool compile_back(Compile *c, const Ir *ir, const Job *job, Products *products)

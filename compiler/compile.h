@@ -56,10 +56,13 @@ typedef struct {
     const LayoutRow *layout;
     Slot slot;
     Choice choice[AXIS_COUNT];
+    bool from_buffer; /* numbers of the document come from a buffer */
 } Job;
 
 /* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
 void *diag_add(Compile *c, Span span, DiagKind kind, ...);
+/* All diagnostics so far, as text or as a JSON array; in the arena. */
+const char *diag_all(Compile *c, MatcForm form);
 /* Marks the end of a stage for --stats. */
 void stage_done(Compile *c, const char *name, int nodes, int cost);
 /* Reads a file through the options' reader; NULL and a message when it cannot. The text is zero-terminated. */

@@ -5,7 +5,7 @@
 
 enum { LARGEST_EXPRESSION = 6, INDENT = 4, LONGEST_INDENT = 64 };
 
-static const char *hint_name(int hint)
+const char *hint_name(int hint)
 {
     if (hint == HINT_SURFACE)
         return "surface";
@@ -332,29 +332,18 @@ static void put_main(Compile *c, Text *out, const Ir *ir, const Job *job, Interf
     arena_free(&scratch);
 }
 
-/* A discard that is known needs no code. */
-static bool is_moot(const Ir *ir, const IrOutput *output)
+const char *emit_fragment(Compile *c, const Ir *ir, const Job *job, Interface *interface, size_t *size)
 {
-    return output->kind == OUT_discard && ir_is_number(ir, output->value, 0);
-}
-
-const char *emit_fragment(Compile *c, const Ir *given, const Job *job, Interface *interface, size_t *size)
-{
-    Ir ir = *given;
-    ir.output_count = 0;
-    for (int i = 0; i < given->output_count; i++)
-        if (!is_moot(given, &given->outputs[i]))
-            ir.outputs[ir.output_count++] = given->outputs[i];
-    *interface = (Interface){.uniforms = ARENA_ARRAY(c->arena, bool, ir.graph->uniform_count),
-                             .textures = ARENA_ARRAY(c->arena, bool, ir.texture_count)};
+    *interface = (Interface){.uniforms = ARENA_ARRAY(c->arena, bool, ir->graph->uniform_count),
+                             .textures = ARENA_ARRAY(c->arena, bool, ir->texture_count)};
     Text functions = text_new(c->arena), body = text_new(c->arena), out = text_new(c->arena);
-    for (size_t f = 0; f < ir.function_count; f++) {
-        put_function(c, &functions, &ir, job, interface, (int)f);
-        if (has_kernel(&ir, (int)f))
-            put_kernel(c, &functions, &ir, (int)f);
+    for (size_t f = 0; f < ir->function_count; f++) {
+        put_function(c, &functions, ir, job, interface, (int)f);
+        if (has_kernel(ir, (int)f))
+            put_kernel(c, &functions, ir, (int)f);
     }
-    put_main(c, &body, &ir, job, interface);
-    emit_declarations(c, &out, &ir, job, interface);
+    put_main(c, &body, ir, job, interface);
+    emit_declarations(c, &out, ir, job, interface);
     for (size_t i = 0; i < interface->chunks.count; i++) {
         text_put(&out, interface->chunks.at[i]->body);
         text_char(&out, '\n');

@@ -8,6 +8,7 @@ bool is_leaf(const Ir *ir, Ref ref)
     case OP_const:
     case OP_input:
     case OP_uniform:
+    case OP_constant:
     case OP_argument:
     case OP_texture:
     case OP_swizzle:
@@ -89,6 +90,9 @@ static void put_leaf(Scope *e, Text *out, Ref ref)
     case OP_uniform:
         e->interface->uniforms[node->payload] = true;
         text_put(out, e->ir->graph->uniforms[node->payload]->name);
+        break;
+    case OP_constant:
+        text_put(out, e->ir->constants[node->payload].name);
         break;
     case OP_texture:
         e->interface->textures[node->payload] = true;

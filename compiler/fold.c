@@ -98,6 +98,7 @@ bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payl
     case OP_const:
     case OP_input:
     case OP_uniform:
+    case OP_constant:
     case OP_argument:
     case OP_texture:
         return false;

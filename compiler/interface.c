@@ -28,8 +28,8 @@ int std140_offset(const char *type, int *size)
     static const struct {
         const char *name;
         int align, size;
-    } rows[] = {{"int", 4, 4},    {"float", 4, 4},  {"vec2", 8, 8},  {"vec3", 16, 12},
-                {"vec4", 16, 16}, {"mat3", 16, 48}, {"mat4", 16, 64}};
+    } rows[] = {{"int", 4, 4},    {"uint", 4, 4},   {"float", 4, 4},  {"vec2", 8, 8},
+                {"vec3", 16, 12}, {"vec4", 16, 16}, {"mat3", 16, 48}, {"mat4", 16, 64}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         size_t length = strlen(rows[i].name);
         if (strncmp(type, rows[i].name, length) != 0 || (type[length] && type[length] != ' '))
@@ -76,6 +76,22 @@ void emit_varying(Text *out, Target target, Input input, const char *word)
     if (has_locations(target))
         text_format(out, "layout(location = %d) ", input_location(input));
     text_format(out, "%s %s %s;\n", target == TARGET_glsl110 ? "varying" : word, type_table[row->type].name, row->glsl);
+}
+
+/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole: its offsets are promised. */
+static void put_constants(Text *out, const Ir *ir, Target target)
+{
+    bool block = target != TARGET_glsl110;
+    if (!ir->constant_count)
+        return;
+    if (has_locations(target))
+        text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n", CONSTANT_BLOCK);
+    else if (block)
+        text_put(out, "layout(std140) uniform " CONSTANT_BLOCK_NAME " {\n");
+    for (size_t i = 0; i < ir->constant_count; i++)
+        text_format(out, "%s%s %s;\n", block ? "    " : "uniform ", type_table[ir->constants[i].type].name,
+                    ir->constants[i].name);
+    text_put(out, block ? "};\n" : "");
 }
 
 /* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns how many. */
@@ -160,6 +176,7 @@ void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, cons
         text_put(out, uniforms.at);
         text_put(out, block ? "};\n" : "");
     }
+    put_constants(out, ir, job->target);
     put_samplers(c, out, ir, job, interface);
     for (int i = 0; i < ir->output_count; i++)
         if (ir->outputs[i].kind == OUT_color && job->target != TARGET_glsl110)

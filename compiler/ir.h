@@ -33,7 +33,7 @@ typedef struct {
     uint8_t hint;            /* what it was made for: a Kind, or KIND_COUNT + Slot; for names and comments only */
     uint8_t head;            /* it is the value of its hint's map or slot, not a step on the way; for names only */
     uint32_t first;          /* of its operands in args */
-    uint32_t payload;        /* const: first of its numbers; input: Input; uniform: index; texture: index;
+    uint32_t payload;        /* const: first of its numbers; input: Input; uniform, constant, texture: index;
                                 argument: whose set << 8 | its number; kernel: as apply; swizzle: two bits a lane; call: function; apply: function number */
     uint32_t hash;
 } IrNode;
@@ -63,6 +63,16 @@ typedef struct {
     bool linear;
 } IrTexture;
 
+/* A number that a program reads from a buffer, so that materials that differ in it share the program. constants.c */
+typedef struct {
+    Type type;
+    double numbers[4];   /* this material's */
+    uint8_t hint;        /* as a node's */
+    const Value *source; /* where in the document it stands; NULL: an expression of such, or a place */
+    const char *name;    /* in the shader; constants_finish gives name and offset */
+    int offset;          /* in the std140 block, in bytes */
+} IrConstant;
+
 enum { MOST_OUTPUTS = 8 };
 
 typedef struct Ir {
@@ -81,6 +91,10 @@ typedef struct Ir {
     size_t function_count, function_room;
     IrTexture *textures;
     size_t texture_count, texture_room;
+    IrConstant *constants;
+    size_t constant_count, constant_room;
+    uint32_t *constant_table; /* by source: hash table of numbers from 1 */
+    uint32_t constant_mask;
     const Graph *graph; /* for uniforms' names */
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
@@ -146,6 +160,8 @@ Ref ir_const(Ir *ir, Type type, const double *numbers);
 Ref ir_float(Ir *ir, double value);
 Ref ir_vec3(Ir *ir, double x, double y, double z);
 Ref ir_int(Ir *ir, double value);
+/* A number from the buffer. Equal sources are one; without a source each is its own. constants.c */
+Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source);
 Ref ir_input(Ir *ir, Input input);
 Ref ir_unary(Ir *ir, Op op, Ref a);
 #define ir_binary(ir, op, a, b)     ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b), 2)

@@ -87,6 +87,9 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
     case OP_uniform:
         memcpy(result, e->ir->graph->uniforms[node->payload]->initial, size);
         break;
+    case OP_constant:
+        memcpy(result, e->ir->constants[node->payload].numbers, size);
+        break;
     case OP_argument:
         memcpy(result, frame->arguments[argument_number(frame->function, ref)].numbers, size);
         break;

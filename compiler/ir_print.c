@@ -11,20 +11,28 @@
 #include "ir.h"
 #include <string.h>
 
+static void print_numbers(Text *out, int type, const double *numbers)
+{
+    for (int i = 0; i < type_table[type].lanes; i++) {
+        text_char(out, ' ');
+        text_double(out, numbers[i]);
+    }
+}
+
 static void print_payload(Text *out, const Ir *ir, const IrNode *node)
 {
     switch (node->op) {
     case OP_const:
-        for (int i = 0; i < type_table[node->type].lanes; i++) {
-            text_char(out, ' ');
-            text_double(out, ir->numbers[node->payload + (uint32_t)i]);
-        }
+        print_numbers(out, node->type, &ir->numbers[node->payload]);
         break;
     case OP_input:
         text_format(out, " %s", input_table[node->payload].name);
         break;
     case OP_uniform:
         text_format(out, " %s", ir->graph->uniforms[node->payload]->name);
+        break;
+    case OP_constant:
+        print_numbers(out, node->type, ir->constants[node->payload].numbers);
         break;
     case OP_argument:
         text_format(out, " %u.%u", node->payload >> 8, node->payload & 0xFF);

@@ -118,7 +118,8 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
     return found >= 0 || fail(s, "a node names what does not exist");
 }
 
-static Ref read_const(Scanner *s, Type type)
+/* A constant of the program, or one from a buffer: each of those is its own. */
+static Ref read_const(Scanner *s, Op op, Type type)
 {
     double lanes[4] = {0};
     char text[LIMIT_NAME];
@@ -127,7 +128,7 @@ static Ref read_const(Scanner *s, Type type)
             fail(s, "a constant lacks a number");
             return 0;
         }
-    return ir_const(s->ir, type, lanes);
+    return op == OP_const ? ir_const(s->ir, type, lanes) : ir_constant(s->ir, type, lanes, NULL);
 }
 
 static Ref read_node(Scanner *s)
@@ -141,8 +142,8 @@ static Ref read_node(Scanner *s)
         fail(s, "no such operation or type");
         return 0;
     }
-    if (op == OP_const)
-        return read_const(s, (Type)type);
+    if (op == OP_const || op == OP_constant)
+        return read_const(s, (Op)op, (Type)type);
     if (!read_payload(s, (Op)op, (Type)type, &payload))
         return 0;
     while (count < MOST_OPERANDS && word(s, text, sizeof text))

@@ -42,6 +42,8 @@ Ref param_value(Lower *l, const Value *value, Type type)
         return type == TYPE_bool ? ref : ir_convert(l->ir, ref, type);
     }
     double numbers[4];
+    if (l->job->from_buffer && value->given && type >= TYPE_float && value->type >= TYPE_float)
+        return ir_convert(l->ir, ir_constant(l->ir, value->type, value->number, value), type);
     value_number(value, type, numbers);
     return ir_const(l->ir, type, numbers);
 }

@@ -48,9 +48,12 @@ typedef struct {
     const char *coordinates;  /* "plain" (default), "long" */
     const char *powers;       /* "squaring" (default), "pow", "compensated" */
     const char *trigonometry; /* "native" (default), "bounded" */
-    int optimize;             /* 0: as written; 1, 2 (default): all passes */
-    bool validate;            /* glslang parses and links what is written (default) */
-    bool measure;             /* the document keeps times for MATC_STATS */
+    const char *constants;    /* "baked" (default), "uniform": numbers of the document come from a buffer */
+    const int *members;       /* by place (matc_place): the member of the buffer that it becomes, -1 for none; NULL */
+    int member_count;
+    int optimize;  /* 0: as written; 1, 2 (default): all passes */
+    bool validate; /* glslang parses and links what is written (default) */
+    bool measure;  /* the document keeps times for MATC_STATS */
     unsigned
         measured; /* for MATC_STATS: a bit for each of noise ... trigonometry, in that order, that measuring chose */
     bool check;   /* the IR is checked after every pass (default in debug builds) */
@@ -88,16 +91,44 @@ typedef enum {
     MATC_SPIRV = 16,   /* SPIR-V words of the fragment program */
     MATC_IR = 32,      /* text of the optimised IR */
     MATC_DOT = 64,     /* the same as a graph for Graphviz */
-    MATC_STATS = 128,  /* table of stages and passes; the choices, and what settled each */
+    MATC_KEY = 256, /* alone: nothing is written yet, but keys, places and constants are there; matc_emit may follow */
+    MATC_STATS = 128, /* table of stages and passes; the choices, and what settled each */
 } MatcOutput;
 
 /* Compiles one material into the outputs asked for (MatcOutput, or-ed). Never NULL. */
 MATC_API MatcProgram *matc_compile(const MatcDocument *document, int material, unsigned outputs,
                                    const MatcOptions *options);
+/* Writes what it was not asked for before; the document must still be there. False: see the diagnostics. */
+MATC_API bool matc_emit(MatcProgram *program, unsigned outputs);
 MATC_API bool matc_ok(const MatcProgram *program);
 /* An output, zero-terminated, owned by the program; NULL if it was not asked for or the program is not ok. */
 MATC_API const char *matc_output(const MatcProgram *program, MatcOutput output, size_t *size);
 MATC_API void matc_program_free(MatcProgram *program);
+/* The pass whose program it is: "depth" for the shadow of an opaque material. */
+MATC_API const char *matc_pass(const MatcProgram *program);
+/* "opaque" or "transparent" everywhere, or "varying". */
+MATC_API const char *matc_opacity(MatcProgram *program);
+
+/* Programs with one key are one program: a hash, as 32 hexadecimal digits, of all that its text depends on but for names of
+ * materials and of temporaries. Numbers that come from a buffer do not count. */
+MATC_API const char *matc_key(MatcProgram *program);
+/* The same with all places left out: programs of one shape differ in their numbers only. */
+MATC_API const char *matc_shape(MatcProgram *program);
+
+/* A number or vector of a program: a member of its block `Constants` (std140; plain uniforms in GLSL 1.10), or a place of its
+ * text that may become one (name is then NULL). */
+typedef struct {
+    const char *name;
+    const char *type; /* "float", "vec2", "vec3", "vec4", "uint" */
+    int lanes;
+    int offset;       /* of a member, in bytes */
+    double values[4]; /* of the material that the program was compiled for */
+} MatcConstant;
+MATC_API int matc_place_count(MatcProgram *program);
+MATC_API MatcConstant matc_place(MatcProgram *program, int index);
+MATC_API int matc_constant_count(const MatcProgram *program);
+MATC_API MatcConstant matc_constant(const MatcProgram *program, int index);
+MATC_API int matc_constant_bytes(const MatcProgram *program); /* of the block */
 
 /* A texture that the program samples. Row 0 is at v = 0. */
 typedef struct {

@@ -41,6 +41,7 @@ static const Option options[] = {
     {"--slot", TAKES_compile, 0},
     {"--layout", TAKES_compile, 0},
     {"--precision", TAKES_compile, 0},
+    {"--constants", TAKES_compile, 0},
     {"--noise", TAKES_compile, 0},
     {"--aa", TAKES_compile, 0},
     {"--derivatives", TAKES_compile, 0},
@@ -85,6 +86,7 @@ const char *const options_help =
     "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
     "  --layout=L           thesis (default), radix, thin, integer, compact; --explain L shows its fields\n"
     "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
+    "  --constants=C        baked (default), uniform: numbers of the document come from a uniform block\n"
     "  --noise=N            lattice (default), groimp, simplex\n"
     "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
     "  --powers=P           squaring (default), pow, compensated\n"

@@ -123,8 +123,6 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     bool layout = job->pass == PASS_gbuffer || job->pass == PASS_plane;
     for (int i = 0; i < ir->output_count; i++) {
         const IrOutput *output = &ir->outputs[i];
-        if (output->kind == OUT_discard && ir_is_number(ir, output->value, 0))
-            continue;
         next(&list);
         if (output->kind == OUT_color)
             text_format(out, "{\"kind\": \"color\", \"location\": %d, \"format\": \"%s\"}", output->index,

@@ -8,6 +8,7 @@
 
 /* Sorted: keywords of every target, the built-in functions that matc's code calls, and matc's own names. */
 static const char *const words[] = {
+    "Constants",
     "Draw",
     "Material",
     "Surface",

@@ -40,7 +40,7 @@ static MatcTexture of_document(Compile *c, const Ir *ir, const Interface *interf
         texture.path = t->image->path;
         texture.lanes = 4;
         texture.bytes = t->image->bytes;
-        texture.mipmaps = is_averaged(ir, interface, i);
+        texture.mipmaps = interface && is_averaged(ir, interface, i);
     }
     return texture;
 }
@@ -60,11 +60,11 @@ int texture_list(Compile *c, const Ir *ir, const Interface *interface, MatcTextu
     *list = ARENA_ARRAY(c->arena, MatcTexture, ir->texture_count + TABLE_COUNT);
     *made_by = ARENA_ARRAY(c->arena, int, ir->texture_count + TABLE_COUNT);
     for (size_t i = 0; i < ir->texture_count; i++)
-        if (interface->textures[i]) {
+        if (!interface || interface->textures[i]) {
             (*made_by)[count] = (int)i;
             (*list)[count++] = of_document(c, ir, interface, (int)i);
         }
-    for (int i = 0; i < TABLE_COUNT; i++)
+    for (int i = 0; interface && i < TABLE_COUNT; i++)
         if (declares(interface, tables[i].name)) {
             (*made_by)[count] = tables[i].number;
             (*list)[count++] = (MatcTexture){

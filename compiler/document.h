@@ -1,0 +1,21 @@
+/* A document as the library's surface holds it. Private to matc.c and program.c. */
+#ifndef MATC_DOCUMENT_H
+#define MATC_DOCUMENT_H
+#include "pipeline.h"
+#include <locale.h>
+
+struct MatcDocument {
+    Arena arena;
+    MatcOptions options;
+    Compile c;
+    Tree *tree;
+    Graph *graph; /* NULL: faults */
+};
+
+/* Numbers are read and written the same in every locale; the caller's is put back. */
+typedef struct {
+    locale_t ours, before;
+} Locale;
+Locale locale_enter(void);
+void locale_leave(Locale locale);
+#endif

@@ -1,0 +1,296 @@
+/* Programs: a material's IR, what is written of it, and what it needs. */
+#include "choice.h"
+#include "document.h"
+#include "key.h"
+#include "layout.h"
+#include "texture.h"
+#include "validate.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { OUTPUT_COUNT = 9 }; /* bits of MatcOutput */
+
+struct MatcProgram {
+    Arena arena;
+    MatcOptions options;
+    Compile c;
+    const MatcDocument *document;
+    int material;
+    Job job;
+    bool ok, written; /* the GLSL is there */
+    Ir *ir;
+    Products products;
+    const char *outputs[OUTPUT_COUNT]; /* by bit of MatcOutput */
+    size_t sizes[OUTPUT_COUNT];
+    MatcTexture *textures;
+    int *texture_made_by;
+    int texture_count;
+    const LayoutRow *layout; /* NULL: the pass writes none */
+    int *uniforms;           /* those in use, by index in the graph */
+    int uniform_count;
+    bool keyed; /* the next three are there */
+    IrKey key;
+    char key_digits[KEY_TEXT], shape_digits[KEY_TEXT];
+    const char *opacity; /* NULL: not asked yet */
+};
+
+static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t size)
+{
+    int bit = __builtin_ctz(output);
+    p->outputs[bit] = text;
+    p->sizes[bit] = size;
+}
+
+/* Known from lowering alone for most materials; else the transparency is compiled by itself. */
+const char *matc_opacity(MatcProgram *p)
+{
+    if (p->opacity || !p->ir)
+        return p->opacity;
+    Job transparency = p->job;
+    transparency.pass = PASS_value;
+    transparency.slot = SLOT_transparency;
+    transparency.from_buffer = false;
+    MatcOptions options = p->options;
+    options.member_count = 0;
+    Compile quiet = p->c;
+    quiet.options = &options;
+    quiet.measure = false;
+    quiet.optimize = 2;
+    const Graph *graph = p->document->graph;
+    const Ir *ir = compile_ir(&quiet, graph, graph->materials[p->material].node, &transparency);
+    p->opacity = "varying";
+    if (ir && ir_is(ir, ir->outputs[0].value, OP_const)) {
+        const double *t = ir_numbers(ir, ir->outputs[0].value);
+        p->opacity = t[0] <= 0 && t[1] <= 0 && t[2] <= 0 ? "opaque" : "transparent";
+    }
+    return p->opacity;
+}
+
+static void print_stats(Text *out, const Compile *c, const char *heading)
+{
+    double total = 0;
+    text_format(out, "%-10s %12s %8s %13s\n", heading, "microseconds", "nodes", "instructions");
+    for (size_t i = 0; i < c->stat_count; i++) {
+        const StageStats *s = &c->stats[i];
+        total += s->seconds;
+        text_format(out, "%-10s %12.1f", s->name, s->seconds * 1e6);
+        text_format(out, s->nodes ? " %8d %13d\n" : "\n", s->nodes, s->cost);
+    }
+    text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, c->arena->used / 1024);
+}
+
+static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *job)
+{
+    Text out = text_new(&p->arena);
+    print_stats(&out, &d->c, "document");
+    print_stats(&out, &p->c, "program");
+    choices_explain(&out, &p->options, job);
+    size_t lines = 0;
+    for (const char *c = p->products.fragment; *c; c++)
+        lines += *c == '\n';
+    text_format(&out, "fragment   %zu bytes, %zu lines, %zu library functions\n", p->products.fragment_size, lines,
+                p->products.interface.chunks.count);
+    return out.at;
+}
+
+static void fill_outputs(MatcProgram *p, unsigned outputs)
+{
+    Compile *c = &p->c;
+    const NamedMaterial *named = &p->document->graph->materials[p->material];
+    Text ir = text_new(&p->arena), dot = text_new(&p->arena);
+    const Products *made = &p->products;
+    keep(p, MATC_FRAGMENT, made->fragment, made->fragment_size);
+    keep(p, MATC_VERTEX, made->vertex, strlen(made->vertex));
+    if (outputs & MATC_UNPACK) {
+        const char *unpack = emit_unpack(c, &p->job);
+        keep(p, MATC_UNPACK, unpack, strlen(unpack));
+    }
+    if (outputs & MATC_REFLECT) {
+        const char *json =
+            emit_reflection(c, p->ir, &p->job, &made->interface, named->name, matc_opacity(p), made->fragment);
+        keep(p, MATC_REFLECT, json, strlen(json));
+    }
+    if (outputs & MATC_IR) {
+        ir_print(&ir, p->ir);
+        keep(p, MATC_IR, ir.at, ir.size);
+    }
+    if (outputs & MATC_DOT) {
+        ir_dot(&dot, p->ir);
+        keep(p, MATC_DOT, dot.at, dot.size);
+    }
+    if (outputs & MATC_STATS) {
+        const char *stats = stats_text(p, p->document, &p->job);
+        keep(p, MATC_STATS, stats, strlen(stats));
+    }
+}
+
+static const Node *material_of(const MatcProgram *p) { return p->document->graph->materials[p->material].node; }
+
+/* SPIR-V comes from Vulkan's GLSL: for another target the material is compiled once more. */
+static bool fill_spirv(MatcProgram *p)
+{
+    const char *log = "", *fragment = p->products.fragment;
+    size_t size = 0;
+    Job vulkan = p->job;
+    vulkan.target = TARGET_spirv;
+    if (p->job.target != TARGET_spirv) {
+        Interface interface;
+        Ir *ir = compile_ir(&p->c, p->document->graph, material_of(p), &vulkan);
+        fragment = ir ? emit_fragment(&p->c, ir, &vulkan, &interface, &size) : NULL;
+    }
+    const char *words = fragment ? make_spirv(&p->c, fragment, &size, &log) : NULL;
+    if (!words)
+        diag_add(&p->c, NO_SPAN, DIAG_not_valid, target_table[vulkan.target].name, log);
+    keep(p, MATC_SPIRV, words, size);
+    return words != NULL;
+}
+
+static void list_uniforms(MatcProgram *p, const Graph *graph)
+{
+    bool *used = ARENA_ARRAY(&p->arena, bool, graph->uniform_count);
+    p->uniforms = ARENA_ARRAY(&p->arena, int, graph->uniform_count);
+    for (Ref ref = 1; ref < p->ir->count; ref++)
+        if (ir_is(p->ir, ref, OP_uniform))
+            used[ir_at(p->ir, ref)->payload] = true;
+    for (int i = 0; i < graph->uniform_count; i++)
+        if (used[i])
+            p->uniforms[p->uniform_count++] = i;
+}
+
+static bool compile_program(MatcProgram *p)
+{
+    const Graph *graph = p->document->graph;
+    p->ir = compile_ir(&p->c, graph, material_of(p), &p->job);
+    if (!p->ir)
+        return false;
+    if (p->job.pass == PASS_shadow && !p->ir->output_count)
+        p->job.pass = PASS_depth; /* nothing is discarded */
+    if (p->job.pass == PASS_gbuffer || p->job.pass == PASS_plane)
+        p->layout = p->job.layout;
+    list_uniforms(p, graph);
+    p->texture_count = texture_list(&p->c, p->ir, NULL, &p->textures, &p->texture_made_by);
+    return true;
+}
+
+static bool write_program(MatcProgram *p, unsigned outputs)
+{
+    if (!p->written && !compile_back(&p->c, p->ir, &p->job, &p->products))
+        return false;
+    p->written = true;
+    fill_outputs(p, outputs);
+    p->texture_count = texture_list(&p->c, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
+    return !(outputs & MATC_SPIRV) || fill_spirv(p);
+}
+
+MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs, const MatcOptions *options)
+{
+    MatcProgram *p = calloc(1, sizeof *p);
+    if (!p)
+        abort();
+    Locale locale = locale_enter();
+    p->options = *options;
+    p->document = d;
+    p->material = material;
+    p->c =
+        (Compile){.options = &p->options, .arena = &p->arena, .optimize = options->optimize, .check = options->check};
+    p->c.measure = (outputs & MATC_STATS) != 0;
+    p->c.sources = d->c.sources;
+    p->c.source_count = d->c.source_count;
+    p->c.depends = d->c.depends;
+    p->c.depend_count = d->c.depend_count;
+    p->c.stage_start = stage_now();
+    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(options, &p->job) &&
+            compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->c.diags.errors;
+    locale_leave(locale);
+    return p;
+}
+
+bool matc_emit(MatcProgram *p, unsigned outputs)
+{
+    Locale locale = locale_enter();
+    p->ok = p->ok && write_program(p, outputs) && !p->c.diags.errors;
+    locale_leave(locale);
+    return p->ok;
+}
+
+const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return diag_all(&p->c, form); }
+
+bool matc_ok(const MatcProgram *p) { return p->ok; }
+
+const char *matc_output(const MatcProgram *p, MatcOutput output, size_t *size)
+{
+    int bit = __builtin_ctz(output);
+    if (size)
+        *size = p->ok ? p->sizes[bit] : 0;
+    return p->ok ? p->outputs[bit] : NULL;
+}
+
+void matc_program_free(MatcProgram *p)
+{
+    if (!p)
+        return;
+    arena_free(&p->arena);
+    free(p);
+}
+
+int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
+
+MatcTexture matc_texture(MatcProgram *p, int index)
+{
+    texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
+    return p->textures[index];
+}
+
+int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
+
+const char *matc_target_format(const MatcProgram *p, int index) { return format_table[p->layout->formats[index]].name; }
+
+int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
+
+MatcUniform matc_uniform(const MatcProgram *p, int index)
+{
+    const Uniform *u = p->ir->graph->uniforms[p->uniforms[index]];
+    MatcUniform result = {.name = u->name, .param = u->name, .lanes = type_table[u->type].lanes};
+    memcpy(result.initial, u->initial, sizeof result.initial);
+    for (Ref ref = 1; ref < p->ir->count; ref++)
+        if (ir_is(p->ir, ref, OP_uniform) && ir_at(p->ir, ref)->payload == (uint32_t)u->index)
+            result.whole |= ir_type(p->ir, ref) == TYPE_int;
+    return result;
+}
+
+const char *matc_pass(const MatcProgram *p) { return pass_table[p->job.pass].name; }
+
+static const IrKey *key_of(MatcProgram *p)
+{
+    if (!p->keyed) {
+        p->key = ir_key(&p->c, p->ir, &p->job);
+        key_text(p->key.key, p->key_digits);
+        key_text(p->key.shape, p->shape_digits);
+        p->keyed = true;
+    }
+    return &p->key;
+}
+
+const char *matc_key(MatcProgram *p) { return key_of(p) ? p->key_digits : NULL; }
+const char *matc_shape(MatcProgram *p) { return key_of(p) ? p->shape_digits : NULL; }
+int matc_place_count(MatcProgram *p) { return key_of(p)->place_count; }
+
+MatcConstant matc_place(MatcProgram *p, int index)
+{
+    Ref value = key_of(p)->places[index].value;
+    MatcConstant place = {.type = type_table[ir_type(p->ir, value)].name, .lanes = ir_lanes(p->ir, value)};
+    memcpy(place.values, ir_numbers(p->ir, value), sizeof(double) * (size_t)place.lanes);
+    return place;
+}
+
+int matc_constant_count(const MatcProgram *p) { return (int)p->ir->constant_count; }
+
+MatcConstant matc_constant(const MatcProgram *p, int index)
+{
+    const IrConstant *own = &p->ir->constants[index];
+    MatcConstant constant = {own->name, type_table[own->type].name, type_table[own->type].lanes, own->offset, {0}};
+    memcpy(constant.values, own->numbers, sizeof constant.values);
+    return constant;
+}
+
+int matc_constant_bytes(const MatcProgram *p) { return constants_size(p->ir); }
