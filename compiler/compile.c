@@ -1,15 +1,13 @@
 /* The pipeline, as a list of stages, and what every stage shares: diagnostics, files, statistics. */
 #include "compile.h"
 #include "emit.h"
+#include "file.h"
 #include "key.h"
 #include "lower.h"
 #include "opt.h"
 #include "pipeline.h"
 #include "resolve.h"
 #include "validate.h"
-#include <errno.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 void *diag_add(Compile *c, Span span, DiagKind kind, ...)
@@ -69,48 +67,11 @@ void stage_done(Compile *c, const char *name, int nodes, int cost)
     c->stage_start = stage_now(); /* what statistics cost does not count */
 }
 
-/* The whole of a file, in memory from malloc. */
-static char *read_whole(const char *path, size_t *size, const char **why)
-{
-    enum { CHUNK = 1 << 16 };
-    FILE *file = fopen(path, "rb");
-    char *text = NULL;
-    size_t used = 0, room = 0;
-    if (!file) {
-        *why = strerror(errno);
-        return NULL;
-    }
-    bool too_large = false;
-    for (size_t got = 1; got && !too_large;) {
-        too_large = used > (size_t)LIMIT_DOCUMENT_MIB << 20;
-        if (used + CHUNK + 1 > room) {
-            room = room ? 2 * room : CHUNK + 1;
-            char *more = realloc(text, room);
-            if (!more)
-                abort();
-            text = more;
-        }
-        got = fread(text + used, 1, CHUNK, file);
-        used += got;
-    }
-    bool failed = ferror(file) || too_large;
-    if (failed)
-        *why = too_large ? "it is too large" : strerror(errno);
-    fclose(file);
-    if (failed) {
-        free(text);
-        return NULL;
-    }
-    text[used] = 0;
-    *size = used;
-    return text;
-}
-
 char *read_file(Compile *c, const char *path, size_t *size, const char **why)
 {
     if (c->options->read_file)
         return c->options->read_file(c->options->user, path, size, why);
-    return read_whole(path, size, why);
+    return file_read(path, size, why);
 }
 
 void depend_on(Compile *c, const char *path)

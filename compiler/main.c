@@ -1,4 +1,5 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
+#include "file.h"
 #include "options.h"
 #include "output.h"
 #include "runtime/measure/pareto.h"
@@ -7,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192, LARGEST_INPUT = 65 << 20 };
+enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192 };
 
 static int complain(const char *what, const char *why)
 {
@@ -20,42 +22,6 @@ static int usage(const char *what)
 {
     fprintf(stderr, "matc: %s; see matc --help\n", what);
     return USAGE;
-}
-
-/* All of a stream, zero-terminated. */
-static char *read_stream(FILE *file, size_t *size)
-{
-    size_t room = 1 << 16;
-    char *text = malloc(room);
-    for (*size = 0; text;) {
-        *size += fread(text + *size, 1, room - *size - 1, file);
-        if (feof(file) || ferror(file) || *size > LARGEST_INPUT) /* the library refuses what is too large */
-            break;
-        char *more = realloc(text, room *= 2);
-        if (!more)
-            free(text);
-        text = more;
-    }
-    if (text && ferror(file)) {
-        free(text);
-        return NULL;
-    }
-    if (text)
-        text[*size] = 0;
-    return text;
-}
-
-static char *read_input(const char *path, size_t *size)
-{
-    if (!strcmp(path, "-"))
-        return read_stream(stdin, size);
-    FILE *file = fopen(path, "rb");
-    char *text = file ? read_stream(file, size) : NULL;
-    int error = errno;
-    if (file)
-        fclose(file);
-    errno = error;
-    return text;
 }
 
 static void print_diagnostics(const char *text, const CommandLine *line)
@@ -275,9 +241,10 @@ static int run_document(const CommandLine *line, MatcDocument *document)
 static int run_input(const CommandLine *line, const char *path)
 {
     size_t size;
-    char *text = read_input(path, &size);
+    const char *why;
+    char *text = strcmp(path, "-") ? file_read(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
     if (!text)
-        return complain(path, strerror(errno));
+        return complain(path, why);
     MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
     free(text);
     print_diagnostics(matc_diagnostics(document, line->diagnostics), line);

@@ -1,0 +1,218 @@
+/* Files wait in a folder of the process within the folder, so that moving them is a rename. */
+#include "stage.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { LONGEST_PATH = 4096 };
+
+typedef struct {
+    char *name;
+    bool waits; /* in the stage; else the folder has it already */
+    bool dropped;
+} StagedFile;
+
+struct Stage {
+    char *folder, *waiting;
+    bool made; /* `waiting` exists */
+    StagedFile *files;
+    size_t count, room;
+    size_t *table, mask; /* by name: numbers from 1 */
+    int written;
+    pthread_mutex_t mutex;
+};
+
+static size_t hash_name(const char *name)
+{
+    size_t hash = 1469598103934665603u;
+    for (; *name; name++)
+        hash = (hash ^ (unsigned char)*name) * 1099511628211u;
+    return hash ^ hash >> 29;
+}
+
+static size_t place_of(const Stage *s, const char *name)
+{
+    size_t at = hash_name(name) & s->mask;
+    while (s->table[at] && strcmp(s->files[s->table[at] - 1].name, name) != 0)
+        at = (at + 1) & s->mask;
+    return at;
+}
+
+static void *checked(void *memory)
+{
+    if (!memory)
+        abort();
+    return memory;
+}
+
+static void grow(Stage *s)
+{
+    s->room = s->room ? 2 * s->room : 64;
+    s->files = checked(realloc(s->files, s->room * sizeof *s->files));
+    free(s->table);
+    s->mask = 4 * s->room - 1;
+    s->table = checked(calloc(s->mask + 1, sizeof *s->table));
+    for (size_t i = 0; i < s->count; i++)
+        s->table[place_of(s, s->files[i].name)] = i + 1;
+}
+
+Stage *stage_open(const char *folder, const char **why)
+{
+    char waiting[64];
+    if (mkdir(folder, 0777) && errno != EEXIST) {
+        *why = strerror(errno);
+        return NULL;
+    }
+    Stage *s = checked(calloc(1, sizeof *s));
+    snprintf(waiting, sizeof waiting, "/.matc-%ld", (long)getpid());
+    s->folder = checked(strdup(folder));
+    s->waiting = checked(malloc(strlen(folder) + sizeof waiting));
+    strcat(strcpy(s->waiting, folder), waiting);
+    pthread_mutex_init(&s->mutex, NULL);
+    grow(s);
+    return s;
+}
+
+/* The file's path; false: too long. */
+static bool join(char path[LONGEST_PATH], const char *folder, const char *name)
+{
+    return snprintf(path, LONGEST_PATH, "%s/%s", folder, name) < LONGEST_PATH;
+}
+
+static bool is_there(const char *path, const void *bytes, size_t size)
+{
+    struct stat info;
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return false;
+    bool equal = !fstat(file, &info) && S_ISREG(info.st_mode) && (size_t)info.st_size == size;
+    char *old = equal ? malloc(size + 1) : NULL;
+    equal = old && read(file, old, size) == (ssize_t)size && !memcmp(old, bytes, size);
+    free(old);
+    close(file);
+    return equal;
+}
+
+static const char *make_waiting(Stage *s)
+{
+    const char *why = NULL;
+    pthread_mutex_lock(&s->mutex);
+    if (!s->made && mkdir(s->waiting, 0777) && errno != EEXIST)
+        why = strerror(errno);
+    s->made |= !why;
+    pthread_mutex_unlock(&s->mutex);
+    return why;
+}
+
+static const char *write_waiting(const char *path, const void *bytes, size_t size)
+{
+    int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0)
+        return strerror(errno);
+    const char *at = bytes, *why = NULL;
+    while (size && !why) {
+        ssize_t got = write(file, at, size);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            why = strerror(errno ? errno : EIO);
+        at += got > 0 ? got : 0;
+        size -= got > 0 ? (size_t)got : 0;
+    }
+    if (close(file) && !why)
+        why = strerror(errno);
+    return why;
+}
+
+const char *stage_put(Stage *s, const char *name, const void *bytes, size_t size)
+{
+    char path[LONGEST_PATH];
+    const char *why = NULL;
+    if (!join(path, s->waiting, name)) /* longer than in the folder itself */
+        return "the path is too long";
+    join(path, s->folder, name);
+    bool waits = !is_there(path, bytes, size);
+    if (waits && !(why = make_waiting(s))) {
+        join(path, s->waiting, name);
+        why = write_waiting(path, bytes, size);
+    }
+    if (why)
+        return why;
+    pthread_mutex_lock(&s->mutex);
+    if (s->count == s->room)
+        grow(s);
+    size_t at = place_of(s, name);
+    if (s->table[at]) {
+        StagedFile *file = &s->files[s->table[at] - 1];
+        if (file->waits && !waits && join(path, s->waiting, name))
+            unlink(path);
+        file->waits = waits;
+        file->dropped = false;
+    } else {
+        s->files[s->count++] = (StagedFile){checked(strdup(name)), waits, false};
+        s->table[at] = s->count;
+    }
+    pthread_mutex_unlock(&s->mutex);
+    return NULL;
+}
+
+void stage_drop(Stage *s, const char *name)
+{
+    pthread_mutex_lock(&s->mutex);
+    size_t at = s->table[place_of(s, name)];
+    if (at)
+        s->files[at - 1].dropped = true;
+    pthread_mutex_unlock(&s->mutex);
+}
+
+const char *stage_commit(Stage *s)
+{
+    char from[LONGEST_PATH], to[LONGEST_PATH];
+    for (size_t i = 0; i < s->count; i++) {
+        StagedFile *file = &s->files[i];
+        if (!file->waits || file->dropped)
+            continue;
+        join(from, s->waiting, file->name);
+        join(to, s->folder, file->name);
+        if (rename(from, to))
+            return strerror(errno);
+        file->waits = false;
+        s->written++;
+    }
+    return NULL;
+}
+
+void stage_remove_stale(Stage *s, const char *name)
+{
+    char path[LONGEST_PATH];
+    size_t at = s->table[place_of(s, name)];
+    if ((!at || s->files[at - 1].dropped) && !strchr(name, '/') && join(path, s->folder, name))
+        unlink(path);
+}
+
+int stage_written(const Stage *s) { return s->written; }
+
+void stage_close(Stage *s)
+{
+    char path[LONGEST_PATH];
+    if (!s)
+        return;
+    for (size_t i = 0; i < s->count; i++) {
+        if (s->files[i].waits && join(path, s->waiting, s->files[i].name))
+            unlink(path);
+        free(s->files[i].name);
+    }
+    if (s->made)
+        rmdir(s->waiting);
+    pthread_mutex_destroy(&s->mutex);
+    free(s->files);
+    free(s->table);
+    free(s->folder);
+    free(s->waiting);
+    free(s);
+}
