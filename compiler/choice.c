@@ -78,7 +78,7 @@ const char *job_of(const MatcOptions *o, Job *job)
 {
     int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
     int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
-    int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, LAYOUT_thesis);
+    int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, target < 0 ? 0 : target_table[target].layout);
     int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
     int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
@@ -117,6 +117,9 @@ void choices_explain(Text *out, const MatcOptions *options, const Job *job)
                                      [CHOSEN_by_measuring] = "measured for --max-error"};
     int precision = index_of(options->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     text_put(out, "choices\n");
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        text_format(out, "  %-12s %-12s %s%s\n", "layout", job->layout->name,
+                    options->layout ? "by name" : "default of ", options->layout ? "" : target_table[job->target].name);
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;
         choose(options, (Axis)axis, precision, &source);

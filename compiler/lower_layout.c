@@ -53,6 +53,7 @@ static Ref word_value(Lower *l, const Placement *placement, int target, int lane
         if (piece->target != target || piece->lane != lane)
             continue;
         Ref code = piece_value(l, piece, material, env);
+        l->ir->hint = HINT_SURFACE; /* a word is no slot's */
         if (ir_is(l->ir, code, OP_const)) {
             known += ldexp(ir_numbers(l->ir, code)[0], piece->shift);
             continue;

@@ -40,7 +40,7 @@ typedef struct {
     const char *target;       /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
     const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
     const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
-    const char *layout;       /* "thesis" (default), "radix", "thin", "integer", ... */
+    const char *layout;       /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
     const char *precision;    /* "fast" (default), "balanced", "exact": sets those below that are NULL */
     const char *noise;        /* "lattice" (default), "groimp" */
     const char *aa;           /* "none" (default), "box", "aniso" */

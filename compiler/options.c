@@ -84,7 +84,7 @@ const char *const options_help =
     "  --target=T           glsl110, glsl330 (default), glsl450, essl300, spirv\n"
     "  --pass=P             gbuffer (default), plane, sky, shadow, depth, value\n"
     "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
-    "  --layout=L           thesis (default), radix, thin, integer, compact; --explain L shows its fields\n"
+    "  --layout=L           compact (default), thin (default of glsl110), thesis, radix, integer; see --explain L\n"
     "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
     "  --constants=C        baked (default), uniform: numbers of the document come from a uniform block\n"
     "  --noise=N            lattice (default), groimp, simplex\n"

@@ -19,8 +19,12 @@ static void put_chunks(Compile *c, Text *out, const Job *job)
     }
 }
 
+/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member. */
 static void put_struct(Text *out, const LayoutRow *layout)
 {
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(layout, (Slot)slot))
+            text_format(out, "#define SURFACE_HAS_%s\n", slot_table[slot].name);
     text_put(out, "struct Surface {\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))

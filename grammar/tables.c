@@ -142,7 +142,8 @@ const ColorRow color_table[] = {
 const int color_count = sizeof color_table / sizeof *color_table;
 
 const TargetRow target_table[TARGET_COUNT] = {
-#define TARGET(name, version, extension, number, es, doc) {#name, version, extension, number, es, doc},
+#define TARGET(name, version, extension, number, es, layout, doc)                                                      \
+    {#name, version, extension, number, es, LAYOUT_##layout, doc},
 #include "targets.def"
 };
 

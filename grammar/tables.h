@@ -217,7 +217,7 @@ extern const ColorRow color_table[];
 extern const int color_count;
 
 typedef enum {
-#define TARGET(name, version, extension, number, es, doc) TARGET_##name,
+#define TARGET(name, version, extension, number, es, layout, doc) TARGET_##name,
 #include "targets.def"
     TARGET_COUNT
 } Target;
@@ -225,6 +225,7 @@ typedef struct {
     const char *name, *version, *extension;
     int number;
     bool es;
+    int layout; /* Layout: the default */
     const char *doc;
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];

@@ -85,12 +85,14 @@ static void make_values(Fixture *f, int set, double values[PARAMS][4])
 }
 
 /* What a document leaves out. */
-typedef enum { ALL, OPAQUE, CLEAR } Kept;
+typedef enum { ALL, OPAQUE, CLEAR, GLOW, KEPT_COUNT } Kept;
 
 static bool leaves_out(Kept kept, const char *key)
 {
     if (kept == OPAQUE)
         return strstr(key, "ransparency") != NULL;
+    if (kept == GLOW)
+        return !strcmp(key, "diffuseTransparency");
     return kept == CLEAR && (!strcmp(key, "emissive") || !strcmp(key, "ambient"));
 }
 
@@ -283,7 +285,7 @@ static bool can_draw(const LayoutRow *layout, int target)
 /* What is left out tells the case, whatever the level. */
 static void check_case(const Fixture *f, int layout, Kept kept)
 {
-    static const int cases[] = {[ALL] = 2, [OPAQUE] = 0, [CLEAR] = 1};
+    static const int cases[] = {[ALL] = 3, [OPAQUE] = 0, [CLEAR] = 1, [GLOW] = 2};
     if (layout == LAYOUT_compact)
         assert_int_equal(f->last_case, cases[kept]);
 }
@@ -311,7 +313,7 @@ static void what_is_packed_comes_back(void **state)
 {
     Fixture *f = *state;
     double values[PARAMS][4];
-    for (int kept = ALL; kept <= CLEAR; kept++) {
+    for (int kept = ALL; kept < KEPT_COUNT; kept++) {
         Document d;
         make_values(f, FIRST_RANDOM, values);
         open_values(&d, values, true, (Kept)kept);
@@ -324,7 +326,7 @@ static void what_is_packed_comes_back(void **state)
                     }
         document_close(&d);
     }
-    assert_int_equal(f->cases, 7); /* all three of compact */
+    assert_int_equal(f->cases, 15); /* all four of compact */
 }
 
 /* Constants are packed by the C references when the shader is written. */
@@ -335,7 +337,7 @@ static void constants_come_back(void **state)
         double values[PARAMS][4];
         Document d;
         make_values(f, set, values);
-        open_values(&d, values, false, (Kept)(set % 3));
+        open_values(&d, values, false, (Kept)(set % KEPT_COUNT));
         for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
             Gbuffer g;
             MatcOptions options = d.options;

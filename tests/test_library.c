@@ -86,9 +86,10 @@ static void dead_parts_are_pruned(void **state)
     static const char *const documents[] = {
         "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { value: 1 }] }\n",
         "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
-        "material: Phong\nambient: { map: Granite }\n", /* the layout has no ambient */
+        "material: Phong\nambient: { map: Granite }\n", /* thesis has no ambient */
         "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
     MatcOptions options = quick();
+    options.layout = "thesis";
     for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
         char *text = compile_text(documents[i], MATC_FRAGMENT, &options);
         assert_null(strstr(text, "granite"));

@@ -128,6 +128,7 @@ static void listing_and_matc_write_the_same(void **state)
     for (int level = 0; level <= 2; level += 2) {
         MatcOptions options = document.options;
         options.target = "glsl110";
+        options.layout = "thesis";
         options.optimize = level;
         MatcProgram *program = matc_compile(document.document, 0, MATC_FRAGMENT, &options);
         assert_true(matc_ok(program));

@@ -75,6 +75,7 @@ static int ours(const char *name)
     MatcOptions options;
     matc_options_init(&options);
     options.target = "spirv";
+    options.layout = "thesis"; /* that of the programs by hand */
     MatcDocument *document = matc_read(path, text ? text : "", size, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_SPIRV, &options);
     const char *spirv = matc_output(program, MATC_SPIRV, &spirv_size);

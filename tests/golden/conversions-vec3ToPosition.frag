@@ -1,12 +1,9 @@
 #version 330 core
-// matc 0.1.0: pass gbuffer, layout thesis
+// matc 0.1.0: pass gbuffer, layout compact
 
 in vec3 eyeNormal;
 uniform vec3 at;
-layout(location = 0) out vec4 fragment0;
-layout(location = 1) out vec4 fragment1;
-layout(location = 2) out vec4 fragment2;
-layout(location = 3) out vec4 fragment3;
+layout(location = 0) out uvec4 fragment0;
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
@@ -18,24 +15,44 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// Unit normal n to n.xy / sqrt(8 n.z + 8) + 1/2 in [0, 1]^2, in two forms that are equal for a unit n: this one for n.z >= 0,
-// and below it the direction of n.xy times the radius sqrt((1 - n.z) / 8), which holds its digits up to the singularity.
-// At (0, 0, -1) itself the direction is +x.
-vec2 encodeSpheremap(vec3 n) {
-    float square = dot(n.xy, n.xy);
-    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
-    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
-    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
-    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
 }
 
 void main() {
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
-    fragment1 = vec4(0.625, 0.625, 0.625, 1.0);
-    // Gradient
-    float gradient = dot(at, vec3(0.5, 0.5, 0.25));
-    fragment2 = vec4(clamp(vec3(gradient), -65504.0, 65504.0), 1.0);
-    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+    // specular
+    uint specular_1 = rootBits(dot(at, vec3(0.5, 0.5, 0.25)), 8);
+    // surface
+    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_1 << 24 | 13290186u, specular_1 | specular_1 << 8 | 645922816u);
+    fragment0 = surface_1;
 }

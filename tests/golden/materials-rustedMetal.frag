@@ -1,5 +1,5 @@
 #version 330 core
-// matc 0.1.0: pass gbuffer, layout thesis
+// matc 0.1.0: pass gbuffer, layout compact
 
 in vec3 worldNormal;
 in vec3 worldTangentU;
@@ -9,46 +9,7 @@ in vec3 localPosition;
 uniform float rusting;
 uniform mat3 matc_eyeFromWorld;
 uniform sampler2D carpenterTexture0;
-layout(location = 0) out vec4 fragment0;
-layout(location = 1) out vec4 fragment1;
-layout(location = 2) out vec4 fragment2;
-layout(location = 3) out vec4 fragment3;
-
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
-}
-
-// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
-// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
-float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
-    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
-    vec2 at = fract(abs(uv)) * size;
-    vec2 low = side * floor(at);
-    vec2 weight = side * at - low;
-    low += size * vec2(lessThan(low, vec2(0.0)));
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
-               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
-}
-
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
-}
+layout(location = 0) out uvec4 fragment0;
 
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
@@ -117,6 +78,65 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
+// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
+float granite(vec3 p) {
+    vec3 q = 4.0 * p;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < 6; k++) {
+        sum += strength * (abs(noise(q)) - 0.5);
+        strength *= 0.5;
+        q *= 2.0;
+    }
+    return sum;
+}
+
+// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+vec4 texel(sampler2D s, vec2 i, vec2 size) {
+    return texelFetch(s, ivec2(i), 0);
+}
+
+// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
+// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
+float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
+    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
+    vec2 at = fract(abs(uv)) * size;
+    vec2 low = side * floor(at);
+    vec2 weight = side * at - low;
+    low += size * vec2(lessThan(low, vec2(0.0)));
+    low -= size * step(size, low);
+    vec2 high = low + 1.0;
+    high -= size * step(size, high);
+    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
+               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 3e-6.
 // Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
 // -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
@@ -131,31 +151,45 @@ float phongExponent(float x) {
     return y > 0.0 ? exponent : 0.0;
 }
 
-// Unit normal n to n.xy / sqrt(8 n.z + 8) + 1/2 in [0, 1]^2, in two forms that are equal for a unit n: this one for n.z >= 0,
-// and below it the direction of n.xy times the radius sqrt((1 - n.z) / 8), which holds its digits up to the singularity.
-// At (0, 0, -1) itself the direction is +x.
-vec2 encodeSpheremap(vec3 n) {
-    float square = dot(n.xy, n.xy);
-    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
-    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
-    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
-    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
+// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
+// bits from 4 to 16.
+uint logarithmBits(float v, int bits) {
+    int steps = (1 << bits) - 2;
+    float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
+    return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
 }
 
-// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
-float granite(vec3 p) {
-    vec3 q = 4.0 * p;
-    float strength = 1.0;
-    float sum = 0.0;
-    for (int k = 0; k < 6; k++) {
-        sum += strength * (abs(noise(q)) - 0.5);
-        strength *= 0.5;
-        q *= 2.0;
-    }
-    return sum;
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
 }
 
 void main() {
+    // VolumeTurbulence
+    float volumeTurbulence_1 = rusting + turbulence(localPosition * 1.7, 6, 2.0, 0.6);
+    // Granite
+    float granite_1 = granite(localPosition * 2.0);
+    // Blend
+    vec3 blend = mix(mix(vec3(0.050980393, 0.011764706, 0.003921569), vec3(0.25490198, 0.050980393, 0.007843138), clamp((granite_1 + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52156866, 0.19607843, 0.03529412), clamp((granite_1 - 0.1) * 2.0, 0.0, 1.0));
+    float blend_1 = (volumeTurbulence_1 + 0.05) * 6.6666665;
+    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.078431375, 0.09019608, 0.105882354) : mix(vec3(0.078431375, 0.09019608, 0.105882354), blend, blend_1)) : blend;
     // BumpMap
     float bumpMap_1 = 0.01 / max(length(worldNormal), 1e-30);
     // Carpenter
@@ -165,20 +199,15 @@ void main() {
     vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentV;
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
-    // VolumeTurbulence
-    float volumeTurbulence_1 = rusting + turbulence(localPosition * 1.7, 6, 2.0, 0.6);
+    // surface
+    uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
     // Blend
-    float blend_1 = (volumeTurbulence_1 + 0.05) * 6.6666665;
     float blend_2 = clamp(blend_1, 0.0, 1.0);
+    vec3 blend3 = mix(vec3(0.26666668, 0.28627452, 0.31764707), vec3(0.02), blend_2);
     // shininess
     float shininess = phongExponent(mix(0.75, 0.1, blend_2));
-    fragment0 = vec4(encodeSpheremap(normal), shininess, 65504.0);
-    // Granite
-    float granite_1 = granite(localPosition * 2.0);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.050980393, 0.011764706, 0.003921569), vec3(0.25490198, 0.050980393, 0.007843138), clamp((granite_1 + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52156866, 0.19607843, 0.03529412), clamp((granite_1 - 0.1) * 2.0, 0.0, 1.0));
-    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.078431375, 0.09019608, 0.105882354) : mix(vec3(0.078431375, 0.09019608, 0.105882354), blend, blend_1)) : blend;
-    fragment1 = vec4(clamp(blend2, -65504.0, 65504.0), 1.0);
-    fragment2 = vec4(mix(vec3(0.26666668, 0.28627452, 0.31764707), vec3(0.02), blend_2), 1.0);
-    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+    // surface
+    uint surface_2 = rootBits(blend3.y, 8) | rootBits(blend3.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
+    uvec4 surface_3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | rootBits(blend3.x, 8) << 24, surface_2);
+    fragment0 = surface_3;
 }

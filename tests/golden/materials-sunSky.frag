@@ -1,12 +1,9 @@
 #version 330 core
-// matc 0.1.0: pass gbuffer, layout thesis
+// matc 0.1.0: pass gbuffer, layout compact
 
 in vec3 localPosition;
 in vec3 eyeNormal;
-layout(location = 0) out vec4 fragment0;
-layout(location = 1) out vec4 fragment1;
-layout(location = 2) out vec4 fragment2;
-layout(location = 3) out vec4 fragment3;
+layout(location = 0) out uvec4 fragment0;
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
@@ -16,17 +13,6 @@ vec3 safeNormalize(vec3 v) {
     vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
     vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// Unit normal n to n.xy / sqrt(8 n.z + 8) + 1/2 in [0, 1]^2, in two forms that are equal for a unit n: this one for n.z >= 0,
-// and below it the direction of n.xy times the radius sqrt((1 - n.z) / 8), which holds its digits up to the singularity.
-// At (0, 0, -1) itself the direction is +x.
-vec2 encodeSpheremap(vec3 n) {
-    float square = dot(n.xy, n.xy);
-    vec2 direction = square > 1.0e-30 ? n.xy * inversesqrt(max(square, 1.0e-30)) : vec2(1.0, 0.0);
-    vec2 front = n.xy * inversesqrt(8.0 * max(n.z, 0.0) + 8.0);
-    vec2 back = direction * sqrt(0.125 - 0.125 * min(n.z, 0.0));
-    return clamp((n.z < 0.0 ? back : front) + 0.5, 0.0, 1.0);
 }
 
 // Preetham's sky along a direction of any length, z up: linear sRGB, no component below 0, black below the horizon.
@@ -46,23 +32,46 @@ vec3 skyRadiance(vec3 direction, vec3 sun, vec3 zenithOverF0, vec3 A, vec3 B, ve
     return rgb - min(min(min(rgb.r, rgb.g), rgb.b), 0.0);
 }
 
-// Two numbers in [0, 1], cut to seven bits each, in one number of [1, 65504] that a half float holds exactly: x gives the
-// exponent and the first three bits of the mantissa, y the other seven. The power of two is exact: exp2 errs by at most 33 ulp
-// of 32768, an eighth, before it is rounded to a whole number.
-float packPair(vec2 v) {
-    vec2 q = floor(127.5 * clamp(v, 0.0, 1.0));
-    float exponent = floor(q.x * 0.125);
-    float mantissa = 1.0 + (q.x * 0.125 - exponent) + q.y * (1.0 / 1024.0);
-    return mantissa * floor(exp2(exponent) + 0.5);
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
+// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
+// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+uint sharedExponentBits(vec3 v, int bits) {
+    float steps = float(1 << bits);
+    vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);
+    float greatest = max(max(c.x, c.y), max(c.z, 1.0 / 65536.0));
+    int e = int(floatBitsToUint(greatest) >> 23) - 111;
+    float scale = uintBitsToFloat(uint(142 + bits - e) << 23);
+    if (floor(greatest * scale + 0.5) >= steps) { e += 1; scale *= 0.5; }
+    uvec3 m = uvec3(floor(c * scale + 0.5));
+    return m.x | m.y << bits | m.z << (2 * bits) | uint(e) << (3 * bits);
 }
 
 void main() {
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = vec4(encodeSpheremap(normal), 4.0, 65504.0);
     // emissive
     vec3 emissive = skyRadiance(localPosition, vec3(0.35320863, -0.8830216, 0.30905756), vec3(1.6307038, 0.32276142, 0.33811134), vec3(-0.92687, -0.31697, -0.31085), vec3(-0.63871, -0.19872, -0.27564), vec3(5.25707, 0.21124, 0.18647), vec3(-2.21513, -1.09114, -1.78584), vec3(0.16939, 0.03542, 0.02015)) * 0.3;
-    fragment1 = vec4(vec3(0.0), packPair(emissive.xy));
-    fragment2 = vec4(vec3(0.0), packPair(vec2(emissive.z, 0.0)));
-    fragment3 = vec4(0.0, 0.0, 0.0, 1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive, 7), 0u, 645922816u);
 }

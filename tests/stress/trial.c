@@ -2,6 +2,7 @@
 #include "trial.h"
 #include "compiler/layout.h"
 #include "generate.h"
+#include "packed.h"
 #include "spread.h"
 #include "tests/value/bounds.h"
 #include "compiler/lower.h"
@@ -225,39 +226,64 @@ static int output_of(const Ir *ir, int target)
     return i;
 }
 
-/* The pairs of the thesis' layout: no exponent of a half float that is special. */
-static bool pairs_in_range(Trial *t, const Spot *s)
+/* The codes of the thesis' pairs: no exponent of a half float that is special. */
+static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     Placement placement;
-    if (layout_place(&layout_table[LAYOUT_thesis], 0, &placement))
+    if (layout_place(layout, 0, &placement))
         return trial_fault(t, FAULT_packed, "the layout does not fit");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
+        if (piece->field->encoding != ENCODING_pair)
+            continue;
         double v = s->exact[1].value[output_of(s->program->ir[1], piece->target)][piece->lane];
-        if (piece->field->encoding == ENCODING_pair && !(v >= 1 && v <= 65504))
+        if (!(v >= 1 && v <= 65504))
             return trial_fault(t, FAULT_packed, "the pair of target %d lane %d is %g: %s", piece->target, piece->lane,
                                v, where(s));
     }
     return true;
 }
 
-/* What half floats hold, of a picture or of the thesis' G-buffer. */
-static bool in_range(Trial *t, const Spot *s, bool packed)
+/* Of a picture, or of the G-buffer that the layout makes. */
+static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     const Ir *ir = s->program->ir[1];
-    for (int target = 0; target < (packed ? layout_targets(&layout_table[LAYOUT_thesis]) : 1); target++)
+    for (int target = 0; target < (layout ? layout_targets(layout) : 1); target++)
         for (int lane = 0; lane < 4; lane++) {
             double v = s->exact[1].value[output_of(ir, target)][lane];
-            if (!(fabs(v) <= 65504))
+            if (!packed_in_range(v, &format_table[layout ? layout->formats[target] : FORMAT_RGBA16F]))
                 return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target, lane, v, where(s));
         }
-    return !packed || pairs_in_range(t, s);
+    return !layout || pairs_in_range(t, s, layout);
+}
+
+/* The layout that a pass writes; NULL: it is no G-buffer's. */
+static const LayoutRow *layout_of(const Trial *t, Pass pass)
+{
+    Job job;
+    return pass != PASS_gbuffer && pass != PASS_plane ? NULL : job_of(&t->options, &job) ? NULL : job.layout;
+}
+
+/* An output at -O2 as at -O0: words by their fields. What neighbouring codes do not explain, roundings must. */
+static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output)
+{
+    const IrOutput *out = &s->program->ir[0]->outputs[output];
+    bool words = layout && out->kind == OUT_color && format_table[layout->formats[out->index]].words;
+    for (int lane = 0; lane < 4; lane++) {
+        double want = s->exact[0].value[output][lane];
+        if (words && packed_agree(layout, out->index, lane, want, s->exact[1].value[output][lane]))
+            continue;
+        if (!agrees(t, s, 1, output, lane, want))
+            return false;
+    }
+    return true;
 }
 
 /* A pass of the whole material: finite, and at -O2 as at -O0. */
 static bool try_pass(Trial *t, Pass pass)
 {
     Program p;
+    const LayoutRow *layout = layout_of(t, pass);
     bool fine = program_make(t, &p, pass, SLOT_diffuse);
     for (int i = 0; i < t->plan->count && fine; i++) {
         Spot s;
@@ -265,10 +291,9 @@ static bool try_pass(Trial *t, Pass pass)
         spot_open(&s, &p, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
         fine = is_finite(t, &s, &beyond);
         if (fine && !beyond && pass != PASS_shadow)
-            fine = in_range(t, &s, pass != PASS_sky);
+            fine = in_range(t, &s, layout);
         for (int output = 0; fine && !beyond && output < p.ir[0]->output_count; output++)
-            for (int lane = 0; fine && lane < 4; lane++)
-                fine = agrees(t, &s, 1, output, lane, s.exact[0].value[output][lane]);
+            fine = output_agrees(t, &s, layout, output);
     }
     arena_free(&p.arena);
     return fine;

@@ -5,6 +5,7 @@
 #include "trial.h"
 #include "tests/value/bounds.h"
 #include "compiler/lower.h"
+#include "compiler/pipeline.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +21,23 @@ static const Variant variants[] = {
     {TARGET_glsl330, 0}, {TARGET_glsl330, 2}, {TARGET_glsl110, 2}, {TARGET_glsl450, 2}, {TARGET_essl300, 2}};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
+/* The layout that a G-buffer of half floats is drawn in: the options', or another where that one has words, which no driver
+ * makes NaN of. */
+static const LayoutRow *half_layout(const Trial *t, Target target)
+{
+    Job job;
+    MatcOptions options = t->options;
+    options.target = target_table[target].name;
+    return job_of(&options, &job) || layout_has_words(job.layout) ? &layout_table[LAYOUT_thesis] : job.layout;
+}
+
+/* GLSL 1.10 has no words. */
+static bool is_written(const MatcOptions *options, Target target)
+{
+    Job job;
+    return target != TARGET_glsl110 || (!job_of(options, &job) && !layout_has_words(job.layout));
+}
+
 bool trial_validate(Trial *t, const char *text, size_t size)
 {
     MatcOptions options = t->options;
@@ -28,6 +46,8 @@ bool trial_validate(Trial *t, const char *text, size_t size)
     options.validate = true;
     for (int target = 0; target < TARGET_COUNT && fine; target++) {
         options.target = target_table[target].name;
+        if (!is_written(&options, (Target)target))
+            continue;
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX, &options);
         fine = matc_ok(program) || trial_fault(t, FAULT_not_valid, "%s", matc_program_diagnostics(program, MATC_TEXT));
         t->count->validated++;
@@ -167,6 +187,7 @@ static bool draw(Drawing *d, const Variant *v, bool half, int targets)
     const TrialPlan *plan = t->plan;
     MatcOptions options = t->options;
     options.pass = half ? "gbuffer" : "value";
+    options.layout = half ? half_layout(t, v->target)->name : NULL;
     options.slot = slot_table[d->slot].name;
     options.target = target_table[v->target].name;
     options.optimize = v->optimize;
@@ -208,9 +229,10 @@ static bool draw_packed(Drawing *d)
 {
     Trial *t = d->trial;
     for (int i = 0; i < VARIANTS; i += 2) {
-        if (!draw(d, &variants[i], true, layout_targets(&layout_table[LAYOUT_thesis])))
+        const int targets = layout_targets(half_layout(t, variants[i].target));
+        if (!draw(d, &variants[i], true, targets))
             return false;
-        for (int k = 0; k < 4 * FIELD_COUNT * layout_targets(&layout_table[LAYOUT_thesis]); k++) {
+        for (int k = 0; k < 4 * FIELD_COUNT * targets; k++) {
             float v = d->rgba[k / (4 * FIELD_COUNT)][k % (4 * FIELD_COUNT)];
             if (!isfinite(v))
                 return trial_fault(t, FAULT_packed, "%s -O%d: target %d lane %d holds %g at point %d",

@@ -1,0 +1,11 @@
+/* What a G-buffer program writes: within the range of its targets, and the same at every level of optimisation. */
+#ifndef MATC_STRESS_PACKED_H
+#define MATC_STRESS_PACKED_H
+#include "compiler/layout.h"
+
+/* A lane of a target: a finite half float, or a whole number of its bits. */
+bool packed_in_range(double value, const FormatRow *format);
+/* Two words of the same place, whose fields come from values that roundings may have set apart: each code is the same, or a
+ * neighbour. */
+bool packed_agree(const LayoutRow *layout, int target, int lane, double a, double b);
+#endif
