@@ -35,7 +35,7 @@ struct MatcProgram {
     int *texture_made_by;
     int texture_count;
     const LayoutRow *layout; /* NULL: the pass writes none */
-    int *uniforms;           /* those in use, by index in the graph */
+    MatcUniform *uniforms;   /* those in use */
     int uniform_count;
 };
 
@@ -60,16 +60,22 @@ static void leave_c_locale(Locale l)
     freelocale(l.ours);
 }
 
+static Compile compile_with(const MatcOptions *options, Arena *arena)
+{
+    return (Compile){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
+}
+
+const char *matc_version(void) { return MATC_VERSION; }
+
 MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = calloc(1, sizeof *d);
     if (!d)
         abort();
     Locale locale = enter_c_locale();
-    d->options = *options;
-    d->c =
-        (Compile){.options = &d->options, .arena = &d->arena, .optimize = options->optimize, .check = options->check};
-    d->c.measure = options->measure;
+    d->options = options_whole(options);
+    d->c = compile_with(&d->options, &d->arena);
+    d->c.measure = d->options.measure;
     d->c.stage_start = stage_now();
     Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
     ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
@@ -232,12 +238,22 @@ static bool fill_spirv(MatcProgram *p, const MatcDocument *d, int material, cons
     return words != NULL;
 }
 
+static MatcUniform uniform_of(const Ir *ir, const Uniform *u)
+{
+    MatcUniform result = {.name = u->name, .param = u->name, .lanes = type_table[u->type].lanes};
+    memcpy(result.initial, u->initial, sizeof result.initial);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_uniform) && ir_at(ir, ref)->payload == (uint32_t)u->index)
+            result.whole |= ir_type(ir, ref) == TYPE_int;
+    return result;
+}
+
 static void list_uniforms(MatcProgram *p, const Graph *graph)
 {
-    p->uniforms = ARENA_ARRAY(&p->arena, int, graph->uniform_count);
+    p->uniforms = ARENA_ARRAY(&p->arena, MatcUniform, graph->uniform_count);
     for (int i = 0; i < graph->uniform_count; i++)
         if (p->products.interface.uniforms[i])
-            p->uniforms[p->uniform_count++] = i;
+            p->uniforms[p->uniform_count++] = uniform_of(p->ir, graph->uniforms[i]);
 }
 
 static bool compile_program(MatcProgram *p, const MatcDocument *d, int material, unsigned outputs, const Job *job)
@@ -261,16 +277,15 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     if (!p)
         abort();
     Locale locale = enter_c_locale();
-    p->options = *options;
-    p->c =
-        (Compile){.options = &p->options, .arena = &p->arena, .optimize = options->optimize, .check = options->check};
+    p->options = options_whole(options);
+    p->c = compile_with(&p->options, &p->arena);
     p->c.measure = (outputs & MATC_STATS) != 0;
     p->c.sources = d->c.sources;
     p->c.source_count = d->c.source_count;
     p->c.depends = d->c.depends;
     p->c.depend_count = d->c.depend_count;
     p->c.stage_start = stage_now();
-    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(options, &job) &&
+    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(&p->options, &job) &&
             compile_program(p, d, material, outputs, &job) && !p->c.diags.errors;
     leave_c_locale(locale);
     return p;
@@ -296,10 +311,10 @@ void matc_program_free(MatcProgram *p)
 
 int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
 
-MatcTexture matc_texture(MatcProgram *p, int index)
+const MatcTexture *matc_texture(MatcProgram *p, int index)
 {
     texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
-    return p->textures[index];
+    return &p->textures[index];
 }
 
 int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
@@ -308,16 +323,7 @@ const char *matc_target_format(const MatcProgram *p, int index) { return format_
 
 int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
 
-MatcUniform matc_uniform(const MatcProgram *p, int index)
-{
-    const Uniform *u = p->ir->graph->uniforms[p->uniforms[index]];
-    MatcUniform result = {.name = u->name, .param = u->name, .lanes = type_table[u->type].lanes};
-    memcpy(result.initial, u->initial, sizeof result.initial);
-    for (Ref ref = 1; ref < p->ir->count; ref++)
-        if (ir_is(p->ir, ref, OP_uniform) && ir_at(p->ir, ref)->payload == (uint32_t)u->index)
-            result.whole |= ir_type(p->ir, ref) == TYPE_int;
-    return result;
-}
+const MatcUniform *matc_uniform(const MatcProgram *p, int index) { return &p->uniforms[index]; }
 
 /* "u=0.3 v=0.4 front=0" */
 static const char *read_point(Surface *surface, const char *point)
@@ -360,12 +366,13 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     Arena arena = {0};
     Text out = text_new(&arena);
     Locale locale = enter_c_locale();
+    const MatcOptions whole = options_whole(options);
     oracle_surface_default(&surface);
-    *fault = job_of(options, &job) ? "no such option" : read_point(&surface, point);
+    *fault = job_of(&whole, &job) ? "no such option" : read_point(&surface, point);
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault) {
-        document_evaluate(d, material, options, &surface, 1, &values);
+        document_evaluate(d, material, &whole, &surface, 1, &values);
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             text_put(&out, slot_table[slot].name);
             for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {

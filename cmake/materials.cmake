@@ -1,0 +1,1 @@
+# matc_add_materials: placeholder while the rest is tried
