@@ -2,6 +2,7 @@
 # What the libraries give, against tests/abi.txt: abi.sh LIBRARY... A line may be added there; one that goes, or changes its
 # version, breaks programs that are compiled already, and wants a new number of the library.
 set -u
+export LC_ALL=C
 status=0
 wanted=$(mktemp)
 trap 'rm -f "$wanted"' EXIT
