@@ -44,6 +44,8 @@ bool matc_options_set(MatcOptions *options, const char *name, const char *value)
     for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
         if (strcmp(text_options[i].name, name) != 0)
             continue;
+        if (text_options[i].member + sizeof value > options->size)
+            return false; /* the caller was compiled without it */
         memcpy((char *)options + text_options[i].member, &value, sizeof value);
         return true;
     }
@@ -97,14 +99,29 @@ const char *job_of(const MatcOptions *o, Job *job)
     return NULL;
 }
 
-const char *matc_options_fault(const MatcOptions *options) { return job_of(options, &(Job){0}); }
-
-void matc_options_init(MatcOptions *options)
+void matc_options_init_sized(MatcOptions *options, size_t size)
 {
-    *options = (MatcOptions){.optimize = 2, .validate = true};
+    MatcOptions all = {.size = size, .optimize = 2, .validate = true};
 #ifndef NDEBUG
-    options->check = true;
+    all.check = true;
 #endif
+    memset(options, 0, size);
+    memcpy(options, &all, size < sizeof all ? size : sizeof all);
+}
+
+MatcOptions options_whole(const MatcOptions *given)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
+    options.size = sizeof options;
+    return options;
+}
+
+const char *matc_options_fault(const MatcOptions *options)
+{
+    const MatcOptions whole = options_whole(options);
+    return job_of(&whole, &(Job){0});
 }
 
 static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }

@@ -4,6 +4,8 @@
 #include "compile.h"
 #include "text.h"
 
+/* The options of a caller that may know fewer members, or more: what it does not know has its default. */
+MatcOptions options_whole(const MatcOptions *given);
 /* A line an axis: its choice and what settled it. For --stats. */
 void choices_explain(Text *out, const MatcOptions *options, const Job *job);
 /* "// choices: aa=box powers=pow", those that are not their axis' default; nothing when there is none. */

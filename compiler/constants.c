@@ -32,7 +32,7 @@ static uint32_t find(Ir *ir, const Value *source)
 
 static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source, uint8_t hint)
 {
-    IrConstant constant = {.type = type, .hint = hint, .source = source};
+    IrConstant constant = {.type = type, .hint = hint, .source = source, .member = -1};
     memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].lanes);
     ARENA_PUSH(ir->arena, ir->constants, ir->constant_count, ir->constant_room, constant);
     return (uint32_t)ir->constant_count - 1;
@@ -156,6 +156,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
             const double *numbers = ir_numbers(ir, value);
             *leaf = (IrNode){.op = OP_constant, .type = ir_at(ir, value)->type, .hint = hint};
             leaf->payload = add_constant(ir, (Type)leaf->type, numbers, NULL, hint);
+            ir->constants[leaf->payload].member = member[i];
         }
         if (user)
             ir->args[ir_at(ir, user)->first + (uint32_t)places[i].operand] = at;

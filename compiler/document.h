@@ -18,4 +18,6 @@ typedef struct {
 } Locale;
 Locale locale_enter(void);
 void locale_leave(Locale locale);
+/* A compilation by these options, which outlive it. */
+Compile compile_with(const MatcOptions *options, Arena *arena);
 #endif

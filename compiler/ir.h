@@ -70,6 +70,7 @@ typedef struct {
     uint8_t hint;        /* as a node's */
     const Value *source; /* where in the document it stands; NULL: an expression of such, or a place */
     const char *name;    /* in the shader; constants_finish gives name and offset */
+    int member;          /* of MatcOptions, or -1 */
     int offset;          /* in the std140 block, in bytes */
 } IrConstant;
 

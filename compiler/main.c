@@ -56,7 +56,7 @@ static int write_textures(const CommandLine *line, MatcProgram *program)
 {
     char path[LONGEST_PATH];
     for (int i = 0; i < matc_texture_count(program); i++) {
-        MatcTexture texture = matc_texture(program, i);
+        MatcTexture texture = *matc_texture(program, i);
         if (texture.path)
             continue;
         snprintf(path, sizeof path, "%s/%s.ktx", line->textures, texture.name);

@@ -1,4 +1,5 @@
 /* The library's surface: documents and questions. program.c has the programs. */
+#include "choice.h"
 #include "document.h"
 #include "evaluate.h"
 #include "oracle.h"
@@ -22,16 +23,22 @@ void locale_leave(Locale l)
     freelocale(l.ours);
 }
 
+Compile compile_with(const MatcOptions *options, Arena *arena)
+{
+    return (Compile){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
+}
+
+const char *matc_version(void) { return MATC_VERSION; }
+
 MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = calloc(1, sizeof *d);
     if (!d)
         abort();
     Locale locale = locale_enter();
-    d->options = *options;
-    d->c =
-        (Compile){.options = &d->options, .arena = &d->arena, .optimize = options->optimize, .check = options->check};
-    d->c.measure = options->measure;
+    d->options = options_whole(options);
+    d->c = compile_with(&d->options, &d->arena);
+    d->c.measure = d->options.measure;
     d->c.stage_start = stage_now();
     Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
     ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
@@ -116,12 +123,13 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     Arena arena = {0};
     Text out = text_new(&arena);
     Locale locale = locale_enter();
+    const MatcOptions whole = options_whole(options);
     oracle_surface_default(&surface);
-    *fault = job_of(options, &job) ? "no such option" : read_point(&surface, point);
+    *fault = job_of(&whole, &job) ? "no such option" : read_point(&surface, point);
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault) {
-        document_evaluate(d, material, options, &surface, 1, &values);
+        document_evaluate(d, material, &whole, &surface, 1, &values);
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             text_put(&out, slot_table[slot].name);
             for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {

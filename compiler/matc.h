@@ -12,7 +12,10 @@
  *     matc_document_free(document);
  *
  * No global state, no printing, no exit: any number of threads may work at once, each with its own documents; one document
- * may be compiled by several threads. Only running out of memory ends the process, by abort(). */
+ * may be compiled by several threads. Only running out of memory ends the process, by abort().
+ *
+ * A program goes on working with a later libmatc.so of the same number: functions and enumerators stay as they are, and
+ * structs grow at their end only. MatcOptions says how long it is; the other structs are the library's, seen by pointer. */
 #ifndef MATC_H
 #define MATC_H
 #include <stdbool.h>
@@ -28,6 +31,8 @@ extern "C" {
 #endif
 
 #define MATC_VERSION "0.1.0"
+/* The version of the library that runs, where it may be another than that of this header. */
+MATC_API const char *matc_version(void);
 
 typedef struct MatcDocument MatcDocument;
 typedef struct MatcProgram MatcProgram;
@@ -37,6 +42,7 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 
 /* Names are those of the command line; NULL is the default. Set by matc_options_init, then changed. */
 typedef struct {
+    size_t size;              /* in bytes, of the struct that the caller was compiled with */
     const char *target;       /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
     const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
     const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
@@ -62,7 +68,9 @@ typedef struct {
     void *user;             /* for read_file */
 } MatcOptions;
 
-MATC_API void matc_options_init(MatcOptions *options);
+/* Members beyond those that the caller knows of keep their defaults. */
+#define matc_options_init(options) matc_options_init_sized(options, sizeof(MatcOptions))
+MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);
 /* Sets a member by its name: "target", "noise", ...; false if it is none of those above `optimize`. */
 MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
 /* NULL, or which option has a value that does not exist. */
@@ -122,15 +130,16 @@ typedef struct {
     const char *type; /* "float", "vec2", "vec3", "vec4", "uint" */
     int lanes;
     int offset;       /* of a member, in bytes */
+    int member;       /* of those that the options named, else -1 */
     double values[4]; /* of the material that the program was compiled for */
 } MatcConstant;
 MATC_API int matc_place_count(MatcProgram *program);
-MATC_API MatcConstant matc_place(MatcProgram *program, int index);
+MATC_API const MatcConstant *matc_place(MatcProgram *program, int index);
 MATC_API int matc_constant_count(const MatcProgram *program);
-MATC_API MatcConstant matc_constant(const MatcProgram *program, int index);
+MATC_API const MatcConstant *matc_constant(const MatcProgram *program, int index);
 MATC_API int matc_constant_bytes(const MatcProgram *program); /* of the block */
 
-/* A texture that the program samples. Row 0 is at v = 0. */
+/* A texture that the program samples; owned by the program. Row 0 is at v = 0. */
 typedef struct {
     const char *name; /* of its sampler */
     const char *path; /* of the picture, or NULL for one that matc made */
@@ -142,14 +151,14 @@ typedef struct {
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
 /* Made on first request. */
-MATC_API MatcTexture matc_texture(MatcProgram *program, int index);
+MATC_API const MatcTexture *matc_texture(MatcProgram *program, int index);
 
 /* Render targets of the passes gbuffer and plane; none for other passes. The format is "RGBA16F", "RGBA32UI", ...;
  * a target whose name ends in UI holds whole numbers: the shader's output and the sampler that reads it do, too. */
 MATC_API int matc_target_count(const MatcProgram *program);
 MATC_API const char *matc_target_format(const MatcProgram *program, int index);
 
-/* A uniform that the document's `param` made. */
+/* A uniform that the document's `param` made; owned by the program. */
 typedef struct {
     const char *name;  /* in the shader */
     const char *param; /* in the document */
@@ -158,7 +167,7 @@ typedef struct {
     double initial[4]; /* its default */
 } MatcUniform;
 MATC_API int matc_uniform_count(const MatcProgram *program);
-MATC_API MatcUniform matc_uniform(const MatcProgram *program, int index);
+MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
 
 /* Values of all slots of a material at a point, by the C reference, in double: one line a slot, its name, then its lanes.
  * `point` sets channels: "u=0.3 v=0.4 x=1 ... front=0". NULL and a message in *fault if it cannot be read.

@@ -26,10 +26,12 @@ struct MatcProgram {
     int *texture_made_by;
     int texture_count;
     const LayoutRow *layout; /* NULL: the pass writes none */
-    int *uniforms;           /* those in use, by index in the graph */
+    MatcUniform *uniforms;   /* those in use */
     int uniform_count;
-    bool keyed; /* the next three are there */
+    MatcConstant *constants;
+    bool keyed; /* the next four are there */
     IrKey key;
+    MatcConstant *places;
     char key_digits[KEY_TEXT], shape_digits[KEY_TEXT];
     const char *opacity; /* NULL: not asked yet */
 };
@@ -145,16 +147,33 @@ static bool fill_spirv(MatcProgram *p)
     return words != NULL;
 }
 
+/* Those that are live, in the document's order. */
 static void list_uniforms(MatcProgram *p, const Graph *graph)
 {
-    bool *used = ARENA_ARRAY(&p->arena, bool, graph->uniform_count);
-    p->uniforms = ARENA_ARRAY(&p->arena, int, graph->uniform_count);
+    uint8_t *used = ARENA_ARRAY(&p->arena, uint8_t, graph->uniform_count); /* 1, or 2 as an int */
+    p->uniforms = ARENA_ARRAY(&p->arena, MatcUniform, graph->uniform_count);
     for (Ref ref = 1; ref < p->ir->count; ref++)
         if (ir_is(p->ir, ref, OP_uniform))
-            used[ir_at(p->ir, ref)->payload] = true;
-    for (int i = 0; i < graph->uniform_count; i++)
+            used[ir_at(p->ir, ref)->payload] = ir_type(p->ir, ref) == TYPE_int ? 2 : 1;
+    for (int i = 0; i < graph->uniform_count; i++) {
+        const Uniform *u = graph->uniforms[i];
+        MatcUniform uniform = {u->name, u->name, type_table[u->type].lanes, used[i] == 2, {0}};
+        memcpy(uniform.initial, u->initial, sizeof uniform.initial);
         if (used[i])
-            p->uniforms[p->uniform_count++] = i;
+            p->uniforms[p->uniform_count++] = uniform;
+    }
+}
+
+/* The members of the buffer, with this material's numbers. */
+static void list_constants(MatcProgram *p)
+{
+    p->constants = ARENA_ARRAY(&p->arena, MatcConstant, p->ir->constant_count + 1);
+    for (size_t i = 0; i < p->ir->constant_count; i++) {
+        const IrConstant *own = &p->ir->constants[i];
+        p->constants[i] = (MatcConstant){
+            own->name, type_table[own->type].name, type_table[own->type].lanes, own->offset, own->member, {0}};
+        memcpy(p->constants[i].values, own->numbers, sizeof own->numbers);
+    }
 }
 
 static bool compile_program(MatcProgram *p)
@@ -168,6 +187,7 @@ static bool compile_program(MatcProgram *p)
     if (p->job.pass == PASS_gbuffer || p->job.pass == PASS_plane)
         p->layout = p->job.layout;
     list_uniforms(p, graph);
+    list_constants(p);
     p->texture_count = texture_list(&p->c, p->ir, NULL, &p->textures, &p->texture_made_by);
     return true;
 }
@@ -188,18 +208,17 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     if (!p)
         abort();
     Locale locale = locale_enter();
-    p->options = *options;
+    p->options = options_whole(options);
     p->document = d;
     p->material = material;
-    p->c =
-        (Compile){.options = &p->options, .arena = &p->arena, .optimize = options->optimize, .check = options->check};
+    p->c = compile_with(&p->options, &p->arena);
     p->c.measure = (outputs & MATC_STATS) != 0;
     p->c.sources = d->c.sources;
     p->c.source_count = d->c.source_count;
     p->c.depends = d->c.depends;
     p->c.depend_count = d->c.depend_count;
     p->c.stage_start = stage_now();
-    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(options, &p->job) &&
+    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(&p->options, &p->job) &&
             compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->c.diags.errors;
     locale_leave(locale);
     return p;
@@ -235,10 +254,10 @@ void matc_program_free(MatcProgram *p)
 
 int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
 
-MatcTexture matc_texture(MatcProgram *p, int index)
+const MatcTexture *matc_texture(MatcProgram *p, int index)
 {
     texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
-    return p->textures[index];
+    return &p->textures[index];
 }
 
 int matc_target_count(const MatcProgram *p) { return p->layout ? layout_targets(p->layout) : 0; }
@@ -247,18 +266,20 @@ const char *matc_target_format(const MatcProgram *p, int index) { return format_
 
 int matc_uniform_count(const MatcProgram *p) { return p->uniform_count; }
 
-MatcUniform matc_uniform(const MatcProgram *p, int index)
-{
-    const Uniform *u = p->ir->graph->uniforms[p->uniforms[index]];
-    MatcUniform result = {.name = u->name, .param = u->name, .lanes = type_table[u->type].lanes};
-    memcpy(result.initial, u->initial, sizeof result.initial);
-    for (Ref ref = 1; ref < p->ir->count; ref++)
-        if (ir_is(p->ir, ref, OP_uniform) && ir_at(p->ir, ref)->payload == (uint32_t)u->index)
-            result.whole |= ir_type(p->ir, ref) == TYPE_int;
-    return result;
-}
+const MatcUniform *matc_uniform(const MatcProgram *p, int index) { return &p->uniforms[index]; }
 
 const char *matc_pass(const MatcProgram *p) { return pass_table[p->job.pass].name; }
+
+static void list_places(MatcProgram *p)
+{
+    p->places = ARENA_ARRAY(&p->arena, MatcConstant, p->key.place_count + 1);
+    for (int i = 0; i < p->key.place_count; i++) {
+        Ref value = p->key.places[i].value;
+        MatcConstant *place = &p->places[i];
+        *place = (MatcConstant){NULL, type_table[ir_type(p->ir, value)].name, ir_lanes(p->ir, value), 0, -1, {0}};
+        memcpy(place->values, ir_numbers(p->ir, value), sizeof(double) * (size_t)place->lanes);
+    }
+}
 
 static const IrKey *key_of(MatcProgram *p)
 {
@@ -266,6 +287,7 @@ static const IrKey *key_of(MatcProgram *p)
         p->key = ir_key(&p->c, p->ir, &p->job);
         key_text(p->key.key, p->key_digits);
         key_text(p->key.shape, p->shape_digits);
+        list_places(p);
         p->keyed = true;
     }
     return &p->key;
@@ -274,23 +296,7 @@ static const IrKey *key_of(MatcProgram *p)
 const char *matc_key(MatcProgram *p) { return key_of(p) ? p->key_digits : NULL; }
 const char *matc_shape(MatcProgram *p) { return key_of(p) ? p->shape_digits : NULL; }
 int matc_place_count(MatcProgram *p) { return key_of(p)->place_count; }
-
-MatcConstant matc_place(MatcProgram *p, int index)
-{
-    Ref value = key_of(p)->places[index].value;
-    MatcConstant place = {.type = type_table[ir_type(p->ir, value)].name, .lanes = ir_lanes(p->ir, value)};
-    memcpy(place.values, ir_numbers(p->ir, value), sizeof(double) * (size_t)place.lanes);
-    return place;
-}
-
+const MatcConstant *matc_place(MatcProgram *p, int index) { return key_of(p) ? &p->places[index] : NULL; }
 int matc_constant_count(const MatcProgram *p) { return (int)p->ir->constant_count; }
-
-MatcConstant matc_constant(const MatcProgram *p, int index)
-{
-    const IrConstant *own = &p->ir->constants[index];
-    MatcConstant constant = {own->name, type_table[own->type].name, type_table[own->type].lanes, own->offset, {0}};
-    memcpy(constant.values, own->numbers, sizeof constant.values);
-    return constant;
-}
-
+const MatcConstant *matc_constant(const MatcProgram *p, int index) { return &p->constants[index]; }
 int matc_constant_bytes(const MatcProgram *p) { return constants_size(p->ir); }

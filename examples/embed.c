@@ -1,5 +1,7 @@
-/* matc in a program of your own: a material from a string to GLSL, with its uniforms. Build: link with libmatc. */
-#include "matc.h"
+/* matc in a program of your own: a material from a string to GLSL, with its uniforms. Build:
+ *     cc embed.c $(pkg-config --cflags --libs matc)
+ * or, in CMake, find_package(matc) and target_link_libraries(embed PRIVATE matc::matc). */
+#include <matc.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,10 +16,10 @@ static void print_program(const MatcProgram *program)
 {
     puts(matc_output(program, MATC_FRAGMENT, NULL));
     for (int i = 0; i < matc_uniform_count(program); i++) {
-        MatcUniform uniform = matc_uniform(program, i);
-        printf("// uniform %s: %d lanes, default %g", uniform.name, uniform.lanes, uniform.initial[0]);
-        for (int lane = 1; lane < uniform.lanes; lane++)
-            printf(", %g", uniform.initial[lane]);
+        const MatcUniform *uniform = matc_uniform(program, i);
+        printf("// uniform %s: %d lanes, default %g", uniform->name, uniform->lanes, uniform->initial[0]);
+        for (int lane = 1; lane < uniform->lanes; lane++)
+            printf(", %g", uniform->initial[lane]);
         putchar('\n');
     }
 }

@@ -156,7 +156,7 @@ static void uniforms_have_defaults(void **state)
                                        &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     assert_int_equal(matc_uniform_count(program), 2);
-    MatcUniform tint = matc_uniform(program, 0), steps = matc_uniform(program, 1);
+    MatcUniform tint = *matc_uniform(program, 0), steps = *matc_uniform(program, 1);
     assert_string_equal(tint.name, "tint");
     assert_int_equal(tint.lanes, 3);
     assert_true(tint.initial[1] == 0.5 && !tint.whole);
@@ -175,7 +175,7 @@ static void noise_tables_are_textures(void **state)
     MatcDocument *document = read_text("material: Phong\ndiffuse: { map: Granite }\n", &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     assert_int_equal(matc_texture_count(program), 3);
-    MatcTexture permutation = matc_texture(program, 0);
+    MatcTexture permutation = *matc_texture(program, 0);
     assert_string_equal(permutation.name, "matc_permutation");
     assert_true(permutation.floats[0] == 45307 && permutation.floats[65535] == 54233);
     matc_program_free(program);
@@ -230,6 +230,49 @@ static void unknown_options_are_named(void **state)
     assert_false(matc_ok(program));
     matc_program_free(program);
     matc_document_free(document);
+}
+
+/* A program that was compiled with fewer options: what lies behind its struct is not touched, what it lacks has its default. */
+static void older_options_work(void **state)
+{
+    (void)state;
+    enum { KNOWN = offsetof(MatcOptions, optimize) };
+    union {
+        MatcOptions options;
+        unsigned char bytes[sizeof(MatcOptions)];
+    } old;
+    memset(old.bytes, 0xaa, sizeof old.bytes);
+    matc_options_init_sized(&old.options, KNOWN);
+    assert_true(matc_options_set(&old.options, "pass", "shadow"));
+    for (size_t i = KNOWN; i < sizeof old.bytes; i++)
+        assert_int_equal(old.bytes[i], 0xaa);
+    assert_null(matc_options_fault(&old.options));
+    char *text = compile_text(checker, MATC_FRAGMENT, &old.options);
+    MatcOptions now;
+    matc_options_init(&now);
+    now.pass = "shadow";
+    char *same = compile_text(checker, MATC_FRAGMENT, &now);
+    assert_string_equal(text, same);
+    free(text);
+    free(same);
+    old.options.size = offsetof(MatcOptions, pass);
+    assert_false(matc_options_set(&old.options, "pass", "sky"));
+}
+
+/* And one that was compiled with more. */
+static void newer_options_work(void **state)
+{
+    (void)state;
+    struct {
+        MatcOptions options;
+        long more[4];
+    } newer;
+    memset(&newer, 0xaa, sizeof newer);
+    matc_options_init_sized(&newer.options, sizeof newer);
+    assert_int_equal(newer.options.size, sizeof newer);
+    assert_int_equal(newer.more[3], 0);
+    free(compile_text(checker, MATC_FRAGMENT, &newer.options));
+    assert_string_equal(matc_version(), MATC_VERSION);
 }
 
 /* Every cut of a document is either read or refused with a place; nothing else happens. */
@@ -382,6 +425,8 @@ int main(void)
         cmocka_unit_test(noise_tables_are_textures),
         cmocka_unit_test(reflection_fits_the_shader),
         cmocka_unit_test(unknown_options_are_named),
+        cmocka_unit_test(older_options_work),
+        cmocka_unit_test(newer_options_work),
         cmocka_unit_test(cut_documents_are_refused),
         cmocka_unit_test(evaluation_reads_back),
         cmocka_unit_test(output_is_the_same_in_any_locale),

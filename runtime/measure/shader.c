@@ -34,7 +34,7 @@ static bool make_textures(GlContext *gl, Shader *made)
     if (count > SHADER_TEXTURES)
         return gl_fail(gl, "a material with more than %d textures", SHADER_TEXTURES);
     for (int i = 0; i < count; i++) {
-        MatcTexture t = matc_texture(made->program, i);
+        MatcTexture t = *matc_texture(made->program, i);
         TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, false, true, t.mipmaps};
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)i); /* making a texture binds it */
         made->textures[i] = texture_make(gl, &spec);
@@ -51,7 +51,7 @@ static void set_uniforms(GlContext *gl, const Shader *made)
     program_set(gl, made->name, &(ProgramValue){"matc_ior", 1, &(float){1}});
     program_set(gl, made->name, &(ProgramValue){"matc_eyeFromWorld", 9, (float[9]){1, 0, 0, 0, 1, 0, 0, 0, 1}});
     for (int i = 0; i < matc_uniform_count(made->program); i++) {
-        MatcUniform uniform = matc_uniform(made->program, i);
+        MatcUniform uniform = *matc_uniform(made->program, i);
         float numbers[4];
         for (int lane = 0; lane < 4; lane++)
             numbers[lane] = (float)uniform.initial[lane];

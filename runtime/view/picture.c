@@ -27,7 +27,7 @@ static void take_textures(Parts *parts, MatcProgram *program)
     int count = matc_texture_count(program);
     parts->textures = array(count, sizeof *parts->textures);
     for (int i = 0; i < count; i++) {
-        MatcTexture t = matc_texture(program, i);
+        MatcTexture t = *matc_texture(program, i);
         TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, false, true, t.mipmaps};
         parts->textures[i] = (ViewTexture){t.name, spec};
     }
@@ -41,7 +41,7 @@ static void take_uniforms(Parts *parts, const MatcProgram *program)
     parts->uniforms = array(count, sizeof *parts->uniforms);
     parts->numbers = array(count, sizeof *parts->numbers);
     for (int i = 0; i < count; i++) {
-        MatcUniform u = matc_uniform(program, i);
+        MatcUniform u = *matc_uniform(program, i);
         for (int lane = 0; lane < u.lanes; lane++)
             parts->numbers[i][lane] = (float)u.initial[lane];
         parts->uniforms[i] = (ProgramValue){u.name, u.lanes, parts->numbers[i]};

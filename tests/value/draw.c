@@ -199,7 +199,7 @@ static GLuint set_uniforms(Drawer *d, GLuint program, const Shading *shading)
     set_number(&block, "matc_ior", 1, false, &point_ior);
     program_set(d->gl, program, &(ProgramValue){"matc_eyeFromWorld", 9, (float[9]){1, 0, 0, 0, 1, 0, 0, 0, 1}});
     for (int i = 0; shading->program && i < matc_uniform_count(shading->program); i++) {
-        MatcUniform uniform = matc_uniform(shading->program, i);
+        MatcUniform uniform = *matc_uniform(shading->program, i);
         set_number(&block, uniform.name, uniform.lanes, uniform.whole, value_of(shading->graph, &uniform));
     }
     if (d->block_index(program, "Material") == GL_INVALID_INDEX)
@@ -217,7 +217,7 @@ static bool set_textures(Drawer *d, GLuint program, const Shading *shading, GLui
 {
     int count = shading->program ? matc_texture_count(shading->program) : 0;
     for (int i = 0; i < count && i < UNITS; i++) {
-        MatcTexture t = matc_texture(shading->program, i);
+        MatcTexture t = *matc_texture(shading->program, i);
         TextureSpec spec = {t.width, t.height, t.lanes, t.bytes, t.floats, false, true, t.mipmaps};
         d->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)i); /* making a texture binds it */
         names[i] = texture_make(d->gl, &spec);

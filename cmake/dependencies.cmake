@@ -1,0 +1,32 @@
+# What libmatc needs at its linking, as the target matc::private. The build and the installed package both include this: there
+# the static library brings it along, the shared one has it inside. matc_missing: what was not found.
+set(matc_missing)
+find_package(PkgConfig QUIET)
+if(PKG_CONFIG_FOUND)
+  pkg_check_modules(matc_needs QUIET IMPORTED_TARGET GLOBAL yaml-0.1 libcjson libpng)
+endif()
+if(NOT TARGET PkgConfig::matc_needs)
+  list(APPEND matc_missing "yaml-0.1, libcjson or libpng (by pkg-config)")
+endif()
+
+# Debian's glslang.pc names neither SPIR-V nor the resource limits; its CMake package wants SPIRV-Tools' development files.
+set(matc_glslang)
+set(matc_glslang_names)
+foreach(name glslang-default-resource-limits glslang SPIRV MachineIndependent GenericCodeGen OGLCompiler OSDependent
+             SPIRV-Tools-opt SPIRV-Tools)
+  find_library(GLSLANG_${name} ${name})
+  mark_as_advanced(GLSLANG_${name})
+  if(GLSLANG_${name})
+    list(APPEND matc_glslang ${GLSLANG_${name}})
+    list(APPEND matc_glslang_names ${name})
+  endif()
+endforeach()
+if(NOT GLSLANG_glslang)
+  list(APPEND matc_missing "glslang")
+endif()
+
+set(matc_system stdc++ pthread m) # glslang is C++
+if(NOT matc_missing AND NOT TARGET matc::private)
+  add_library(matc::private INTERFACE IMPORTED GLOBAL)
+  target_link_libraries(matc::private INTERFACE ${matc_glslang} PkgConfig::matc_needs ${matc_system})
+endif()

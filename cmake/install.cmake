@@ -1,0 +1,36 @@
+# What is installed, to any prefix; nothing in it names the prefix or a folder of the build.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/matc)
+set(MATC_SCHEMA ${CMAKE_INSTALL_DATADIR}/matc/schema)
+
+install(TARGETS matc EXPORT matcTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+set_target_properties(matc PROPERTIES EXPORT_NAME compiler)
+install(TARGETS matview RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES compiler/matc.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES docs/matc.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(EXPORT matcTargets NAMESPACE matc:: DESTINATION ${package})
+foreach(kind ${MATC_KINDS})
+  install(TARGETS matc_${kind} EXPORT matc-${kind} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT matc-${kind} NAMESPACE matc:: DESTINATION ${package})
+endforeach()
+
+configure_package_config_file(cmake/matcConfig.cmake.in ${PROJECT_BINARY_DIR}/package/matcConfig.cmake
+  INSTALL_DESTINATION ${package} PATH_VARS MATC_SCHEMA)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/package/matcConfig.cmake ${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake
+  cmake/materials.cmake cmake/dependencies.cmake DESTINATION ${package})
+
+# pkg-config: glslang's libraries by name, and their folder where the linker would not look.
+set(private ${matc_glslang_names} ${matc_system})
+list(TRANSFORM private PREPEND -l)
+get_filename_component(folder ${GLSLANG_glslang} DIRECTORY)
+if(NOT folder IN_LIST CMAKE_C_IMPLICIT_LINK_DIRECTORIES)
+  list(PREPEND private -L${folder})
+endif()
+list(JOIN private " " MATC_PC_PRIVATE)
+file(RELATIVE_PATH MATC_PC_UP /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+string(REGEX REPLACE "/$" "" MATC_PC_UP ${MATC_PC_UP})
+configure_file(cmake/matc.pc.in ${PROJECT_BINARY_DIR}/package/matc.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/matc.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
