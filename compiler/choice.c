@@ -85,7 +85,8 @@ const char *job_of(const MatcOptions *o, Job *job)
     int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
         return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
-    if (o->constants && strcmp(o->constants, "baked") != 0 && strcmp(o->constants, "uniform") != 0)
+    if (o->constants && strcmp(o->constants, "baked") != 0 && strcmp(o->constants, "uniform") != 0 &&
+        strcmp(o->constants, "auto") != 0)
         return "constants";
     *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
     job->from_buffer = o->constants && !strcmp(o->constants, "uniform");

@@ -151,7 +151,10 @@ static Ir *place_members(Compile *c, Ir *ir, const Job *job)
         constants_place(ir, key.places, c->options->members, key.place_count);
         opt_dead(ir);
     }
-    constants_finish(c, ir);
+    if (ir->constant_count) {
+        const IrKey key = ir_key(c, ir, job);
+        constants_finish(c, ir, key.members, (size_t)key.member_count);
+    }
     ir_done(ir);
     const char *fault = c->check ? ir_check(ir) : NULL;
     return fault ? diag_add(c, NO_SPAN, DIAG_broken_ir, "constants", fault) : ir;

@@ -126,6 +126,7 @@ static void make_room(Ir *ir, int count)
     for (int i = 0; i < count; i++)
         ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->room, none);
     memmove(ir->nodes + 1 + count, ir->nodes + 1, (ir->count - 1 - (size_t)count) * sizeof *ir->nodes);
+    memset(ir->nodes + 1, 0, (size_t)count * sizeof *ir->nodes);
     for (size_t i = 0; i < ir->arg_count; i++)
         ir->args[i] += (Ref)count;
     for (size_t f = 0; f < ir->function_count; f++) {
@@ -216,18 +217,15 @@ static void take_users_hints(const Ir *ir, const uint32_t *number, IrConstant *k
         }
 }
 
-void constants_finish(Compile *c, Ir *ir)
+void constants_finish(Compile *c, Ir *ir, const int *list, size_t count)
 {
     int named[HINT_COUNT] = {0}, size = 0;
-    uint32_t *number = ARENA_ARRAY(c->arena, uint32_t, ir->constant_count + 1); /* from 1, as they are met */
+    uint32_t *number = ARENA_ARRAY(c->arena, uint32_t, ir->constant_count + 1); /* from 1, in the given order */
     IrConstant *kept = ARENA_ARRAY(c->arena, IrConstant, ir->constant_count + 1);
-    size_t *from = ARENA_ARRAY(c->arena, size_t, ir->constant_count + 1), count = 0;
-    for (Ref ref = 1; ref < ir->count; ref++) {
-        uint32_t index = ir_at(ir, ref)->payload;
-        if (!ir_is(ir, ref, OP_constant) || number[index])
-            continue;
-        kept[count++] = ir->constants[index];
-        number[index] = (uint32_t)count;
+    size_t *from = ARENA_ARRAY(c->arena, size_t, ir->constant_count + 1);
+    for (size_t i = 0; i < count; i++) {
+        kept[i] = ir->constants[list[i]];
+        number[list[i]] = (uint32_t)i + 1;
     }
     take_users_hints(ir, number, kept);
     IrConstant *laid = ARENA_ARRAY(c->arena, IrConstant, count + 1);

@@ -21,9 +21,9 @@ typedef struct {
  * order of the places is that of ir_key's walk. */
 void constants_place(Ir *ir, const NumberPlace *places, const int *member, int count);
 
-/* Names the constants and lays them out as a std140 block: widest first, a number behind each triple. The order of the list is
- * then that of the offsets. */
-void constants_finish(Compile *c, Ir *ir);
+/* Names the live constants, given as ir_key lists them, and lays them out as a std140 block: widest first, a number behind each
+ * triple. The Ir's list is then in the order of the offsets, the same for programs of one key. */
+void constants_finish(Compile *c, Ir *ir, const int *list, size_t count);
 /* Bytes of the block, a multiple of 16; 0 for none. */
 int constants_size(const Ir *ir);
 #endif

@@ -19,6 +19,8 @@ typedef struct {
     Ref *stack;
     size_t depth, stack_room;
     uint32_t met;
+    int *members; /* constants from the buffer, as they are left */
+    size_t member_count, member_room;
 } Walk;
 
 static void put(Walk *w, uint32_t word) { ARENA_PUSH(w->arena, w->words, w->word_count, w->word_room, word); }
@@ -95,6 +97,8 @@ static void leave(Walk *w, Ref ref)
     w->number[ref] = ++w->met;
     put(w, (uint32_t)node->op << 16 | (uint32_t)node->type << 8 | node->count);
     put_payload(w, node);
+    if (node->op == OP_constant)
+        ARENA_PUSH(w->arena, w->members, w->member_count, w->member_room, (int)node->payload);
     if (ir_applies(w->ir, ref)) {
         const IrFunction *function = &w->ir->functions[node->payload];
         put_value(w, function->result, false);
@@ -158,11 +162,16 @@ IrKey ir_key(Compile *c, const Ir *ir, const Job *job)
     XXH3_128bits_reset(&both);
     XXH3_128bits_update(&both, &shape, sizeof shape);
     XXH3_128bits_update(&both, w.numbers, w.number_count * sizeof *w.numbers);
-    IrKey key = {key_of(shape), key_of(XXH3_128bits_digest(&both)), NULL, (int)w.place_count};
+    IrKey key = {key_of(shape), key_of(XXH3_128bits_digest(&both)), NULL, (int)w.place_count, NULL, 0};
     NumberPlace *places = ARENA_ARRAY(c->arena, NumberPlace, w.place_count + 1);
     if (w.place_count)
         memcpy(places, w.places, w.place_count * sizeof *places);
     key.places = places;
+    int *members = ARENA_ARRAY(c->arena, int, w.member_count + 1);
+    if (w.member_count)
+        memcpy(members, w.members, w.member_count * sizeof *members);
+    key.members = members;
+    key.member_count = (int)w.member_count;
     arena_free(&scratch);
     return key;
 }

@@ -12,6 +12,8 @@ typedef struct {
     Key key;   /* with the numbers, but for those that come from a buffer already */
     const NumberPlace *places; /* where the numbers are, in the order of the walk */
     int place_count;
+    const int *members; /* the constants that come from a buffer, in the order of the walk: indices in the Ir */
+    int member_count;
 } IrKey;
 
 /* Walks the DAG from its outputs; equal programs are walked alike however their nodes are numbered. `ir` is free of dead

@@ -1,4 +1,6 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
+#include "batch.h"
+#include "compile.h"
 #include "file.h"
 #include "options.h"
 #include "output.h"
@@ -10,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192 };
+enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192, PROGRESS_STEP = 16 };
 
 static int complain(const char *what, const char *why)
 {
@@ -30,21 +32,6 @@ static void print_diagnostics(const char *text, const CommandLine *line)
         fputs(text, stderr);
 }
 
-/* Where an output of a material goes. */
-static const char *output_path(const CommandLine *line, const char *material, const char *suffix, char *room)
-{
-    if (!line->folder)
-        return line->output ? line->output : "-";
-    snprintf(room, LONGEST_PATH, "%s/%s%s", line->folder, material, suffix);
-    return room;
-}
-
-static const char *suffix_of(const CommandLine *line, int emit)
-{
-    bool spirv = emit == EMIT_glsl && line->compile.target && !strcmp(line->compile.target, "spirv");
-    return emit_table[spirv ? EMIT_spirv : emit].suffix;
-}
-
 /* The target spirv means SPIR-V where GLSL would be written. */
 static MatcOutput output_of(const CommandLine *line, int emit)
 {
@@ -56,44 +43,55 @@ static int write_textures(const CommandLine *line, MatcProgram *program)
 {
     char path[LONGEST_PATH];
     for (int i = 0; i < matc_texture_count(program); i++) {
-        MatcTexture texture = *matc_texture(program, i);
-        if (texture.path)
+        const MatcTexture *texture = matc_texture(program, i);
+        size_t size;
+        if (texture->path)
             continue;
-        snprintf(path, sizeof path, "%s/%s.ktx", line->textures, texture.name);
-        const char *why = output_ktx(path, &texture);
+        snprintf(path, sizeof path, "%s/%s.ktx", line->textures, texture->name);
+        char *bytes = output_ktx(texture, &size);
+        const char *why = output_write(path, bytes, size);
+        free(bytes);
         if (why)
             return complain(path, why);
     }
     return FINE;
 }
 
-static int write_outputs(const CommandLine *line, MatcDocument *document, MatcProgram *program, const char *name)
+static int first_emit(const CommandLine *line)
 {
-    char path[LONGEST_PATH];
-    for (int emit = 0; emit < EMIT_COUNT; emit++) {
-        size_t size = 0;
-        if (!line->emit[emit])
-            continue;
-        const char *text =
-            emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, output_of(line, emit), &size);
-        const char *to = output_path(line, name, suffix_of(line, emit), path);
-        const char *why = output_write(to, text, emit == EMIT_tree ? strlen(text) : size);
-        if (why)
-            return complain(to, why);
-    }
-    return line->textures && program ? write_textures(line, program) : FINE;
-}
-
-static int write_depfile(const CommandLine *line, const MatcDocument *document, const char *name)
-{
-    char output[LONGEST_PATH], path[LONGEST_PATH + 2];
     int emit = 0;
     while (!line->emit[emit])
         emit++;
-    const char *to = output_path(line, name, suffix_of(line, emit), output);
+    return emit;
+}
+
+static int write_output(const CommandLine *line, MatcDocument *document, MatcProgram *program)
+{
+    int emit = first_emit(line);
+    size_t size = 0;
+    const char *to = line->output ? line->output : "-";
+    const char *text =
+        emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, output_of(line, emit), &size);
+    const char *why = output_write(to, text, emit == EMIT_tree ? strlen(text) : size);
+    if (why)
+        return complain(to, why);
+    return line->textures && program ? write_textures(line, program) : FINE;
+}
+
+static int write_depfile(const CommandLine *line, const MatcDocument *document)
+{
+    char path[LONGEST_PATH + 2];
+    const char *to = line->output ? line->output : "-";
+    int count = matc_depend_count(document);
+    const char **files = calloc((size_t)count, sizeof *files);
+    if (!files)
+        abort();
     snprintf(path, sizeof path, "%s.d", to);
+    for (int i = 0; i < count; i++)
+        files[i] = matc_depend(document, i);
     const char *depfile = line->depfile ? line->depfile : path;
-    const char *why = output_depfile(depfile, line->target ? line->target : to, document);
+    const char *why = output_depfile(depfile, line->target ? line->target : to, files, count);
+    free(files);
     return why ? complain(depfile, why) : FINE;
 }
 
@@ -104,28 +102,6 @@ static unsigned wanted_outputs(const CommandLine *line)
         if (line->emit[emit])
             outputs |= emit_table[emit].output | output_of(line, emit);
     return outputs;
-}
-
-/* Two materials of one name would overwrite each other in the folder of -d. */
-static bool take_name(const CommandLine *line, const char *name)
-{
-    for (int i = 0; line->folder && i < line->taken->count; i++)
-        if (!strcmp(line->taken->at[i], name))
-            return false;
-    char **more = realloc(line->taken->at, sizeof *more * (size_t)(line->taken->count + 1));
-    if (!more || !(more[line->taken->count] = strdup(name)))
-        abort();
-    line->taken->at = more;
-    line->taken->count++;
-    return true;
-}
-
-static int write_material(const CommandLine *line, MatcDocument *document, MatcProgram *program, const char *name)
-{
-    if (!take_name(line, name))
-        return complain(name, "a material of this name was written to the folder already");
-    int status = write_outputs(line, document, program, name);
-    return status == FINE && line->depend ? write_depfile(line, document, name) : status;
 }
 
 /* What is measured; check_usage has seen the numbers. */
@@ -165,34 +141,22 @@ static int print_pareto(const CommandLine *line, const MatcDocument *document, i
     return FINE;
 }
 
-/* Compiles a document's materials, all or the one that is meant; writes them if none has a fault. */
-static int compile_materials(const CommandLine *line, MatcDocument *document, int only)
+/* Compiles a material, and writes it if it has no fault. */
+static int compile_material(const CommandLine *line, MatcDocument *document, int material)
 {
-    int count = matc_material_count(document), status = FINE;
-    MatcProgram **programs = calloc((size_t)count, sizeof *programs);
-    if (!programs)
-        abort();
-    for (int i = 0; i < count; i++) {
-        MatcOptions options;
-        if (only >= 0 && i != only)
-            continue;
-        if (choose_options(line, document, i, &options) != FINE) {
-            status = FAULT;
-            continue;
-        }
-        programs[i] = matc_compile(document, i, wanted_outputs(line), &options);
-        print_diagnostics(matc_program_diagnostics(programs[i], line->diagnostics), line);
-        if (!matc_ok(programs[i]))
-            status = FAULT;
-        else if (line->stats)
-            fputs(matc_output(programs[i], MATC_STATS, NULL), stderr);
-    }
-    for (int i = 0; i < count && status == FINE; i++)
-        if (programs[i])
-            status = write_material(line, document, programs[i], matc_material_name(document, i));
-    for (int i = 0; i < count; i++)
-        matc_program_free(programs[i]);
-    free(programs);
+    MatcOptions options;
+    if (choose_options(line, document, material, &options) != FINE)
+        return FAULT;
+    MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &options);
+    print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
+    int status = matc_ok(program) ? FINE : FAULT;
+    if (status == FINE && line->stats)
+        fputs(matc_output(program, MATC_STATS, NULL), stderr);
+    if (status == FINE)
+        status = write_output(line, document, program);
+    if (status == FINE && line->depend)
+        status = write_depfile(line, document);
+    matc_program_free(program);
     return status;
 }
 
@@ -207,23 +171,21 @@ static int eval_material(const CommandLine *line, const MatcDocument *document, 
     return FINE;
 }
 
-/* The material that is meant, or -1: all of them, which only -d can take. -2: a fault, reported. */
+/* The material that is meant, or -1: a fault, reported. */
 static int choose_material(const CommandLine *line, const MatcDocument *document)
 {
     if (line->material) {
         int found = matc_material_find(document, line->material);
         if (found < 0)
             complain(line->material, "no such material in the document");
-        return found < 0 ? -2 : found;
+        return found;
     }
     if (matc_material_count(document) == 1)
         return 0;
-    if (line->folder && !line->eval && !line->pareto)
-        return -1;
     fputs("matc: error: the document has several materials; name one with --material, or use -d:\n", stderr);
     for (int i = 0; i < matc_material_count(document); i++)
         fprintf(stderr, "  %s\n", matc_material_name(document, i));
-    return -2;
+    return -1;
 }
 
 static int run_document(const CommandLine *line, MatcDocument *document)
@@ -231,11 +193,11 @@ static int run_document(const CommandLine *line, MatcDocument *document)
     if (!matc_material_count(document))
         return FAULT;
     int material = choose_material(line, document);
-    if (material == -2)
+    if (material < 0)
         return FAULT;
     if (line->pareto)
         return print_pareto(line, document, material);
-    return line->eval ? eval_material(line, document, material) : compile_materials(line, document, material);
+    return line->eval ? eval_material(line, document, material) : compile_material(line, document, material);
 }
 
 static int run_input(const CommandLine *line, const char *path)
@@ -253,8 +215,65 @@ static int run_input(const CommandLine *line, const char *path)
     if (!tree_only)
         status = run_document(line, document);
     else if (matc_material_count(document))
-        status = write_outputs(line, document, NULL, "");
+        status = write_output(line, document, NULL);
     matc_document_free(document);
+    return status;
+}
+
+/* -- a batch */
+
+static void say(void *user, const char *text)
+{
+    const CommandLine *line = user;
+    if (isatty(STDERR_FILENO))
+        fputs("\r\033[K", stderr); /* over the progress */
+    print_diagnostics(text, line);
+}
+
+static void show_progress(void *user, int done, int documents)
+{
+    (void)user;
+    if (done % PROGRESS_STEP == 0 || done == documents)
+        fprintf(stderr, "\r%d of %d documents%s", done, documents, done == documents ? "\r\033[K" : "");
+}
+
+static bool choose_for_batch(void *user, const MatcDocument *document, int material, MatcOptions *options)
+{
+    const char *pass = options->pass;
+    bool fine = choose_options(user, document, material, options) == FINE;
+    options->pass = pass;
+    return fine;
+}
+
+static void print_counts(const BatchResult *result)
+{
+    fprintf(stderr, "%d documents, %d materials, %d programs (", result->documents, result->materials,
+            result->programs);
+    for (int pass = 0, any = 0; pass < PASS_COUNT; pass++)
+        if (result->passes[pass])
+            fprintf(stderr, "%s%d %s", any++ ? ", " : "", result->passes[pass], pass_table[pass].name);
+    fprintf(stderr, "), %d with numbers from a buffer; %d files written\n", result->buffered, result->written);
+}
+
+static int run_batch(CommandLine *line)
+{
+    BatchResult result;
+    const BatchCalls calls = {say, isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL,
+                              choose_for_batch, line};
+    if (!batch_run(line, &calls, &result))
+        return FAULT;
+    if (line->stats)
+        print_counts(&result);
+    return FINE;
+}
+
+static int run(CommandLine *line)
+{
+    int status = FINE;
+    if (line->folder)
+        return run_batch(line);
+    for (int i = 0; i < line->input_count; i++)
+        status |= run_input(line, line->inputs[i]);
     return status;
 }
 
@@ -284,48 +303,61 @@ static const char *check_measuring(const CommandLine *line)
     return NULL;
 }
 
-static int check_usage(const CommandLine *line)
+/* NULL, or what is wrong. */
+static const char *check_output(const CommandLine *line)
 {
-    static char room[128];
-    const char *fault = matc_options_fault(&line->compile);
     int emits = 0;
     for (int i = 0; i < EMIT_COUNT; i++)
         emits += line->emit[i];
+    if (line->folder && strlen(line->folder) > LONGEST_PATH / 2)
+        return "the folder's name is too long";
+    if (line->output && line->folder)
+        return "-o and -d exclude each other";
+    if (line->input_count > 1 && !line->folder)
+        return line->output ? "several documents need -d, not -o" : "several documents need -d";
+    if (!emits)
+        return "--emit names nothing";
+    if (emits > 1 && !line->folder)
+        return "several outputs need -d";
+    if (line->pass_count > 1 && !line->folder)
+        return "several passes need -d";
+    if (line->eval && line->folder)
+        return "--eval prints, and does not go with -d";
+    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
+        return "-MD needs -o, -d or -MF";
+    return NULL;
+}
+
+static int check_usage(const CommandLine *line)
+{
+    char room[LONGEST_MESSAGE];
+    const char *fault = NULL;
+    for (int i = 0; i < line->pass_count && !fault; i++) {
+        MatcOptions options = line->compile;
+        options.pass = line->passes[i];
+        fault = matc_options_fault(&options);
+    }
     if (fault) {
         snprintf(room, sizeof room, "--%s names what does not exist", fault);
         return usage(room);
     }
     if (!line->input_count)
         return usage("no document");
-    if ((fault = check_measuring(line)))
+    if ((fault = check_measuring(line)) || (fault = check_output(line)))
         return usage(fault);
-    if (line->folder && strlen(line->folder) > LONGEST_PATH / 2)
-        return usage("the folder's name is too long");
-    if (line->output && line->folder)
-        return usage("-o and -d exclude each other");
-    if (line->output && line->input_count > 1)
-        return usage("several documents need -d, not -o");
-    if (!emits)
-        return usage("--emit names nothing");
-    if (emits > 1 && !line->folder)
-        return usage("several outputs need -d");
-    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
-        return usage("-MD needs -o, -d or -MF");
     return FINE;
 }
 
 int main(int argc, char **argv)
 {
     CommandLine line;
-    Names taken = {0};
     const char *fault;
     if (!options_read(&line, argc, argv, &fault)) {
-        free(line.inputs);
-        return usage(fault ? fault : "out of memory");
+        options_free(&line);
+        return usage(fault);
     }
     line.compile.pixels = line.eval || line.textures || line.pareto || line.max_error;
     line.compile.measure = line.stats;
-    line.taken = &taken;
     int status = FINE;
     if (line.help)
         fputs(options_help, stdout);
@@ -337,16 +369,9 @@ int main(int argc, char **argv)
         status = answer(matc_list(), "");
     else if (line.explain)
         status = answer(matc_explain(line.explain), "nothing has that name; see --list");
-    else if ((status = check_usage(&line)) == FINE) {
-        if (line.folder && mkdir(line.folder, 0777) && errno != EEXIST)
-            status = complain(line.folder, strerror(errno));
-        for (int i = 0; i < line.input_count; i++)
-            status |= run_input(&line, line.inputs[i]);
-    }
-    for (int i = 0; i < taken.count; i++)
-        free(taken.at[i]);
-    free(taken.at);
-    free(line.inputs);
+    else if ((status = check_usage(&line)) == FINE)
+        status = run(&line);
+    options_free(&line);
     if (fflush(stdout) || ferror(stdout))
         status |= complain("standard output", strerror(errno));
     return status & USAGE ? USAGE : status;

@@ -54,8 +54,9 @@ typedef struct {
     const char *coordinates;  /* "plain" (default), "long" */
     const char *powers;       /* "squaring" (default), "pow", "compensated" */
     const char *trigonometry; /* "native" (default), "bounded" */
-    const char *constants;    /* "baked" (default), "uniform": numbers of the document come from a buffer */
-    const int *members;       /* by place (matc_place): the member of the buffer that it becomes, -1 for none; NULL */
+    const char *
+        constants; /* "baked" (default; so is "auto", which is of sets), "uniform": the document's come from a buffer */
+    const int *members; /* by place (matc_place): the member of the buffer that it becomes, -1 for none; NULL */
     int member_count;
     int optimize;  /* 0: as written; 1, 2 (default): all passes */
     bool validate; /* glslang parses and links what is written (default) */

@@ -1,5 +1,7 @@
 /* The command line: one table of options. */
 #include "options.h"
+#include "file.h"
+#include "queue.h"
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,6 +35,7 @@ typedef struct {
 static const Option options[] = {
     TEXT("-o", output),
     TEXT("-d", folder),
+    TEXT("-j", jobs),
     FLAG("-MD", depend),
     TEXT("-MF", depfile),
     TEXT("-MT", target),
@@ -76,7 +79,10 @@ const char *const options_help =
     "\n"
     "output\n"
     "  -o FILE              write there; - and the default are standard output\n"
-    "  -d DIR               write NAME.frag and so on there, for every material of every document\n"
+    "  -d DIR               write NAME.frag and so on there, for all materials of all documents, each program once,\n"
+    "                       and manifest.json, which says what uses which; several passes may be named\n"
+    "  -j N                 by so many threads; all processors without it\n"
+    "  @FILE                documents named in a file, one a line\n"
     "  --emit=LIST          glsl (default), vertex, unpack, reflect, spirv, ir, dot, tree; several need -d\n"
     "  --textures DIR       write the textures that matc makes there, as KTX\n"
     "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
@@ -86,7 +92,9 @@ const char *const options_help =
     "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
     "  --layout=L           compact (default), thin (default of glsl110), thesis, radix, integer; see --explain L\n"
     "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
-    "  --constants=C        baked (default), uniform: numbers of the document come from a uniform block\n"
+    "  --constants=C        baked, uniform: numbers of the document come from a uniform block; auto (default): with "
+    "-d,\n"
+    "                       those in which materials that can share a program differ\n"
     "  --noise=N            lattice (default), groimp, simplex\n"
     "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
     "  --powers=P           squaring (default), pow, compensated\n"
@@ -198,23 +206,107 @@ static bool read_level(CommandLine *line, const char *arg)
     return true;
 }
 
+static void add_input(CommandLine *line, const char *path)
+{
+    enum { STEP = 256 };
+    if (line->input_count % STEP == 0) {
+        line->inputs = realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
+        if (!line->inputs)
+            abort();
+    }
+    line->inputs[line->input_count++] = path;
+}
+
+/* A path a line. */
+static bool read_list(CommandLine *line, const char *path, const char **fault)
+{
+    size_t size;
+    char *text = file_read(path, &size, fault);
+    if (!text)
+        return false;
+    line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
+    line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
+    if (!line->lists || !line->list_texts)
+        abort();
+    line->lists[line->list_count] = path;
+    line->list_texts[line->list_count++] = text;
+    for (char *at = text, *end; *at; at = end) {
+        size_t length = strcspn(at, "\r\n");
+        end = at + length + (at[length] != 0);
+        at[length] = 0;
+        if (length)
+            add_input(line, at);
+    }
+    return true;
+}
+
+static bool read_threads(CommandLine *line, const char **fault)
+{
+    char *end = NULL;
+    if (!line->jobs)
+        return true;
+    long threads = strtol(line->jobs, &end, 10);
+    *fault = "-j wants a number of threads, from 1 on";
+    if (threads < 1 || *end || end == line->jobs)
+        return false;
+    line->threads = threads < MOST_THREADS ? (int)threads : MOST_THREADS;
+    return true;
+}
+
+/* "gbuffer,shadow" */
+static bool read_passes(CommandLine *line, const char **fault)
+{
+    const char *list = line->compile.pass ? line->compile.pass : "gbuffer";
+    char *at = line->pass_list = strdup(list);
+    if (!at)
+        abort();
+    *fault = "--pass names too many passes";
+    for (char *next; at; at = next) {
+        if ((next = strchr(at, ',')))
+            *next++ = 0;
+        for (int i = 0; i < line->pass_count; i++)
+            if (!strcmp(line->passes[i], at)) {
+                *fault = "--pass names a pass twice";
+                return false;
+            }
+        if (line->pass_count == MOST_PASSES)
+            return false;
+        line->passes[line->pass_count++] = at;
+    }
+    return true;
+}
+
+void options_free(CommandLine *line)
+{
+    free(line->pass_list);
+    for (int i = 0; i < line->list_count; i++)
+        free(line->list_texts[i]);
+    free(line->list_texts);
+    free(line->lists);
+    free(line->inputs);
+}
+
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
 {
     *line = (CommandLine){0};
     matc_options_init(&line->compile);
     line->emit[EMIT_glsl] = true;
-    line->inputs = calloc((size_t)argc + 1, sizeof *line->inputs);
     *fault = NULL;
     bool only_files = false;
-    for (int i = 1; i < argc && line->inputs; i++) {
+    for (int i = 1; i < argc; i++) {
         const char *arg = argv[i];
         if (!only_files && !strcmp(arg, "--"))
             only_files = true;
-        else if (only_files || arg[0] != '-' || !arg[1])
-            line->inputs[line->input_count++] = arg;
+        else if (!only_files && arg[0] == '@') {
+            if (!read_list(line, arg + 1, fault))
+                return false;
+        } else if (only_files || arg[0] != '-' || !arg[1])
+            add_input(line, arg);
         else if (!read_level(line, arg) && !read_option(line, argv, &i, fault))
             return false;
     }
+    if (!read_threads(line, fault) || !read_passes(line, fault))
+        return false;
     *fault = NULL;
-    return line->inputs != NULL;
+    return true;
 }

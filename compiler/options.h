@@ -3,6 +3,8 @@
 #define MATC_OPTIONS_H
 #include "matc.h"
 
+enum { MOST_PASSES = 8 };
+
 /* Outputs that a run may write, in the order of --emit's names. */
 typedef enum {
     EMIT_glsl,
@@ -21,17 +23,18 @@ typedef struct {
 } EmitRow;
 extern const EmitRow emit_table[EMIT_COUNT];
 
-/* Names under which materials were written to the folder of -d in this run. */
-typedef struct {
-    char **at;
-    int count;
-} Names;
-
 typedef struct {
     MatcOptions compile;
-    Names *taken;
-    const char **inputs;
+    const char **inputs; /* of the arguments, and of the lists among them */
     int input_count;
+    const char **lists; /* files of inputs, "@list.txt" */
+    char **list_texts;  /* what the inputs out of lists lie in */
+    int list_count;
+    const char *jobs;                /* -j, as text */
+    const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
+    int pass_count;
+    char *pass_list;       /* what they lie in */
+    int threads;           /* -j; 0: as many as there are processors */
     const char *output;    /* -o */
     const char *folder;    /* -d */
     const char *depfile;   /* -MF */
@@ -51,5 +54,6 @@ typedef struct {
 
 /* Reads the arguments; the lists it makes are from malloc. False: *fault says what is wrong. */
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
+void options_free(CommandLine *line);
 extern const char *const options_help;
 #endif

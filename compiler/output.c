@@ -55,7 +55,7 @@ const char *output_write(const char *path, const void *bytes, size_t size)
     return why;
 }
 
-const char *output_ktx(const char *path, const MatcTexture *t)
+char *output_ktx(const MatcTexture *t, size_t *file_size)
 {
     enum {
         GL_UNSIGNED_BYTE = 0x1401,
@@ -90,16 +90,15 @@ const char *output_ktx(const char *path, const MatcTexture *t)
                           0};
     unsigned char *file = calloc(1, HEADER + sizeof size + size);
     if (!file)
-        return "out of memory";
+        abort();
     memcpy(file, identifier, sizeof identifier);
     memcpy(file + sizeof identifier, words, sizeof words);
     memcpy(file + HEADER, &size, sizeof size);
     const unsigned char *texels = floats ? (const unsigned char *)t->floats : t->bytes;
     for (int y = 0; y < t->height; y++)
         memcpy(file + HEADER + sizeof size + (size_t)y * padded, texels + (size_t)y * row, row);
-    const char *why = output_write(path, file, HEADER + sizeof size + size);
-    free(file);
-    return why;
+    *file_size = HEADER + sizeof size + size;
+    return (char *)file;
 }
 
 /* Spaces and the characters that make minds. */
@@ -114,7 +113,7 @@ static void put_escaped(FILE *out, const char *path)
     }
 }
 
-const char *output_depfile(const char *path, const char *target, const MatcDocument *document)
+const char *output_depfile(const char *path, const char *target, const char *const *files, int count)
 {
     char *text = NULL;
     size_t size = 0;
@@ -123,11 +122,11 @@ const char *output_depfile(const char *path, const char *target, const MatcDocum
         return strerror(errno);
     put_escaped(out, target);
     fputc(':', out);
-    for (int i = 0; i < matc_depend_count(document); i++) {
-        if (matc_depend(document, i)[0] == '<')
+    for (int i = 0; i < count; i++) {
+        if (files[i][0] == '<')
             continue; /* standard input has no file */
         fputs(i ? " \\\n  " : " ", out);
-        put_escaped(out, matc_depend(document, i));
+        put_escaped(out, files[i]);
     }
     fputc('\n', out);
     const char *why = fclose(out) ? strerror(errno) : output_write(path, text, size);

@@ -5,8 +5,8 @@
 
 /* Writes to a temporary name beside `path` and renames it; "-" is standard output. NULL, or why not. */
 const char *output_write(const char *path, const void *bytes, size_t size);
-/* A texture as KTX 1 (row 0 is v = 0). NULL, or why not. */
-const char *output_ktx(const char *path, const MatcTexture *texture);
+/* A texture as a KTX 1 file (row 0 is v = 0), from malloc. */
+char *output_ktx(const MatcTexture *texture, size_t *size);
 /* `target: files...` for make and ninja. */
-const char *output_depfile(const char *path, const char *target, const MatcDocument *document);
+const char *output_depfile(const char *path, const char *target, const char *const *files, int count);
 #endif

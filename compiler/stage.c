@@ -1,5 +1,6 @@
 /* Files wait in a folder of the process within the folder, so that moving them is a rename. */
 #include "stage.h"
+#include "sets.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -12,7 +13,6 @@
 enum { LONGEST_PATH = 4096 };
 
 typedef struct {
-    char *name;
     bool waits; /* in the stage; else the folder has it already */
     bool dropped;
 } StagedFile;
@@ -20,46 +20,11 @@ typedef struct {
 struct Stage {
     char *folder, *waiting;
     bool made; /* `waiting` exists */
-    StagedFile *files;
-    size_t count, room;
-    size_t *table, mask; /* by name: numbers from 1 */
+    StringSet names;
+    StagedFile *files; /* by number of the name */
     int written;
     pthread_mutex_t mutex;
 };
-
-static size_t hash_name(const char *name)
-{
-    size_t hash = 1469598103934665603u;
-    for (; *name; name++)
-        hash = (hash ^ (unsigned char)*name) * 1099511628211u;
-    return hash ^ hash >> 29;
-}
-
-static size_t place_of(const Stage *s, const char *name)
-{
-    size_t at = hash_name(name) & s->mask;
-    while (s->table[at] && strcmp(s->files[s->table[at] - 1].name, name) != 0)
-        at = (at + 1) & s->mask;
-    return at;
-}
-
-static void *checked(void *memory)
-{
-    if (!memory)
-        abort();
-    return memory;
-}
-
-static void grow(Stage *s)
-{
-    s->room = s->room ? 2 * s->room : 64;
-    s->files = checked(realloc(s->files, s->room * sizeof *s->files));
-    free(s->table);
-    s->mask = 4 * s->room - 1;
-    s->table = checked(calloc(s->mask + 1, sizeof *s->table));
-    for (size_t i = 0; i < s->count; i++)
-        s->table[place_of(s, s->files[i].name)] = i + 1;
-}
 
 Stage *stage_open(const char *folder, const char **why)
 {
@@ -68,13 +33,11 @@ Stage *stage_open(const char *folder, const char **why)
         *why = strerror(errno);
         return NULL;
     }
-    Stage *s = checked(calloc(1, sizeof *s));
+    Stage *s = sets_resize(NULL, sizeof *s);
     snprintf(waiting, sizeof waiting, "/.matc-%ld", (long)getpid());
-    s->folder = checked(strdup(folder));
-    s->waiting = checked(malloc(strlen(folder) + sizeof waiting));
+    *s = (Stage){.folder = sets_copy(folder), .waiting = sets_resize(NULL, strlen(folder) + sizeof waiting)};
     strcat(strcpy(s->waiting, folder), waiting);
     pthread_mutex_init(&s->mutex, NULL);
-    grow(s);
     return s;
 }
 
@@ -144,19 +107,13 @@ const char *stage_put(Stage *s, const char *name, const void *bytes, size_t size
     if (why)
         return why;
     pthread_mutex_lock(&s->mutex);
-    if (s->count == s->room)
-        grow(s);
-    size_t at = place_of(s, name);
-    if (s->table[at]) {
-        StagedFile *file = &s->files[s->table[at] - 1];
-        if (file->waits && !waits && join(path, s->waiting, name))
-            unlink(path);
-        file->waits = waits;
-        file->dropped = false;
-    } else {
-        s->files[s->count++] = (StagedFile){checked(strdup(name)), waits, false};
-        s->table[at] = s->count;
-    }
+    bool added;
+    int number = strings_add(&s->names, name, &added);
+    if (added)
+        s->files = sets_resize(s->files, (size_t)s->names.room * sizeof *s->files);
+    else if (s->files[number].waits && !waits && join(path, s->waiting, name))
+        unlink(path);
+    s->files[number] = (StagedFile){.waits = waits};
     pthread_mutex_unlock(&s->mutex);
     return NULL;
 }
@@ -164,21 +121,21 @@ const char *stage_put(Stage *s, const char *name, const void *bytes, size_t size
 void stage_drop(Stage *s, const char *name)
 {
     pthread_mutex_lock(&s->mutex);
-    size_t at = s->table[place_of(s, name)];
-    if (at)
-        s->files[at - 1].dropped = true;
+    int number = strings_find(&s->names, name);
+    if (number >= 0)
+        s->files[number].dropped = true;
     pthread_mutex_unlock(&s->mutex);
 }
 
 const char *stage_commit(Stage *s)
 {
     char from[LONGEST_PATH], to[LONGEST_PATH];
-    for (size_t i = 0; i < s->count; i++) {
+    for (int i = 0; i < s->names.count; i++) {
         StagedFile *file = &s->files[i];
         if (!file->waits || file->dropped)
             continue;
-        join(from, s->waiting, file->name);
-        join(to, s->folder, file->name);
+        join(from, s->waiting, s->names.at[i]);
+        join(to, s->folder, s->names.at[i]);
         if (rename(from, to))
             return strerror(errno);
         file->waits = false;
@@ -190,8 +147,8 @@ const char *stage_commit(Stage *s)
 void stage_remove_stale(Stage *s, const char *name)
 {
     char path[LONGEST_PATH];
-    size_t at = s->table[place_of(s, name)];
-    if ((!at || s->files[at - 1].dropped) && !strchr(name, '/') && join(path, s->folder, name))
+    int number = strings_find(&s->names, name);
+    if ((number < 0 || s->files[number].dropped) && !strchr(name, '/') && join(path, s->folder, name))
         unlink(path);
 }
 
@@ -202,16 +159,15 @@ void stage_close(Stage *s)
     char path[LONGEST_PATH];
     if (!s)
         return;
-    for (size_t i = 0; i < s->count; i++) {
-        if (s->files[i].waits && join(path, s->waiting, s->files[i].name))
+    for (int i = 0; i < s->names.count; i++) {
+        if (s->files[i].waits && join(path, s->waiting, s->names.at[i]))
             unlink(path);
-        free(s->files[i].name);
     }
     if (s->made)
         rmdir(s->waiting);
     pthread_mutex_destroy(&s->mutex);
     free(s->files);
-    free(s->table);
+    strings_free(&s->names);
     free(s->folder);
     free(s->waiting);
     free(s);

@@ -85,22 +85,25 @@ check "says why" says 'folder.frag'
 
 check "-d DIR" status 0 $fast -d "$work/many" $example examples/wood.yaml --emit=glsl,vertex,unpack,reflect,ir,dot,tree
 check "writes a file each" only "$work/many" checker.dot checker.frag checker.ir checker.json checker.tree \
-    checker.unpack.glsl checker.vert wood.dot wood.frag wood.ir wood.json wood.tree wood.unpack.glsl wood.vert
-check "one fault does not stop the others" status 1 $fast -d "$work/some" "$work/bad.yaml" $example
-check "the good one is written" only "$work/some" checker.frag
+    checker.vert compact.unpack.glsl manifest.json wood.dot wood.frag wood.ir wood.json wood.tree wood.vert
+mkdir "$work/some"
+check "one fault in a set" status 1 $fast -d "$work/some" "$work/bad.yaml" $example
+check "writes nothing of it" test -z "$(ls -A "$work/some")"
 printf 'materials:\n  red: { material: RGBA, r: 1 }\n  blue: { material: RGBA, b: 1 }\n' >"$work/two.yaml"
 check "several materials need a choice" status 1 $fast "$work/two.yaml"
 check "which lists them" says 'blue'
 check "--material" status 0 $fast --material red "$work/two.yaml"
 check "-d takes all" status 0 $fast -d "$work/two" "$work/two.yaml"
-check "one file each" only "$work/two" blue.frag red.frag
+check "which differ in a number only" only "$work/two" manifest.json red.frag
+check "unless it stands in the program" status 0 $fast -d "$work/two" --constants=baked "$work/two.yaml"
+check "one file each" only "$work/two" blue.frag manifest.json red.frag
 printf 'materials:\n  good: { material: RGBA }\n  bad: { material: Phong, diffuse: { map: VolumeTurbulence, octaves: { param: n, default: 2 } } }\n' >"$work/half.yaml"
 mkdir "$work/half"
 check "a fault in one material" status 1 $fast -d "$work/half" "$work/half.yaml"
 check "writes none of the document" test -z "$(ls "$work/half")"
 mkdir "$work/x" && cp $example "$work/x/"
 check "two documents of one name" status 1 $fast -d "$work/same" $example "$work/x/checker.yaml"
-check "are not written over each other" says "written to the folder already"
+check "are not written over each other" says "two materials have this name"
 
 check "spirv" status 0 "$matc" --target=spirv $example -o "$work/a.spv"
 check "has its magic number" test "$(od -An -tx4 -N4 "$work/a.spv" | tr -d ' ')" = 07230203

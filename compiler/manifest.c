@@ -1,0 +1,151 @@
+/* What a batch made, as JSON: programs, and for every material its programs and the numbers that are its own. */
+#include "batch_state.h"
+#include "choice.h"
+#include "layout.h"
+#include "pipeline.h"
+#include <cjson/cJSON.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void put_name(Text *out, const char *key, const char *value)
+{
+    text_format(out, "\"%s\": ", key);
+    text_json(out, value, strlen(value));
+}
+
+static void put_layout(Text *out, const Batch *b)
+{
+    Job job;
+    bool any = false;
+    for (int i = 0; i < b->program_count; i++)
+        any |= b->programs[i].first->pass == PASS_gbuffer || b->programs[i].first->pass == PASS_plane;
+    if (!any || job_of(&b->options, &job))
+        return;
+    text_put(out, ",\n  \"layout\": {");
+    put_name(out, "name", job.layout->name);
+    text_format(out, ", \"bytes\": %d, \"targets\": [", layout_bytes(job.layout));
+    for (int i = 0; i < layout_targets(job.layout); i++)
+        text_format(out, "%s\"%s\"", i ? ", " : "", format_table[job.layout->formats[i]].name);
+    text_put(out, "]");
+    if (b->line->emit[EMIT_unpack])
+        text_format(out, ", \"unpack\": \"%s%s\"", job.layout->name, emit_table[EMIT_unpack].suffix);
+    text_put(out, "}");
+}
+
+/* Members of a program that name files, by emit; NULL: it has none. */
+static const char *const file_keys[EMIT_COUNT] = {
+    [EMIT_glsl] = "fragment", [EMIT_vertex] = "vertex", [EMIT_reflect] = "reflection",
+    [EMIT_spirv] = "spirv",   [EMIT_ir] = "ir",         [EMIT_dot] = "dot",
+};
+
+static void put_files(Text *out, const Batch *b, const char *name)
+{
+    bool spirv = b->options.target && !strcmp(b->options.target, "spirv");
+    for (int emit = 0; emit < EMIT_COUNT; emit++) {
+        int as = emit == EMIT_glsl && spirv ? EMIT_spirv : emit;
+        if (b->line->emit[emit] && file_keys[emit])
+            text_format(out, ", \"%s\": \"%s%s\"", file_keys[as], name, emit_table[as].suffix);
+    }
+}
+
+static void put_program(Text *out, const Batch *b, const BatchProgram *program)
+{
+    char digits[KEY_TEXT];
+    key_text(program->members ? program->first->shape : program->first->key, digits);
+    text_format(out, "{\"pass\": \"%s\", \"key\": \"%s\"", pass_table[program->first->pass].name, digits);
+    put_files(out, b, program->name);
+    text_format(out, ", \"materials\": %d%s}", program->unit_count, program->first->written->json);
+}
+
+static void put_number(Text *out, uint32_t bits, bool word)
+{
+    float number;
+    memcpy(&number, &bits, sizeof number);
+    if (word)
+        text_format(out, "%lu", (unsigned long)bits);
+    else
+        text_float(out, number);
+}
+
+/* The material's numbers for the members of its program's buffer. */
+static void put_constants(Text *out, const Unit *unit, const Written *written)
+{
+    if (!written->member_count)
+        return;
+    int *offsets = unit_offsets(unit);
+    text_put(out, ", \"constants\": [");
+    for (int i = 0; i < written->member_count; i++) {
+        int number = written->members[i], lanes = unit->lanes[number] ? unit->lanes[number] : 1;
+        text_put(out, i ? ", [" : "[");
+        for (int lane = 0; lane < lanes; lane++) {
+            text_put(out, lane ? ", " : "");
+            put_number(out, unit->bits[offsets[number] + lane], !unit->lanes[number]);
+        }
+        text_put(out, "]");
+    }
+    text_put(out, "]");
+    free(offsets);
+}
+
+static void put_material(Text *out, const Batch *b, const BatchDocument *document, const BatchMaterial *material)
+{
+    text_put(out, "{");
+    put_name(out, "name", material->name);
+    text_put(out, ", ");
+    put_name(out, "source", document->depend_count ? document->depends[0] : document->path);
+    text_format(out, ", \"opacity\": \"%s\", \"programs\": [", material->opacity);
+    for (int turn = 0; turn < b->turn_count; turn++) {
+        const Unit *unit = &material->units[turn];
+        text_format(out, "%s\n      {\"pass\": \"%s\", \"program\": %d", turn ? "," : "", b->turns[turn],
+                    unit->program);
+        put_constants(out, unit, b->programs[unit->program].first->written);
+        text_format(out, "%s}", unit->own);
+    }
+    text_put(out, "]}");
+}
+
+const char *manifest_text(const Batch *b, Arena *arena)
+{
+    Text out = text_new(arena);
+    const char *target = b->options.target ? b->options.target : target_table[TARGET_glsl330].name;
+    bool any = false;
+    text_format(&out, "{\n  \"matc\": \"" MATC_VERSION "\",\n  \"target\": \"%s\"", target);
+    put_layout(&out, b);
+    text_put(&out, ",\n  \"programs\": [");
+    for (int i = 0; i < b->program_count; i++) {
+        text_put(&out, i ? ",\n    " : "\n    ");
+        put_program(&out, b, &b->programs[i]);
+    }
+    text_put(&out, "\n  ],\n  \"materials\": [");
+    for (int d = 0; d < b->document_count; d++)
+        for (int m = 0; m < b->documents[d].material_count; m++) {
+            text_put(&out, any ? ",\n    " : "\n    ");
+            put_material(&out, b, &b->documents[d], &b->documents[d].materials[m]);
+            any = true;
+        }
+    text_put(&out, "\n  ]\n}\n");
+    return out.at;
+}
+
+static void remove_named(const Batch *b, const cJSON *object, const char *key)
+{
+    const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
+    if (name)
+        stage_remove_stale(b->stage, name);
+}
+
+void manifest_remove_stale(const Batch *b, const char *old)
+{
+    cJSON *json = cJSON_Parse(old);
+    const cJSON *program;
+    if (cJSON_IsString(cJSON_GetObjectItemCaseSensitive(json, "matc"))) {
+        cJSON_ArrayForEach(program, cJSON_GetObjectItemCaseSensitive(json, "programs"))
+        {
+            for (int emit = 0; emit < EMIT_COUNT; emit++)
+                if (file_keys[emit])
+                    remove_named(b, program, file_keys[emit]);
+        }
+        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "unpack");
+    }
+    cJSON_Delete(json);
+}
