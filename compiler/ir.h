@@ -74,6 +74,9 @@ typedef struct {
     int offset;          /* in the std140 block, in bytes */
 } IrConstant;
 
+/* What lowering alone knows of the transparency. */
+typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
+
 enum { MOST_OUTPUTS = 8 };
 
 typedef struct Ir {
@@ -99,6 +102,7 @@ typedef struct Ir {
     const Graph *graph; /* for uniforms' names */
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
+    Opacity opacity;
     bool keep_pow;        /* powers stay calls of pow */
     ReferenceNoise noise; /* which the folder computes with */
     Ref *held;            /* operands of calls whose arguments are being made; see REFS */

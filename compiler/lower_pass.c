@@ -136,6 +136,16 @@ static int find_case(Lower *l, const Node *material, const Env *env)
     return number;
 }
 
+/* A constant transparency, which needs no compiling of its own to be known. */
+static void note_opacity(Lower *l, const Node *material, const Env *env)
+{
+    Ref t = lower_slot(l, material, SLOT_transparency, env);
+    if (!ir_is(l->ir, t, OP_const))
+        return;
+    const double *lane = ir_numbers(l->ir, t);
+    l->ir->opacity = lane[0] <= 0 && lane[1] <= 0 && lane[2] <= 0 ? OPACITY_opaque : OPACITY_transparent;
+}
+
 static void write_pass(Lower *l, const Node *material)
 {
     const Job *job = l->job;
@@ -144,6 +154,8 @@ static void write_pass(Lower *l, const Node *material)
     case PASS_gbuffer:
     case PASS_plane:
         lower_layout(l, find_case(l, material, &env), material, &env);
+        if (l->cheap && !job->from_buffer)
+            note_opacity(l, material, &env);
         break;
     case PASS_sky:
         write_sky(l, material, &env);

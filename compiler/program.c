@@ -33,7 +33,6 @@ struct MatcProgram {
     IrKey key;
     MatcConstant *places;
     char key_digits[KEY_TEXT], shape_digits[KEY_TEXT];
-    const char *opacity; /* NULL: not asked yet */
 };
 
 static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t size)
@@ -43,29 +42,41 @@ static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t siz
     p->sizes[bit] = size;
 }
 
-/* Known from lowering alone for most materials; else the transparency is compiled by itself. */
-const char *matc_opacity(MatcProgram *p)
+/* For most materials lowering knows; else the transparency is compiled by itself. */
+static Opacity find_opacity(const MatcProgram *p)
 {
-    if (p->opacity || !p->ir)
-        return p->opacity;
+    const Graph *graph = p->document->graph;
+    Arena arena = {0};
     Job transparency = p->job;
+    MatcOptions options = p->options;
+    Opacity opacity = OPACITY_varying;
+    if (p->ir->opacity != OPACITY_unknown)
+        return p->ir->opacity;
     transparency.pass = PASS_value;
     transparency.slot = SLOT_transparency;
     transparency.from_buffer = false;
-    MatcOptions options = p->options;
     options.member_count = 0;
-    Compile quiet = p->c;
-    quiet.options = &options;
-    quiet.measure = false;
-    quiet.optimize = 2;
-    const Graph *graph = p->document->graph;
+    options.optimize = 2;
+    Compile quiet = compile_with(&options, &arena);
     const Ir *ir = compile_ir(&quiet, graph, graph->materials[p->material].node, &transparency);
-    p->opacity = "varying";
     if (ir && ir_is(ir, ir->outputs[0].value, OP_const)) {
         const double *t = ir_numbers(ir, ir->outputs[0].value);
-        p->opacity = t[0] <= 0 && t[1] <= 0 && t[2] <= 0 ? "opaque" : "transparent";
+        opacity = t[0] <= 0 && t[1] <= 0 && t[2] <= 0 ? OPACITY_opaque : OPACITY_transparent;
     }
-    return p->opacity;
+    arena_free(&arena);
+    return opacity;
+}
+
+const char *matc_opacity(MatcProgram *p)
+{
+    static const char *const names[] = {
+        [OPACITY_opaque] = "opaque", [OPACITY_transparent] = "transparent", [OPACITY_varying] = "varying"};
+    if (!p->ir)
+        return NULL;
+    Locale locale = locale_enter();
+    p->ir->opacity = find_opacity(p);
+    locale_leave(locale);
+    return names[p->ir->opacity];
 }
 
 static void print_stats(Text *out, const Compile *c, const char *heading)

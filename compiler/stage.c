@@ -23,7 +23,7 @@ struct Stage {
     StringSet names;
     StagedFile *files; /* by number of the name */
     int written;
-    pthread_mutex_t mutex;
+    pthread_mutex_t mutex, making; /* of what is here; of files being made */
 };
 
 Stage *stage_open(const char *folder, const char **why)
@@ -38,6 +38,7 @@ Stage *stage_open(const char *folder, const char **why)
     *s = (Stage){.folder = sets_copy(folder), .waiting = sets_resize(NULL, strlen(folder) + sizeof waiting)};
     strcat(strcpy(s->waiting, folder), waiting);
     pthread_mutex_init(&s->mutex, NULL);
+    pthread_mutex_init(&s->making, NULL);
     return s;
 }
 
@@ -102,7 +103,9 @@ const char *stage_put(Stage *s, const char *name, const void *bytes, size_t size
     bool waits = !is_there(path, bytes, size);
     if (waits && !(why = make_waiting(s))) {
         join(path, s->waiting, name);
+        pthread_mutex_lock(&s->making); /* kernels serialise it anyway, and spin */
         why = write_waiting(path, bytes, size);
+        pthread_mutex_unlock(&s->making);
     }
     if (why)
         return why;
@@ -166,6 +169,7 @@ void stage_close(Stage *s)
     if (s->made)
         rmdir(s->waiting);
     pthread_mutex_destroy(&s->mutex);
+    pthread_mutex_destroy(&s->making);
     free(s->files);
     strings_free(&s->names);
     free(s->folder);
