@@ -36,7 +36,13 @@ void text_add(Text *text, const char *bytes, size_t size)
 }
 
 void text_put(Text *text, const char *string) { text_add(text, string, strlen(string)); }
-void text_char(Text *text, char c) { text_add(text, &c, 1); }
+
+void text_char(Text *text, char c)
+{
+    reserve(text, 1);
+    text->at[text->size++] = c;
+    text->at[text->size] = 0;
+}
 
 void text_int(Text *text, long value)
 {
