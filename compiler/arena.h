@@ -25,5 +25,6 @@ void arena_free(Arena *arena);
 #define ARENA_ARRAY(arena, Type, count) ((Type *)arena_zero(arena, sizeof(Type) * (size_t)(count)))
 /* Appends to a {Type *at; size_t count, room} list. */
 #define ARENA_PUSH(arena, array, count, room, value)                                                                   \
-    ((array) = arena_grow(arena, array, count, &(room), sizeof *(array)), (array)[(count)++] = (value))
+    ((void)((count) < (room) || ((array) = arena_grow(arena, array, count, &(room), sizeof *(array)))),                \
+     (array)[(count)++] = (value))
 #endif

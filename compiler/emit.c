@@ -19,9 +19,11 @@ static bool is_taken(const Scope *e, const char *name)
     for (int i = 0; i < e->ir->graph->uniform_count; i++)
         if (!strcmp(e->ir->graph->uniforms[i]->name, name))
             return true;
-    for (int i = 0; i < FUNCTION_COUNT; i++)
-        if (function_row(i)->name && !strcmp(function_row(i)->name, name))
+    for (int i = 0; i < FUNCTION_COUNT; i++) {
+        const char *other = function_row(i)->name;
+        if (other && *other == *name && !strcmp(other, name)) /* most differ in the first letter */
             return true;
+    }
     return false;
 }
 

@@ -36,11 +36,16 @@ static Ref merge(Ir *ir, Ref ref, const void *user)
 
 bool opt_merge(Ir *ir)
 {
-    uint8_t *live = ir_live(ir, &ir->scratch);
+    uint8_t *live = NULL;
     Ref *found = NULL;
     size_t count = 0, room = 0;
-    for (Ref ref = 1; ref < ir->count; ref++)
-        if (live[ref] && ir_is(ir, ref, OP_call) && ir_type(ir, ref) == TYPE_vec4)
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        if (!ir_is(ir, ref, OP_call) || ir_type(ir, ref) != TYPE_vec4)
+            continue;
+        if (!live)
+            live = ir_live(ir, &ir->scratch);
+        if (live[ref])
             ARENA_PUSH(&ir->scratch, found, count, room, ref);
+    }
     return count && opt_sweep(ir, merge, &(Gradients){found, count});
 }

@@ -69,7 +69,8 @@ const Member *tree_find(const Tree *object, const char *key)
         return object->table[at] ? &object->members[object->table[at] - 1] : NULL;
     }
     for (uint32_t i = 0; i < object->count; i++)
-        if (!strcmp(object->members[i].key, key))
+        if (*object->members[i].key == *key &&
+            !strcmp(object->members[i].key, key)) /* most differ in the first letter */
             return &object->members[i];
     return NULL;
 }

@@ -77,6 +77,10 @@
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                                        \
     F(VIEWPORT, Viewport)
 
-/* What a driver may lack: OpenGL 3.3. */
-#define GL_OPTIONAL_FUNCTIONS(F) F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)
+/* What a driver may lack: of OpenGL 3.1 and 3.3. */
+#define GL_OPTIONAL_FUNCTIONS(F)                                                                                       \
+    F(BINDBUFFERBASE, BindBufferBase)                                                                                  \
+    F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                                        \
+    F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex)                                                                      \
+    F(UNIFORMBLOCKBINDING, UniformBlockBinding)
 #endif

@@ -41,6 +41,7 @@ static const struct {
     {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it"},
     {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error"},
     {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute"},
+    {"batch", bench_batch, "many materials in one process, beside glslang's time; what a scene's materials share"},
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
     {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk"},
 };

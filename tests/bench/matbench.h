@@ -20,5 +20,7 @@ int bench_layout(int argc, char **argv);
 int bench_layout_frame(void);
 /* Run time against error: --quick --gl=KIND --csv FILE --plot BASENAME --page FILE. */
 int bench_error(int argc, char **argv);
+/* Many materials in one process: --count N --matc PROGRAM --speed --scene. */
+int bench_batch(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 #endif

@@ -1,0 +1,8 @@
+/* The parts of matbench batch. */
+#ifndef BATCH_H
+#define BATCH_H
+#include "batch_run.h"
+
+/* What sharing programs, layouts made for a scene and programs for each pass save: a table on standard output. */
+bool batch_measure_scene(BatchFolder *folder);
+#endif

@@ -1,0 +1,32 @@
+/* Draws the G-buffer programs of batches, by their manifests alone, and times them. */
+#ifndef BATCH_DRAW_H
+#define BATCH_DRAW_H
+#include "batch_run.h"
+#include "runtime/measure/meter.h"
+#include <cjson/cJSON.h>
+
+/* A batch's programs and the targets that they are drawn to. */
+typedef struct {
+    const BatchFolder *folder;
+    const char *out; /* below the folder */
+    cJSON *manifest;
+    Framebuffer targets;
+} BatchOutput;
+
+/* False: see stderr. Delete in any case. */
+bool batch_output_read(BatchOutput *output, const BatchFolder *folder, const char *out);
+bool batch_output_targets(BatchOutput *output, Meter *meter, int width, int height);
+void batch_output_delete(BatchOutput *output, Meter *meter);
+
+/* A material's program, with its constants in a buffer. */
+typedef struct {
+    Shader shader;
+    GLuint buffer;
+} BatchDraw;
+/* False: meter->error. Delete in any case. `binding` is the buffer's, one for each program that is in use. */
+bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, int binding, BatchDraw *made);
+void batch_draw_delete(Meter *meter, BatchDraw *draw);
+
+/* The program of a material for a pass, and what the manifest says of the material's use of it; NULL. */
+const cJSON *batch_program(const cJSON *manifest, int material, const char *pass, const cJSON **use);
+#endif

@@ -1,0 +1,153 @@
+/* Folders, files and processes for the benchmarks of batches. */
+#include "batch_run.h"
+#include "batch_documents.h"
+#include "matbench.h"
+#include <fcntl.h>
+#include <ftw.h>
+#include <spawn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+bool batch_folder_make(BatchFolder *folder, const char *matc)
+{
+    *folder = (BatchFolder){.matc = matc};
+    snprintf(folder->path, sizeof folder->path, "/tmp/matbenchXXXXXX");
+    return mkdtemp(folder->path) != NULL;
+}
+
+static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
+{
+    (void)info, (void)kind, (void)walk;
+    return remove(path);
+}
+
+static void remove_all(const char *path) { nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS); }
+void batch_folder_remove(const BatchFolder *folder) { remove_all(folder->path); }
+
+void batch_clear(const BatchFolder *folder, const char *name)
+{
+    char path[BATCH_PATH];
+    snprintf(path, sizeof path, "%s/%s", folder->path, name);
+    remove_all(path);
+}
+
+static bool write_file(const char *path, const char *bytes, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    bool fine = file && fwrite(bytes, 1, size, file) == size;
+    return file && !fclose(file) && fine;
+}
+
+static char *read_file_whole(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    struct stat info;
+    char *bytes = file && !fstat(fileno(file), &info) ? malloc((size_t)info.st_size + 1) : NULL;
+    *size = bytes ? fread(bytes, 1, (size_t)info.st_size, file) : 0;
+    if (bytes)
+        bytes[*size] = 0;
+    if (file)
+        fclose(file);
+    return bytes;
+}
+
+static bool write_pictures(const BatchFolder *folder)
+{
+    char path[BATCH_PATH], name[32];
+    size_t size;
+    char *picture = read_file_whole(SOURCE_FOLDER "/examples/tiles.png", &size);
+    bool fine = picture != NULL;
+    for (int i = 0; i < SCENE_PICTURES && fine; i++) {
+        batch_picture(i, name);
+        snprintf(path, sizeof path, "%s/%s", folder->path, name);
+        fine = write_file(path, picture, size);
+    }
+    free(picture);
+    return fine;
+}
+
+bool batch_folder_fill(BatchFolder *folder, const char *name, int count, void (*write)(int index, Text *out))
+{
+    char path[BATCH_PATH];
+    Arena arena = {0};
+    bool fine = write_pictures(folder);
+    folder->bytes = 0;
+    snprintf(path, sizeof path, "%s/%s.txt", folder->path, name);
+    FILE *list = fopen(path, "w");
+    for (int i = 0; i < count && fine && list; i++) {
+        Text text = text_new(&arena);
+        write(i, &text);
+        snprintf(path, sizeof path, "%s/%s%05d.yaml", folder->path, name, i);
+        fine = write_file(path, text.at, text.size);
+        fprintf(list, "%s\n", path);
+        folder->bytes += text.size;
+        arena_reset(&arena);
+    }
+    arena_free(&arena);
+    fine = list && !fclose(list) && fine;
+    if (!fine)
+        perror(path);
+    return fine;
+}
+
+static void show(const char *path)
+{
+    size_t size;
+    char *said = read_file_whole(path, &size);
+    fprintf(stderr, "matbench: matc failed\n%.2000s\n", said ? said : "");
+    free(said);
+}
+
+static double seconds_of(struct timeval time) { return (double)time.tv_sec + (double)time.tv_usec * 1e-6; }
+
+/* Runs a process whose output goes to a file. */
+static bool run_process(char *const *arguments, const char *output, BatchTimes *times)
+{
+    posix_spawn_file_actions_t actions;
+    struct rusage usage;
+    int status = 1;
+    pid_t child;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    double start = bench_now();
+    bool fine = !posix_spawn(&child, arguments[0], &actions, NULL, arguments, environ) &&
+                wait4(child, &status, 0, &usage) == child && status == 0;
+    if (fine)
+        *times =
+            (BatchTimes){bench_now() - start, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), usage.ru_maxrss};
+    posix_spawn_file_actions_destroy(&actions);
+    return fine;
+}
+
+bool batch_run(const BatchFolder *folder, const char *list, const char *out, const char *const *arguments,
+               BatchTimes *times)
+{
+    char at_list[BATCH_PATH], to[BATCH_PATH], said[BATCH_PATH];
+    const char *all[BATCH_ARGUMENTS] = {folder->matc, "-d", to, at_list};
+    int count = 4;
+    snprintf(at_list, sizeof at_list, "@%s/%s.txt", folder->path, list);
+    snprintf(to, sizeof to, "%s/%s", folder->path, out);
+    snprintf(said, sizeof said, "%s/said", folder->path);
+    for (; *arguments && count < BATCH_ARGUMENTS - 1; arguments++)
+        all[count++] = *arguments;
+    if (run_process((char *const *)all, said, times))
+        return true;
+    show(said);
+    return false;
+}
+
+char *batch_read(const BatchFolder *folder, const char *out, const char *name)
+{
+    char path[2 * BATCH_PATH];
+    size_t size;
+    snprintf(path, sizeof path, "%s/%s/%s", folder->path, out, name);
+    return read_file_whole(path, &size);
+}

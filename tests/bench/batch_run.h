@@ -1,0 +1,32 @@
+/* A folder of documents, and processes of matc that compile them. */
+#ifndef BATCH_RUN_H
+#define BATCH_RUN_H
+#include "compiler/text.h"
+#include <stdbool.h>
+
+enum { BATCH_PATH = 512, BATCH_ARGUMENTS = 16 };
+
+typedef struct {
+    char path[64];    /* made for the run, removed after it */
+    const char *matc; /* the program */
+    size_t bytes;     /* of all documents */
+} BatchFolder;
+
+/* What a process took. */
+typedef struct {
+    double seconds, cpu; /* wall, and of all threads */
+    long memory;         /* greatest resident, KiB */
+} BatchTimes;
+
+bool batch_folder_make(BatchFolder *folder, const char *matc);
+void batch_folder_remove(const BatchFolder *folder);
+/* Writes documents 0 to count - 1, what they need, and NAME.txt, which lists them. */
+bool batch_folder_fill(BatchFolder *folder, const char *name, int count, void (*write)(int index, Text *out));
+/* matc -d FOLDER/out @FOLDER/list arguments..., NULL behind the last. It must succeed; else what it says is shown. */
+bool batch_run(const BatchFolder *folder, const char *list, const char *out, const char *const *arguments,
+               BatchTimes *times);
+/* Removes FOLDER/name and all below it. */
+void batch_clear(const BatchFolder *folder, const char *name);
+/* FOLDER/out/name as a text from malloc; NULL if it cannot be read. */
+char *batch_read(const BatchFolder *folder, const char *out, const char *name);
+#endif
