@@ -1,0 +1,43 @@
+/* manifest.json as matc writes it: programs, and what each material gives to its program. */
+#ifndef ENGINE_MANIFEST_H
+#define ENGINE_MANIFEST_H
+
+enum { MOST_TEXTURES = 8, MOST_UNIFORMS = 8, MOST_TARGETS = 8 };
+
+typedef struct {
+    const char *name;
+    const char *file; /* of a picture */
+    int lanes;        /* of a uniform */
+    float numbers[4];
+} Setting;
+
+typedef struct {
+    char *vertex, *fragment; /* GLSL */
+    const char *file;        /* the fragment's, for messages */
+    int block_bytes;         /* of its uniform block `Constants`; 0: it has none */
+    int mipmaps;             /* its textures want them */
+} Program;
+
+typedef struct {
+    const char *name;
+    int program;
+    unsigned char *block; /* std140, block_bytes of its program; NULL */
+    int texture_count, uniform_count;
+    Setting textures[MOST_TEXTURES], uniforms[MOST_UNIFORMS];
+} Material;
+
+typedef struct {
+    const char *layout;
+    int bytes; /* a pixel, of the G-buffer */
+    int target_count;
+    const char *targets[MOST_TARGETS]; /* "RGBA32UI", ... */
+    char *unpack;                      /* GLSL that reads them */
+    int program_count, material_count;
+    Program *programs;
+    Material *materials;
+} Manifest;
+
+/* Reads the programs of the pass gbuffer and all files that they name; fails with a message. Kept until the engine ends. */
+Manifest manifest_read(const char *path);
+char *read_text(const char *path); /* a whole file, zero-terminated */
+#endif
