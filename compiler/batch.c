@@ -3,6 +3,7 @@
  * appear in the folder. */
 #include "batch_state.h"
 #include "document.h"
+#include "choice.h"
 #include "file.h"
 #include "output.h"
 #include "queue.h"
@@ -11,7 +12,6 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { LONGEST_PATH = 4096 };
 static const char manifest_name[] = "manifest.json";
 
 Unit *batch_unit(const Batch *b, int document, int material, int turn)
@@ -21,7 +21,7 @@ Unit *batch_unit(const Batch *b, int document, int material, int turn)
 
 void batch_name(const Batch *b, const Unit *unit, char name[LONGEST_NAME])
 {
-    const char *material = b->documents[unit->document].names[unit->material];
+    const char *material = b->documents[unit->document].materials[unit->material].name;
     bool plain = b->turn_count == 1 || unit->pass == PASS_gbuffer;
     snprintf(name, LONGEST_NAME, "%s%s%s", material, plain ? "" : ".", plain ? "" : pass_table[unit->pass].name);
 }
@@ -39,7 +39,7 @@ static void say_complete(Batch *b)
 }
 
 /* Adds to what is said of the document, if it is anything. */
-static void add_said(Batch *b, BatchDocument *document, const char *text)
+void batch_say(Batch *b, BatchDocument *document, const char *text)
 {
     if (!*text || !strcmp(text, "[]\n"))
         return;
@@ -48,12 +48,10 @@ static void add_said(Batch *b, BatchDocument *document, const char *text)
     pthread_mutex_unlock(&b->mutex);
 }
 
-static void set_fault(Batch *b, BatchDocument *document)
+void batch_fault(Batch *b)
 {
     pthread_mutex_lock(&b->mutex);
     b->fault = true;
-    if (document)
-        document->fault = true;
     pthread_mutex_unlock(&b->mutex);
 }
 
@@ -61,202 +59,42 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
 {
     char text[LONGEST_PATH + 256];
     snprintf(text, sizeof text, "matc: error: %s: %s\n", what, why);
-    add_said(b, document, text);
-    set_fault(b, document);
-}
-
-static const char *suffix_of(const Batch *b, int emit)
-{
-    bool spirv = emit == EMIT_glsl && b->options.target && !strcmp(b->options.target, "spirv");
-    return emit_table[spirv ? EMIT_spirv : emit].suffix;
-}
-
-static MatcOutput output_of(const Batch *b, int emit)
-{
-    bool spirv = emit == EMIT_glsl && b->options.target && !strcmp(b->options.target, "spirv");
-    return spirv ? MATC_SPIRV : (MatcOutput)emit_table[emit].output;
-}
-
-/* An output that every program has a file of. */
-static bool is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_tree; }
-
-static void put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
-                     size_t size)
-{
-    char name[LONGEST_NAME + 16];
-    snprintf(name, sizeof name, "%s%s", base, suffix);
-    const char *why = stage_put(b->stage, name, bytes, size);
-    if (why)
-        batch_complain(b, document, name, why);
-}
-
-bool batch_write(Batch *b, BatchDocument *document, Unit *unit, MatcProgram *program, const char *base)
-{
-    bool fine = matc_emit(program, b->outputs);
-    add_said(b, document, matc_program_diagnostics(program, b->line->diagnostics));
-    if (!fine) {
-        set_fault(b, document);
-        return false;
-    }
-    for (int emit = 0; emit < EMIT_COUNT; emit++) {
-        size_t size;
-        if (!b->line->emit[emit] || !is_of_program(emit))
-            continue;
-        const char *text = matc_output(program, output_of(b, emit), &size);
-        put_file(b, document, base, suffix_of(b, emit), text, size);
-    }
-    written_free(unit->written);
-    unit->written = unit_written(program, b->numbers == NUMBERS_uniform);
-    return true;
-}
-
-/* True for whoever asks first. */
-static bool first_of_program(Batch *b, const Unit *unit)
-{
-    bool added;
-    pthread_mutex_lock(&b->mutex);
-    keys_add(&b->seen, b->numbers == NUMBERS_auto ? unit->shape : unit->key, &added);
-    pthread_mutex_unlock(&b->mutex);
-    return added;
-}
-
-/* Textures that matc makes: those of the material by its name, tables of noise by their own. */
-static void write_textures(Batch *b, BatchDocument *document, const char *material, MatcProgram *program)
-{
-    char name[2 * LONGEST_NAME];
-    for (int i = 0; b->textures && i < matc_texture_count(program); i++) {
-        const MatcTexture *texture = matc_texture(program, i);
-        bool table = !strncmp(texture->name, "matc_", 5);
-        size_t size;
-        if (texture->path)
-            continue;
-        snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : material, table ? "" : ".", texture->name);
-        char *bytes = output_ktx(texture, &size);
-        const char *why = stage_put(b->textures, name, bytes, size);
-        free(bytes);
-        if (why)
-            batch_complain(b, document, name, why);
-    }
-}
-
-static MatcOptions options_for(const Batch *b, int turn)
-{
-    MatcOptions options = b->options;
-    options.pass = b->turns[turn];
-    return options;
-}
-
-static void compile_turn(Batch *b, int number, int material, int turn)
-{
-    BatchDocument *document = &b->documents[number];
-    BatchMaterial *own = &document->materials[material];
-    Unit *unit = &own->units[turn];
-    MatcOptions options = options_for(b, turn);
-    char name[LONGEST_NAME], textures[LONGEST_PATH];
-    *unit = (Unit){.document = number, .material = material, .turn = turn};
-    if (b->line->max_error &&
-        !b->calls->choose(b->calls->user, document->document, document->offset + material, &options)) {
-        set_fault(b, document);
-        return;
-    }
-    MatcProgram *program = matc_compile(document->document, document->offset + material, MATC_KEY, &options);
-    if (!matc_ok(program)) {
-        add_said(b, document, matc_program_diagnostics(program, b->line->diagnostics));
-        set_fault(b, document);
-        matc_program_free(program);
-        return;
-    }
-    snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", own->name);
-    unit_fill(unit, program, b->numbers == NUMBERS_uniform, b->textures ? textures : NULL);
-    if (!turn)
-        own->opacity = matc_opacity(program);
-    bool first = first_of_program(b, unit);
-    batch_name(b, unit, name);
-    if (first)
-        batch_write(b, document, unit, program, name);
-    if (first || b->textures)
-        write_textures(b, document, own->name, program);
-    matc_program_free(program);
+    batch_say(b, document, text);
+    batch_fault(b);
 }
 
 /* -- the queue's calls: first all materials, then what must be written again */
 
-static void compile_material(void *user, int number, int material)
+static void put_tree(Batch *b, BatchDocument *document)
 {
-    Batch *b = user;
-    BatchDocument *document = &b->documents[number];
-    if (b->line->emit[EMIT_tree] && !material) {
-        const char *text = matc_tree_text(document->document);
-        for (int i = 0; i < document->material_count; i++)
-            put_file(b, document, document->names[i], emit_table[EMIT_tree].suffix, text, strlen(text));
-    }
-    for (int turn = 0; turn < b->turn_count; turn++)
-        compile_turn(b, number, material, turn);
-}
-
-static bool parse_document(Batch *b, BatchDocument *document)
-{
-    size_t size;
-    const char *why;
-    bool standard = !strcmp(document->path, "-");
-    char *text = standard ? file_read_from(STDIN_FILENO, &size, &why) : file_read(document->path, &size, &why);
-    if (!text) {
-        batch_complain(b, document, document->path, why);
-        return false;
-    }
-    document->document = matc_read(standard ? "<stdin>" : document->path, text, size, &b->options);
-    free(text);
-    return true;
-}
-
-static void list_materials(BatchDocument *document)
-{
-    int count = document->material_count;
-    document->materials = sets_resize(NULL, (size_t)count * sizeof *document->materials);
-    document->names = sets_resize(NULL, (size_t)count * sizeof *document->names);
-    memset(document->materials, 0, (size_t)count * sizeof *document->materials);
-    for (int i = 0; i < count; i++)
-        document->materials[i].name = document->names[i] =
-            sets_copy(matc_material_name(document->document, document->offset + i));
-    document->depend_count = matc_depend_count(document->document);
-    document->depends = sets_resize(NULL, (size_t)document->depend_count * sizeof *document->depends);
-    for (int i = 0; i < document->depend_count; i++)
-        document->depends[i] = sets_copy(matc_depend(document->document, i));
-}
-
-/* All of the document, or the one that is asked for. */
-static int count_materials(Batch *b, BatchDocument *document)
-{
-    const char *wanted = b->line->material;
-    document->material_count = matc_material_count(document->document);
-    if (!wanted || !document->material_count)
-        return document->material_count;
-    document->offset = matc_material_find(document->document, wanted);
-    document->material_count = document->offset >= 0;
-    if (document->offset < 0)
-        batch_complain(b, document, wanted, "no such material in the document");
-    return document->material_count;
+    document_parsed(b, document);
+    const char *text = matc_tree_text(document->parsed);
+    for (int i = 0; i < document->material_count; i++)
+        put_file(b, document, document->materials[i].name, emit_table[EMIT_tree].suffix, text, strlen(text));
 }
 
 static int open_to_compile(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    if (!parse_document(b, document))
+    if (!document_open(b, document))
         return 0;
-    add_said(b, document, matc_diagnostics(document->document, b->line->diagnostics));
-    if (!count_materials(b, document))
-        set_fault(b, document);
-    list_materials(document);
+    stored_key(b, document);
+    if (!stored_document(b, document) && !document_list(b, document))
+        return 0;
+    if (b->line->emit[EMIT_tree])
+        put_tree(b, document);
     return document->material_count;
 }
+
+static void work_on_material(void *user, int number, int material) { compile_material(user, number, material); }
 
 static void close_compiled(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    matc_document_free(document->document);
-    document->document = NULL;
+    store_document(b, document);
+    document_close(document);
     pthread_mutex_lock(&b->mutex);
     document->closed = true;
     b->closed++;
@@ -270,41 +108,26 @@ static int open_again(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    if (!document->again_count || !parse_document(b, document))
+    if (!document->again_count || !document_open(b, document))
         return 0;
-    if (matc_material_count(document->document) >= document->offset + document->material_count)
+    Key before = document->key;
+    stored_key(b, document);
+    if (key_equal(before, document->key))
         return document->again_count;
     batch_complain(b, document, document->path, "it changed while it was compiled");
     return 0;
 }
 
-static void write_again(void *user, int number, int part)
+static void work_again(void *user, int number, int part)
 {
     Batch *b = user;
-    BatchDocument *document = &b->documents[number];
-    BatchProgram *made = &b->programs[document->again[part]];
-    Unit *unit = made->first;
-    MatcOptions options = options_for(b, unit->turn);
-    if (b->line->max_error &&
-        !b->calls->choose(b->calls->user, document->document, document->offset + unit->material, &options))
-        return;
-    if (made->members) {
-        options.members = made->members;
-        options.member_count = unit->count;
-    }
-    MatcProgram *program = matc_compile(document->document, document->offset + unit->material, MATC_KEY, &options);
-    if (matc_ok(program))
-        batch_write(b, document, unit, program, made->name);
-    else
-        batch_complain(b, document, document->path, "it changed while it was compiled");
-    matc_program_free(program);
+    compile_again(b, &b->documents[number], &b->programs[b->documents[number].again[part]]);
 }
 
 static void close_again(void *user, int number)
 {
     Batch *b = user;
-    matc_document_free(b->documents[number].document);
-    b->documents[number].document = NULL;
+    document_close(&b->documents[number]);
 }
 
 /* What was written for a material that does not give the program its name. */
@@ -331,10 +154,10 @@ static void check_names(Batch *b)
     for (int d = 0; d < b->document_count; d++)
         for (int m = 0; m < b->documents[d].material_count; m++) {
             bool added;
-            strings_add(&names, b->documents[d].names[m], &added);
+            strings_add(&names, b->documents[d].materials[m].name, &added);
             if (!added)
-                batch_complain(b, &b->documents[d], b->documents[d].names[m], "two materials have this name");
-            else if (b->line->emit[EMIT_reflect] && !strcmp(b->documents[d].names[m], "manifest"))
+                batch_complain(b, &b->documents[d], b->documents[d].materials[m].name, "two materials have this name");
+            else if (b->line->emit[EMIT_reflect] && !strcmp(b->documents[d].materials[m].name, "manifest"))
                 batch_complain(b, &b->documents[d], "manifest",
                                "the manifest has this name; call the material otherwise");
         }
@@ -452,36 +275,22 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
     b->document_count = line->input_count;
     b->documents = sets_resize(NULL, (size_t)b->document_count * sizeof *b->documents);
     memset(b->documents, 0, (size_t)b->document_count * sizeof *b->documents);
-    for (int i = 0; i < b->document_count; i++)
+    for (int i = 0; i < b->document_count; i++) {
         b->documents[i].path = line->inputs[i];
+        pthread_mutex_init(&b->documents[i].mutex, NULL);
+    }
     b->stage = stage_open(line->folder, &why);
     if (b->stage && line->textures)
         b->textures = stage_open(line->textures, &why);
     if (why)
         batch_complain(b, NULL, b->stage ? line->textures : line->folder, why);
-    return !why;
-}
-
-static void free_document(BatchDocument *document, int turns)
-{
-    for (int m = 0; m < document->material_count; m++) {
-        for (int t = 0; t < turns; t++)
-            unit_free(&document->materials[m].units[t]);
-        free(document->names[m]);
-    }
-    for (int i = 0; i < document->depend_count; i++)
-        free(document->depends[i]);
-    free(document->depends);
-    free(document->names);
-    free(document->materials);
-    free(document->again);
-    bytes_free(&document->said);
+    return !why && stored_open(b);
 }
 
 static void finish(Batch *b)
 {
     for (int d = 0; d < b->document_count; d++)
-        free_document(&b->documents[d], b->turn_count);
+        document_free(&b->documents[d], b->turn_count);
     for (int i = 0; i < b->program_count; i++) {
         free(b->programs[i].members);
         free(b->programs[i].name);
@@ -489,6 +298,8 @@ static void finish(Batch *b)
     free(b->documents);
     free(b->programs);
     keys_free(&b->seen);
+    strings_free(&b->files);
+    free(b->file_keys);
     bytes_free(&b->general);
     stage_close(b->stage);
     stage_close(b->textures);
@@ -524,14 +335,14 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
     Batch b;
     *result = (BatchResult){0};
     if (start(&b, line, calls))
-        run_phase(&b, open_to_compile, compile_material, close_compiled);
+        run_phase(&b, open_to_compile, work_on_material, close_compiled);
     if (!b.fault) {
         batch_group(&b);
         check_names(&b);
         drop_files(&b);
     }
     if (!b.fault)
-        run_phase(&b, open_again, write_again, close_again);
+        run_phase(&b, open_again, work_again, close_again);
     if (!b.fault) {
         write_unpack(&b);
         write_manifest(&b);
@@ -541,6 +352,10 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
     if (!b.fault)
         count(&b, result);
     say_rest(&b);
+    const char *trouble = b.cache ? cache_trouble(b.cache) : NULL;
+    if (trouble)
+        b.calls->trouble(b.calls->user, line->cache, trouble);
+    cache_close(b.cache);
     bool fine = !b.fault;
     finish(&b);
     return fine;

@@ -7,6 +7,7 @@
 typedef struct {
     void (*say)(void *user, const char *text);             /* diagnostics, in the order of the documents */
     void (*progress)(void *user, int done, int documents); /* documents read so far; on any thread, one at a time */
+    void (*trouble)(void *user, const char *folder, const char *why); /* the cache could not keep something */
     /* Changes the options for one material (--max-error); false: it cannot, and has said why. Then threads must be 1. */
     bool (*choose)(void *user, const MatcDocument *document, int material, MatcOptions *options);
     void *user;

@@ -2,35 +2,40 @@
 #ifndef MATC_BATCH_STATE_H
 #define MATC_BATCH_STATE_H
 #include "batch.h"
+#include "cache.h"
 #include "sets.h"
 #include "stage.h"
 #include "unit.h"
 #include <pthread.h>
 
-enum { MOST_TURNS = PASS_COUNT, LONGEST_NAME = 256 };
+enum { MOST_TURNS = MOST_PASSES, LONGEST_NAME = 256, LONGEST_PATH = 4096 };
 
 /* What a batch does with numbers: they stand in programs; those of the document come from a buffer; or those do in which
  * materials of one shape differ. */
 typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 
 typedef struct {
-    const char *name; /* of the document's list */
-    const char *opacity;
+    char *name;
+    char opacity[16];       /* matc_opacity */
     Unit units[MOST_TURNS]; /* by turn */
 } BatchMaterial;
 
 typedef struct {
     const char *path;
-    MatcDocument *document; /* while its materials are compiled */
+    char *text; /* while its materials are compiled, and it itself */
+    size_t size;
+    Key key;              /* of all that its materials' programs depend on but for the files it is made from */
+    MatcDocument *parsed; /* while someone needs it */
     BatchMaterial *materials;
     int material_count;
     int offset;     /* of the first in the document: --material takes one */
-    char **names;   /* copies, by material */
-    char **depends; /* files that it was made from */
+    char **depends; /* files that it was made from, itself first */
     int depend_count;
-    Bytes said; /* diagnostics */
-    bool fault, closed;
+    bool stored; /* the cache had it */
+    Bytes said;  /* diagnostics */
+    bool closed;
     int *again, again_count; /* programs to be written for its materials, once all are known */
+    pthread_mutex_t mutex;   /* of `parsed` */
 } BatchDocument;
 
 typedef struct {
@@ -53,25 +58,64 @@ typedef struct {
     BatchProgram *programs;
     int program_count;
     Stage *stage, *textures;
+    Cache *cache;          /* NULL: none */
     pthread_mutex_t mutex; /* of what follows */
     KeySet seen;           /* programs that someone writes already */
+    StringSet files;       /* what documents are made from, as it was read */
+    Key *file_keys;        /* its contents */
+    bool unstable;         /* a file changed between two readings: nothing is kept for later */
     int closed, said;      /* documents whose diagnostics are complete; and were said, from the first on */
     Bytes general;         /* diagnostics of no document */
     bool fault;
 } Batch;
 
+/* -- batch.c */
+/* Adds diagnostics to those of the document (NULL: of none), if there are any. */
+void batch_say(Batch *batch, BatchDocument *document, const char *text);
+void batch_fault(Batch *batch);
+/* Something against the document, which is a fault. */
+void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
+Unit *batch_unit(const Batch *batch, int document, int material, int turn);
+/* Of the files of a material's program: its name, and the pass unless that goes without saying. */
+void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
+
+/* -- batch_document.c */
+bool document_open(Batch *batch, BatchDocument *document);
+/* Of an open document, from any thread. */
+const MatcDocument *document_parsed(Batch *batch, BatchDocument *document);
+/* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
+bool document_list(Batch *batch, BatchDocument *document);
+void document_make_room(BatchDocument *document, int materials, int depends);
+void document_close(BatchDocument *document);
+void document_free(BatchDocument *document, int turns);
+
+/* -- batch_compile.c: a material's turns; a program again; the files of a program */
+void compile_material(Batch *batch, int document, int material);
+void compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
+/* A file of a program, or of the layout. */
+void put_file(Batch *batch, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
+              size_t size);
+const char *suffix_of(const Batch *batch, int emit);
+/* The output behind an --emit; the target spirv means SPIR-V where GLSL would be written. */
+MatcOutput output_of(const Batch *batch, int emit);
+/* An output that every program has a file of. */
+bool is_of_program(int emit);
+
+/* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache nothing. */
+bool stored_open(Batch *batch);
+void stored_key(const Batch *batch, BatchDocument *document);
+bool stored_document(Batch *batch, BatchDocument *document);
+void store_document(Batch *batch, const BatchDocument *document);
+/* Writes the program's files. */
+bool stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
+void store_program(Batch *batch, const BatchDocument *document, const Unit *unit, const int *members,
+                   MatcProgram *program);
+
 /* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
  * must be written again. batch_group.c */
 void batch_group(Batch *batch);
-/* Writes the files of a program for one of its materials; `base` is their name. Takes what the manifest needs of it. */
-bool batch_write(Batch *batch, BatchDocument *document, Unit *unit, MatcProgram *program, const char *base);
-/* Something against the document: text, as it is said. */
-void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
 /* The manifest as JSON, in the arena. manifest.c */
 const char *manifest_text(const Batch *batch, Arena *arena);
 /* Removes files that the old manifest names and this batch did not make. */
 void manifest_remove_stale(const Batch *batch, const char *old);
-Unit *batch_unit(const Batch *batch, int document, int material, int turn);
-/* Of the files of a material's program: its name, and the pass unless that goes without saying. */
-void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 #endif

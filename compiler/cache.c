@@ -31,17 +31,17 @@ struct Cache {
 typedef struct {
     char magic[4];
     uint32_t version;
-    CacheKey key;
+    Key key;
     uint64_t size, checksum;
 } Header;
 
 /* Of key and blob together. */
-static uint64_t checksum(CacheKey key, const void *bytes, size_t size)
+static uint64_t checksum(Key key, const void *bytes, size_t size)
 {
     return XXH3_64bits_withSeed(bytes, size, XXH3_64bits(&key, sizeof key));
 }
 
-static Header header_of(CacheKey key, const void *bytes, size_t size)
+static Header header_of(Key key, const void *bytes, size_t size)
 {
     return (Header){{'m', 'a', 't', 'c'}, VERSION, key, size, checksum(key, bytes, size)};
 }
@@ -103,7 +103,7 @@ static void touch(int file, const struct stat *info)
 }
 
 /* The blob of an open entry; NULL if it is not as it should be. */
-static char *read_entry(int file, CacheKey key, size_t *size)
+static char *read_entry(int file, Key key, size_t *size)
 {
     struct stat info;
     Header header;
@@ -129,7 +129,7 @@ static char *read_entry(int file, CacheKey key, size_t *size)
     return NULL;
 }
 
-char *cache_get(Cache *cache, CacheKey key, size_t *size)
+char *cache_get(Cache *cache, Key key, size_t *size)
 {
     char name[CACHE_NAME], *bytes = NULL;
     if (!cache)
@@ -183,7 +183,7 @@ static bool write_temporary(const Cache *cache, const char *name, const Header *
     return write_entry(cache, name, header, bytes);
 }
 
-static bool put_entry(Cache *cache, CacheKey key, const void *bytes, size_t size)
+static bool put_entry(Cache *cache, Key key, const void *bytes, size_t size)
 {
     char name[CACHE_NAME], temporary[CACHE_NAME];
     const Header header = header_of(key, bytes, size);
@@ -232,7 +232,7 @@ static void settle_if_large(Cache *cache)
         atomic_flag_clear(&cache->trimming);
 }
 
-void cache_put(Cache *cache, CacheKey key, const void *bytes, size_t size)
+void cache_put(Cache *cache, Key key, const void *bytes, size_t size)
 {
     if (!cache)
         return;

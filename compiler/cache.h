@@ -4,22 +4,17 @@
  * A folder that cannot be written or is full makes misses, never faults. */
 #ifndef MATC_CACHE_H
 #define MATC_CACHE_H
-#include <stddef.h>
-#include <stdint.h>
+#include "hash.h"
 
-/* A content hash: equal keys must mean equal blobs. */
-typedef struct {
-    uint64_t low, high;
-} CacheKey;
 typedef struct Cache Cache;
 
 /* Makes the folder and its parents. limit_bytes is the sum of the entries' sizes above which the least recently used go; 0: no
  * limit. NULL and a reason where there can be no such folder; the calls below take that NULL for a cache that is always empty. */
 Cache *cache_open(const char *folder, uint64_t limit_bytes, const char **why);
 /* The blob in memory from malloc, with a zero byte behind; NULL: a miss. A damaged entry is a miss, and is removed. */
-char *cache_get(Cache *cache, CacheKey key, size_t *size);
+char *cache_get(Cache *cache, Key key, size_t *size);
 /* Keeps a copy of the blob, in place of an older one. What cannot be kept is counted. */
-void cache_put(Cache *cache, CacheKey key, const void *bytes, size_t size);
+void cache_put(Cache *cache, Key key, const void *bytes, size_t size);
 /* NULL, or why the first of the blobs that could not be kept was not: something to warn of, once. */
 const char *cache_trouble(const Cache *cache);
 /* Adds this run's counts to the statistics and trims to the limit. */

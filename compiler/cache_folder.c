@@ -14,7 +14,7 @@
 
 enum { NAME_DIGITS = 30, COUNTS_TEXT = 1024, LOCK_TRIES = 100, LOCK_WAIT_NS = 1000000, READABLE = 0666 };
 
-void cache_name(CacheKey key, char *name)
+void cache_name(Key key, char *name)
 {
     static const char digits[] = "0123456789abcdef";
     for (int i = 0; i < 32; i++) {

@@ -33,7 +33,7 @@ typedef struct {
 /* What trimming leaves of a limit. */
 static inline uint64_t cache_trimmed(uint64_t limit) { return limit - limit / 100 * (100 - CACHE_TRIM_PART); }
 /* "ab/cdef..." of a key. */
-void cache_name(CacheKey key, char *name);
+void cache_name(Key key, char *name);
 /* The sums of all runs so far; zeros where they cannot be read. */
 CacheCounts cache_counts(int folder);
 /* Adds to them and returns the new sums. `scanned` and `limit` are set, not added; with `scanned`, `bytes` is, too. */

@@ -119,6 +119,18 @@ MatcOptions options_whole(const MatcOptions *given)
     return options;
 }
 
+void options_store(Bytes *to, const MatcOptions *options)
+{
+    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
+        const char *value;
+        memcpy(&value, (const char *)options + text_options[i].member, sizeof value);
+        bytes_number(to, value != NULL);
+        bytes_text(to, value ? value : "");
+    }
+    bytes_number(to, (uint32_t)options->optimize);
+    bytes_number(to, options->validate);
+}
+
 const char *matc_options_fault(const MatcOptions *options)
 {
     const MatcOptions whole = options_whole(options);

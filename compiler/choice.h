@@ -1,9 +1,12 @@
 /* What a program is written with: the choices of a job as text. choice.c also has job_of (pipeline.h). */
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
+#include "bytes.h"
 #include "compile.h"
 #include "text.h"
 
+/* All that decides what a program is, as bytes. */
+void options_store(Bytes *to, const MatcOptions *options);
 /* The options of a caller that may know fewer members, or more: what it does not know has its default. */
 MatcOptions options_whole(const MatcOptions *given);
 /* A line an axis: its choice and what settled it. For --stats. */

@@ -2,7 +2,7 @@
 #ifndef MATC_EMIT_H
 #define MATC_EMIT_H
 #include "ir.h"
-#include "link.h"
+#include "chunks.h"
 
 /* What the fragment program declares; the vertex program and the reflection go by it. */
 typedef struct {

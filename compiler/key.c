@@ -1,7 +1,6 @@
 /* The deep structure of an IR as a list of words, and its hash. A word stands for a node's operation, type and payload, then one
  * for each operand: the number that the walk gave it, or for a constant its type. Numbers are listed beside. */
 #include "key.h"
-#include <stdio.h>
 #include <string.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -174,9 +173,4 @@ IrKey ir_key(Compile *c, const Ir *ir, const Job *job)
     key.member_count = (int)w.member_count;
     arena_free(&scratch);
     return key;
-}
-
-void key_text(Key key, char text[KEY_TEXT])
-{
-    snprintf(text, KEY_TEXT, "%016llx%016llx", (unsigned long long)key.high, (unsigned long long)key.low);
 }

@@ -2,10 +2,7 @@
 #ifndef MATC_KEY_H
 #define MATC_KEY_H
 #include "constants.h"
-
-typedef struct {
-    uint64_t low, high;
-} Key;
+#include "hash.h"
 
 typedef struct {
     Key shape; /* with every number of a place left out: programs of one shape can be one, with the numbers in a buffer */
@@ -19,8 +16,4 @@ typedef struct {
 /* Walks the DAG from its outputs; equal programs are walked alike however their nodes are numbered. `ir` is free of dead
  * functions and textures (opt_dead). The places are in the compilation's arena. */
 IrKey ir_key(Compile *c, const Ir *ir, const Job *job);
-static inline bool key_equal(Key a, Key b) { return a.low == b.low && a.high == b.high; }
-/* 32 hexadecimal digits and a zero byte. */
-enum { KEY_TEXT = 33 };
-void key_text(Key key, char text[KEY_TEXT]);
 #endif

@@ -1,5 +1,6 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
 #include "batch.h"
+#include "cache.h"
 #include "compile.h"
 #include "file.h"
 #include "options.h"
@@ -237,6 +238,12 @@ static void show_progress(void *user, int done, int documents)
         fprintf(stderr, "\r%d of %d documents%s", done, documents, done == documents ? "\r\033[K" : "");
 }
 
+static void warn_of_cache(void *user, const char *folder, const char *why)
+{
+    (void)user;
+    fprintf(stderr, "matc: warning: the cache %s: %s\n", folder, why);
+}
+
 static bool choose_for_batch(void *user, const MatcDocument *document, int material, MatcOptions *options)
 {
     const char *pass = options->pass;
@@ -258,7 +265,7 @@ static void print_counts(const BatchResult *result)
 static int run_batch(CommandLine *line)
 {
     BatchResult result;
-    const BatchCalls calls = {say, isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL,
+    const BatchCalls calls = {say, isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL, warn_of_cache,
                               choose_for_batch, line};
     if (!batch_run(line, &calls, &result))
         return FAULT;
@@ -281,6 +288,18 @@ static int answer(char *text, const char *otherwise)
 {
     if (!text)
         return usage(otherwise);
+    fputs(text, stdout);
+    free(text);
+    return FINE;
+}
+
+static int print_cache(const CommandLine *line)
+{
+    if (!line->cache)
+        return usage("--cache-stats wants --cache or MATC_CACHE");
+    char *text = cache_statistics(line->cache);
+    if (!text)
+        return complain(line->cache, strerror(errno));
     fputs(text, stdout);
     free(text);
     return FINE;
@@ -358,6 +377,8 @@ int main(int argc, char **argv)
     }
     line.compile.pixels = line.eval || line.textures || line.pareto || line.max_error;
     line.compile.measure = line.stats;
+    if (!line.cache && getenv("MATC_CACHE") && *getenv("MATC_CACHE"))
+        line.cache = getenv("MATC_CACHE");
     int status = FINE;
     if (line.help)
         fputs(options_help, stdout);
@@ -369,6 +390,8 @@ int main(int argc, char **argv)
         status = answer(matc_list(), "");
     else if (line.explain)
         status = answer(matc_explain(line.explain), "nothing has that name; see --list");
+    else if (line.cache_stats)
+        status = print_cache(&line);
     else if ((status = check_usage(&line)) == FINE)
         status = run(&line);
     options_free(&line);

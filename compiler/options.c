@@ -36,6 +36,9 @@ static const Option options[] = {
     TEXT("-o", output),
     TEXT("-d", folder),
     TEXT("-j", jobs),
+    TEXT("--cache", cache),
+    TEXT("--cache-limit", cache_size),
+    FLAG("--cache-stats", cache_stats),
     FLAG("-MD", depend),
     TEXT("-MF", depfile),
     TEXT("-MT", target),
@@ -83,6 +86,9 @@ const char *const options_help =
     "                       and manifest.json, which says what uses which; several passes may be named\n"
     "  -j N                 by so many threads; all processors without it\n"
     "  @FILE                documents named in a file, one a line\n"
+    "  --cache DIR          with -d: keep there what the next run can use; MATC_CACHE says the same\n"
+    "  --cache-limit=MIB    of the folder: 1024; the least recently used goes first\n"
+    "  --cache-stats        what the cache holds and how often it helped\n"
     "  --emit=LIST          glsl (default), vertex, unpack, reflect, spirv, ir, dot, tree; several need -d\n"
     "  --textures DIR       write the textures that matc makes there, as KTX\n"
     "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
@@ -240,17 +246,28 @@ static bool read_list(CommandLine *line, const char *path, const char **fault)
     return true;
 }
 
-static bool read_threads(CommandLine *line, const char **fault)
+/* A whole number from 1 to the most; NULL is none. */
+static bool read_count(const char *text, long most, long *count)
 {
     char *end = NULL;
-    if (!line->jobs)
+    if (!text)
         return true;
-    long threads = strtol(line->jobs, &end, 10);
+    *count = strtol(text, &end, 10);
+    if (*count > most)
+        *count = most;
+    return end != text && !*end && *count >= 1;
+}
+
+static bool read_counts(CommandLine *line, const char **fault)
+{
+    const long most_mib = 1l << 40;
+    long threads = 0;
     *fault = "-j wants a number of threads, from 1 on";
-    if (threads < 1 || *end || end == line->jobs)
+    if (!read_count(line->jobs, MOST_THREADS, &threads))
         return false;
-    line->threads = threads < MOST_THREADS ? (int)threads : MOST_THREADS;
-    return true;
+    line->threads = (int)threads;
+    *fault = "--cache-limit wants a number of MiB, from 1 on";
+    return read_count(line->cache_size, most_mib, &line->cache_limit);
 }
 
 /* "gbuffer,shadow" */
@@ -305,7 +322,7 @@ bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
         else if (!read_level(line, arg) && !read_option(line, argv, &i, fault))
             return false;
     }
-    if (!read_threads(line, fault) || !read_passes(line, fault))
+    if (!read_counts(line, fault) || !read_passes(line, fault))
         return false;
     *fault = NULL;
     return true;

@@ -30,6 +30,10 @@ typedef struct {
     const char **lists; /* files of inputs, "@list.txt" */
     char **list_texts;  /* what the inputs out of lists lie in */
     int list_count;
+    const char *cache;               /* --cache, or MATC_CACHE */
+    const char *cache_size;          /* --cache-limit, as text */
+    long cache_limit;                /* in MiB; 0: the default */
+    bool cache_stats;                /* --cache-stats */
     const char *jobs;                /* -j, as text */
     const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
     int pass_count;

@@ -1,6 +1,6 @@
 /* Names that a param cannot have, since its uniform would clash with GLSL's words or with what matc declares. Temporaries are
  * not among them: emit.c names those around the uniforms. */
-#include "link.h"
+#include "chunks.h"
 #include "resolve.h"
 #include <ctype.h>
 #include <stdlib.h>

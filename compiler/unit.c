@@ -6,16 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static Key key_read(const char *digits)
-{
-    char half[17] = {0};
-    Key key;
-    memcpy(half, digits, 16);
-    key.high = strtoull(half, NULL, 16);
-    key.low = strtoull(digits + 16, NULL, 16);
-    return key;
-}
-
 static int pass_number(const char *name)
 {
     int pass = 0;

@@ -63,7 +63,7 @@ static Cache *open_cache(const Folder *folder, uint64_t limit)
     return cache;
 }
 
-static CacheKey key_of(uint64_t n) { return (CacheKey){n * 0x9E3779B97F4A7C15u, ~n * 0xD1B54A32D192ED03u}; }
+static Key key_of(uint64_t n) { return (Key){n * 0x9E3779B97F4A7C15u, ~n * 0xD1B54A32D192ED03u}; }
 
 /* A number of the statistics; -1 if there is no such line. */
 static long statistic(const Folder *folder, const char *name)
@@ -77,7 +77,7 @@ static long statistic(const Folder *folder, const char *name)
 }
 
 /* The file of a key. */
-static const char *entry_path(const Folder *folder, CacheKey key)
+static const char *entry_path(const Folder *folder, Key key)
 {
     static char path[2 * PATH_ROOM];
     char digits[33];
@@ -103,7 +103,7 @@ static size_t read_bytes(const char *path, char *bytes, size_t room)
     return size;
 }
 
-static void assert_hit(Cache *cache, CacheKey key, const char *bytes, size_t size)
+static void assert_hit(Cache *cache, Key key, const char *bytes, size_t size)
 {
     size_t got = 0;
     char *blob = cache_get(cache, key, &got);
@@ -114,7 +114,7 @@ static void assert_hit(Cache *cache, CacheKey key, const char *bytes, size_t siz
     free(blob);
 }
 
-static void assert_miss(Cache *cache, CacheKey key)
+static void assert_miss(Cache *cache, Key key)
 {
     size_t size;
     assert_null(cache_get(cache, key, &size));
@@ -152,17 +152,17 @@ static void what_was_put_is_found_by_every_run(void **state)
 static void keys_that_differ_in_a_bit_are_different(void **state)
 {
     Cache *cache = open_cache(*state, 0);
-    const CacheKey key = key_of(5);
+    const Key key = key_of(5);
     cache_put(cache, key, "mine", 4);
     for (int bit = 0; bit < 128; bit++) {
-        CacheKey other = key;
+        Key other = key;
         *(bit < 64 ? &other.low : &other.high) ^= (uint64_t)1 << bit % 64;
         assert_miss(cache, other);
         cache_put(cache, other, &(char){(char)bit}, 1);
     }
     assert_hit(cache, key, "mine", 4);
     for (int bit = 0; bit < 128; bit++) {
-        CacheKey other = key;
+        Key other = key;
         *(bit < 64 ? &other.low : &other.high) ^= (uint64_t)1 << bit % 64;
         assert_hit(cache, other, &(char){(char)bit}, 1);
     }
@@ -214,7 +214,7 @@ static void an_entry_of_another_length_is_not_served(void **state)
 static void a_foreign_entry_is_not_served(void **state)
 {
     const Folder *folder = *state;
-    const CacheKey mine = {1, 0}, other = {2, 0}; /* of one folder */
+    const Key mine = {1, 0}, other = {2, 0}; /* of one folder */
     char file[HEADER + sizeof blob];
     Cache *cache = open_cache(folder, 0);
     cache_put(cache, mine, blob, sizeof blob);
@@ -390,7 +390,7 @@ static void trimming_leaves_other_files_alone(void **state)
     const Folder *folder = *state;
     char path[2 * PATH_ROOM], stale[2 * PATH_ROOM], fresh[2 * PATH_ROOM];
     Cache *cache = open_cache(folder, 0);
-    cache_put(cache, (CacheKey){0, 0}, blob, sizeof blob);
+    cache_put(cache, (Key){0, 0}, blob, sizeof blob);
     snprintf(path, sizeof path, "%s/00/holiday.jpg", folder->path);
     snprintf(stale, sizeof stale, "%s/00/.tmp12-3", folder->path);
     snprintf(fresh, sizeof fresh, "%s/00/.tmp12-4", folder->path);

@@ -1,5 +1,5 @@
 /* Chunks by name and variant: name.<choice>.110, name.110, name.<choice>, name; the first that exists. */
-#include "link.h"
+#include "chunks.h"
 #include <string.h>
 
 /* A chunk and its variants, which stand together in the table. */

@@ -1,6 +1,6 @@
 /* Library chunks: which are needed, in dependency order, and the uniforms they declare. */
-#ifndef MATC_LINK_H
-#define MATC_LINK_H
+#ifndef MATC_CHUNKS_H
+#define MATC_CHUNKS_H
 #include "compile.h"
 
 /* An embedded GLSL file of runtime/. Made by grammar/gen/embed.c. */
