@@ -245,6 +245,16 @@ void constants_finish(Compile *c, Ir *ir, const int *list, size_t count)
         laid[i].name = new_name(ir, i, named);
 }
 
+uint32_t constant_bits(double value, bool word)
+{
+    float number = (float)value;
+    uint32_t bits;
+    if (word)
+        return (uint32_t)value;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
 int constants_size(const Ir *ir)
 {
     int size = 0;

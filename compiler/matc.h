@@ -139,6 +139,8 @@ MATC_API const MatcConstant *matc_place(MatcProgram *program, int index);
 MATC_API int matc_constant_count(const MatcProgram *program);
 MATC_API const MatcConstant *matc_constant(const MatcProgram *program, int index);
 MATC_API int matc_constant_bytes(const MatcProgram *program); /* of the block */
+/* Writes the block as a buffer holds it: matc_constant_bytes bytes. */
+MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 
 /* A texture that the program samples; owned by the program. Row 0 is at v = 0. */
 typedef struct {

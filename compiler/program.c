@@ -311,3 +311,16 @@ const MatcConstant *matc_place(MatcProgram *p, int index) { return key_of(p) ? &
 int matc_constant_count(const MatcProgram *p) { return (int)p->ir->constant_count; }
 const MatcConstant *matc_constant(const MatcProgram *p, int index) { return &p->constants[index]; }
 int matc_constant_bytes(const MatcProgram *p) { return constants_size(p->ir); }
+
+void matc_constant_block(const MatcProgram *p, void *block)
+{
+    memset(block, 0, (size_t)matc_constant_bytes(p));
+    for (int i = 0; i < matc_constant_count(p); i++) {
+        const MatcConstant *member = &p->constants[i];
+        char *at = (char *)block + member->offset;
+        for (int lane = 0; lane < member->lanes; lane++, at += 4) {
+            uint32_t bits = constant_bits(member->values[lane], !strcmp(member->type, "uint"));
+            memcpy(at, &bits, sizeof bits);
+        }
+    }
+}

@@ -14,16 +14,6 @@ static int pass_number(const char *name)
     return pass;
 }
 
-static uint32_t bits_of(double value, bool word)
-{
-    float number = (float)value;
-    uint32_t bits;
-    if (word)
-        return (uint32_t)value;
-    memcpy(&bits, &number, sizeof bits);
-    return bits;
-}
-
 static void take_numbers(Unit *unit, MatcProgram *program, bool buffered)
 {
     int lanes = 0;
@@ -35,7 +25,7 @@ static void take_numbers(Unit *unit, MatcProgram *program, bool buffered)
         bool word = !strcmp(number->type, "uint");
         unit->lanes[i] = word ? 0 : (uint8_t)number->lanes;
         for (int lane = 0; lane < number->lanes; lane++)
-            unit->bits[lanes++] = bits_of(number->values[lane], word);
+            unit->bits[lanes++] = constant_bits(number->values[lane], word);
     }
     unit->bit_count = lanes;
     unit->bits = sets_resize(unit->bits, (size_t)lanes * sizeof *unit->bits);

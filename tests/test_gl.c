@@ -492,7 +492,13 @@ static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsign
                                    {"transparency", 3, c->transparency},
                                    {"shininess", 1, &c->shininess},
                                    {"absent", 1, &c->shininess}};
-    const ViewProgram program = {vertex_text, fragment_text, unpack_text, &texture, 1, values, 5, 0, {0}};
+    const ViewProgram program = {.vertex_text = vertex_text,
+                                 .fragment_text = fragment_text,
+                                 .unpack_text = unpack_text,
+                                 .textures = &texture,
+                                 .texture_count = 1,
+                                 .uniforms = values,
+                                 .uniform_count = 5};
     const ViewOptions options = {.shape = c->shape,
                                  .width = texts->size,
                                  .height = texts->size,

@@ -24,18 +24,20 @@ typedef struct {
     Target target;
     int optimize;
     Choice choice; /* the one that is not its axis' default, if any */
+    bool buffered; /* numbers of the document come from a buffer */
 } Variant;
 
 /* Without a footprint filtered maps have the values of plain ones. */
 static const Variant variants[] = {
-    {TARGET_glsl330, 0, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_lattice},
-    {TARGET_glsl110, 2, CHOICE_noise_lattice},        {TARGET_glsl450, 2, CHOICE_noise_lattice},
-    {TARGET_essl300, 2, CHOICE_noise_lattice},        {TARGET_glsl330, 2, CHOICE_noise_groimp},
-    {TARGET_glsl110, 2, CHOICE_noise_groimp},         {TARGET_glsl330, 2, CHOICE_noise_simplex},
-    {TARGET_glsl110, 2, CHOICE_noise_simplex},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic},
-    {TARGET_glsl110, 2, CHOICE_derivatives_analytic}, {TARGET_glsl330, 2, CHOICE_aa_box},
-    {TARGET_glsl330, 2, CHOICE_coordinates_long},     {TARGET_glsl330, 2, CHOICE_trigonometry_bounded},
-    {TARGET_glsl330, 2, CHOICE_powers_compensated},
+    {TARGET_glsl330, 0, CHOICE_noise_lattice, false},        {TARGET_glsl330, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice, false},        {TARGET_glsl450, 2, CHOICE_noise_lattice, false},
+    {TARGET_essl300, 2, CHOICE_noise_lattice, false},        {TARGET_glsl330, 2, CHOICE_noise_groimp, false},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp, false},         {TARGET_glsl330, 2, CHOICE_noise_simplex, false},
+    {TARGET_glsl110, 2, CHOICE_noise_simplex, false},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic, false},
+    {TARGET_glsl110, 2, CHOICE_derivatives_analytic, false}, {TARGET_glsl330, 2, CHOICE_aa_box, false},
+    {TARGET_glsl330, 2, CHOICE_coordinates_long, false},     {TARGET_glsl330, 2, CHOICE_trigonometry_bounded, false},
+    {TARGET_glsl330, 2, CHOICE_powers_compensated, false},   {TARGET_glsl330, 2, CHOICE_noise_lattice, true},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice, true},         {TARGET_glsl450, 0, CHOICE_noise_lattice, true},
 };
 enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_NOISE_COUNT };
 
@@ -193,8 +195,8 @@ static void name_slot(const Case *c, char *text, size_t room)
 
 static const char *variant_name(const Variant *v, bool front, char text[64])
 {
-    snprintf(text, 64, "%s -O%d %s%s", target_table[v->target].name, v->optimize, choice_table[v->choice].name,
-             front ? "" : " back");
+    snprintf(text, 64, "%s -O%d %s%s%s", target_table[v->target].name, v->optimize, choice_table[v->choice].name,
+             v->buffered ? " buffered" : "", front ? "" : " back");
     return text;
 }
 
@@ -247,8 +249,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice choice = c->variant->choice;
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = noise_for(basis, c->variant->target);
-    bool exact = choice == CHOICE_derivatives_analytic,
-         steep = choice == CHOICE_noise_simplex;
+    bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
     const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
@@ -331,7 +332,8 @@ static void check_program(Worker *w, const Case *c, MatcProgram *program)
                        .program = program,
                        .graph = c->subject->document->graph};
     float *rgba[2] = {w->scratch[0], w->scratch[1]};
-    bool plain = !matc_texture_count(program) && !matc_uniform_count(program), drawn = false;
+    bool plain = !matc_texture_count(program) && !matc_uniform_count(program) && !matc_constant_count(program),
+         drawn = false;
     if (plain) {
         Drawn *memo = remember(w, hash_text(shading.fragment, shading.target));
         drawn = memo->rgba[1] != NULL;
@@ -360,6 +362,7 @@ static void check_variant(Worker *w, const Case *c)
     const ChoiceRow *choice = &choice_table[c->variant->choice];
     matc_options_set(&options, axis_table[choice->axis].name, choice->name);
     options.optimize = c->variant->optimize;
+    options.constants = c->variant->buffered ? "uniform" : "baked";
     options.validate = false;
     MatcProgram *program = matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
     char name[160], variant[64];

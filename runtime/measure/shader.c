@@ -1,8 +1,10 @@
 /* Compiles, links, sets textures and uniforms. */
 #include "shader.h"
 #include "field.h"
+#include "runtime/gl/block.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
+#include <stdlib.h>
 #include <string.h>
 
 MatcProgram *shader_compile(const MatcDocument *document, int material, unsigned outputs, const MatcOptions *options)
@@ -46,6 +48,19 @@ static bool make_textures(GlContext *gl, Shader *made)
     return true;
 }
 
+enum { CONSTANTS_BINDING = 1 };
+
+static void make_constants(GlContext *gl, Shader *made)
+{
+    size_t size = (size_t)matc_constant_bytes(made->program);
+    void *bytes = malloc(size + 1);
+    if (!bytes)
+        abort();
+    matc_constant_block(made->program, bytes);
+    made->constants = block_make(gl, made->name, "Constants", CONSTANTS_BINDING, bytes, size);
+    free(bytes);
+}
+
 static void set_uniforms(GlContext *gl, const Shader *made)
 {
     program_set(gl, made->name, &(ProgramValue){"matc_ior", 1, &(float){1}});
@@ -66,6 +81,7 @@ bool shader_make(GlContext *gl, MatcProgram *program, Shader *made)
     if (!link(gl, &fragment, 1, made) || !make_textures(gl, made))
         return false;
     set_uniforms(gl, made);
+    make_constants(gl, made);
     return true;
 }
 
@@ -79,6 +95,8 @@ void shader_use(GlContext *gl, const Shader *shader, const float jitter[2])
 {
     for (int i = 0; i < shader->texture_count; i++)
         texture_bind(gl, shader->textures[i], i);
+    if (shader->constants)
+        gl->BindBufferBase(GL_UNIFORM_BUFFER, CONSTANTS_BINDING, shader->constants);
     gl->UseProgram(shader->name);
     program_set(gl, shader->name, &(ProgramValue){"measure_jitter", 2, jitter});
 }
@@ -86,6 +104,7 @@ void shader_use(GlContext *gl, const Shader *shader, const float jitter[2])
 void shader_delete(const GlContext *gl, Shader *shader)
 {
     gl->DeleteProgram(shader->name);
+    gl->DeleteBuffers(1, &shader->constants);
     gl->DeleteTextures(shader->texture_count, shader->textures);
     matc_program_free(shader->program);
     *shader = (Shader){0};

@@ -11,6 +11,7 @@ typedef struct {
     MatcProgram *program; /* NULL: of plain text */
     GLuint textures[SHADER_TEXTURES];
     int texture_count;
+    GLuint constants; /* buffer of its block of numbers, or 0 */
 } Shader;
 
 /* Compiles a material for GLSL 3.30, without glslang. NULL: it does not compile. Free with matc_program_free. */

@@ -12,6 +12,7 @@ typedef struct {
     ViewTexture *textures;
     ProgramValue *uniforms;
     float (*numbers)[4]; /* of the uniforms */
+    void *constants;
 } Parts;
 
 static void *array(int count, size_t size)
@@ -50,6 +51,14 @@ static void take_uniforms(Parts *parts, const MatcProgram *program)
     parts->program.uniform_count = count;
 }
 
+static void take_constants(Parts *parts, const MatcProgram *program)
+{
+    parts->program.constant_bytes = (size_t)matc_constant_bytes(program);
+    parts->constants = array((int)parts->program.constant_bytes + 1, 1);
+    matc_constant_block(program, parts->constants);
+    parts->program.constants = parts->constants;
+}
+
 static void take_targets(Parts *parts, const MatcProgram *program)
 {
     int count = matc_target_count(program);
@@ -65,11 +74,13 @@ static bool draw(MatcProgram *program, const ViewOptions *view, unsigned char *r
                                .unpack_text = matc_output(program, MATC_UNPACK, NULL)}};
     take_textures(&parts, program);
     take_uniforms(&parts, program);
+    take_constants(&parts, program);
     take_targets(&parts, program);
     bool done = view_render(view, &parts.program, rgb, error, room);
     free(parts.textures);
     free(parts.uniforms);
     free(parts.numbers);
+    free(parts.constants);
     return done;
 }
 

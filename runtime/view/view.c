@@ -2,6 +2,7 @@
 #include "view.h"
 #include "camera.h"
 #include "resolve.h"
+#include "runtime/gl/block.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/message.h"
@@ -20,6 +21,7 @@ typedef struct {
     int samples; /* n: n x n a pixel */
     Camera camera;
     GLuint pack, light; /* programs */
+    GLuint constants;   /* buffer of the material's numbers, or 0 */
     Framebuffer gbuffer, lit;
     Mesh shape, screen;
     GLuint textures[UNITS_LIMIT]; /* of the material */
@@ -110,6 +112,8 @@ static void set_material(View *v)
     }
     for (int i = 0; i < m->uniform_count; i++)
         program_set(v->gl, v->pack, &m->uniforms[i]);
+    v->gl->DeleteBuffers(1, &v->constants);
+    v->constants = block_make(v->gl, v->pack, "Constants", 0, m->constants, m->constant_bytes);
 }
 
 static bool draw_gbuffer(View *v)
@@ -224,6 +228,7 @@ static void discard(View *v)
     framebuffer_delete(gl, &v->lit);
     mesh_delete(gl, &v->shape);
     mesh_delete(gl, &v->screen);
+    gl->DeleteBuffers(1, &v->constants);
     gl->DeleteTextures(UNITS_LIMIT, v->textures);
     gl->ActiveTexture(GL_TEXTURE0);
 }

@@ -40,6 +40,8 @@ typedef struct {
     int uniform_count;
     int target_count; /* render targets; 0: those of the thesis' layout, four of GL_RGBA16F */
     GLenum targets[VIEW_TARGETS];
+    const void *constants; /* of the block "Constants", in std140; NULL: none */
+    size_t constant_bytes;
 } ViewProgram;
 
 /* Draws into rgb: 3 bytes a pixel, sRGB, row 0 is the bottom row. False: see `error`, rgb may be half done. */

@@ -1,6 +1,7 @@
 /* Contexts, vertex programs that pass the points through, uniforms with and without blocks, textures. */
 #include "draw.h"
 #include "runtime/gl/backend.h"
+#include "runtime/gl/block.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
 #include <stdio.h>
@@ -192,6 +193,27 @@ static const double *value_of(const Graph *graph, const MatcUniform *uniform)
     return uniform->initial;
 }
 
+enum { CONSTANTS_BINDING = 2 };
+
+/* The block "Constants"; in GLSL 1.10 its members are plain uniforms. */
+static GLuint set_constants(Drawer *d, GLuint program, const Shading *shading)
+{
+    int count = shading->program ? matc_constant_count(shading->program) : 0;
+    size_t size = count ? (size_t)matc_constant_bytes(shading->program) : 0;
+    void *bytes = count ? malloc(size) : NULL;
+    if (!bytes)
+        return 0;
+    matc_constant_block(shading->program, bytes);
+    for (int i = 0; i < count && shading->target == TARGET_glsl110; i++) {
+        const MatcConstant *member = matc_constant(shading->program, i);
+        program_set(d->gl, program,
+                    &(ProgramValue){member->name, member->lanes, (float *)((char *)bytes + member->offset)});
+    }
+    GLuint buffer = block_make(d->gl, program, "Constants", CONSTANTS_BINDING, bytes, size);
+    free(bytes);
+    return buffer;
+}
+
 static GLuint set_uniforms(Drawer *d, GLuint program, const Shading *shading)
 {
     Block block = {.d = d, .program = program};
@@ -243,10 +265,10 @@ bool drawer_draw_to(Drawer *d, GLuint program, const Shading *shading, bool fron
 {
     GLuint names[UNITS] = {0};
     gl_use(d->gl);
-    GLuint buffer = set_uniforms(d, program, shading);
+    GLuint buffers[] = {set_uniforms(d, program, shading), set_constants(d, program, shading)};
     bool drawn = set_textures(d, program, shading, names) && draw(d, program, front, target);
     d->gl->DeleteTextures(UNITS, names);
-    d->gl->DeleteBuffers(1, &buffer);
+    d->gl->DeleteBuffers(2, buffers);
     return drawn;
 }
 
