@@ -86,12 +86,13 @@ cat >"$work/wrong/CMakeLists.txt" <<'EOF'
 cmake_minimum_required(VERSION 3.22)
 project(wrong LANGUAGES NONE)
 include(${MATERIALS})
-cmake_language(EVAL CODE "${CALL}")
+include(${CMAKE_CURRENT_SOURCE_DIR}/call.cmake)
 EOF
 echo 'material: Phong' >"$work/wrong/a.yaml"
 wrong() { # wrong PATTERN CALL
     rm -rf "$work/wrong/build"
-    refuses "$1" cmake -G Ninja -S "$work/wrong" -B "$work/wrong/build" -DMATERIALS="$source/cmake/materials.cmake" -DCALL="$2"
+    echo "$2" >"$work/wrong/call.cmake"
+    refuses "$1" cmake -G Ninja -S "$work/wrong" -B "$work/wrong/build" -DMATERIALS="$source/cmake/materials.cmake"
 }
 check "no target" wrong "TARGET is missing" "matc_add_materials(SOURCES a.yaml)"
 check "no sources" wrong "m has no SOURCES" "matc_add_materials(TARGET m)"
