@@ -89,15 +89,15 @@ sed -i 's/specular: 0.3$/specular: 0.31/' "$engine/materials/golf.yaml"
 rebuilds "a document" manifest.json
 
 # Faults keep what was there
-sed -i 's/map: Leopard/map: Leopart/' "$engine/materials/leopard.yaml"
+sed -i 's/map: Leopard/map: Leopart/' "$engine/materials/jaguar.yaml"
 fails() { ! make_it && grep -q "no map is called 'Leopart'" "$work/said"; }
 check "a fault ends the build" fails
 check "and nothing is written" changed
-sed -i 's/map: Leopart/map: Leopard/' "$engine/materials/leopard.yaml"
+sed -i 's/map: Leopart/map: Leopard/' "$engine/materials/jaguar.yaml"
 rebuilds "the fault repaired"
-rm "$engine/materials/leopard.yaml"
+rm "$engine/materials/jaguar.yaml"
 check "a document less" make_it
-check "its program goes" changed leopard.frag leopard.json leopard.vert manifest.json
+check "its program goes" changed jaguar.frag jaguar.json jaguar.vert manifest.json
 check "draws the rest" "$work/build/engine" "$work/frame.png"
 
 echo "$passed passed, $failed failed"

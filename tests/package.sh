@@ -29,6 +29,11 @@ holds_no_path() { ! grep -rlE "$source|$build|/opt/matc|/usr/" "$prefix" --inclu
 check "no file of the package names a folder of the build, or a prefix" holds_no_path
 check "the program runs there" "$prefix/bin/matc" --version
 
+for of in document layout manifest reflection; do
+    "$prefix/bin/matc" --schema=$of >"$work/schema"
+    check "the schema of a $of is installed" cmp "$work/schema" "$prefix/share/matc/schema/$of.schema.json"
+done
+
 # pkg-config
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 compile() { # compile PROGRAM FLAGS...
