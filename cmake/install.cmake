@@ -22,6 +22,18 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/matcConfigVersion
 install(FILES ${PROJECT_BINARY_DIR}/package/matcConfig.cmake ${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake
   cmake/materials.cmake cmake/dependencies.cmake DESTINATION ${package})
 
+# The schemas, for editors
+set(schemas)
+foreach(of document layout manifest reflection)
+  set(schema ${PROJECT_BINARY_DIR}/package/schema/${of}.schema.json)
+  add_custom_command(OUTPUT ${schema} COMMAND matc --schema=${of} > ${schema} DEPENDS matc
+    COMMENT "Writing the schema of a ${of}" VERBATIM)
+  list(APPEND schemas ${schema})
+endforeach()
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/package/schema)
+add_custom_target(matc_schemas ALL DEPENDS ${schemas})
+install(FILES ${schemas} DESTINATION ${MATC_SCHEMA})
+
 # pkg-config: glslang's libraries by name, and their folder where the linker would not look.
 set(private ${matc_glslang_names} ${matc_system})
 list(TRANSFORM private PREPEND -l)

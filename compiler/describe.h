@@ -8,6 +8,8 @@
 
 #define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
 
+/* JSON Schema of a file of files.def, "manifest", ...; from malloc, NULL if there is none of that name. describe_files.c */
+char *describe_file(const char *name);
 /* "0.5", "12", "1000000" */
 void describe_number(Text *out, double value);
 /* What a document writes in a parameter's place: "map", "number", ... */

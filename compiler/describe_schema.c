@@ -1,5 +1,5 @@
-/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it;
- * what it refuses, matc refuses too. */
+/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what it
+ * refuses, matc refuses too. describe_files.c has the schemas of other files. */
 #include "compile.h"
 #include "describe.h"
 #include "matc.h"
@@ -175,14 +175,22 @@ static const char *definition_of(const ParamRow *param)
     return param->kind == KIND_Constant ? "constantOrParam" : names[param->type];
 }
 
+static void put_limits(Text *out, const ParamRow *param)
+{
+    text_put(out, ", \"minimum\": ");
+    describe_number(out, param->low);
+    text_put(out, ", \"maximum\": ");
+    describe_number(out, param->high);
+}
+
 static void put_param(Text *out, const ParamRow *param)
 {
     text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s\"", param->name, definition_of(param));
     if (isfinite(param->low)) {
-        text_put(out, ", \"minimum\": ");
-        describe_number(out, param->low);
-        text_put(out, ", \"maximum\": ");
-        describe_number(out, param->high);
+        put_limits(out, param);
+        text_put(out, ", \"properties\": {\"default\": {\"type\": \"number\"");
+        put_limits(out, param);
+        text_put(out, "}}");
     }
     if (param->lanes) {
         text_put(out, ", \"default\": ");
@@ -281,7 +289,7 @@ static void put_outermost(Text *out)
         LIMIT_NAME);
 }
 
-char *matc_schema(void)
+static char *document_schema(void)
 {
     static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
                                     "{\"$ref\": \"#/$defs/param\"},\n";
@@ -310,3 +318,5 @@ char *matc_schema(void)
     text_put(&out, "  }\n}\n");
     return describe_finish(&out);
 }
+
+char *matc_schema(const char *of) { return !of || !strcmp(of, "document") ? document_schema() : describe_file(of); }

@@ -385,7 +385,7 @@ int main(int argc, char **argv)
     else if (line.version)
         puts("matc " MATC_VERSION);
     else if (line.schema)
-        status = answer(matc_schema(), "");
+        status = answer(matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
     else if (line.list)
         status = answer(matc_list(), "");
     else if (line.explain)

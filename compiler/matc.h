@@ -184,8 +184,9 @@ MATC_API const char *matc_diagnostics(MatcDocument *document, MatcForm form);
 MATC_API const char *matc_program_diagnostics(MatcProgram *program, MatcForm form);
 MATC_API int matc_error_count(const MatcDocument *document);
 
-/* What matc knows, made from its tables: JSON Schema of documents; the list of kinds; the page of one name. From malloc. */
-MATC_API char *matc_schema(void);
+/* What matc knows, made from its tables; from malloc. JSON Schema of "document" (or NULL), "layout", "manifest" or
+ * "reflection"; NULL of others. The list of kinds. The page of one name. */
+MATC_API char *matc_schema(const char *of);
 MATC_API char *matc_list(void);
 /* NULL if there is nothing of that name. */
 MATC_API char *matc_explain(const char *name);

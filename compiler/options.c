@@ -17,7 +17,7 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"tree", ".tree", 0},
 };
 
-typedef enum { TAKES_text, TAKES_compile, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate } Takes;
+typedef enum { TAKES_text, TAKES_compile, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate, TAKES_maybe } Takes;
 typedef struct {
     const char *name;
     Takes takes;
@@ -67,7 +67,7 @@ static const Option options[] = {
     {"--no-validate", TAKES_novalidate, 0},
     FLAG("--check", compile.check),
     FLAG("--list", list),
-    FLAG("--schema", schema),
+    {"--schema", TAKES_maybe, offsetof(CommandLine, schema)},
     FLAG("--stats", stats),
     FLAG("--help", help),
     FLAG("-h", help),
@@ -119,7 +119,7 @@ const char *const options_help =
     "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
     "  --list               materials, maps, waves, channels, slots\n"
     "  --explain NAME       one of them\n"
-    "  --schema             JSON Schema of documents\n"
+    "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
     "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
     "  --diagnostics=FORM   text (default), json\n"
     "  --no-validate        do not ask glslang\n"
@@ -152,6 +152,9 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
     case TAKES_text:
         *(const char **)(void *)member = value;
         return true;
+    case TAKES_maybe:
+        *(const char **)(void *)member = value ? value : "document";
+        return true;
     case TAKES_compile:
         return matc_options_set(&line->compile, option->name + 2, value);
     case TAKES_flag:
@@ -173,7 +176,7 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
 static bool takes_value(const Option *option)
 {
     return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
-           option->takes == TAKES_form;
+           option->takes == TAKES_form || option->takes == TAKES_maybe;
 }
 
 /* "--name value", "--name=value", and "-oFILE" as compilers have it. */
@@ -185,7 +188,7 @@ static bool read_option(CommandLine *line, char **argv, int *i, const char **fau
         size_t size = strlen(option->name);
         if (strncmp(arg, option->name, size) != 0)
             continue;
-        if (!arg[size] && !takes_value(option))
+        if (!arg[size] && (!takes_value(option) || option->takes == TAKES_maybe))
             return set_option(line, option, NULL, fault);
         if (!takes_value(option))
             continue;

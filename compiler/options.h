@@ -52,7 +52,8 @@ typedef struct {
     const char *max_error; /* --max-error */
     const char *range;     /* --range */
     const char *gl;        /* --gl */
-    bool pareto, list, schema, stats, help, version;
+    bool pareto, list, stats, help, version;
+    const char *schema; /* --schema: of which file; NULL */
     MatcForm diagnostics;
 } CommandLine;
 

@@ -358,3 +358,11 @@ const char *function_arguments(int function)
 {
     return function < FN_FIRST_MAP ? fixed_arguments[function] : map_arguments[function - FN_FIRST_MAP];
 }
+
+const FileRow file_table[] = {
+#define FILE(name, doc)                   {FILE_ROW_file, #name, false, MEMBER_text, "", doc},
+#define OBJECT(name, doc)                 {FILE_ROW_object, #name, false, MEMBER_text, "", doc},
+#define MEMBER(name, must, type, of, doc) {FILE_ROW_member, #name, must, MEMBER_##type, of, doc},
+#include "files.def"
+};
+const int file_row_count = sizeof file_table / sizeof *file_table;

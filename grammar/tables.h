@@ -344,4 +344,42 @@ extern const AxisRow axis_table[AXIS_COUNT];
 int axis_choices(Axis axis);
 extern const ChoiceRow choice_table[CHOICE_COUNT];
 extern const PrecisionRow precision_table[PRECISION_COUNT];
+
+/* Rows of files.def, in its order. */
+typedef enum { FILE_ROW_file, FILE_ROW_object, FILE_ROW_member } FileRowKind;
+typedef enum {
+    MEMBER_text,
+    MEMBER_name,
+    MEMBER_key,
+    MEMBER_whole,
+    MEMBER_number,
+    MEMBER_yes,
+    MEMBER_flag,
+    MEMBER_choice,
+    MEMBER_object,
+    MEMBER_texts,
+    MEMBER_names,
+    MEMBER_numbers,
+    MEMBER_choiceList,
+    MEMBER_objects,
+    MEMBER_rows,
+    MEMBER_textsByName,
+    MEMBER_numbersByName,
+    MEMBER_choices,
+    MEMBER_identifier,
+    MEMBER_label,
+    MEMBER_encoding,
+    MEMBER_pair,
+    MEMBER_slotLanes,
+    MEMBER_slotConstants
+} MemberType;
+typedef struct {
+    FileRowKind kind;
+    const char *name;
+    bool must;
+    MemberType type;
+    const char *of, *doc;
+} FileRow;
+extern const FileRow file_table[];
+extern const int file_row_count;
 #endif

@@ -146,6 +146,11 @@ check "knows Wood" prints Wood
 check "--explain" status 0 "$matc" --explain Checker
 check "--explain of nothing" status 2 "$matc" --explain Nothing
 check "--schema" status 0 "$matc" --schema
+for of in document layout manifest reflection; do
+    check "--schema=$of" status 0 "$matc" --schema=$of
+    check "is called so" prints "\"title\": \"matc .* $of\""
+done
+check "an unknown schema is wrong usage" status 2 "$matc" --schema=material
 check "--help" status 0 "$matc" --help
 check "--version" status 0 "$matc" --version
 

@@ -29,6 +29,11 @@ holds_no_path() { ! grep -rlE "$source|$build|/opt/matc|/usr/" "$prefix" --inclu
 check "no file of the package names a folder of the build, or a prefix" holds_no_path
 check "the program runs there" "$prefix/bin/matc" --version
 
+for of in document layout manifest reflection; do
+    "$prefix/bin/matc" --schema=$of >"$work/schema"
+    check "the schema of a $of is installed" cmp "$work/schema" "$prefix/share/matc/schema/$of.schema.json"
+done
+
 # pkg-config
 export PKG_CONFIG_PATH="$libdir/pkgconfig"
 compile() { # compile PROGRAM FLAGS...
@@ -86,12 +91,13 @@ cat >"$work/wrong/CMakeLists.txt" <<'EOF'
 cmake_minimum_required(VERSION 3.22)
 project(wrong LANGUAGES NONE)
 include(${MATERIALS})
-cmake_language(EVAL CODE "${CALL}")
+include(${CMAKE_CURRENT_SOURCE_DIR}/call.cmake)
 EOF
 echo 'material: Phong' >"$work/wrong/a.yaml"
 wrong() { # wrong PATTERN CALL
     rm -rf "$work/wrong/build"
-    refuses "$1" cmake -G Ninja -S "$work/wrong" -B "$work/wrong/build" -DMATERIALS="$source/cmake/materials.cmake" -DCALL="$2"
+    echo "$2" >"$work/wrong/call.cmake"
+    refuses "$1" cmake -G Ninja -S "$work/wrong" -B "$work/wrong/build" -DMATERIALS="$source/cmake/materials.cmake"
 }
 check "no target" wrong "TARGET is missing" "matc_add_materials(SOURCES a.yaml)"
 check "no sources" wrong "m has no SOURCES" "matc_add_materials(TARGET m)"

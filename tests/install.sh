@@ -1,0 +1,104 @@
+#!/bin/sh
+# The sample engine, built from the installed package outside of the source tree, as somebody else would: install.sh BUILD_FOLDER
+# [GENERATOR]. Then what is rebuilt when a picture, definitions, a layout or nothing changes. Run from the project's root.
+set -u
+build=$1
+generator=${2:-Ninja}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+engine=$work/source
+out=$work/build/materials
+failed=0
+passed=0
+
+# check NAME COMMAND...: the command must succeed
+check() {
+    name=$1
+    shift
+    if "$@" >"$work/out" 2>&1; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name"
+        sed 's/^/    /' "$work/out" | tail -15
+    fi
+}
+
+make_it() { cmake --build "$work/build" >"$work/said" 2>&1 || { cat "$work/said" && false; }; }
+# No command ran
+idle() {
+    case $generator in
+    Ninja) grep -q 'no work to do' "$work/said" ;;
+    *) ! grep -qE 'Compiling|Building|Linking|Generating' "$work/said" ;;
+    esac
+}
+# The materials were compiled again, and the engine was not
+materials_only() { grep -q 'Compiling materials' "$work/said" && ! grep -qE 'Building|Linking' "$work/said"; }
+# Contents and times of what matc wrote
+state() { (cd "$out" && for file in *; do echo "$file $(stat -c %y "$file" | tr -d ' ') $(cksum <"$file")"; done); }
+# changed FILE...: since the last call exactly these were written, came, or went
+changed() {
+    state >"$work/now"
+    got=$(diff "$work/before" "$work/now" | sed -n 's/^[<>] \([^ ]*\) .*/\1/p' | sort -u | tr '\n' ' ')
+    mv "$work/now" "$work/before"
+    [ "$got" = "$(echo "$*" | sed 's/$/ /; s/^ $//')" ] || { echo "changed: $got" && false; }
+}
+# rebuilds WHAT FILE...: after a change, which were written; then nothing is left to do
+rebuilds() {
+    what=$1
+    shift
+    check "$what: builds" make_it
+    check "$what: the materials alone" materials_only
+    check "$what: exactly what depends on it" changed "$@"
+    check "$what: then again" make_it
+    check "$what: nothing is left to do" idle
+}
+check "installs" cmake --install "$build" --prefix "$work/prefix"
+cp -r examples/engine "$engine"
+check "configures" cmake -G "$generator" -S "$engine" -B "$work/build" -DCMAKE_PREFIX_PATH="$work/prefix"
+check "builds" make_it
+check "a second time" make_it
+check "does nothing" idle
+
+# The frame
+"$work/build/engine" "$work/frame.png" >"$work/printed" 2>&1
+check "draws" grep -q 'materials, .* programs, layout' "$work/printed"
+materials=$(sed -n 's/^\([0-9]*\) materials, .*/\1/p' "$work/printed")
+programs=$(sed -n 's/.* \([0-9]*\) programs, .*/\1/p' "$work/printed")
+check "a few dozen materials" test "${materials:-0}" -ge 36
+check "in fewer programs" test "$((${programs:-99} * 2))" -lt "${materials:-0}"
+check "which are the files" test "$(find "$out" -name '*.frag' | wc -l)" = "${programs:-0}"
+rows=$(((${materials:-0} + 7) / 8))
+size=$(od -An -tu1 -j16 -N8 "$work/frame.png" | awk '{print $3 * 256 + $4, $7 * 256 + $8}')
+check "a picture of their size" test "$size" = "1280 $((rows * 160))"
+# An empty frame of that size is some 100 kB smaller
+check "which is not empty" test "$(wc -c <"$work/frame.png")" -gt 600000
+
+state >"$work/before"
+touch "$engine/materials/images/bricks.png"
+rebuilds "a picture touched"
+cp "$engine/materials/images/mosaic.png" "$engine/materials/images/bricks.png"
+rebuilds "a picture of the same size"
+cp docs/checker.png "$engine/materials/images/bricks.png"
+rebuilds "a picture of another size" bricks.frag bricks.json cloth.frag cloth.json cloth.vert manifest.json
+sed -i 's/varnish: 0.9 /varnish: 0.8 /' "$engine/materials/palette.yaml"
+rebuilds "a number in defs" manifest.json
+sed -i '/swirl:/,/octaves:/ s/octaves: 5/octaves: 4/' "$engine/materials/palette.yaml"
+rebuilds "octaves in defs" carrara.frag carrara.json manifest.json
+sed -i 's/specular: 0.3$/specular: 0.31/' "$engine/materials/golf.yaml"
+rebuilds "a document" manifest.json
+
+# Faults keep what was there
+sed -i 's/map: Leopard/map: Leopart/' "$engine/materials/jaguar.yaml"
+fails() { ! make_it && grep -q "no map is called 'Leopart'" "$work/said"; }
+check "a fault ends the build" fails
+check "and nothing is written" changed
+sed -i 's/map: Leopart/map: Leopard/' "$engine/materials/jaguar.yaml"
+rebuilds "the fault repaired"
+rm "$engine/materials/jaguar.yaml"
+check "a document less" make_it
+check "its program goes" changed jaguar.frag jaguar.json jaguar.vert manifest.json
+check "draws the rest" "$work/build/engine" "$work/frame.png"
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

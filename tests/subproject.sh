@@ -1,0 +1,32 @@
+#!/bin/sh
+# matc as a folder of another project, by add_subdirectory, as FetchContent does: its library, its compiler, its function. Run
+# from the project's root.
+set -eu
+source=$(pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cat >"$work/CMakeLists.txt" <<EOF
+cmake_minimum_required(VERSION 3.22)
+project(outer LANGUAGES C)
+add_subdirectory($source matc EXCLUDE_FROM_ALL)
+add_executable(embedded $source/examples/embed.c)
+target_link_libraries(embedded PRIVATE matc::matc)
+matc_add_materials(TARGET materials SOURCES rock.yaml)
+# Names that a project is likely to have
+foreach(name embed docs tests golden reference dictionary)
+  add_custom_target(\${name})
+endforeach()
+EOF
+cp examples/checker.yaml "$work/rock.yaml"
+{
+    cmake -G Ninja -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=-O0
+    cmake --build "$work/build"
+    "$work/build/embedded" >"$work/printed"
+} >"$work/said" 2>&1 || { tail -20 "$work/said" && exit 1; }
+grep -q '^// uniform tint: 3 lanes' "$work/printed"
+test -f "$work/build/materials/rock.frag"
+test -f "$work/build/materials/manifest.json"
+cmake --build "$work/build" | grep -q 'no work to do'
+DESTDIR=$work/stage cmake --install "$work/build" >/dev/null
+test ! -e "$work/stage" # what is inside is not installed with the project
+echo "fine"
