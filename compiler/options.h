@@ -52,7 +52,8 @@ typedef struct {
     const char *max_error; /* --max-error */
     const char *range;     /* --range */
     const char *gl;        /* --gl */
-    bool pareto, list, schema, stats, help, version;
+    bool pareto, list, schema, stats, watch, help, version;
+    struct WatchList *watched; /* with --watch: files that a run read or wanted */
     MatcForm diagnostics;
 } CommandLine;
 
