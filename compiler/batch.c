@@ -7,6 +7,7 @@
 #include "file.h"
 #include "output.h"
 #include "queue.h"
+#include "watch.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -287,6 +288,21 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
     return !why && stored_open(b);
 }
 
+/* For --watch: what decided the outcome, with faults, too. */
+static void list_watched(const Batch *b)
+{
+    StringSet files = {0};
+    for (int d = 0; b->line->watched && d < b->document_count; d++) {
+        const BatchDocument *document = &b->documents[d];
+        strings_add(&files, document->path, NULL);
+        for (int i = 0; i < document->depend_count; i++)
+            strings_add(&files, document->depends[i], NULL);
+    }
+    for (int i = 0; i < files.count; i++)
+        watch_list_add(b->line->watched, files.at[i]);
+    strings_free(&files);
+}
+
 static void finish(Batch *b)
 {
     for (int d = 0; d < b->document_count; d++)
@@ -352,6 +368,7 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
     if (!b.fault)
         count(&b, result);
     say_rest(&b);
+    list_watched(&b);
     const char *trouble = b.cache ? cache_trouble(b.cache) : NULL;
     if (trouble)
         b.calls->trouble(b.calls->user, line->cache, trouble);

@@ -37,10 +37,10 @@ const Image *image_load(Resolver *r, const char *path, Span span)
         if (!strcmp(r->images[i]->path, full))
             return r->images[i];
     size_t size;
+    depend_on(c, full);
     char *file = read_file(c, full, &size, &why);
     if (!file)
         return diag_add(c, span, DIAG_no_image, path, why);
-    depend_on(c, full);
     Image *image = ARENA_NEW(c->arena, Image);
     image->path = full;
     image->index = (int)r->image_count;

@@ -6,14 +6,26 @@
 #include "options.h"
 #include "output.h"
 #include "runtime/measure/pareto.h"
+#include "watch.h"
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192, PROGRESS_STEP = 16 };
+enum {
+    FINE = 0,
+    FAULT = 1,
+    USAGE = 2,
+    BY_SIGNAL = 128, /* and its number */
+    LONGEST_PATH = 4096,
+    LONGEST_MESSAGE = 8192,
+    PROGRESS_STEP = 16,
+    WATCH_MS = 200 /* between looks for a signal */
+};
 
 static int complain(const char *what, const char *why)
 {
@@ -66,6 +78,17 @@ static int first_emit(const CommandLine *line)
     return emit;
 }
 
+/* Whether --watch would write what is there already. */
+static bool is_written(const CommandLine *line, const char *to, const char *bytes, size_t size)
+{
+    size_t old_size;
+    const char *why;
+    char *old = line->watch ? file_read(to, &old_size, &why) : NULL;
+    bool same = old && old_size == size && !memcmp(old, bytes, size);
+    free(old);
+    return same;
+}
+
 static int write_output(const CommandLine *line, MatcDocument *document, MatcProgram *program)
 {
     int emit = first_emit(line);
@@ -73,7 +96,8 @@ static int write_output(const CommandLine *line, MatcDocument *document, MatcPro
     const char *to = line->output ? line->output : "-";
     const char *text =
         emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, output_of(line, emit), &size);
-    const char *why = output_write(to, text, emit == EMIT_tree ? strlen(text) : size);
+    size = emit == EMIT_tree ? strlen(text) : size;
+    const char *why = is_written(line, to, text, size) ? NULL : output_write(to, text, size);
     if (why)
         return complain(to, why);
     return line->textures && program ? write_textures(line, program) : FINE;
@@ -206,11 +230,15 @@ static int run_input(const CommandLine *line, const char *path)
     size_t size;
     const char *why;
     char *text = strcmp(path, "-") ? file_read(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
+    if (!text && line->watched)
+        watch_list_add(line->watched, path);
     if (!text)
         return complain(path, why);
     MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
     free(text);
     print_diagnostics(matc_diagnostics(document, line->diagnostics), line);
+    for (int i = 0; line->watched && i < matc_depend_count(document); i++)
+        watch_list_add(line->watched, matc_depend(document, i));
     bool tree_only = line->emit[EMIT_tree] && !line->folder && !line->depend && !line->textures;
     int status = FAULT;
     if (!tree_only)
@@ -262,23 +290,23 @@ static void print_counts(const BatchResult *result)
     fprintf(stderr, "), %d with numbers from a buffer; %d files written\n", result->buffered, result->written);
 }
 
-static int run_batch(CommandLine *line)
+static int run_batch(CommandLine *line, BatchResult *result)
 {
-    BatchResult result;
     const BatchCalls calls = {say, isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL, warn_of_cache,
                               choose_for_batch, line};
-    if (!batch_run(line, &calls, &result))
+    if (!batch_run(line, &calls, result))
         return FAULT;
     if (line->stats)
-        print_counts(&result);
+        print_counts(result);
     return FINE;
 }
 
-static int run(CommandLine *line)
+static int run(CommandLine *line, BatchResult *result)
 {
     int status = FINE;
+    *result = (BatchResult){0};
     if (line->folder)
-        return run_batch(line);
+        return run_batch(line, result);
     for (int i = 0; i < line->input_count; i++)
         status |= run_input(line, line->inputs[i]);
     return status;
@@ -342,6 +370,11 @@ static const char *check_output(const CommandLine *line)
         return "several passes need -d";
     if (line->eval && line->folder)
         return "--eval prints, and does not go with -d";
+    if (line->watch && !line->folder && (!line->output || !strcmp(line->output, "-")))
+        return "--watch needs -o or -d";
+    for (int i = 0; i < line->input_count && line->watch; i++)
+        if (!strcmp(line->inputs[i], "-"))
+            return "standard input cannot be watched";
     if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
         return "-MD needs -o, -d or -MF";
     return NULL;
@@ -367,18 +400,90 @@ static int check_usage(const CommandLine *line)
     return FINE;
 }
 
+static bool read_command_line(CommandLine *line, int argc, char **argv, const char **fault)
+{
+    bool fine = options_read(line, argc, argv, fault);
+    line->compile.pixels = line->eval || line->textures || line->pareto || line->max_error;
+    line->compile.measure = line->stats;
+    if (!line->cache && getenv("MATC_CACHE") && *getenv("MATC_CACHE"))
+        line->cache = getenv("MATC_CACHE");
+    return fine;
+}
+
+/* -- watching */
+
+static double milliseconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+/* 0 when files have changed, else the signal that asks us to end. While a run is under way signals do what they always do. */
+static int wait_for_change(Watch *watch)
+{
+    static const struct timespec at_once = {0, 0};
+    int signal = -1, changed = 0;
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    pthread_sigmask(SIG_BLOCK, &ends, &before);
+    while (!changed && (signal = sigtimedwait(&ends, NULL, &at_once)) < 0)
+        changed = watch_wait(watch, WATCH_MS);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return changed ? 0 : signal;
+}
+
+static void run_and_tell(CommandLine *line, Watch *watch)
+{
+    BatchResult result;
+    WatchList files = {0};
+    double start = milliseconds_now();
+    for (int i = 0; i < line->list_count; i++)
+        watch_list_add(&files, line->lists[i]);
+    line->watched = &files;
+    int status = run(line, &result);
+    double took = milliseconds_now() - start;
+    watch_set(watch, (const char *const *)files.at, files.count);
+    if (status != FINE)
+        fprintf(stderr, "matc: nothing written; watching %d files\n", files.count);
+    else if (line->folder)
+        fprintf(stderr, "matc: %d files written for %d materials in %.0f ms; watching %d files\n", result.written,
+                result.materials, took, files.count);
+    else
+        fprintf(stderr, "matc: %s in %.0f ms; watching %d files\n", line->output, took, files.count);
+    watch_list_free(&files);
+}
+
+/* Until a signal comes. Lists of documents are read again every time. */
+static int run_watching(CommandLine *line, int argc, char **argv)
+{
+    Watch *watch = watch_open();
+    const char *fault;
+    int signal;
+    run_and_tell(line, watch);
+    while (!(signal = wait_for_change(watch))) {
+        options_free(line);
+        if (!read_command_line(line, argc, argv, &fault))
+            usage(fault);
+        else if (check_usage(line) == FINE)
+            run_and_tell(line, watch);
+    }
+    watch_close(watch);
+    return BY_SIGNAL + signal;
+}
+
 int main(int argc, char **argv)
 {
     CommandLine line;
+    BatchResult result;
     const char *fault;
-    if (!options_read(&line, argc, argv, &fault)) {
+    if (!read_command_line(&line, argc, argv, &fault)) {
         options_free(&line);
         return usage(fault);
     }
-    line.compile.pixels = line.eval || line.textures || line.pareto || line.max_error;
-    line.compile.measure = line.stats;
-    if (!line.cache && getenv("MATC_CACHE") && *getenv("MATC_CACHE"))
-        line.cache = getenv("MATC_CACHE");
     int status = FINE;
     if (line.help)
         fputs(options_help, stdout);
@@ -393,9 +498,9 @@ int main(int argc, char **argv)
     else if (line.cache_stats)
         status = print_cache(&line);
     else if ((status = check_usage(&line)) == FINE)
-        status = run(&line);
+        status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
     if (fflush(stdout) || ferror(stdout))
         status |= complain("standard output", strerror(errno));
-    return status & USAGE ? USAGE : status;
+    return status < BY_SIGNAL && status & USAGE ? USAGE : status;
 }

@@ -86,7 +86,7 @@ MATC_API int matc_material_count(const MatcDocument *document);
 MATC_API const char *matc_material_name(const MatcDocument *document, int material);
 /* Index of the material of that name, or -1. */
 MATC_API int matc_material_find(const MatcDocument *document, const char *name);
-/* Files that the document was made from, itself first. */
+/* Files that the document was made from, itself first, and those that it asked for in vain. */
 MATC_API int matc_depend_count(const MatcDocument *document);
 MATC_API const char *matc_depend(const MatcDocument *document, int index);
 /* The document as it was read, as text; owned by the document. */

@@ -69,6 +69,7 @@ static const Option options[] = {
     FLAG("--list", list),
     {"--schema", TAKES_maybe, offsetof(CommandLine, schema)},
     FLAG("--stats", stats),
+    FLAG("--watch", watch),
     FLAG("--help", help),
     FLAG("-h", help),
     FLAG("--version", version),
@@ -91,6 +92,7 @@ const char *const options_help =
     "  --cache-stats        what the cache holds and how often it helped\n"
     "  --emit=LIST          glsl (default), vertex, unpack, reflect, spirv, ir, dot, tree; several need -d\n"
     "  --textures DIR       write the textures that matc makes there, as KTX\n"
+    "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
     "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
     "program\n"
     "  --target=T           glsl110, glsl330 (default), glsl450, essl300, spirv\n"

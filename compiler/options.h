@@ -52,8 +52,9 @@ typedef struct {
     const char *max_error; /* --max-error */
     const char *range;     /* --range */
     const char *gl;        /* --gl */
-    bool pareto, list, stats, help, version;
-    const char *schema; /* --schema: of which file; NULL */
+    bool pareto, list, stats, watch, help, version;
+    const char *schema;        /* --schema: of which file; NULL */
+    struct WatchList *watched; /* with --watch: files that a run read or wanted */
     MatcForm diagnostics;
 } CommandLine;
 

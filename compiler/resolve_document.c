@@ -44,12 +44,12 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
         return false;
     }
     Source source = {.name = path};
+    depend_on(c, path);
     char *text = read_file(c, path, &source.size, &why);
     if (!text) {
         diag_add(c, name->span, DIAG_cannot_read, name->text, why);
         return false;
     }
-    depend_on(c, path);
     source.text = arena_string(c->arena, text, source.size);
     free(text);
     ARENA_PUSH(c->arena, c->sources, c->source_count, c->source_room, source);

@@ -172,6 +172,27 @@ static bool any_dirty(const Watch *watch)
     return false;
 }
 
+void watch_list_add(WatchList *list, const char *file)
+{
+    if (list->count == list->room) {
+        list->room = list->room ? 2 * list->room : 64;
+        list->at = realloc(list->at, (size_t)list->room * sizeof *list->at);
+        if (!list->at)
+            abort();
+    }
+    list->at[list->count] = strdup(file);
+    if (!list->at[list->count++])
+        abort();
+}
+
+void watch_list_free(WatchList *list)
+{
+    for (int i = 0; i < list->count; i++)
+        free(list->at[i]);
+    free(list->at);
+    *list = (WatchList){0};
+}
+
 Watch *watch_open(void)
 {
     Watch *watch = calloc(1, sizeof *watch);

@@ -5,6 +5,14 @@
 
 typedef struct Watch Watch;
 
+/* Files to watch, as they are met; from malloc. */
+typedef struct WatchList {
+    char **at;
+    int count, room;
+} WatchList;
+void watch_list_add(WatchList *list, const char *file);
+void watch_list_free(WatchList *list);
+
 Watch *watch_open(void);
 /* Goes without the system's notices, as where there are none: files are looked at five times a second. */
 void watch_poll_only(Watch *watch);

@@ -89,18 +89,18 @@ static const Run runs[] = {
     {"not validated", {"out"}, {"-j", "2", "--no-validate"}},
     {"not validated, one thread", {"out"}, {"-j", "1", "--no-validate"}},
     {"  the same again: nothing to write", {NULL}, {"-j", "2", "--no-validate"}},
-    {"into an empty cache", {"out", "cache"}, {"-j", "2", "--no-validate", "--cache", NULL}},
-    {"from the cache", {"out"}, {"-j", "2", "--no-validate", "--cache", NULL}},
-    {"  the same again: nothing to write", {NULL}, {"-j", "2", "--no-validate", "--cache", NULL}},
+    {"into an empty cache", {"out", "cache"}, {"-j", "2", "--no-validate", "--cache"}},
+    {"from the cache", {"out"}, {"-j", "2", "--no-validate", "--cache"}},
+    {"  the same again: nothing to write", {NULL}, {"-j", "2", "--no-validate", "--cache"}},
 };
 
 static bool run(const BatchFolder *folder, const Run *row, BatchTimes *times)
 {
     char cache[BATCH_PATH];
-    const char *arguments[9] = {NULL};
-    snprintf(cache, sizeof cache, "%s/cache", folder->path);
-    for (int i = 0; i < 8 && (row->arguments[i] || (i && !strcmp(row->arguments[i - 1], "--cache"))); i++)
-        arguments[i] = row->arguments[i] ? row->arguments[i] : cache;
+    const char *arguments[sizeof row->arguments / sizeof *row->arguments + 1] = {NULL};
+    snprintf(cache, sizeof cache, "--cache=%s/cache", folder->path);
+    for (int i = 0; row->arguments[i]; i++)
+        arguments[i] = strcmp(row->arguments[i], "--cache") ? row->arguments[i] : cache;
     for (int i = 0; i < 2 && row->clear[i]; i++)
         batch_clear(folder, row->clear[i]);
     return batch_run(folder, "m", "out", arguments, times);

@@ -18,8 +18,9 @@ extern char **environ;
 bool batch_folder_make(BatchFolder *folder, const char *matc)
 {
     *folder = (BatchFolder){.matc = matc};
-    snprintf(folder->path, sizeof folder->path, "/tmp/matbenchXXXXXX");
-    return mkdtemp(folder->path) != NULL;
+    const char *above = getenv("TMPDIR");
+    int size = snprintf(folder->path, sizeof folder->path, "%s/matbenchXXXXXX", above && *above ? above : "/tmp");
+    return (size_t)size < sizeof folder->path && mkdtemp(folder->path);
 }
 
 static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)

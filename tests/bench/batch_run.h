@@ -4,10 +4,10 @@
 #include "compiler/text.h"
 #include <stdbool.h>
 
-enum { BATCH_PATH = 512, BATCH_ARGUMENTS = 16 };
+enum { BATCH_PATH = 1024, BATCH_ARGUMENTS = 16 };
 
 typedef struct {
-    char path[64];    /* made for the run, removed after it */
+    char path[256];   /* made below TMPDIR for the run, removed after it */
     const char *matc; /* the program */
     size_t bytes;     /* of all documents */
 } BatchFolder;
