@@ -5,6 +5,10 @@
 #include "document.h"
 #include "choice.h"
 #include "file.h"
+#include "layout_option.h"
+#include "layout_read.h"
+#include "layout_option.h"
+#include "layout_read.h"
 #include "output.h"
 #include "queue.h"
 #include "watch.h"
@@ -62,6 +66,49 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
     snprintf(text, sizeof text, "matc: error: %s: %s\n", what, why);
     batch_say(b, document, text);
     batch_fault(b);
+}
+
+/* -- --layout=auto: what the materials can be, for the smallest layout that holds them */
+
+static int open_to_measure(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    if (!document_open(b, document))
+        return 0;
+    stored_key(b, document);
+    if (stored_ranges(b, document))
+        return 0;
+    matc_ranges_init(&document->ranges);
+    int count = matc_material_count(document_parsed(b, document)); /* what is wrong with it is said later */
+    return count;
+}
+
+static void measure_material(void *user, int number, int material)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    MatcRanges own;
+    char *fault = NULL;
+    const MatcDocument *parsed = document_parsed(b, document);
+    if (b->line->material && strcmp(b->line->material, matc_material_name(parsed, material)) != 0)
+        return;
+    matc_ranges_init(&own);
+    bool fine = matc_ranges_add(&own, parsed, material, &b->options, &fault);
+    free(fault); /* it is said when the material is compiled */
+    pthread_mutex_lock(&document->mutex);
+    if (fine)
+        matc_ranges_join(&document->ranges, &own);
+    pthread_mutex_unlock(&document->mutex);
+}
+
+static void close_measured(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    if (document->text)
+        store_ranges(b, document);
+    document_close(document);
 }
 
 /* -- the queue's calls: first all materials, then what must be written again */
@@ -180,10 +227,29 @@ static void run_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, i
     queue_run(&queue);
 }
 
-/* One file for all programs: the layout is theirs. */
-static void write_unpack(Batch *b)
+static void make_layout(Batch *b)
 {
-    for (int i = 0; b->line->emit[EMIT_unpack] && i < b->program_count; i++) {
+    MatcRanges all;
+    if (!b->options.layout || strcmp(b->options.layout, "auto") != 0)
+        return;
+    run_phase(b, open_to_measure, measure_material, close_measured);
+    matc_ranges_init(&all);
+    for (int d = 0; d < b->document_count; d++)
+        matc_ranges_join(&all, &b->documents[d].ranges);
+    b->layout = matc_layout_for(&all, layout_error(b->line), &b->options);
+    if (matc_layout_ok(b->layout)) {
+        b->options.custom = b->layout;
+        if (b->line->stats)
+            batch_say(b, NULL, matc_layout_report(b->layout));
+    } else { /* there are no materials, which is said of the documents */
+        b->options.layout = NULL;
+    }
+}
+
+/* One file for all programs: the layout is theirs. */
+static void write_layout(Batch *b)
+{
+    for (int i = 0; (b->line->emit[EMIT_unpack] || b->line->emit[EMIT_layout]) && i < b->program_count; i++) {
         const BatchProgram *program = &b->programs[i];
         BatchDocument *document = &b->documents[program->first->document];
         if (program->first->pass != PASS_gbuffer && program->first->pass != PASS_plane)
@@ -192,8 +258,13 @@ static void write_unpack(Batch *b)
         Compile c = compile_with(&b->options, &arena);
         Job job;
         job_of(&b->options, &job);
-        const char *text = emit_unpack(&c, &job);
-        put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, text, strlen(text));
+        const char *unpack = emit_unpack(&c, &job);
+        Text layout = text_new(&arena);
+        layout_write(&layout, job.layout);
+        if (b->line->emit[EMIT_unpack])
+            put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, unpack, strlen(unpack));
+        if (b->line->emit[EMIT_layout])
+            put_file(b, document, job.layout->name, emit_table[EMIT_layout].suffix, layout.at, layout.size);
         arena_free(&arena);
         return;
     }
@@ -226,6 +297,8 @@ static void write_depfile(Batch *b)
             strings_add(&files, b->documents[d].depends[i], NULL);
     for (int i = 0; i < b->line->list_count; i++)
         strings_add(&files, b->line->lists[i], NULL);
+    if (b->line->compile.layout && layout_is_file(b->line->compile.layout))
+        strings_add(&files, b->line->compile.layout, NULL);
     const char *depfile = b->line->depfile ? b->line->depfile : path;
     const char *why =
         output_depfile(depfile, b->line->target ? b->line->target : target, (const char *const *)files.at, files.count);
@@ -317,6 +390,7 @@ static void finish(Batch *b)
     strings_free(&b->files);
     free(b->file_keys);
     bytes_free(&b->general);
+    matc_layout_free(b->layout);
     stage_close(b->stage);
     stage_close(b->textures);
     pthread_mutex_destroy(&b->mutex);
@@ -350,7 +424,10 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
 {
     Batch b;
     *result = (BatchResult){0};
-    if (start(&b, line, calls))
+    bool started = start(&b, line, calls);
+    if (started)
+        make_layout(&b);
+    if (started)
         run_phase(&b, open_to_compile, work_on_material, close_compiled);
     if (!b.fault) {
         batch_group(&b);
@@ -360,7 +437,7 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
     if (!b.fault)
         run_phase(&b, open_again, work_again, close_again);
     if (!b.fault) {
-        write_unpack(&b);
+        write_layout(&b);
         write_manifest(&b);
     }
     if (!b.fault)

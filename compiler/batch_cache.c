@@ -83,6 +83,7 @@ static void put_settings(Bytes *to, const Batch *b)
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         bytes_number(to, b->line->emit[emit]);
     bytes_text(to, b->line->material ? b->line->material : "");
+    bytes_text(to, b->options.custom ? matc_layout_text((MatcLayout *)b->options.custom) : "");
 }
 
 void stored_key(const Batch *b, BatchDocument *document)
@@ -108,6 +109,52 @@ static bool same_files(Batch *b, BytesReader *from, int count)
             return false;
     }
     return true;
+}
+
+/* The files that a document is made from, and what is in them. False: one is not known, so that a change would not be seen. */
+static bool put_files(Batch *b, char *const *depends, int count, Bytes *to)
+{
+    bytes_number(to, (uint32_t)count);
+    for (int i = 1; i < count; i++) {
+        Key key;
+        if (!known_file(b, depends[i], &key))
+            return false;
+        bytes_text(to, depends[i]);
+        bytes_add(to, &key, sizeof key);
+    }
+    return true;
+}
+
+bool stored_ranges(Batch *b, BatchDocument *document)
+{
+    size_t size;
+    char *entry = b->cache ? cache_get(b->cache, document->key, &size) : NULL;
+    if (!entry)
+        return false;
+    BytesReader from = {entry, entry + size, false};
+    bool same = same_files(b, &from, (int)bytes_take_number(&from));
+    const void *ranges = same ? bytes_take(&from, sizeof document->ranges) : NULL;
+    if (ranges)
+        memcpy(&document->ranges, ranges, sizeof document->ranges);
+    free(entry);
+    return ranges != NULL;
+}
+
+void store_ranges(Batch *b, const BatchDocument *document)
+{
+    Bytes to = {0};
+    if (!b->cache || !document->parsed || b->fault || b->unstable)
+        return;
+    int count = matc_depend_count(document->parsed);
+    char **depends = sets_resize(NULL, (size_t)count * sizeof *depends);
+    for (int i = 0; i < count; i++)
+        depends[i] = (char *)matc_depend(document->parsed, i);
+    if (put_files(b, depends, count, &to)) {
+        bytes_add(&to, &document->ranges, sizeof document->ranges);
+        cache_put(b->cache, document->key, to.at, to.size);
+    }
+    free(depends);
+    bytes_free(&to);
 }
 
 static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
@@ -162,17 +209,11 @@ bool stored_document(Batch *b, BatchDocument *document)
 void store_document(Batch *b, const BatchDocument *document)
 {
     Bytes to = {0};
-    Key key;
     if (!b->cache || document->stored || document->said.size || b->fault || b->unstable)
         return;
-    bytes_number(&to, (uint32_t)document->depend_count);
-    for (int i = 1; i < document->depend_count; i++) {
-        bytes_text(&to, document->depends[i]);
-        if (!known_file(b, document->depends[i], &key)) { /* not by our reader: it cannot be told when it changes */
-            bytes_free(&to);
-            return;
-        }
-        bytes_add(&to, &key, sizeof key);
+    if (!put_files(b, document->depends, document->depend_count, &to)) {
+        bytes_free(&to);
+        return;
     }
     bytes_number(&to, (uint32_t)document->material_count);
     bytes_number(&to, (uint32_t)document->offset);

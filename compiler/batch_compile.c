@@ -17,7 +17,7 @@ MatcOutput output_of(const Batch *b, int emit)
     return wants_spirv(b, emit) ? MATC_SPIRV : (MatcOutput)emit_table[emit].output;
 }
 
-bool is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_tree; }
+bool is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
 
 void put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes, size_t size)
 {

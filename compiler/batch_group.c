@@ -53,7 +53,7 @@ static int find_members(BatchProgram *program)
     place_of = sets_resize(NULL, (size_t)first->count * sizeof *place_of);
     for (int i = 0; i < first->count; i++) {
         bool added;
-        int lanes = first->lanes[i] ? first->lanes[i] : 1, kind = first->lanes[i] ? lanes : 0;
+        int lanes = unit_lanes(first, i), kind = first->lanes[i];
         program->members[i] = -1;
         if (is_same(program, offsets[i], lanes))
             continue;

@@ -31,8 +31,9 @@ typedef struct {
     int offset;     /* of the first in the document: --material takes one */
     char **depends; /* files that it was made from, itself first */
     int depend_count;
-    bool stored; /* the cache had it */
-    Bytes said;  /* diagnostics */
+    MatcRanges ranges; /* with --layout=auto */
+    bool stored;       /* the cache had it */
+    Bytes said;        /* diagnostics */
     bool closed;
     int *again, again_count; /* programs to be written for its materials, once all are known */
     pthread_mutex_t mutex;   /* of `parsed` */
@@ -57,6 +58,7 @@ typedef struct {
     int document_count;
     BatchProgram *programs;
     int program_count;
+    MatcLayout *layout; /* made for the set, or NULL */
     Stage *stage, *textures;
     Cache *cache;          /* NULL: none */
     pthread_mutex_t mutex; /* of what follows */
@@ -106,6 +108,8 @@ bool stored_open(Batch *batch);
 void stored_key(const Batch *batch, BatchDocument *document);
 bool stored_document(Batch *batch, BatchDocument *document);
 void store_document(Batch *batch, const BatchDocument *document);
+bool stored_ranges(Batch *batch, BatchDocument *document);
+void store_ranges(Batch *batch, const BatchDocument *document);
 /* Writes the program's files. */
 bool stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
 void store_program(Batch *batch, const BatchDocument *document, const Unit *unit, const int *members,

@@ -49,8 +49,10 @@ Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
     return ir_make(ir, OP_constant, type, index, NULL, 0);
 }
 
-/* A buffer can hold it. */
-static bool storable(Type type) { return (type >= TYPE_float && type <= TYPE_vec4) || type == TYPE_uint; }
+bool constant_storable(Type type)
+{
+    return (type >= TYPE_float && type <= TYPE_vec4) || type == TYPE_uint || type == TYPE_uvec4;
+}
 
 /* The value of every node that is computed from numbers alone, as a constant; 0 of others. */
 static Ref *known_values(Ir *ir, uint8_t *from_buffer)
@@ -107,7 +109,7 @@ void constants_hoist(Ir *ir)
         const IrNode *node = ir_at(ir, ref);
         if (!needed[ref])
             continue;
-        if (known[ref] && from_buffer[ref] && storable((Type)node->type)) {
+        if (known[ref] && from_buffer[ref] && constant_storable((Type)node->type)) {
             become_constant(ir, ref, known[ref], made++ < MOST_CONSTANTS);
             continue;
         }

@@ -37,8 +37,6 @@ static double written(Type type, double value)
     return type >= TYPE_float && type <= TYPE_vec4 ? (double)(float)value : value;
 }
 
-static bool is_placed(Type type) { return (type >= TYPE_float && type <= TYPE_vec4) || type == TYPE_uint; }
-
 static void put_fixed(Walk *w, double number)
 {
     uint32_t halves[2];
@@ -70,7 +68,7 @@ static void put_value(Walk *w, Ref value, bool placed)
 /* An operand of a node, or an output's value. */
 static void put_operand(Walk *w, Ref user, int operand, Ref value)
 {
-    bool placed = ir_is(w->ir, value, OP_const) && is_placed(ir_type(w->ir, value));
+    bool placed = ir_is(w->ir, value, OP_const) && constant_storable(ir_type(w->ir, value));
     const NumberPlace place = {user, operand, value};
     if (placed)
         ARENA_PUSH(w->arena, w->places, w->place_count, w->place_room, place);

@@ -3,6 +3,7 @@
 #include "cache.h"
 #include "compile.h"
 #include "file.h"
+#include "layout_option.h"
 #include "options.h"
 #include "output.h"
 #include "runtime/measure/pareto.h"
@@ -108,12 +109,16 @@ static int write_depfile(const CommandLine *line, const MatcDocument *document)
     char path[LONGEST_PATH + 2];
     const char *to = line->output ? line->output : "-";
     int count = matc_depend_count(document);
-    const char **files = calloc((size_t)count, sizeof *files);
+    const char **files = calloc((size_t)count + 1, sizeof *files);
     if (!files)
         abort();
     snprintf(path, sizeof path, "%s.d", to);
     for (int i = 0; i < count; i++)
         files[i] = matc_depend(document, i);
+    if (layout_is_custom(line->compile.layout) && layout_is_file(line->compile.layout))
+        files[count++] = line->compile.layout;
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        files[count++] = line->compile.layout;
     const char *depfile = line->depfile ? line->depfile : path;
     const char *why = output_depfile(depfile, line->target ? line->target : to, files, count);
     free(files);
@@ -301,14 +306,57 @@ static int run_batch(CommandLine *line, BatchResult *result)
     return FINE;
 }
 
-static int run(CommandLine *line, BatchResult *result)
+/* A layout of one's own, for all that follows. `line->compile.custom` is to be freed. */
+static int use_layout(CommandLine *line)
+{
+    char *fault;
+    if (line->folder && line->compile.layout && !strcmp(line->compile.layout, "auto"))
+        return FINE; /* the batch makes it of what it reads */
+    MatcLayout *layout = layout_open(line, &fault);
+    if (fault)
+        fprintf(stderr, strchr(fault, '\n') ? "%s" : "matc: error: %s\n", fault);
+    free(fault);
+    if (layout)
+        print_diagnostics(matc_layout_diagnostics(layout, line->diagnostics), line);
+    bool fine = !fault && (!layout || matc_layout_ok(layout));
+    if (layout && fine && line->stats && !line->explain)
+        fputs(matc_layout_report(layout), stderr);
+    line->compile.custom = layout;
+    return fine ? FINE : FAULT;
+}
+
+static void free_layout(CommandLine *line)
+{
+    matc_layout_free((MatcLayout *)line->compile.custom);
+    line->compile.custom = NULL;
+}
+
+static int run_inputs(CommandLine *line)
 {
     int status = FINE;
-    *result = (BatchResult){0};
-    if (line->folder)
-        return run_batch(line, result);
     for (int i = 0; i < line->input_count; i++)
         status |= run_input(line, line->inputs[i]);
+    return status;
+}
+
+static int run(CommandLine *line, BatchResult *result)
+{
+    *result = (BatchResult){0};
+    if (line->watched && layout_is_custom(line->compile.layout) && layout_is_file(line->compile.layout))
+        watch_list_add(line->watched, line->compile.layout);
+    int status = use_layout(line);
+    if (status == FINE)
+        status = line->folder ? run_batch(line, result) : run_inputs(line);
+    free_layout(line);
+    return status;
+}
+
+static int explain_layout(CommandLine *line)
+{
+    int status = use_layout(line);
+    if (status == FINE)
+        fputs(matc_layout_report(line->compile.custom), stdout);
+    free_layout(line);
     return status;
 }
 
@@ -341,10 +389,15 @@ static const char *check_measuring(const CommandLine *line)
         return "--max-error wants a number above 0";
     if (line->range && (!(strtod(line->range, &end) > 0) || *end || strtod(line->range, &end) > 1e30))
         return "--range wants a number above 0";
+    if (line->layout_error &&
+        (!(strtod(line->layout_error, &end) > 0) || *end || strtod(line->layout_error, &end) > 0.5))
+        return "--layout-error wants a number above 0, of at most 0.5";
     if (line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
         return "--gl: osmesa or egl";
     if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
         return "--max-error is of the pass gbuffer";
+    if ((line->pareto || line->max_error) && layout_is_custom(line->compile.layout))
+        return "--pareto and --max-error know the built-in layouts only";
     if (line->pareto && (line->max_error || line->eval || line->folder || line->input_count > 1))
         return "--pareto takes one document, and neither --max-error, --eval nor -d";
     return NULL;
@@ -387,6 +440,8 @@ static int check_usage(const CommandLine *line)
     for (int i = 0; i < line->pass_count && !fault; i++) {
         MatcOptions options = line->compile;
         options.pass = line->passes[i];
+        if (layout_is_custom(options.layout))
+            options.layout = NULL; /* use_layout looks at it */
         fault = matc_options_fault(&options);
     }
     if (fault) {
@@ -493,6 +548,8 @@ int main(int argc, char **argv)
         status = answer(matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
     else if (line.list)
         status = answer(matc_list(), "");
+    else if (line.explain && layout_is_file(line.explain))
+        status = explain_layout(&line);
     else if (line.explain)
         status = answer(matc_explain(line.explain), "nothing has that name; see --list");
     else if (line.cache_stats)

@@ -75,11 +75,11 @@ static void put_constants(Text *out, const Unit *unit, const Written *written)
     int *offsets = unit_offsets(unit);
     text_put(out, ", \"constants\": [");
     for (int i = 0; i < written->member_count; i++) {
-        int number = written->members[i], lanes = unit->lanes[number] ? unit->lanes[number] : 1;
+        int number = written->members[i], lanes = unit_lanes(unit, number);
         text_put(out, i ? ", [" : "[");
         for (int lane = 0; lane < lanes; lane++) {
             text_put(out, lane ? ", " : "");
-            put_number(out, unit->bits[offsets[number] + lane], !unit->lanes[number]);
+            put_number(out, unit->bits[offsets[number] + lane], unit_is_word(unit, number));
         }
         text_put(out, "]");
     }

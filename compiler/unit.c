@@ -22,8 +22,8 @@ static void take_numbers(Unit *unit, MatcProgram *program, bool buffered)
     unit->bits = sets_resize(NULL, (size_t)unit->count * 4 * sizeof *unit->bits);
     for (int i = 0; i < unit->count; i++) {
         const MatcConstant *number = buffered ? matc_constant(program, i) : matc_place(program, i);
-        bool word = !strcmp(number->type, "uint");
-        unit->lanes[i] = word ? 0 : (uint8_t)number->lanes;
+        bool word = number->type[0] == 'u';
+        unit->lanes[i] = (uint8_t)(number->lanes + (word ? UNIT_WORDS : 0));
         for (int lane = 0; lane < number->lanes; lane++)
             unit->bits[lanes++] = constant_bits(number->values[lane], word);
     }
@@ -145,7 +145,7 @@ int *unit_offsets(const Unit *unit)
     int *offsets = sets_resize(NULL, (size_t)unit->count * sizeof *offsets), at = 0;
     for (int i = 0; i < unit->count; i++) {
         offsets[i] = at;
-        at += unit->lanes[i] ? unit->lanes[i] : 1;
+        at += unit_lanes(unit, i);
     }
     return offsets;
 }
@@ -174,7 +174,7 @@ bool unit_load(BytesReader *from, Unit *unit)
                *own = bytes_take_text(from);
     size_t wanted = 0;
     for (size_t i = 0; !from->broken && i < count; i++)
-        wanted += lanes[i] ? (size_t)lanes[i] : 1;
+        wanted += (size_t)(lanes[i] > UNIT_WORDS ? lanes[i] - UNIT_WORDS : lanes[i]);
     if (from->broken || pass >= PASS_COUNT || size != wanted * sizeof *unit->bits)
         return false;
     memcpy(&unit->key, key, sizeof unit->key);

@@ -12,11 +12,13 @@ typedef struct {
     int member_count;
 } Written;
 
+enum { UNIT_WORDS = 4 };
+
 typedef struct Unit {
     Key key, shape; /* of the program: matc_key and matc_shape */
     int pass;       /* of the program: that of an opaque material's shadow is depth */
     int count;      /* numbers that may come from a buffer: places, or members already */
-    uint8_t *lanes; /* of each: 1 to 4 floats; 0: a word */
+    uint8_t *lanes; /* of each: 1 to 4 of floats; UNIT_WORDS more for words */
     uint32_t *bits; /* all lanes, one after the other: of floats, or words */
     int bit_count;
     char *own;                    /* members of the manifest's JSON: uniforms and textures, each with ", " before it */
@@ -30,6 +32,12 @@ typedef struct Unit {
 void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *textures);
 /* What was written with the program. Buffered as above. */
 Written *unit_written(MatcProgram *program, bool buffered);
+/* Lanes of a number, and whether they are words. */
+static inline int unit_lanes(const Unit *unit, int number)
+{
+    return unit->lanes[number] > UNIT_WORDS ? unit->lanes[number] - UNIT_WORDS : unit->lanes[number];
+}
+static inline bool unit_is_word(const Unit *unit, int number) { return unit->lanes[number] > UNIT_WORDS; }
 void unit_free(Unit *unit);
 void written_free(Written *written);
 /* The first lane of each number, in `bits`; from malloc. */
