@@ -4,7 +4,7 @@
 #include "gl.h"
 #include "manifest.h"
 
-enum { SCENE_CELL = 160 }; /* pixels of a sphere's square in the picture */
+enum { SCENE_CELL = 120 }; /* pixels of a sphere's square in the picture */
 
 /* Compiles every program once and gives each material its buffer range and textures, then draws all into a G-buffer and
  * lights it by the GLSL `light` behind the manifest's own reading code. Pixels of the frame, 4 bytes each, the bottom row
