@@ -6,7 +6,7 @@ build=$1
 generator=${2:-Ninja}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-engine=$work/source
+engine="$work/the source"
 out=$work/build/materials
 failed=0
 passed=0

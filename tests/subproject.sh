@@ -12,6 +12,12 @@ add_subdirectory($source matc EXCLUDE_FROM_ALL)
 add_executable(embedded $source/examples/embed.c)
 target_link_libraries(embedded PRIVATE matc::matc)
 matc_add_materials(TARGET materials SOURCES rock.yaml)
+add_custom_command(OUTPUT made.yaml COMMAND \${CMAKE_COMMAND} -E copy \${CMAKE_CURRENT_SOURCE_DIR}/rock.yaml made.yaml
+  DEPENDS rock.yaml)
+matc_add_materials(TARGET n SOURCES \${CMAKE_CURRENT_BINARY_DIR}/made.yaml LAYOUT thin PASSES gbuffer shadow EMIT glsl reflect TARGET_GLSL essl300
+  CONSTANTS baked OUTPUT "a folder" CACHE cache OPTIONS -j 1 --precision=exact)
+get_target_property(manifest n MATC_MANIFEST)
+add_custom_target(check ALL DEPENDS n COMMAND \${CMAKE_COMMAND} -E copy \${manifest} copy.json)
 # Names that a project is likely to have
 foreach(name embed docs tests golden reference dictionary)
   add_custom_target(\${name})
@@ -26,7 +32,16 @@ cp examples/checker.yaml "$work/rock.yaml"
 grep -q '^// uniform tint: 3 lanes' "$work/printed"
 test -f "$work/build/materials/rock.frag"
 test -f "$work/build/materials/manifest.json"
-cmake --build "$work/build" | grep -q 'no work to do'
+# All arguments
+made=$work/build/a\ folder
+cmp "$made/manifest.json" "$work/build/copy.json"
+grep -q '"layout": {"name": "thin"' "$made/manifest.json"
+grep -q '"pass": "depth"' "$made/manifest.json" # the shadow of what is opaque
+grep -q '^#version 300 es' "$made/made.frag"
+grep -q '"coordinates": "long"' "$made/made.json"
+test ! -e "$made/made.vert"
+test -d "$work/build/cache"
+cmake --build "$work/build" --target embedded materials n | grep -q 'no work to do'
 DESTDIR=$work/stage cmake --install "$work/build" >/dev/null
 test ! -e "$work/stage" # what is inside is not installed with the project
 echo "fine"

@@ -158,7 +158,6 @@ static GLuint make_target(const Scene *s, const char *format)
                 {"RG32UI", GL_RG32UI, GL_RG_INTEGER, GL_UNSIGNED_INT},
                 {"RGBA32UI", GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT},
                 {"RGBA16UI", GL_RGBA16UI, GL_RGBA_INTEGER, GL_UNSIGNED_SHORT},
-                {"RGBA8", GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE},
                 {"RGBA16F", GL_RGBA16F, GL_RGBA, GL_FLOAT},
                 {"RGBA32F", GL_RGBA32F, GL_RGBA, GL_FLOAT}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
