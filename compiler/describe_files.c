@@ -69,13 +69,15 @@ static void put_choices(Text *out)
     text_put(out, "\n        }");
 }
 
-/* "diffuse", "diffuse.rg", and lists of them. */
+/* "diffuse", "diffuse.rg", and lists of them: one alternative of a pattern a slot. */
 static void put_slots_definition(Text *out)
 {
     text_put(out, "    \"slot\": {\n      \"type\": \"string\",\n      \"pattern\": \"^(");
-    for (int i = 0; i < SLOT_COUNT; i++)
-        text_format(out, "%s%s", i ? "|" : "", slot_table[i].name);
-    text_put(out, ")([.][rgbaxyzw]+)?$\"\n    },\n"
+    for (int i = 0; i < SLOT_COUNT; i++) {
+        int lanes = type_table[slot_table[i].type].lanes;
+        text_format(out, "%s%s([.][%.*s%.*s]+)?", i ? "|" : "", slot_table[i].name, lanes, "rgba", lanes, "xyzw");
+    }
+    text_put(out, ")$\"\n    },\n"
                   "    \"slots\": {\"anyOf\": [{\"$ref\": \"#/$defs/slot\"}, "
                   "{\"type\": \"array\", \"items\": {\"$ref\": \"#/$defs/slot\"}, \"minItems\": 1}]},\n");
 }
