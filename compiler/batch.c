@@ -5,6 +5,7 @@
 #include "document.h"
 #include "choice.h"
 #include "file.h"
+#include "layout_option.h"
 #include "output.h"
 #include "queue.h"
 #include "watch.h"
@@ -226,6 +227,8 @@ static void write_depfile(Batch *b)
             strings_add(&files, b->documents[d].depends[i], NULL);
     for (int i = 0; i < b->line->list_count; i++)
         strings_add(&files, b->line->lists[i], NULL);
+    if (b->line->compile.layout && layout_is_file(b->line->compile.layout))
+        strings_add(&files, b->line->compile.layout, NULL);
     const char *depfile = b->line->depfile ? b->line->depfile : path;
     const char *why =
         output_depfile(depfile, b->line->target ? b->line->target : target, (const char *const *)files.at, files.count);

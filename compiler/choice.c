@@ -1,5 +1,6 @@
 /* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
 #include "choice.h"
+#include "custom.h"
 #include "pipeline.h"
 #include <stddef.h>
 #include <string.h>
@@ -80,15 +81,20 @@ const char *job_of(const MatcOptions *o, Job *job)
 {
     int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
     int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
-    int layout = index_of(o->layout, layout_name, LAYOUT_COUNT, target < 0 ? 0 : target_table[target].layout);
+    int layout =
+        index_of(o->custom ? NULL : o->layout, layout_name, LAYOUT_COUNT, target < 0 ? 0 : target_table[target].layout);
     int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
     int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
+    if (o->custom && !o->custom->row)
+        return "layout";
     if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
         return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
     if (o->constants && strcmp(o->constants, "baked") != 0 && strcmp(o->constants, "uniform") != 0 &&
         strcmp(o->constants, "auto") != 0)
         return "constants";
     *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
+    if (o->custom)
+        job->layout = o->custom->row;
     job->from_buffer = o->constants && !strcmp(o->constants, "uniform");
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;
@@ -129,6 +135,7 @@ void options_store(Bytes *to, const MatcOptions *options)
     }
     bytes_number(to, (uint32_t)options->optimize);
     bytes_number(to, options->validate);
+    bytes_text(to, options->custom ? options->custom->text : "");
 }
 
 const char *matc_options_fault(const MatcOptions *options)
@@ -149,7 +156,10 @@ void choices_explain(Text *out, const MatcOptions *options, const Job *job)
     text_put(out, "choices\n");
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
         text_format(out, "  %-12s %-12s %s%s\n", "layout", job->layout->name,
-                    options->layout ? "by name" : "default of ", options->layout ? "" : target_table[job->target].name);
+                    options->custom   ? "custom"
+                    : options->layout ? "by name"
+                                      : "default of ",
+                    options->custom || options->layout ? "" : target_table[job->target].name);
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;
         choose(options, (Axis)axis, precision, &source);

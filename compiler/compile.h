@@ -23,6 +23,9 @@ enum {
     LIMIT_PARAMS = 4096,        /* uniforms of a document */
     LIMIT_INCLUDES = 256,       /* files that a document includes */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
+    LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range_guard.c */
+    LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
+    LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
     LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
 };
 
@@ -55,6 +58,7 @@ typedef struct {
     Pass pass;
     const LayoutRow *layout;
     Slot slot;
+    bool all_slots; /* of the pass value: each slot is an output of that number */
     Choice choice[AXIS_COUNT];
     bool from_buffer; /* numbers of the document come from a buffer */
 } Job;

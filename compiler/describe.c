@@ -113,6 +113,10 @@ static void put_slot(Text *out, Slot slot, int from, int count)
 void describe_piece(Text *out, const Piece *piece)
 {
     const SlotLane *source = &piece->field->source[piece->first];
+    if (piece->field->gray) {
+        text_format(out, "%s, all lanes alike", slot_table[source->slot].name);
+        return;
+    }
     for (int i = 0, run; i < piece->count; i += run) {
         run = 1;
         while (i + run < piece->count && source[i + run].slot == source[i].slot &&

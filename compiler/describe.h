@@ -26,6 +26,8 @@ void describe_place(Text *out, const LayoutRow *layout, const Piece *piece);
 void describe_encoding(Text *out, const FieldRow *field);
 void describe_stored_range(Text *out, const FieldRow *field);
 void describe_error(Text *out, const FieldRow *field);
+/* The page of a layout. describe_layout.c */
+void describe_layout(Text *out, const LayoutRow *layout);
 /* A diagnostic's format with "..." where it has arguments. */
 void describe_message(Text *out, const DiagRow *diag);
 

@@ -175,42 +175,11 @@ static void explain_slots(const Query *q)
     }
 }
 
-static void put_pieces(Text *out, const LayoutRow *layout, int number)
-{
-    Placement placement;
-    layout_place(layout, number, &placement); /* test_layout: every row fits */
-    if (number)
-        text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
-    text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored", "error at most");
-    for (int i = 0; i < placement.count; i++) {
-        const Piece *piece = &placement.pieces[i];
-        Text cells[5];
-        for (int k = 0; k < 5; k++)
-            cells[k] = text_new(out->arena);
-        describe_place(&cells[0], layout, piece);
-        describe_piece(&cells[1], piece);
-        describe_encoding(&cells[2], piece->field);
-        describe_stored_range(&cells[3], piece->field);
-        describe_error(&cells[4], piece->field);
-        text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at, cells[3].at,
-                    cells[4].at);
-    }
-}
-
 static void explain_layouts(const Query *q)
 {
-    for (int i = 0; i < LAYOUT_COUNT; i++) {
-        const LayoutRow *layout = &layout_table[i];
-        if (!begins(q, layout->name))
-            continue;
-        text_format(q->out, "%s (layout, %d bytes a pixel)\n%s\nTargets:", layout->name, layout_bytes(layout),
-                    layout->doc);
-        for (int target = 0; target < layout_targets(layout); target++)
-            text_format(q->out, " %d %s%s", target, format_table[layout->formats[target]].name,
-                        target + 1 < layout_targets(layout) ? "," : ".\n\n");
-        for (int number = 0; number < layout->case_count; number++)
-            put_pieces(q->out, layout, number);
-    }
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        if (begins(q, layout_table[i].name))
+            describe_layout(q->out, &layout_table[i]);
 }
 
 static void explain_encodings(const Query *q)

@@ -1,4 +1,4 @@
-/* A document as the library's surface holds it. Private to matc.c and program.c. */
+/* A document as the library's surface holds it. Private to matc.c, program.c, layout_api.c, auto_*.c. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
 #include "pipeline.h"
@@ -16,6 +16,8 @@ struct MatcDocument {
 typedef struct {
     locale_t ours, before;
 } Locale;
+/* Diagnostics of `c` are about places in the document. */
+void document_lend(const MatcDocument *document, Compile *c);
 Locale locale_enter(void);
 void locale_leave(Locale locale);
 /* A compilation by these options, which outlive it. */

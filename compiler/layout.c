@@ -40,8 +40,18 @@ bool case_has_slot(const CaseRow *row, Slot slot)
     return false;
 }
 
+const FixedRow *layout_fixed(const LayoutRow *row, Slot slot)
+{
+    for (int i = 0; i < row->fixed_count; i++)
+        if (row->fixed[i].slot == slot)
+            return &row->fixed[i];
+    return NULL;
+}
+
 bool layout_has_slot(const LayoutRow *row, Slot slot)
 {
+    if (layout_fixed(row, slot))
+        return true;
     for (int i = 0; i < row->case_count; i++)
         if (case_has_slot(&row->cases[i], slot))
             return true;

@@ -27,9 +27,12 @@ int layout_targets(const LayoutRow *row);
 int layout_bytes(const LayoutRow *row); /* of a pixel */
 /* A target of it holds words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
-/* At least a lane of the slot is stored: by any case, or by that one. */
+/* The slot comes back: it is stored by any case, or fixed. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
+/* At least a lane of it is stored by that case. */
 bool case_has_slot(const CaseRow *row, Slot slot);
+/* The slot that is not stored but the same for all materials; NULL: it is not such a one. */
+const FixedRow *layout_fixed(const LayoutRow *row, Slot slot);
 /* The lanes are all lanes of one slot, in order. */
 bool piece_is_slot(const Piece *piece);
 /* Its encoding is told how many bits to use. */

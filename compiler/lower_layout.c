@@ -29,10 +29,20 @@ static Ref source_value(Lower *l, const Piece *piece, const Node *material, cons
     return piece->count == 1 ? lanes[0] : ir_vec(l->ir, types[piece->count], lanes, piece->count);
 }
 
+/* What of the field's range is at 0 and at 1. */
+static Ref in_range(Lower *l, const FieldRow *field, Ref value)
+{
+    if (!field_has_range(field))
+        return value;
+    if (field->low != 0)
+        value = sub(l, value, number(l, field->low));
+    return mul(l, value, number(l, 1 / (field->high - field->low)));
+}
+
 static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
     int pack = encoding_table[piece->field->encoding].pack;
-    Ref args[2] = {source_value(l, piece, material, env)};
+    Ref args[2] = {in_range(l, piece->field, source_value(l, piece, material, env))};
     if (pack == FN_none) {
         Ref high = number(l, greatest_half), low = number(l, -greatest_half);
         return ir_ternary(l->ir, OP_clamp, args[0], low, high);
@@ -108,8 +118,8 @@ static bool is_absent(Lower *l, const Node *material, Slot slot, const Env *env)
 static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *material, const Env *env)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(row, (Slot)slot) && !case_has_slot(&row->cases[number], (Slot)slot) &&
-            !is_absent(l, material, (Slot)slot, env))
+        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) &&
+            !case_has_slot(&row->cases[number], (Slot)slot) && !is_absent(l, material, (Slot)slot, env))
             return false;
     return true;
 }
@@ -137,6 +147,24 @@ static bool place(Lower *l, int number, Placement *placement)
     return !l->c->diags.errors;
 }
 
+/* The value surely differs from what the layout gives back; where it is not simplified, that is not seen. */
+static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const Env *env)
+{
+    const double least = 1e-6;
+    Ref value = lower_slot(l, material, fixed->slot, env);
+    for (int lane = 0; ir_is(l->ir, value, OP_const) && lane < ir_lanes(l->ir, value); lane++)
+        if (fabs(ir_numbers(l->ir, value)[lane] - fixed->value[lane]) > least * fmax(1, fabs(fixed->value[lane])))
+            return true;
+    return false;
+}
+
+static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
+{
+    for (int i = 0; i < row->fixed_count; i++)
+        if (differs(l, &row->fixed[i], material, env))
+            diag_add(l->c, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
+}
+
 void lower_layout(Lower *l, int number, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
@@ -145,6 +173,7 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env)
         l->failed = true;
         return;
     }
+    check_fixed(l, row, material, env);
     for (int target = 0; target < layout_targets(row); target++)
         ir_output(l->ir, OUT_color, target,
                   format_table[row->formats[target]].words ? words_value(l, &placement, target, number, material, env)

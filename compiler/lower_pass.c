@@ -108,6 +108,12 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
     ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
 }
 
+static void write_slots(Lower *l, const Node *material, const Env *env)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        ir_output(l->ir, OUT_color, slot, lower_slot(l, material, (Slot)slot, env));
+}
+
 static Env pass_env(Lower *l)
 {
     return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : surface_env(l);
@@ -164,7 +170,10 @@ static void write_pass(Lower *l, const Node *material)
         write_shadow(l, material, &env);
         break;
     case PASS_value:
-        ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
+        if (job->all_slots)
+            write_slots(l, material, &env);
+        else
+            ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
         break;
     case PASS_depth:
     case PASS_COUNT:

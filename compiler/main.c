@@ -3,6 +3,7 @@
 #include "cache.h"
 #include "compile.h"
 #include "file.h"
+#include "layout_option.h"
 #include "options.h"
 #include "output.h"
 #include "runtime/measure/pareto.h"
@@ -108,12 +109,14 @@ static int write_depfile(const CommandLine *line, const MatcDocument *document)
     char path[LONGEST_PATH + 2];
     const char *to = line->output ? line->output : "-";
     int count = matc_depend_count(document);
-    const char **files = calloc((size_t)count, sizeof *files);
+    const char **files = calloc((size_t)count + 1, sizeof *files);
     if (!files)
         abort();
     snprintf(path, sizeof path, "%s.d", to);
     for (int i = 0; i < count; i++)
         files[i] = matc_depend(document, i);
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        files[count++] = line->compile.layout;
     const char *depfile = line->depfile ? line->depfile : path;
     const char *why = output_depfile(depfile, line->target ? line->target : to, files, count);
     free(files);
@@ -301,14 +304,59 @@ static int run_batch(CommandLine *line, BatchResult *result)
     return FINE;
 }
 
+/* A layout of one's own, for all that follows. drop_layout frees it. */
+static int use_layout(CommandLine *line)
+{
+    char *fault;
+    MatcLayout *layout = layout_open(line, &fault);
+    if (fault)
+        fprintf(stderr, strchr(fault, '\n') ? "%s" : "matc: error: %s\n", fault);
+    free(fault);
+    if (layout)
+        print_diagnostics(matc_layout_diagnostics(layout, line->diagnostics), line);
+    bool fine = !fault && (!layout || matc_layout_ok(layout));
+    if (layout && fine && line->stats && !line->explain)
+        fputs(matc_layout_report(layout), stderr);
+    line->compile.custom = layout;
+    return fine ? FINE : FAULT;
+}
+
+static void drop_layout(CommandLine *line)
+{
+    matc_layout_free((MatcLayout *)line->compile.custom);
+    line->compile.custom = NULL;
+}
+
+static int explain_layout(CommandLine *line)
+{
+    int status = use_layout(line);
+    if (status == FINE)
+        fputs(matc_layout_report(line->compile.custom), stdout);
+    drop_layout(line);
+    return status;
+}
+
+/* What a run reads before it meets its documents. */
+static void watch_layout(CommandLine *line, bool failed)
+{
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        watch_list_add(line->watched, line->compile.layout);
+    for (int i = 0; failed && i < line->input_count; i++)
+        watch_list_add(line->watched, line->inputs[i]);
+}
+
 static int run(CommandLine *line, BatchResult *result)
 {
-    int status = FINE;
     *result = (BatchResult){0};
-    if (line->folder)
-        return run_batch(line, result);
-    for (int i = 0; i < line->input_count; i++)
+    int status = use_layout(line);
+    if (line->watched)
+        watch_layout(line, status != FINE);
+    const bool fine = status == FINE;
+    if (fine && line->folder)
+        status = run_batch(line, result);
+    for (int i = 0; fine && !line->folder && i < line->input_count; i++)
         status |= run_input(line, line->inputs[i]);
+    drop_layout(line);
     return status;
 }
 
@@ -345,6 +393,8 @@ static const char *check_measuring(const CommandLine *line)
         return "--gl: osmesa or egl";
     if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
         return "--max-error is of the pass gbuffer";
+    if ((line->pareto || line->max_error) && layout_is_custom(line->compile.layout))
+        return "--pareto and --max-error know the built-in layouts only";
     if (line->pareto && (line->max_error || line->eval || line->folder || line->input_count > 1))
         return "--pareto takes one document, and neither --max-error, --eval nor -d";
     return NULL;
@@ -387,6 +437,8 @@ static int check_usage(const CommandLine *line)
     for (int i = 0; i < line->pass_count && !fault; i++) {
         MatcOptions options = line->compile;
         options.pass = line->passes[i];
+        if (layout_is_custom(options.layout))
+            options.layout = NULL; /* use_layout looks at it */
         fault = matc_options_fault(&options);
     }
     if (fault) {
@@ -493,6 +545,8 @@ int main(int argc, char **argv)
         status = answer(matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
     else if (line.list)
         status = answer(matc_list(), "");
+    else if (line.explain && layout_is_file(line.explain))
+        status = explain_layout(&line);
     else if (line.explain)
         status = answer(matc_explain(line.explain), "nothing has that name; see --list");
     else if (line.cache_stats)

@@ -48,6 +48,14 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
     return d;
 }
 
+void document_lend(const MatcDocument *d, Compile *c)
+{
+    c->sources = d->c.sources;
+    c->source_count = d->c.source_count;
+    c->depends = d->c.depends;
+    c->depend_count = d->c.depend_count;
+}
+
 void matc_document_free(MatcDocument *d)
 {
     if (!d)

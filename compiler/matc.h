@@ -36,6 +36,7 @@ MATC_API const char *matc_version(void);
 
 typedef struct MatcDocument MatcDocument;
 typedef struct MatcProgram MatcProgram;
+typedef struct MatcLayout MatcLayout;
 
 /* Gives the bytes of a file in memory from malloc, or NULL and a reason. */
 typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const char **why);
@@ -65,8 +66,9 @@ typedef struct {
         measured; /* for MATC_STATS: a bit for each of noise ... trigonometry, in that order, that measuring chose */
     bool check;   /* the IR is checked after every pass (default in debug builds) */
     bool pixels;  /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
-    MatcReadFile read_file; /* for pictures and includes; NULL reads the file system */
-    void *user;             /* for read_file */
+    MatcReadFile read_file;   /* for pictures and includes; NULL reads the file system */
+    void *user;               /* for read_file */
+    const MatcLayout *custom; /* overrides `layout`; it lives as long as what is compiled with it */
 } MatcOptions;
 
 /* Members beyond those that the caller knows of keep their defaults. */
@@ -101,7 +103,8 @@ typedef enum {
     MATC_IR = 32,      /* text of the optimised IR */
     MATC_DOT = 64,     /* the same as a graph for Graphviz */
     MATC_KEY = 256, /* alone: nothing is written yet, but keys, places and constants are there; matc_emit may follow */
-    MATC_STATS = 128, /* table of stages and passes; the choices, and what settled each */
+    MATC_LAYOUT = 512, /* the layout as a file that matc_layout_read takes */
+    MATC_STATS = 128,  /* table of stages and passes; the choices, and what settled each */
 } MatcOutput;
 
 /* Compiles one material into the outputs asked for (MatcOutput, or-ed). Never NULL. */
@@ -183,6 +186,40 @@ typedef enum { MATC_TEXT, MATC_JSON } MatcForm;
 MATC_API const char *matc_diagnostics(MatcDocument *document, MatcForm form);
 MATC_API const char *matc_program_diagnostics(MatcProgram *program, MatcForm form);
 MATC_API int matc_error_count(const MatcDocument *document);
+
+/* A layout from a file in YAML or JSON; docs/layouts.md has its keys. Never NULL. Not ok: see its diagnostics. */
+MATC_API MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, const MatcOptions *options);
+MATC_API bool matc_layout_ok(const MatcLayout *layout);
+MATC_API const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form);
+MATC_API const char *matc_layout_name(const MatcLayout *layout);
+/* Of a pixel. */
+MATC_API int matc_layout_bytes(const MatcLayout *layout);
+/* The layout as a file, and a page for people: its fields, their places, bits, ranges and errors. Owned by the layout. */
+MATC_API const char *matc_layout_text(const MatcLayout *layout);
+MATC_API const char *matc_layout_report(const MatcLayout *layout);
+MATC_API void matc_layout_free(MatcLayout *layout);
+
+/* What a set of materials can be, for the smallest layout that holds it. Plain data: copy it, keep it. */
+enum { MATC_SLOTS = 12 };
+typedef struct {
+    double low[4], high[4]; /* of each lane, over those that count */
+    int counted;            /* materials to which the slot matters */
+    int absent;             /* of them: those that say nothing about it */
+    int alike;              /* of them: those whose lanes are all alike */
+} MatcSlotRange;
+typedef struct {
+    int materials;
+    MatcSlotRange slot[MATC_SLOTS]; /* in the order of --list */
+} MatcRanges;
+MATC_API void matc_ranges_init(MatcRanges *ranges);
+/* Adds a material; its constants must not be uniforms. False: it does not compile, and *fault, from malloc, says why. */
+MATC_API bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int material,
+                              const MatcOptions *options, char **fault);
+/* Adds what another one has; in whatever order, the result is the same. */
+MATC_API void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other);
+/* The smallest layout that holds them. `error` is what a colour may be off, as its square root; other slots in proportion;
+ * 0: half a step of 8 bits. Its report also says what was left out, and why. Never NULL. Not ok: there are no materials. */
+MATC_API MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOptions *options);
 
 /* What matc knows, made from its tables; from malloc. JSON Schema of "document" (or NULL), "layout", "manifest" or
  * "reflection"; NULL of others. The list of kinds. The page of one name. */

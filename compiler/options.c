@@ -14,6 +14,7 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"spirv", ".spv", MATC_SPIRV},
     {"ir", ".ir", MATC_IR},
     {"dot", ".dot", MATC_DOT},
+    {"layout", ".layout.yaml", MATC_LAYOUT},
     {"tree", ".tree", 0},
 };
 
@@ -54,6 +55,7 @@ static const Option options[] = {
     {"--coordinates", TAKES_compile, 0},
     {"--powers", TAKES_compile, 0},
     {"--trigonometry", TAKES_compile, 0},
+    TEXT("--layout-error", layout_error),
     TEXT("--material", material),
     TEXT("--eval", eval),
     TEXT("--explain", explain),
@@ -90,7 +92,7 @@ const char *const options_help =
     "  --cache DIR          with -d: keep there what the next run can use; MATC_CACHE says the same\n"
     "  --cache-limit=MIB    of the folder: 1024; the least recently used goes first\n"
     "  --cache-stats        what the cache holds and how often it helped\n"
-    "  --emit=LIST          glsl (default), vertex, unpack, reflect, spirv, ir, dot, tree; several need -d\n"
+    "  --emit=LIST          glsl (default), vertex, unpack, reflect, layout, spirv, ir, dot, tree; several need -d\n"
     "  --textures DIR       write the textures that matc makes there, as KTX\n"
     "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
     "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
@@ -98,7 +100,9 @@ const char *const options_help =
     "  --target=T           glsl110, glsl330 (default), glsl450, essl300, spirv\n"
     "  --pass=P             gbuffer (default), plane, sky, shadow, depth, value\n"
     "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
-    "  --layout=L           compact (default), thin (default of glsl110), thesis, radix, integer; see --explain L\n"
+    "  --layout=L           compact (default), thin (default of glsl110), thesis, radix, integer; a file;\n"
+    "                       auto: the smallest that holds all materials given. --explain L shows its fields\n"
+    "  --layout-error=E     of auto: what a colour's square root may be off (0.00196), other slots in proportion\n"
     "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
     "  --constants=C        baked, uniform: numbers of the document come from a uniform block; auto (default): with "
     "-d,\n"
@@ -139,7 +143,7 @@ static bool read_emit(CommandLine *line, const char *list, const char **fault)
         while (i < EMIT_COUNT && (strlen(emit_table[i].name) != size || strncmp(emit_table[i].name, list, size) != 0))
             i++;
         if (i == EMIT_COUNT) {
-            *fault = "--emit: tree, ir, glsl, vertex, unpack, reflect, spirv or dot";
+            *fault = "--emit: tree, ir, glsl, vertex, unpack, reflect, spirv, dot or layout";
             return false;
         }
         line->emit[i] = true;

@@ -14,6 +14,7 @@ typedef enum {
     EMIT_spirv,
     EMIT_ir,
     EMIT_dot,
+    EMIT_layout,
     EMIT_tree,
     EMIT_COUNT
 } Emit;
@@ -37,21 +38,22 @@ typedef struct {
     const char *jobs;                /* -j, as text */
     const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
     int pass_count;
-    char *pass_list;       /* what they lie in */
-    int threads;           /* -j; 0: as many as there are processors */
-    const char *output;    /* -o */
-    const char *folder;    /* -d */
-    const char *depfile;   /* -MF */
-    const char *target;    /* -MT */
-    bool depend;           /* -MD */
-    bool emit[EMIT_COUNT]; /* --emit */
-    const char *material;  /* --material */
-    const char *eval;      /* --eval */
-    const char *explain;   /* --explain */
-    const char *textures;  /* --textures */
-    const char *max_error; /* --max-error */
-    const char *range;     /* --range */
-    const char *gl;        /* --gl */
+    char *pass_list;          /* what they lie in */
+    int threads;              /* -j; 0: as many as there are processors */
+    const char *output;       /* -o */
+    const char *folder;       /* -d */
+    const char *depfile;      /* -MF */
+    const char *target;       /* -MT */
+    bool depend;              /* -MD */
+    bool emit[EMIT_COUNT];    /* --emit */
+    const char *material;     /* --material */
+    const char *eval;         /* --eval */
+    const char *explain;      /* --explain */
+    const char *textures;     /* --textures */
+    const char *max_error;    /* --max-error */
+    const char *range;        /* --range */
+    const char *gl;           /* --gl */
+    const char *layout_error; /* --layout-error */
     bool pareto, list, stats, watch, help, version;
     const char *schema;        /* --schema: of which file; NULL */
     struct WatchList *watched; /* with --watch: files that a run read or wanted */

@@ -3,12 +3,13 @@
 #include "document.h"
 #include "key.h"
 #include "layout.h"
+#include "layout_read.h"
 #include "texture.h"
 #include "validate.h"
 #include <stdlib.h>
 #include <string.h>
 
-enum { OUTPUT_COUNT = 9 }; /* bits of MatcOutput */
+enum { OUTPUT_COUNT = 10 }; /* bits of MatcOutput */
 
 struct MatcProgram {
     Arena arena;
@@ -131,6 +132,11 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         ir_dot(&dot, p->ir);
         keep(p, MATC_DOT, dot.at, dot.size);
     }
+    if (outputs & MATC_LAYOUT) {
+        Text layout = text_new(&p->arena);
+        layout_write(&layout, p->job.layout);
+        keep(p, MATC_LAYOUT, layout.at, layout.size);
+    }
     if (outputs & MATC_STATS) {
         const char *stats = stats_text(p, p->document, &p->job);
         keep(p, MATC_STATS, stats, strlen(stats));
@@ -224,10 +230,7 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->material = material;
     p->c = compile_with(&p->options, &p->arena);
     p->c.measure = (outputs & MATC_STATS) != 0;
-    p->c.sources = d->c.sources;
-    p->c.source_count = d->c.source_count;
-    p->c.depends = d->c.depends;
-    p->c.depend_count = d->c.depend_count;
+    document_lend(d, &p->c);
     p->c.stage_start = stage_now();
     p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(&p->options, &p->job) &&
             compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->c.diags.errors;

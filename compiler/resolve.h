@@ -35,6 +35,8 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int mo
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
+/* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
+bool is_name(const char *name);
 /* A name that a uniform cannot have: GLSL's own, or one that matc gives. reserved.c */
 bool name_is_reserved(const char *name);
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_name(const char *name)
+bool is_name(const char *name)
 {
     size_t size = strlen(name);
     if (!isalpha((unsigned char)name[0]) || size > LIMIT_NAME)

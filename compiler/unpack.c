@@ -52,16 +52,25 @@ static void put_code(Text *out, const LayoutRow *layout, const Piece *piece)
         text_format(out, " & %luu", (1ul << piece->size) - 1);
 }
 
-/* The numbers of a piece. */
+/* The numbers of a piece; of a range, from where it begins: "0.2 + unormFromBits(...) * 0.5". */
 static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
 {
-    const char *unpack = encoding_table[piece->field->encoding].unpack;
+    const FieldRow *field = piece->field;
+    const char *unpack = encoding_table[field->encoding].unpack;
+    if (field->low != 0) {
+        text_float(out, field->low);
+        text_put(out, " + ");
+    }
     text_put(out, unpack);
     text_put(out, *unpack ? "(" : "");
     put_code(out, layout, piece);
     if (piece_takes_bits(piece))
         text_format(out, ", %d", piece->field->bits);
     text_put(out, *unpack ? ")" : "");
+    if (field_has_range(field) && field->high - field->low != 1) {
+        text_put(out, " * ");
+        text_float(out, field->high - field->low);
+    }
 }
 
 /* surface.slot, and the lane if the slot has more than one. */
@@ -96,13 +105,29 @@ static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, co
         put_dealt(out, layout, piece, indent, index);
         return;
     }
+    const SlotRow *slot = &slot_table[source->slot];
     text_put(out, indent);
-    if (piece->count == 1)
+    if (piece->count == 1 && !piece->field->gray)
         put_destination(out, *source);
     else
-        text_format(out, "surface.%s = ", slot_table[source->slot].name);
+        text_format(out, "surface.%s = ", slot->name);
+    if (piece->field->gray)
+        text_format(out, "%s(", type_table[slot->type].name);
     put_value(out, layout, piece);
-    text_put(out, ";\n");
+    text_put(out, piece->field->gray ? ");\n" : ";\n");
+}
+
+/* A slot that is not stored: the same for all, or as absent ones are. */
+static void put_known(Text *out, const LayoutRow *layout, Slot slot, const char *indent)
+{
+    const FixedRow *fixed = layout_fixed(layout, slot);
+    const char *type = type_table[slot_table[slot].type].name;
+    text_format(out, "%ssurface.%s = %s(", indent, slot_table[slot].name, type);
+    for (int lane = 0; lane < (fixed ? type_table[slot_table[slot].type].lanes : 1); lane++) {
+        text_put(out, lane ? ", " : "");
+        text_float(out, fixed ? fixed->value[lane] : slot_table[slot].absent);
+    }
+    text_put(out, ");\n");
 }
 
 static void put_samplers(Text *out, const Job *job)
@@ -134,13 +159,9 @@ static void put_case(Text *out, const LayoutRow *layout, int number, const char 
     layout_place(layout, number, &placement); /* lowering has told what does not fit */
     for (int i = 0; i < placement.count; i++)
         put_piece(out, layout, &placement.pieces[i], indent, i);
-    for (int slot = 0; slot < SLOT_COUNT; slot++) {
-        if (!layout_has_slot(layout, (Slot)slot) || case_has_slot(&layout->cases[number], (Slot)slot))
-            continue;
-        text_format(out, "%ssurface.%s = %s(", indent, slot_table[slot].name, type_table[slot_table[slot].type].name);
-        text_float(out, slot_table[slot].absent);
-        text_put(out, ");\n");
-    }
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(layout, (Slot)slot) && !case_has_slot(&layout->cases[number], (Slot)slot))
+            put_known(out, layout, (Slot)slot, indent);
 }
 
 static void put_cases(Text *out, const LayoutRow *layout)

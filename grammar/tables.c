@@ -179,7 +179,8 @@ int field_size(const FieldRow *field)
     }
 }
 
-double field_error(const FieldRow *field)
+/* Those of the encoding itself. */
+static double encoding_error(const FieldRow *field)
 {
     const double b = field->bits;
     (void)b;
@@ -193,9 +194,9 @@ double field_error(const FieldRow *field)
     }
 }
 
-double field_low(const FieldRow *field)
+static double encoding_low(Encoding encoding)
 {
-    switch (field->encoding) {
+    switch (encoding) {
 #define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
     case ENCODING_##name:                                                                                              \
         return low;
@@ -205,11 +206,10 @@ double field_low(const FieldRow *field)
     }
 }
 
-double field_high(const FieldRow *field)
+static double encoding_high(Encoding encoding, double b)
 {
-    const double b = field->bits;
     (void)b;
-    switch (field->encoding) {
+    switch (encoding) {
 #define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
     case ENCODING_##name:                                                                                              \
         return high;
@@ -219,14 +219,41 @@ double field_high(const FieldRow *field)
     }
 }
 
+bool encoding_takes_range(Encoding encoding)
+{
+    const EncodingRow *row = &encoding_table[encoding];
+    return row->words && row->unit == UNIT_absolute && encoding_low(encoding) == 0 && encoding_high(encoding, 0) == 1;
+}
+
+bool field_has_range(const FieldRow *field) { return field->low != 0 || field->high != 0; }
+
+double field_low(const FieldRow *field) { return field_has_range(field) ? field->low : encoding_low(field->encoding); }
+
+double field_high(const FieldRow *field)
+{
+    return field_has_range(field) ? field->high : encoding_high(field->encoding, field->bits);
+}
+
+/* Of a range: as much of it, and what floats lose on the way to [0, 1] and back. */
+double field_error(const FieldRow *field)
+{
+    const double rounding = 0x1p-22;
+    if (!field_has_range(field))
+        return encoding_error(field);
+    return encoding_error(field) * (field->high - field->low) + rounding * fmax(fabs(field->low), fabs(field->high));
+}
+
 static const FieldRow field_table[] = {
 #define FIELD(layout, encoding, bits, slot, from, count)                                                               \
     {ENCODING_##encoding,                                                                                              \
      bits,                                                                                                             \
      count,                                                                                                            \
-     {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}}},
+     {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}},                 \
+     false,                                                                                                            \
+     0,                                                                                                                \
+     0},
 #define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b)                                                   \
-    {ENCODING_##encoding, bits, 2, {{SLOT_##slot_a, lane_a}, {SLOT_##slot_b, lane_b}}},
+    {ENCODING_##encoding, bits, 2, {{SLOT_##slot_a, lane_a}, {SLOT_##slot_b, lane_b}}, false, 0, 0},
 #include "layouts.def"
 };
 
@@ -267,8 +294,19 @@ enum {
 };
 
 const LayoutRow layout_table[LAYOUT_COUNT] = {
-#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name},
+#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name, NULL, 0},
 #include "layouts.def"
+};
+
+const ErrorClassRow class_table[CLASS_COUNT] = {
+#define ERROR_CLASS(name, unit, error, doc) {#name, CLASS_UNIT_##unit, error, doc},
+#include "classes.def"
+};
+
+const SlotClassRow slot_class_table[SLOT_COUNT] = {
+#define ONE(slot)                              1u << SLOT_##slot
+#define SLOT_CLASS(slot, kind, above, matters) [SLOT_##slot] = {CLASS_##kind, CLASS_##above, matters},
+#include "classes.def"
 };
 
 /* The first choice of every axis, counted by the compiler. */

@@ -141,6 +141,37 @@ check "prints a table" prints 'ns/pixel'
 check "writes a CSV and a plot" test -s "$work/pareto.csv" -a -s "$work/pareto.svg"
 check "--pareto of two documents" status 2 "$matc" --pareto $example $example
 check "an unknown kind of GL" status 2 "$matc" --pareto --gl=vga $example
+layout=examples/layouts/lambert.yaml
+check "a layout from a file" status 0 $fast --layout=$layout -MD $example -o "$work/own.frag"
+check "is the program's" grep -q 'layout lambert' "$work/own.frag"
+check "and in the depfile" grep -q "$layout" "$work/own.frag.d"
+check "and in that of a batch" status 0 $fast --layout=$layout -MD -d "$work/own" $example
+check "with its name" grep -q "$layout" "$work/own/manifest.d"
+check "--explain of a file" status 0 "$matc" --explain $layout
+check "shows its fields" prints '0.r 24-31  diffuse.r'
+check "a layout that is none" status 1 $fast --layout=$example $example
+check "says so" says 'a layout is an object'
+check "a layout that is not there" status 1 $fast --layout=./nothing $example
+check "says why" says 'nothing: No such file'
+check "an unknown layout" status 2 $fast --layout=nothing $example
+check "words in old GLSL" status 1 $fast --target=glsl110 --layout=$layout $example
+check "are told" says 'layout lambert packs whole numbers'
+check "--emit=layout" status 0 $fast --emit=layout --layout=integer $example -o "$work/integer.yaml"
+check "reads back" status 0 "$matc" --explain "$work/integer.yaml"
+cp "$work/stdout" "$work/page" && "$matc" --explain integer >"$work/builtin"
+check "to the same page" same "$work/builtin" "$work/page"
+check "--layout=auto" status 0 $fast --layout=auto --stats -d "$work/auto" --emit=glsl,unpack,layout tests/layouts/lambert.yaml
+check "is small" says '^8 bytes a pixel for 5 materials'
+check "says why" says '^specular .*dropped'
+check "is one for all" test "$(cat "$work"/auto/*.layout.yaml | sort -u | wc -l)" = 6
+check "of one material" status 0 $fast --layout=auto $example -o "$work/one.frag"
+check "with an error" status 0 $fast --layout=auto --layout-error=0.01 --emit=layout $example -o "$work/coarse.yaml"
+check "that counts" grep -q 'slot: diffuse, encoding: [a-z]*, bits: [1-6]' "$work/coarse.yaml"
+check "an error of nothing" status 1 $fast --layout=auto --layout-error=0 $example
+check "standard input" status 1 $fast --layout=auto -
+check "cannot be read twice" says 'standard input'
+check "a faulty document" status 1 $fast --layout=auto -d "$work/none" "$work/bad.yaml"
+check "measuring" status 2 $fast --layout=auto --max-error=0.1 $example
 check "--list" status 0 "$matc" --list
 check "knows Wood" prints Wood
 check "--explain" status 0 "$matc" --explain Checker

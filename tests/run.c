@@ -1,5 +1,6 @@
 /* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json for those in no folder below;
- * for every one in tests/errors/: the diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass
+ * for examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or layout in tests/errors/:
+ * the diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass
  * makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
  * difference before you commit it. Under CI it does not update. */
 #include "matc.h"
@@ -31,6 +32,8 @@ static bool has_suffix(const char *path, const char *suffix)
 static int remember(const char *path, const struct stat *info, int type, struct FTW *where)
 {
     (void)info, (void)where;
+    if (strstr(path, "examples/engine/")) /* built by a test of its own */
+        return 0;
     bool wanted = has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
     wanted &= !strstr(path, "examples/engine/"); /* tests/install.sh builds it */
     if (type == FTW_F && found_count < MOST_FILES && wanted && !has_suffix(path, ".out"))
@@ -143,8 +146,62 @@ static MatcDocument *open_document(const char *name)
     return document;
 }
 
+static bool is_layout(const char *name) { return strstr(name, "/layouts/") != NULL; }
+
+static MatcLayout *open_layout(const char *name)
+{
+    size_t size;
+    MatcOptions options;
+    matc_options_init(&options);
+    char *text = read_whole(name, &size);
+    MatcLayout *layout = matc_layout_read(name, text ? text : "", size, &options);
+    free(text);
+    return layout;
+}
+
+/* The page of a layout, and how it is read back. */
+static void run_layout(Run *run, const char *name)
+{
+    static const char material[] = "material: Phong\nspecular: 0.1\nshininess: 0.6\n";
+    char path[LONGEST_PATH];
+    MatcOptions options;
+    MatcLayout *layout = open_layout(name);
+    matc_options_init(&options);
+    options.custom = layout;
+    options.validate = false;
+    MatcDocument *document = matc_read("material.yaml", material, sizeof material - 1, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_UNPACK | MATC_FRAGMENT, &options);
+    if (!matc_layout_ok(layout) || !matc_ok(program)) {
+        printf("%s%s", matc_layout_diagnostics(layout, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        run->failed++;
+    } else {
+        golden_path(path, name, NULL, ".txt");
+        compare(run, path, matc_layout_report(layout));
+        golden_path(path, name, NULL, ".unpack.glsl");
+        compare(run, path, matc_output(program, MATC_UNPACK, NULL));
+        golden_path(path, name, NULL, ".frag");
+        compare(run, path, matc_output(program, MATC_FRAGMENT, NULL));
+    }
+    matc_program_free(program);
+    matc_document_free(document);
+    matc_layout_free(layout);
+}
+
+static void run_layout_error(Run *run, const char *name)
+{
+    char path[LONGEST_PATH];
+    MatcLayout *layout = open_layout(name);
+    snprintf(path, sizeof path, "%.*s.err", (int)(strrchr(name, '.') - name), name);
+    compare(run, path, matc_layout_diagnostics(layout, MATC_TEXT));
+    matc_layout_free(layout);
+}
+
 static void run_example(Run *run, const char *name)
 {
+    if (is_layout(name)) {
+        run_layout(run, name);
+        return;
+    }
     MatcDocument *document = open_document(name);
     bool only_defs = strstr(name, "palette") != NULL; /* made to be included */
     if (!matc_material_count(document) && !only_defs) {
@@ -161,6 +218,10 @@ static void run_error(Run *run, const char *name)
 {
     char path[LONGEST_PATH], *text = NULL;
     size_t size;
+    if (is_layout(name)) {
+        run_layout_error(run, name);
+        return;
+    }
     FILE *all = open_memstream(&text, &size);
     MatcOptions options;
     matc_options_init(&options);

@@ -415,20 +415,15 @@ static void old_glsl_has_no_whole_numbers(void **state)
     {                                                                                                                  \
         {SLOT_##slot, 0}, {SLOT_##slot, 1}, { SLOT_##slot, 2 }                                                         \
     }
-#define TRIPLE(code, bits, slot)                                                                                       \
+#define TRIPLE(code, bits_, slot)                                                                                      \
     {                                                                                                                  \
-        ENCODING_##code, bits, 3, SLOT3(slot)                                                                          \
+        .encoding = ENCODING_##code, .bits = bits_, .count = 3, .source = SLOT3(slot)                                  \
     }
-#define SINGLE(code, bits, slot)                                                                                       \
+#define SINGLE(code, bits_, slot)                                                                                      \
     {                                                                                                                  \
-        ENCODING_##code, bits, 1,                                                                                      \
-        {                                                                                                              \
-            {                                                                                                          \
-                SLOT_##slot, 0                                                                                         \
-            }                                                                                                          \
-        }                                                                                                              \
+        .encoding = ENCODING_##code, .bits = bits_, .count = 1, .source = { {SLOT_##slot, 0} }                         \
     }
-#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, ""}, 1
+#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, ""}, 1, NULL, 0
 
 static void try_row(Fixture *f, Document *d, const LayoutRow *row)
 {
@@ -458,9 +453,12 @@ static void any_rows_are_a_layout(void **state)
         TRIPLE(sharedExponent, 9, emissive), TRIPLE(half, 16, ambient),  SINGLE(half, 16, ior),
         SINGLE(full, 32, shininess),         TRIPLE(sphere, 12, normal), TRIPLE(unorm, 2, transparency)};
     static const FieldRow five[] = {
-        TRIPLE(octahedralRadix, 8, normal), TRIPLE(raw, 16, diffuse),
-        TRIPLE(plain, 16, specular),        {ENCODING_pair, 7, 2, {{SLOT_ambient, 2}, {SLOT_emissive, 0}}},
-        TRIPLE(octahedralWhole, 8, normal), SINGLE(plain, 16, shininess)};
+        TRIPLE(octahedralRadix, 8, normal),
+        TRIPLE(raw, 16, diffuse),
+        TRIPLE(plain, 16, specular),
+        {.encoding = ENCODING_pair, .bits = 7, .count = 2, .source = {{SLOT_ambient, 2}, {SLOT_emissive, 0}}},
+        TRIPLE(octahedralWhole, 8, normal),
+        SINGLE(plain, 16, shininess)};
     static const FieldRow six[] = {TRIPLE(octahedral, 7, normal), TRIPLE(octahedral, 12, normal),
                                    SINGLE(logarithm, 16, shininess), TRIPLE(sharedExponent, 4, emissive),
                                    TRIPLE(raw, 16, diffuse)};

@@ -70,12 +70,18 @@ static bool make_programs(Gbuffer *g)
 bool gbuffer_open(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph,
                   const MatcOptions *options)
 {
+    return gbuffer_open_material(g, drawer, document, graph, 0, options);
+}
+
+bool gbuffer_open_material(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph, int material,
+                           const MatcOptions *options)
+{
     Job job;
     *g = (Gbuffer){.drawer = drawer};
     if (job_of(options, &job))
         return fail(g, "no such option");
     g->layout = job.layout;
-    g->program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, options);
+    g->program = matc_compile(document, material, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, options);
     if (!matc_ok(g->program))
         return fail(g, matc_program_diagnostics(g->program, MATC_TEXT));
     g->unpack = matc_output(g->program, MATC_UNPACK, NULL);

@@ -15,9 +15,12 @@ typedef struct {
     char error[4096];
 } Gbuffer;
 
-/* Compiles a material of the document with the options. False: see error. Close it in any case. */
+/* Compiles the first material of the document with the options. False: see error. Close it in any case. */
 bool gbuffer_open(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph,
                   const MatcOptions *options);
+/* The same of any material of it. */
+bool gbuffer_open_material(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph, int material,
+                           const MatcOptions *options);
 /* The same with any layout, for a document without uniforms; its options' layout does not count. */
 bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *document, const LayoutRow *layout,
                          const MatcOptions *options);

@@ -1,0 +1,95 @@
+/* Why a layout is as it is: a line a slot. */
+#include "auto_layout.h"
+#include "describe.h"
+
+static void put_range(Text *out, double low, double high)
+{
+    if (low == high) {
+        text_format(out, "%.6g", low);
+        return;
+    }
+    text_format(out, "%.4g to %.4g", low, high);
+}
+
+static void put_error(Text *out, const Plan *plan)
+{
+    switch (class_table[plan->kind].unit) {
+    case CLASS_UNIT_display:
+        text_format(out, "%.3g of its square root", plan->error);
+        break;
+    case CLASS_UNIT_relative:
+        text_format(out, "%.3g %%", 100 * plan->error);
+        break;
+    case CLASS_UNIT_degrees:
+        text_format(out, "%.3g degrees", plan->error);
+        break;
+    case CLASS_UNIT_absolute:
+        text_format(out, "%.3g", plan->error);
+    }
+}
+
+/* Why a slot has no field. */
+static void put_fate(Text *out, const Plan *plan, const MatcSlotRange *range, int materials)
+{
+    const unsigned matters = slot_class_table[plan->slot].matters;
+    const char *between = "dropped: no material has ";
+    switch (plan->fate) {
+    case FATE_fixed:
+        text_format(out,
+                    range->counted == 1 ? "constant in the one material to which it matters"
+                                        : "constant in all %d materials to which it matters",
+                    range->counted);
+        break;
+    case FATE_absent:
+        text_format(out, materials == 1 ? "dropped: as absent" : "dropped: as absent in all %d materials", materials);
+        break;
+    case FATE_taken:
+        text_put(out, "dropped: the transparency has taken it in");
+        break;
+    default:
+        for (int slot = 0; slot < SLOT_COUNT && matters; slot++)
+            if (matters >> slot & 1) {
+                text_format(out, "%s%s", between, slot_table[slot].name);
+                between = " or ";
+            }
+        if (!matters || *between == ' ')
+            text_put(out, plan->slot == SLOT_ior ? ", or the draw tells it" : "");
+    }
+}
+
+static void put_field(Text *out, const Plan *plan)
+{
+    const FieldRow *field = &plan->field;
+    const int takes = encoding_table[field->encoding].takes;
+    Text encoding = text_new(out->arena);
+    describe_encoding(&encoding, field);
+    if (field_has_range(field)) {
+        text_put(&encoding, " over ");
+        describe_stored_range(&encoding, field);
+    }
+    text_format(out, "%-28s %4d  ", encoding.at, field_size(field) * (takes ? field->count / takes : 1));
+    put_error(out, plan);
+    text_put(out, field->gray ? ", one for all lanes" : "");
+}
+
+void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row)
+{
+    text_format(out, "%d bytes a pixel for %d materials; compact has %d, thesis %d\n", layout_bytes(row),
+                ranges->materials, layout_bytes(&layout_table[LAYOUT_compact]),
+                layout_bytes(&layout_table[LAYOUT_thesis]));
+    text_format(out, "%-25s %-18s %-28s %4s  %s\n", "slot", "range", "stored as", "bits", "error at most");
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        const Plan *plan = &plans[slot];
+        Text range = text_new(out->arena);
+        text_put(&range, "");
+        if (plan->low <= plan->high)
+            put_range(&range, plan->low, plan->high);
+        text_format(out, "%-25s %-18s ", slot_table[slot].name, range.at);
+        if (plan->fate == FATE_field)
+            put_field(out, plan);
+        else
+            put_fate(out, plan, &ranges->slot[slot], ranges->materials);
+        text_char(out, '\n');
+    }
+    text_char(out, '\n');
+}

@@ -1,0 +1,51 @@
+// matc 0.1.0: reads layout lambert back. The normal is in eye space.
+
+uniform usampler2D matc_gbuffer0;
+
+#define SURFACE_HAS_normal
+#define SURFACE_HAS_diffuse
+struct Surface {
+    vec3 normal; // Shading normal in eye space, unit length.
+    vec3 diffuse; // Diffuse colour.
+};
+
+// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2; before it is normalised its length is at least 1/sqrt(3).
+vec3 decodeOctahedral(vec2 e) {
+    float z = 1.0 - abs(e.x) - abs(e.y);
+    float fold = max(-z, 0.0);
+    return normalize(vec3(e.x + (e.x < 0.0 ? fold : -fold), e.y + (e.y < 0.0 ? fold : -fold), z));
+}
+
+// Inverse of octahedralWhole: a unit vector, at most 242.5 / (2^bits - 2) degrees from the one that was encoded.
+vec3 octahedralFromWhole(vec2 whole, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return decodeOctahedral(whole / scale);
+}
+
+// Inverse of octahedralBits: a unit vector for every code.
+vec3 octahedralFromBits(uint code, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    vec2 whole = vec2(code & ((1u << bits) - 1u), code >> bits) - scale;
+    return octahedralFromWhole(whole, bits);
+}
+
+// Inverse of unormBits, in [0, 1].
+float unormFromBits(uint code, int bits) {
+    return float(code) / float((1 << bits) - 1);
+}
+
+// Inverse of rootBits, in [0, 1], at most 1 / (2^bits - 1) from what was packed.
+float rootFromBits(uint code, int bits) {
+    float root = unormFromBits(code, bits);
+    return root * root;
+}
+
+Surface unpackSurface(ivec2 pixel) {
+    uvec4 target0 = texelFetch(matc_gbuffer0, pixel, 0);
+    Surface surface;
+    surface.normal = octahedralFromBits(target0.x & 16777215u, 12);
+    surface.diffuse.x = rootFromBits(target0.x >> 24, 8);
+    surface.diffuse.y = rootFromBits(target0.y & 255u, 8);
+    surface.diffuse.z = rootFromBits(target0.y >> 8 & 255u, 8);
+    return surface;
+}

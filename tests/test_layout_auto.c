@@ -1,0 +1,346 @@
+/* --layout=auto: what is claimed of materials holds, the smallest layouts are small, and they keep what they promise. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/layout.h"
+#include "compiler/custom.h"
+#include "compiler/document.h"
+#include "tests/stress/generate.h"
+#include "tests/value/kept.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { MOST_DOCUMENTS = 32, TREES = 1500, TREE_POINTS = 12 };
+
+/* Documents, what their materials can be, and the layout for them. */
+typedef struct {
+    Document documents[MOST_DOCUMENTS];
+    int count;
+    MatcRanges ranges;
+    MatcLayout *layout;
+} Set;
+
+static void add_material(MatcRanges *ranges, const MatcDocument *document, int material, const MatcOptions *options)
+{
+    char *fault;
+    if (!matc_ranges_add(ranges, document, material, options, &fault))
+        fail_msg("%s", fault);
+}
+
+static void set_open(Set *set, const char *const *paths, int count, double error)
+{
+    *set = (Set){.count = count};
+    matc_ranges_init(&set->ranges);
+    for (int i = 0; i < count; i++) {
+        char path[512];
+        Document *d = &set->documents[i];
+        snprintf(path, sizeof path, SOURCE_FOLDER "/%s", paths[i]);
+        if (!document_open(d, path))
+            fail_msg("%s: %s", path, document_fault(d));
+        for (int k = 0; k < d->graph->material_count; k++)
+            add_material(&set->ranges, d->document, k, &d->options);
+    }
+    set->layout = matc_layout_for(&set->ranges, error, &set->documents[0].options);
+    assert_true(matc_layout_ok(set->layout));
+}
+
+static void set_close(Set *set)
+{
+    matc_layout_free(set->layout);
+    for (int i = 0; i < set->count; i++)
+        document_close(&set->documents[i]);
+}
+
+static const FieldRow *field_of(const Set *set, Slot slot)
+{
+    const CaseRow *row = &set->layout->row->cases[0];
+    for (int i = 0; i < row->field_count; i++)
+        if (row->fields[i].source[0].slot == slot)
+            return &row->fields[i];
+    return NULL;
+}
+
+static const char *const lambert[] = {"tests/layouts/lambert.yaml"}, *const grays[] = {"tests/layouts/grays.yaml"},
+                         *const glow[] = {"tests/layouts/glow.yaml"};
+
+/* Normal and three times eight bits; nothing else is in the layout, in its GLSL, or in the program. */
+static void diffuse_colors_take_eight_bytes(void **state)
+{
+    (void)state;
+    Set set;
+    set_open(&set, lambert, 1, 0);
+    assert_int_equal(matc_layout_bytes(set.layout), 8);
+    assert_true(set.layout->row->cases[0].field_count == 2 && set.layout->row->fixed_count == 0);
+    MatcOptions options = set.documents[0].options;
+    options.custom = set.layout;
+    MatcProgram *program = matc_compile(set.documents[0].document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
+    const char *unpack = matc_output(program, MATC_UNPACK, NULL);
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        char has[64], member[64];
+        const bool there = slot == SLOT_normal || slot == SLOT_diffuse;
+        snprintf(has, sizeof has, "#define SURFACE_HAS_%s\n", slot_table[slot].name);
+        snprintf(member, sizeof member, " %s;", slot_table[slot].name);
+        assert_true((strstr(unpack, has) != NULL) == there);
+        assert_true((strstr(unpack, member) != NULL) == there);
+    }
+    assert_null(strstr(unpack, "sharedExponent"));
+    assert_null(strstr(unpack, "logarithm"));
+    assert_int_equal(matc_target_count(program), 1);
+    assert_non_null(strstr(matc_layout_report(set.layout), "specular                  0                  dropped"));
+    matc_program_free(program);
+    set_close(&set);
+}
+
+/* Lanes that are alike are stored once, what never changes not at all, light up to 1 as colours are. */
+static void ranges_make_fields(void **state)
+{
+    (void)state;
+    Set set;
+    set_open(&set, grays, 1, 0);
+    const FieldRow *diffuse = field_of(&set, SLOT_diffuse), *emissive = field_of(&set, SLOT_emissive);
+    assert_true(diffuse && diffuse->gray && diffuse->bits < 8);
+    assert_true(field_low(diffuse) >= 0.2 && field_high(diffuse) < 0.41);
+    assert_true(emissive && !emissive->gray && emissive->encoding != ENCODING_sharedExponent);
+    const FixedRow *specular = layout_fixed(set.layout->row, SLOT_specular);
+    assert_true(specular && specular->value[2] == 0.3);
+    assert_null(field_of(&set, SLOT_transparency));
+    assert_true(field_of(&set, SLOT_shininess)->encoding == ENCODING_unorm); /* it is narrow */
+    set_close(&set);
+    set_open(&set, glow, 1, 0);
+    assert_int_equal(field_of(&set, SLOT_emissive)->encoding, ENCODING_sharedExponent);
+    assert_int_equal(field_of(&set, SLOT_interpolatedTransparency)->bits, 1);
+    assert_non_null(field_of(&set, SLOT_transparencyShininess));
+    assert_non_null(field_of(&set, SLOT_ambient));
+    assert_true(layout_has_slot(set.layout->row, SLOT_ior));
+    assert_false(layout_has_slot(set.layout->row, SLOT_alpha));
+    set_close(&set);
+}
+
+static int all_bits(const Set *set)
+{
+    int bits = 0;
+    Placement placement;
+    assert_null(layout_place(set->layout->row, 0, &placement));
+    for (int i = 0; i < placement.count; i++)
+        bits += placement.pieces[i].size;
+    return bits;
+}
+
+/* The stated error buys bits; what the report says of a field is what encodings.def says. */
+static void smaller_errors_take_more_bits(void **state)
+{
+    (void)state;
+    static const double errors[] = {0.02, 0.005, 0, 0.0005, 0.0001};
+    int before = 0;
+    for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
+        Set set;
+        set_open(&set, glow, 1, errors[i]);
+        const int bits = all_bits(&set), bytes = matc_layout_bytes(set.layout);
+        print_message("error %g: %d bits, %d bytes\n", errors[i], bits, bytes);
+        assert_true(bits > before && bytes * 8 >= bits && bytes * 8 < bits + 64);
+        before = bits;
+        set_close(&set);
+    }
+}
+
+/* Any order, any split over threads: the same ranges, the same layout. */
+static void joining_has_no_order(void **state)
+{
+    (void)state;
+    static const char *const all[] = {"tests/layouts/lambert.yaml", "tests/layouts/grays.yaml",
+                                      "tests/layouts/glow.yaml"};
+    Set set;
+    MatcRanges parts[3], back, split;
+    set_open(&set, all, 3, 0);
+    for (int i = 0; i < 3; i++) {
+        matc_ranges_init(&parts[i]);
+        for (int k = 0; k < set.documents[i].graph->material_count; k++)
+            add_material(&parts[i], set.documents[i].document, k, &set.documents[i].options);
+    }
+    matc_ranges_init(&back);
+    for (int i = 2; i >= 0; i--)
+        matc_ranges_join(&back, &parts[i]);
+    split = parts[1];
+    matc_ranges_join(&parts[2], &parts[0]);
+    matc_ranges_join(&split, &parts[2]);
+    assert_memory_equal(&back, &set.ranges, sizeof back);
+    assert_memory_equal(&split, &set.ranges, sizeof split);
+    MatcLayout *layout = matc_layout_for(&split, 0, &set.documents[0].options);
+    assert_string_equal(matc_layout_text(layout), matc_layout_text(set.layout));
+    assert_string_equal(matc_layout_report(layout), matc_layout_report(set.layout));
+    matc_layout_free(layout);
+    set_close(&set);
+}
+
+static void none_is_told(void **state)
+{
+    (void)state;
+    MatcRanges ranges;
+    MatcOptions options;
+    char *fault;
+    matc_options_init(&options);
+    matc_ranges_init(&ranges);
+    MatcLayout *layout = matc_layout_for(&ranges, 0, &options);
+    assert_false(matc_layout_ok(layout));
+    assert_non_null(strstr(matc_layout_diagnostics(layout, MATC_TEXT), "no materials"));
+    matc_layout_free(layout);
+    static const char text[] =
+        "material: Phong\nambient: { material: SunSkyLight, sun: { param: s, default: [0, 1, 1] } }\n";
+    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
+    assert_false(matc_ranges_add(&ranges, document, 0, &options, &fault));
+    assert_non_null(fault);
+    assert_int_equal(ranges.materials, 0);
+    free(fault);
+    matc_document_free(document);
+}
+
+/* What matters in a material, as the ranges of it alone say. */
+static void find_matters(const Document *d, int material, bool matters[SLOT_COUNT])
+{
+    MatcRanges one;
+    matc_ranges_init(&one);
+    add_material(&one, d->document, material, &d->options);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        matters[slot] = one.slot[slot].counted > 0;
+}
+
+static void check_set(Kept *kept, Drawer *drawer, const Set *set)
+{
+    for (int i = 0; i < set->count; i++) {
+        Document *d = (Document *)(uintptr_t)&set->documents[i];
+        MatcOptions options = d->options;
+        options.custom = set->layout;
+        for (int k = 0; k < d->graph->material_count; k++) {
+            bool matters[SLOT_COUNT];
+            find_matters(d, k, matters);
+            if (!kept_check(kept, drawer, d, k, &options, matters))
+                fail_msg("%s, %s: %s\n%s", d->path, d->graph->materials[k].name, kept->error,
+                         matc_layout_report(set->layout));
+        }
+    }
+}
+
+static void what_is_packed_comes_back(void **state)
+{
+    (void)state;
+    static const char *const all[] = {"examples/materials/algorithmSwitch.yaml", "examples/materials/brick.yaml",
+                                      "examples/materials/brushedSteel.yaml",    "examples/materials/chess.json",
+                                      "examples/materials/glassChecker.yaml",    "examples/materials/lava.yaml",
+                                      "examples/materials/leopardSkin.yaml",     "examples/materials/malachite.json",
+                                      "examples/materials/marble.yaml",          "examples/materials/oak.yaml",
+                                      "examples/materials/phong.yaml",           "examples/materials/planet.yaml",
+                                      "examples/materials/polishedGranite.yaml", "examples/materials/rgba.yaml",
+                                      "examples/materials/rustedMetal.yaml",     "examples/materials/sideSwitch.yaml",
+                                      "examples/materials/sunSky.yaml",          "examples/materials/tiles.yaml"};
+    static const struct {
+        const char *const *paths;
+        int count;
+        double error;
+    } sets[] = {{lambert, 1, 0}, {lambert, 1, 0.01}, {grays, 1, 0}, {grays, 1, 0.0002},
+                {glow, 1, 0},    {glow, 1, 0.03},    {all, 18, 0},  {&all[5], 3, 0.001}};
+    static Point points[POINT_COUNT];
+    Drawer drawer;
+    Kept kept = {0};
+    points_make(points);
+    assert_true(drawer_open(&drawer, true, points, POINT_COUNT, 1, GL_RGBA32F));
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
+        Set set;
+        set_open(&set, sets[i].paths, sets[i].count, sets[i].error);
+        check_set(&kept, &drawer, &set);
+        print_message("%d materials, error %g: %d bytes\n", set.ranges.materials, sets[i].error,
+                      matc_layout_bytes(set.layout));
+        set_close(&set);
+    }
+    drawer_close(&drawer);
+    print_message("%d materials, %d slots, %ld values, errors up to %.4f of their bounds\n", kept.materials,
+                  kept.fields, kept.values, kept.worst);
+    assert_true(kept.values > 100000 && kept.worst > 0.9);
+}
+
+/* The oracle's value lies in the interval that is claimed, roundings aside. */
+static void compare_claim(const MatcRanges *ranges, const SlotValues *values, uint64_t tree)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        const SlotRow *row = &slot_table[slot];
+        const MatcSlotRange *range = &ranges->slot[slot];
+        for (int lane = 0; lane < type_table[row->type].lanes && range->counted; lane++) {
+            double value = fmin(fmax(values->lane[slot][lane], row->low), row->high);
+            double slack = 1e-5 * fmax(1, fabs(value));
+            if (!(value >= range->low[lane] - slack && value <= range->high[lane] + slack))
+                fail_msg("tree %d: %s lane %d is %.9g, claimed %.9g to %.9g", (int)tree, row->name, lane, value,
+                         range->low[lane], range->high[lane]);
+            if (range->alike && !(fabs(values->lane[slot][lane] - values->lane[slot][0]) <= slack))
+                fail_msg("tree %d: %s lanes %.9g, %.9g are not alike", (int)tree, row->name, values->lane[slot][0],
+                         values->lane[slot][lane]);
+        }
+    }
+}
+
+/* A random document; the slots' widths are summed up, to see that the claims are not empty. */
+static void check_tree(uint64_t tree, const Point *points, long *bounded, long *constant)
+{
+    Arena arena = {0};
+    Choices choices;
+    MatcRanges ranges;
+    Text text = text_new(&arena);
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    options.read_file = generate_file;
+    choices_random(&choices, 11, tree);
+    generate_document(&choices, &text);
+    MatcDocument *document = matc_read("stress.yaml", text.at, text.size, &options);
+    assert_int_equal(matc_material_count(document), 1);
+    matc_ranges_init(&ranges);
+    add_material(&ranges, document, 0, &options);
+    Oracle *oracle = oracle_open(document->graph, &(ReferenceContext){0});
+    for (int i = 0; i < TREE_POINTS; i++) {
+        Surface surface;
+        SlotValues values;
+        point_surface(&points[(tree * 131 + (uint64_t)i * 53) % POINT_COUNT], i % 4 != 0, &surface);
+        oracle_material(oracle, document->graph->materials[0].node, &surface, &values);
+        compare_claim(&ranges, &values, tree);
+    }
+    for (int slot = SLOT_diffuse; slot < SLOT_COUNT; slot++) {
+        const MatcSlotRange *range = &ranges.slot[slot];
+        *constant += range->counted && range->low[0] == range->high[0];
+        *bounded += range->counted && range->low[0] < range->high[0] &&
+                    range->high[0] - range->low[0] < 0.999 * (slot_table[slot].high - slot_table[slot].low);
+    }
+    oracle_close(oracle);
+    matc_document_free(document);
+    arena_free(&arena);
+}
+
+static void claims_are_sound(void **state)
+{
+    (void)state;
+    static Point points[POINT_COUNT];
+    long bounded = 0, constant = 0;
+    points_make(points);
+    for (uint64_t tree = 0; tree < TREES; tree++)
+        check_tree(tree, points, &bounded, &constant);
+    print_message("%d trees: %ld slots constant, %ld in a part of what a surface can have\n", TREES, constant, bounded);
+    assert_true(constant > TREES && bounded > TREES / 10); /* the claims are not empty */
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(diffuse_colors_take_eight_bytes),
+        cmocka_unit_test(ranges_make_fields),
+        cmocka_unit_test(smaller_errors_take_more_bits),
+        cmocka_unit_test(joining_has_no_order),
+        cmocka_unit_test(none_is_told),
+        cmocka_unit_test(what_is_packed_comes_back),
+        cmocka_unit_test(claims_are_sound),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,210 @@
+/* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts promise they keep. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/layout_read.h"
+#include "compiler/custom.h"
+#include "tests/value/kept.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+static void fields_are_equal(const FieldRow *a, const FieldRow *b)
+{
+    assert_true(a->encoding == b->encoding && a->bits == b->bits && a->count == b->count && a->gray == b->gray);
+    assert_true(a->low == b->low && a->high == b->high);
+    for (int i = 0; i < a->count; i++)
+        assert_true(a->source[i].slot == b->source[i].slot && a->source[i].lane == b->source[i].lane);
+}
+
+static void rows_are_equal(const LayoutRow *a, const LayoutRow *b)
+{
+    assert_string_equal(a->name, b->name);
+    assert_string_equal(a->doc, b->doc);
+    assert_memory_equal(a->formats, b->formats, sizeof a->formats);
+    assert_int_equal(a->case_count, b->case_count);
+    for (int number = 0; number < a->case_count; number++) {
+        assert_string_equal(a->cases[number].doc, b->cases[number].doc);
+        assert_int_equal(a->cases[number].field_count, b->cases[number].field_count);
+        for (int i = 0; i < a->cases[number].field_count; i++)
+            fields_are_equal(&a->cases[number].fields[i], &b->cases[number].fields[i]);
+    }
+    assert_int_equal(a->fixed_count, b->fixed_count);
+    for (int i = 0; i < a->fixed_count; i++) {
+        assert_int_equal(a->fixed[i].slot, b->fixed[i].slot);
+        assert_memory_equal(a->fixed[i].value, b->fixed[i].value, sizeof a->fixed[i].value);
+    }
+}
+
+static MatcLayout *read_text(const char *text)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    MatcLayout *layout = matc_layout_read("test.yaml", text, strlen(text), &options);
+    if (!matc_layout_ok(layout))
+        fail_msg("%s%s", text, matc_layout_diagnostics(layout, MATC_TEXT));
+    return layout;
+}
+
+static void reads_back(const LayoutRow *row)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    layout_write(&text, row);
+    MatcLayout *layout = read_text(text.at);
+    rows_are_equal(row, layout->row);
+    assert_string_equal(matc_layout_text(layout), text.at);
+    assert_int_equal(matc_layout_bytes(layout), layout_bytes(row));
+    matc_layout_free(layout);
+    arena_free(&arena);
+}
+
+static void what_is_written_reads_back(void **state)
+{
+    (void)state;
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        reads_back(&layout_table[i]);
+}
+
+/* Constants, ranges and grey lanes, which no built-in layout has; numbers that need all of their digits. */
+static void all_of_a_file_reads_back(void **state)
+{
+    (void)state;
+    MatcLayout *layout =
+        read_text("layout: all\ndoc: \"A \\\"quoted\\\" one, with a \\\\.\"\ntargets: [RGBA32UI, RGBA16F]\n"
+                  "fields:\n"
+                  "  - { slot: normal, encoding: octahedral, bits: 16 }\n"
+                  "  - { slot: diffuse, encoding: unorm, bits: 9, range: [0.1, 0.30000000000000004] }\n"
+                  "  - { slot: specular.bgr, encoding: root, bits: 7 }\n"
+                  "  - { slot: ambient, encoding: root, bits: 5, gray: true }\n"
+                  "  - { slot: [emissive.b, shininess, emissive.rg], encoding: raw }\n"
+                  "constants: { transparency: [0.5, 0.25, 1e-7], ior: 1.5 }\n");
+    const LayoutRow *row = layout->row;
+    assert_int_equal(row->cases[0].fields[2].source[0].lane, 2);
+    assert_int_equal(row->cases[0].fields[3].count, 1);
+    assert_true(row->cases[0].fields[1].high == 0.30000000000000004);
+    assert_true(row->fixed[0].value[2] == 1e-7 && row->fixed[1].value[0] == 1.5);
+    reads_back(row);
+    matc_layout_free(layout);
+}
+
+/* JSON is read as documents are, and a layout's faults are none of a document's. */
+static void json_is_read_too(void **state)
+{
+    (void)state;
+    static const char text[] = "{ \"layout\": \"j\", \"targets\": [\"R32UI\"],\n"
+                               "  \"fields\": [{ \"slot\": \"diffuse\", \"encoding\": \"unorm\", \"bits\": 10 }] }\n";
+    MatcOptions options;
+    matc_options_init(&options);
+    MatcLayout *layout = matc_layout_read("j.json", text, sizeof text - 1, &options);
+    assert_true(matc_layout_ok(layout));
+    assert_string_equal(matc_layout_name(layout), "j");
+    options.custom = layout;
+    MatcDocument *document = matc_read("test.yaml", "material: Phong\n", 16, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
+    assert_true(matc_ok(program));
+    assert_int_equal(matc_target_count(program), 1);
+    assert_string_equal(matc_target_format(program, 0), "R32UI");
+    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL), "\"layout\": \"j\""));
+    assert_null(strstr(matc_output(program, MATC_UNPACK, NULL), "normal;"));
+    matc_program_free(program);
+    options.target = "glsl110";
+    program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT), "layout j packs whole numbers"));
+    matc_program_free(program);
+    matc_document_free(document);
+    matc_layout_free(layout);
+    layout = matc_layout_read("k.yaml", "layout: k\n", 10, &options);
+    assert_false(matc_layout_ok(layout));
+    options.target = NULL;
+    options.custom = layout;
+    assert_string_equal(matc_options_fault(&options), "layout");
+    matc_layout_free(layout);
+}
+
+/* A material that has another value where the layout has a constant is warned of. */
+static void another_constant_is_told(void **state)
+{
+    (void)state;
+    static const char same[] = "material: RGBA\n", other[] = "material: Phong\nshininess: 0.9\n";
+    MatcLayout *layout = read_text("layout: k\ntargets: [R32UI]\nfields: [{ slot: diffuse, encoding: root, bits: 8 }]\n"
+                                   "constants: { shininess: 4 }\n");
+    MatcOptions options;
+    matc_options_init(&options);
+    options.custom = layout;
+    for (int i = 0; i < 2; i++) {
+        MatcDocument *document = matc_read("test.yaml", i ? other : same, strlen(i ? other : same), &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        assert_true(matc_ok(program));
+        const char *said = matc_program_diagnostics(program, MATC_TEXT);
+        assert_true((strstr(said, "warning: layout k gives back another shininess") != NULL) == (i == 1));
+        matc_program_free(program);
+        matc_document_free(document);
+    }
+    matc_layout_free(layout);
+}
+
+static char *file_text(const char *path)
+{
+    static char text[8192];
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    return text;
+}
+
+/* The example layouts, with materials that they are for, in every case of theirs. */
+static void examples_keep_what_they_promise(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *layout, *document;
+    } tries[] = {
+        {"lambert", "examples/checker.yaml"},        {"lambert", "examples/materials/lambert.yaml"},
+        {"foliage", "tests/layouts/bark.yaml"},      {"foliage", "tests/layouts/leaf.yaml"},
+        {"halves", "examples/materials/phong.yaml"}, {"halves", "examples/materials/lava.yaml"},
+    };
+    static Point points[POINT_COUNT];
+    Drawer drawer;
+    Kept kept = {0};
+    points_make(points);
+    assert_true(drawer_open(&drawer, true, points, POINT_COUNT, 1, GL_RGBA32F));
+    for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+        char path[256];
+        Document d;
+        snprintf(path, sizeof path, SOURCE_FOLDER "/examples/layouts/%s.yaml", tries[i].layout);
+        MatcLayout *layout = read_text(file_text(path));
+        snprintf(path, sizeof path, SOURCE_FOLDER "/%s", tries[i].document);
+        assert_true(document_open(&d, path));
+        MatcOptions options = d.options;
+        options.custom = layout;
+        if (!kept_check(&kept, &drawer, &d, 0, &options, NULL))
+            print_message("%s: %s\n", tries[i].document, kept.error);
+        document_close(&d);
+        matc_layout_free(layout);
+    }
+    drawer_close(&drawer);
+    print_message("%d materials, %ld values, errors up to %.3f of their bounds\n", kept.materials, kept.values,
+                  kept.worst);
+    assert_string_equal(kept.error, "");
+    assert_true(kept.values > 10000 && kept.worst > 0.5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_is_written_reads_back),
+        cmocka_unit_test(all_of_a_file_reads_back),
+        cmocka_unit_test(json_is_read_too),
+        cmocka_unit_test(another_constant_is_told),
+        cmocka_unit_test(examples_keep_what_they_promise),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

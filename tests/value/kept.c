@@ -1,0 +1,154 @@
+/* Values before and after a G-buffer. */
+#include "kept.h"
+#include "compiler/layout.h"
+#include "compiler/pipeline.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+typedef struct {
+    Kept *kept;
+    const LayoutRow *layout;
+    const CaseRow *fields; /* of the case that was drawn */
+    int count;             /* points */
+    float *want, *got;     /* four a point */
+} Comparison;
+
+static bool fail(Comparison *c, Slot slot, int lane, double want, double got, double bound)
+{
+    snprintf(c->kept->error, sizeof c->kept->error,
+             "layout %s, %s, lane %d: %.9g comes back as %.9g, the bound is %.3g", c->layout->name,
+             slot_table[slot].name, lane, want, got, bound);
+    return false;
+}
+
+static double within(double value, double low, double high) { return fmin(fmax(value, low), high); }
+
+static const FieldRow *field_of(const Comparison *c, Slot slot, int lane)
+{
+    for (int i = 0; i < c->fields->field_count; i++) {
+        const FieldRow *field = &c->fields->fields[i];
+        for (int k = 0; k < field->count; k++)
+            if (field->source[k].slot == slot && (field->gray || field->source[k].lane == lane))
+                return field;
+    }
+    return NULL;
+}
+
+/* The field's error, of the value or, where lanes share an exponent, of the greatest; `least`: what has no code near. */
+static double bound_of(const FieldRow *field, Slot slot, int lane, const float *want)
+{
+    const double high = field_high(field), least = field->encoding == ENCODING_logarithm ? 1. / 32 : ldexp(1, -20);
+    double of = fabs(want[lane]);
+    for (int i = 0; field->encoding == ENCODING_sharedExponent && i < type_table[slot_table[slot].type].lanes; i++)
+        of = fmax(of, fabs(want[i]));
+    if (encoding_table[field->encoding].unit == UNIT_relative)
+        return (field_error(field) + 5e-6) * fmin(of, high) + least;
+    return field_error(field) + 5e-6;
+}
+
+static bool compare_lane(Comparison *c, Slot slot, int lane, const float *want, double got)
+{
+    const SlotRow *row = &slot_table[slot];
+    const FixedRow *fixed = layout_fixed(c->layout, slot);
+    const FieldRow *field = field_of(c, slot, lane);
+    const double value = within(want[lane], row->low, row->high);
+    double bound = 1e-5 * fmax(1, fabs(value)); /* a constant, or one that this case leaves out */
+    if (field && encoding_table[field->encoding].unit == UNIT_degrees)
+        return true;
+    if (field && !fixed)
+        bound = bound_of(field, slot, lane, want);
+    c->kept->values++;
+    c->kept->worst = fmax(c->kept->worst, field ? fabs(got - value) / bound : 0);
+    return fabs(got - value) <= bound || fail(c, slot, lane, value, got, bound);
+}
+
+/* A slot that the layout leaves out is as absent. */
+static bool compare_slot(Comparison *c, Slot slot)
+{
+    const SlotRow *row = &slot_table[slot];
+    const bool has = layout_has_slot(c->layout, slot);
+    for (int i = 0; i < c->count; i++)
+        for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
+            double want = within(c->want[4 * i + lane], row->low, row->high);
+            if (has && !compare_lane(c, slot, lane, &c->want[4 * i], c->got[4 * i + lane]))
+                return false;
+            if (!has && fabs(want - row->absent) > 1e-5)
+                return fail(c, slot, lane, want, row->absent, 0);
+        }
+    return true;
+}
+
+/* The slots themselves: the pass value, all points. */
+static bool draw_values(Comparison *c, Drawer *drawer, Document *d, int material, const MatcOptions *options, Slot slot)
+{
+    MatcOptions own = *options;
+    own.pass = "value";
+    own.slot = slot_table[slot].name;
+    MatcProgram *program = matc_compile(d->document, material, MATC_FRAGMENT, &own);
+    Shading shading = {.fragment = matc_output(program, MATC_FRAGMENT, NULL),
+                       .target = TARGET_glsl330,
+                       .program = program,
+                       .graph = d->graph};
+    GLuint name = matc_ok(program) ? drawer_program(drawer, &shading) : 0;
+    bool fine = name && drawer_draw(drawer, name, &shading, true, &c->want, 1);
+    if (!fine)
+        snprintf(c->kept->error, sizeof c->kept->error, "%.500s%.500s", matc_program_diagnostics(program, MATC_TEXT),
+                 drawer->error);
+    drawer->gl->DeleteProgram(name);
+    matc_program_free(program);
+    return fine;
+}
+
+static int drawn_case(const Gbuffer *g, int count)
+{
+    if (g->layout->case_count == 1)
+        return 0;
+    GLuint(*words)[4] = calloc((size_t)count, sizeof *words);
+    if (!words || !framebuffer_read_words(g->drawer->gl, &g->targets, 0, &words[0][0]))
+        abort();
+    int number = (int)(words[0][0] & ((1u << layout_case_bits(g->layout)) - 1));
+    free(words);
+    return number;
+}
+
+static bool compare_all(Comparison *c, Gbuffer *g, Drawer *drawer, Document *d, int material,
+                        const MatcOptions *options, const bool matters[SLOT_COUNT])
+{
+    c->layout = g->layout;
+    if (!gbuffer_draw(g, true)) {
+        snprintf(c->kept->error, sizeof c->kept->error, "%.1000s", g->error);
+        return false;
+    }
+    c->fields = &g->layout->cases[drawn_case(g, drawer->count)];
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        const bool has = layout_has_slot(g->layout, (Slot)slot);
+        if (slot == SLOT_normal || !(matters ? matters[slot] : has))
+            continue;
+        c->kept->fields += has;
+        if ((has && !gbuffer_read(g, (Slot)slot, c->got)) ||
+            !draw_values(c, drawer, d, material, options, (Slot)slot) || !compare_slot(c, (Slot)slot))
+            return false;
+    }
+    return true;
+}
+
+bool kept_check(Kept *kept, Drawer *drawer, Document *document, int material, const MatcOptions *options,
+                const bool matters[SLOT_COUNT])
+{
+    Gbuffer g;
+    Comparison c = {.kept = kept, .count = drawer->count};
+    c.want = calloc((size_t)c.count, 4 * sizeof(float));
+    c.got = calloc((size_t)c.count, 4 * sizeof(float));
+    if (!c.want || !c.got)
+        abort();
+    bool fine = gbuffer_open_material(&g, drawer, document->document, document->graph, material, options);
+    if (!fine)
+        snprintf(kept->error, sizeof kept->error, "%.1000s", g.error);
+    fine = fine && compare_all(&c, &g, drawer, document, material, options, matters);
+    gbuffer_close(&g);
+    kept->materials++;
+    free(c.want);
+    free(c.got);
+    return fine;
+}
