@@ -7,8 +7,6 @@
 #include "file.h"
 #include "layout_option.h"
 #include "layout_read.h"
-#include "layout_option.h"
-#include "layout_read.h"
 #include "output.h"
 #include "queue.h"
 #include "watch.h"

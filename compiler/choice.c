@@ -135,6 +135,7 @@ void options_store(Bytes *to, const MatcOptions *options)
     }
     bytes_number(to, (uint32_t)options->optimize);
     bytes_number(to, options->validate);
+    bytes_text(to, options->custom ? options->custom->text : "");
 }
 
 const char *matc_options_fault(const MatcOptions *options)

@@ -115,8 +115,6 @@ static int write_depfile(const CommandLine *line, const MatcDocument *document)
     snprintf(path, sizeof path, "%s.d", to);
     for (int i = 0; i < count; i++)
         files[i] = matc_depend(document, i);
-    if (layout_is_custom(line->compile.layout) && layout_is_file(line->compile.layout))
-        files[count++] = line->compile.layout;
     if (line->compile.layout && layout_is_file(line->compile.layout))
         files[count++] = line->compile.layout;
     const char *depfile = line->depfile ? line->depfile : path;
@@ -339,12 +337,21 @@ static int run_inputs(CommandLine *line)
     return status;
 }
 
+/* What a run reads before it meets its documents. */
+static void watch_layout(CommandLine *line, bool failed)
+{
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        watch_list_add(line->watched, line->compile.layout);
+    for (int i = 0; failed && i < line->input_count; i++)
+        watch_list_add(line->watched, line->inputs[i]);
+}
+
 static int run(CommandLine *line, BatchResult *result)
 {
     *result = (BatchResult){0};
-    if (line->watched && layout_is_custom(line->compile.layout) && layout_is_file(line->compile.layout))
-        watch_list_add(line->watched, line->compile.layout);
     int status = use_layout(line);
+    if (line->watched)
+        watch_layout(line, status != FINE);
     if (status == FINE)
         status = line->folder ? run_batch(line, result) : run_inputs(line);
     free_layout(line);

@@ -143,6 +143,7 @@ static void run_all(ErrorBench *bench)
 {
     error_normals(bench);
     error_codes(bench);
+    error_layouts(bench);
     error_powers(bench);
     error_noise(bench);
     error_checker(bench);

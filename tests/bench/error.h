@@ -25,6 +25,7 @@ typedef enum {
     SECTION_PART_noise,
     SECTION_PART_powers,
     SECTION_PART_codes,
+    SECTION_PART_layouts,
     SECTION_PART_count
 } SectionPart;
 
@@ -61,6 +62,7 @@ void error_checker(ErrorBench *bench);
 void error_noise(ErrorBench *bench);
 void error_powers(ErrorBench *bench);
 void error_codes(ErrorBench *bench);
+void error_layouts(ErrorBench *bench);
 
 /* The page, from its template, the parts and the targets. From malloc; NULL: the template cannot be read. */
 char *error_page(ErrorBench *bench, const char *plot, char *const *parts);

@@ -32,8 +32,8 @@ static void put_targets(const ErrorBench *bench, FILE *out)
 /* What stands for a name of the template. */
 static void put_name(ErrorBench *bench, const char *name, size_t size, const char *plot, char *const *parts, FILE *out)
 {
-    static const char *const names[SECTION_PART_count] = {"MATERIALS", "NORMALS", "CHECKER",
-                                                          "NOISE",     "POWERS",  "CODES"};
+    static const char *const names[SECTION_PART_count] = {"MATERIALS", "NORMALS", "CHECKER", "NOISE",
+                                                          "POWERS",    "CODES",   "LAYOUTS"};
     const GlContext *gl = bench->meter->gl;
     for (int i = 0; i < SECTION_PART_count; i++)
         if (size == strlen(names[i]) && !strncmp(name, names[i], size))

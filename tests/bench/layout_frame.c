@@ -72,9 +72,11 @@ static double read_back(GlContext *gl, const Mesh *screen, const Framebuffer *so
     return ms;
 }
 
-static bool put_layout(GlContext *gl, const Mesh *screen, const MatcDocument *document, MatcOptions options, int layout,
-                       const Framebuffer *target)
+static bool measure_layout(GlContext *gl, const Mesh *screen, const MatcDocument *document, int layout,
+                           const Framebuffer *target, double *write, double *read)
 {
+    MatcOptions options;
+    matc_options_init(&options);
     options.layout = layout_table[layout].name;
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
     FramebufferSpec spec = {SIDE, SIDE, matc_target_count(program), 0, false};
@@ -88,10 +90,8 @@ static bool put_layout(GlContext *gl, const Mesh *screen, const MatcDocument *do
     if (made) {
         framebuffer_use(gl, &gbuffer);
         gl->UseProgram(writer);
-        double write = least_draw(gl, screen);
-        double read =
-            read_back(gl, screen, &gbuffer, matc_output(program, MATC_UNPACK, NULL), &layout_table[layout], target);
-        printf("%-10s %6d %10.2f %10.2f\n", options.layout, layout_bytes(&layout_table[layout]), write, read);
+        *write = least_draw(gl, screen);
+        *read = read_back(gl, screen, &gbuffer, matc_output(program, MATC_UNPACK, NULL), &layout_table[layout], target);
     }
     framebuffer_delete(gl, &gbuffer);
     gl->DeleteProgram(writer);
@@ -99,23 +99,41 @@ static bool put_layout(GlContext *gl, const Mesh *screen, const MatcDocument *do
     return made;
 }
 
-int bench_layout_frame(void)
+bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read)
 {
-    char error[512];
     Mesh screen;
     Framebuffer target;
     MatcOptions options;
-    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
     matc_options_init(&options);
     MatcDocument *document = matc_read("bench.yaml", document_text, strlen(document_text), &options);
-    bool fine = gl && matc_material_count(document) && mesh_make_empty(gl, &screen) &&
-                framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &target);
-    printf("\n%-10s %6s %10s %10s\n", "layout", "bytes", "write ms", "read ms");
-    for (int layout = 0; fine && layout < LAYOUT_COUNT; layout++)
-        fine = put_layout(gl, &screen, document, options, layout, &target);
+    bool fine = matc_material_count(document) && mesh_make_empty(gl, &screen) &&
+                framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &target) &&
+                measure_layout(gl, &screen, document, layout, &target, write, read);
+    if (fine) {
+        *write *= 1e6 / SIDE / SIDE;
+        *read *= 1e6 / SIDE / SIDE;
+        framebuffer_delete(gl, &target);
+        mesh_delete(gl, &screen);
+    }
+    matc_document_free(document);
+    return fine;
+}
+
+int bench_layout_frame(void)
+{
+    char error[512];
+    double write, read;
+    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+    bool fine = gl != NULL;
+    printf("\n%-10s %6s %10s %10s\n", "layout", "bytes", "write ns", "read ns");
+    for (int layout = 0; fine && layout < LAYOUT_COUNT; layout++) {
+        fine = bench_layout_cost(gl, layout, &write, &read);
+        if (fine)
+            printf("%-10s %6d %10.2f %10.2f\n", layout_table[layout].name, layout_bytes(&layout_table[layout]), write,
+                   read);
+    }
     if (!fine)
         fprintf(stderr, "matbench: %s\n", gl ? gl->error : error);
-    matc_document_free(document);
     if (gl)
         gl_close(gl);
     return !fine;

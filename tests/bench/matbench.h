@@ -1,6 +1,7 @@
 /* What the benchmarks share: time, medians, tables. */
 #ifndef MATBENCH_H
 #define MATBENCH_H
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Seconds on the monotonic clock. */
@@ -16,6 +17,9 @@ int bench_compile(int argc, char **argv);
 int bench_glslang(int argc, char **argv);
 int bench_instructions(int argc, char **argv);
 int bench_layout(int argc, char **argv);
+/* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads all of it. */
+typedef struct GlContext GlContext;
+bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
 /* Its second table: whole passes. */
 int bench_layout_frame(void);
 /* Run time against error: --quick --gl=KIND --csv FILE --plot BASENAME --page FILE. */
