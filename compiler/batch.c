@@ -2,11 +2,8 @@
  * programs that several materials share with different numbers are written again with those in a buffer. Only then do files
  * appear in the folder. */
 #include "batch_state.h"
-#include "document.h"
-#include "choice.h"
 #include "file.h"
 #include "layout_option.h"
-#include "layout_read.h"
 #include "output.h"
 #include "queue.h"
 #include "watch.h"
@@ -64,49 +61,6 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
     snprintf(text, sizeof text, "matc: error: %s: %s\n", what, why);
     batch_say(b, document, text);
     batch_fault(b);
-}
-
-/* -- --layout=auto: what the materials can be, for the smallest layout that holds them */
-
-static int open_to_measure(void *user, int number)
-{
-    Batch *b = user;
-    BatchDocument *document = &b->documents[number];
-    if (!document_open(b, document))
-        return 0;
-    stored_key(b, document);
-    if (stored_ranges(b, document))
-        return 0;
-    matc_ranges_init(&document->ranges);
-    int count = matc_material_count(document_parsed(b, document)); /* what is wrong with it is said later */
-    return count;
-}
-
-static void measure_material(void *user, int number, int material)
-{
-    Batch *b = user;
-    BatchDocument *document = &b->documents[number];
-    MatcRanges own;
-    char *fault = NULL;
-    const MatcDocument *parsed = document_parsed(b, document);
-    if (b->line->material && strcmp(b->line->material, matc_material_name(parsed, material)) != 0)
-        return;
-    matc_ranges_init(&own);
-    bool fine = matc_ranges_add(&own, parsed, material, &b->options, &fault);
-    free(fault); /* it is said when the material is compiled */
-    pthread_mutex_lock(&document->mutex);
-    if (fine)
-        matc_ranges_join(&document->ranges, &own);
-    pthread_mutex_unlock(&document->mutex);
-}
-
-static void close_measured(void *user, int number)
-{
-    Batch *b = user;
-    BatchDocument *document = &b->documents[number];
-    if (document->text)
-        store_ranges(b, document);
-    document_close(document);
 }
 
 /* -- the queue's calls: first all materials, then what must be written again */
@@ -186,7 +140,7 @@ static void drop_files(Batch *b)
                 continue;
             batch_name(b, unit, name);
             for (int emit = 0; emit < EMIT_COUNT; emit++) {
-                snprintf(file, sizeof file, "%s%s", name, suffix_of(b, emit));
+                snprintf(file, sizeof file, "%s%s", name, emit_suffix(&b->options, emit));
                 if (b->line->emit[emit] && is_of_program(emit))
                     stage_drop(b->stage, file);
             }
@@ -218,54 +172,11 @@ static void check_names(Batch *b)
     strings_free(&names);
 }
 
-static void run_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))
+void batch_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))
 {
     int threads = b->line->max_error ? 1 : b->line->threads ? b->line->threads : queue_processors();
     const Queue queue = {b->document_count, threads, open, work, close, b};
     queue_run(&queue);
-}
-
-static void make_layout(Batch *b)
-{
-    MatcRanges all;
-    if (!b->options.layout || strcmp(b->options.layout, "auto") != 0)
-        return;
-    run_phase(b, open_to_measure, measure_material, close_measured);
-    matc_ranges_init(&all);
-    for (int d = 0; d < b->document_count; d++)
-        matc_ranges_join(&all, &b->documents[d].ranges);
-    b->layout = matc_layout_for(&all, layout_error(b->line), &b->options);
-    if (matc_layout_ok(b->layout)) {
-        b->options.custom = b->layout;
-        if (b->line->stats)
-            batch_say(b, NULL, matc_layout_report(b->layout));
-    } else { /* there are no materials, which is said of the documents */
-        b->options.layout = NULL;
-    }
-}
-
-/* One file for all programs: the layout is theirs. */
-static void write_layout(Batch *b)
-{
-    for (int i = 0; (b->line->emit[EMIT_unpack] || b->line->emit[EMIT_layout]) && i < b->program_count; i++) {
-        const BatchProgram *program = &b->programs[i];
-        BatchDocument *document = &b->documents[program->first->document];
-        if (program->first->pass != PASS_gbuffer && program->first->pass != PASS_plane)
-            continue;
-        Arena arena = {0};
-        Compile c = compile_with(&b->options, &arena);
-        Job job;
-        job_of(&b->options, &job);
-        const char *unpack = emit_unpack(&c, &job);
-        Text layout = text_new(&arena);
-        layout_write(&layout, job.layout);
-        if (b->line->emit[EMIT_unpack])
-            put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, unpack, strlen(unpack));
-        if (b->line->emit[EMIT_layout])
-            put_file(b, document, job.layout->name, emit_table[EMIT_layout].suffix, layout.at, layout.size);
-        arena_free(&arena);
-        return;
-    }
 }
 
 /* Where the manifest is, for what is said and for make. */
@@ -342,7 +253,7 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
         b->turns[i] = line->passes[i];
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         if (line->emit[emit] && is_of_program(emit))
-            b->outputs |= output_of(b, emit);
+            b->outputs |= emit_output(&b->options, emit);
     b->outputs |= b->outputs ? 0 : MATC_FRAGMENT;
     b->document_count = line->input_count;
     b->documents = sets_resize(NULL, (size_t)b->document_count * sizeof *b->documents);
@@ -424,18 +335,18 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
     *result = (BatchResult){0};
     bool started = start(&b, line, calls);
     if (started)
-        make_layout(&b);
+        batch_make_layout(&b);
     if (started)
-        run_phase(&b, open_to_compile, work_on_material, close_compiled);
+        batch_phase(&b, open_to_compile, work_on_material, close_compiled);
     if (!b.fault) {
         batch_group(&b);
         check_names(&b);
         drop_files(&b);
     }
     if (!b.fault)
-        run_phase(&b, open_again, work_again, close_again);
+        batch_phase(&b, open_again, work_again, close_again);
     if (!b.fault) {
-        write_layout(&b);
+        batch_write_layout(&b);
         write_manifest(&b);
     }
     if (!b.fault)

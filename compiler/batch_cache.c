@@ -259,7 +259,7 @@ bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *me
             continue;
         const char *text = bytes_take_block(&from, &size);
         if (text)
-            put_file(b, document, base, suffix_of(b, emit), text, size);
+            put_file(b, document, base, emit_suffix(&b->options, emit), text, size);
     }
     free(entry);
     if (from.broken) {
@@ -281,7 +281,7 @@ void store_program(Batch *b, const BatchDocument *document, const Unit *unit, co
         size_t size;
         if (!b->line->emit[emit] || !is_of_program(emit))
             continue;
-        const char *text = matc_output(program, output_of(b, emit), &size);
+        const char *text = matc_output(program, emit_output(&b->options, emit), &size);
         bytes_block(&to, text, size);
     }
     cache_put(b->cache, program_key(b, document, unit, members), to.at, to.size);

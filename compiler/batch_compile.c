@@ -5,18 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool wants_spirv(const Batch *b, int emit)
-{
-    return emit == EMIT_glsl && b->options.target && !strcmp(b->options.target, "spirv");
-}
-
-const char *suffix_of(const Batch *b, int emit) { return emit_table[wants_spirv(b, emit) ? EMIT_spirv : emit].suffix; }
-
-MatcOutput output_of(const Batch *b, int emit)
-{
-    return wants_spirv(b, emit) ? MATC_SPIRV : (MatcOutput)emit_table[emit].output;
-}
-
 bool is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
 
 void put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes, size_t size)
@@ -42,8 +30,8 @@ static void write_program(Batch *b, BatchDocument *document, Unit *unit, const i
         size_t size;
         if (!b->line->emit[emit] || !is_of_program(emit))
             continue;
-        const char *text = matc_output(program, output_of(b, emit), &size);
-        put_file(b, document, base, suffix_of(b, emit), text, size);
+        const char *text = matc_output(program, emit_output(&b->options, emit), &size);
+        put_file(b, document, base, emit_suffix(&b->options, emit), text, size);
     }
     written_free(unit->written);
     unit->written = unit_written(program, b->numbers == NUMBERS_uniform);

@@ -81,6 +81,14 @@ Unit *batch_unit(const Batch *batch, int document, int material, int turn);
 /* Of the files of a material's program: its name, and the pass unless that goes without saying. */
 void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 
+/* Every document is opened, its parts worked on and closed, by all threads. */
+void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int));
+
+/* -- batch_layout.c */
+void batch_make_layout(Batch *batch); /* with --layout=auto */
+/* One file for all programs: the GLSL that unpacks, and the layout itself. */
+void batch_write_layout(Batch *batch);
+
 /* -- batch_document.c */
 bool document_open(Batch *batch, BatchDocument *document);
 /* Of an open document, from any thread. */
@@ -97,9 +105,6 @@ void compile_again(Batch *batch, BatchDocument *document, BatchProgram *program)
 /* A file of a program, or of the layout. */
 void put_file(Batch *batch, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
               size_t size);
-const char *suffix_of(const Batch *batch, int emit);
-/* The output behind an --emit; the target spirv means SPIR-V where GLSL would be written. */
-MatcOutput output_of(const Batch *batch, int emit);
 /* An output that every program has a file of. */
 bool is_of_program(int emit);
 

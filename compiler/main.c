@@ -1,12 +1,11 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
 #include "batch.h"
 #include "cache.h"
-#include "compile.h"
 #include "file.h"
 #include "layout_option.h"
 #include "options.h"
-#include "output.h"
 #include "runtime/measure/pareto.h"
+#include "single.h"
 #include "watch.h"
 #include <errno.h>
 #include <signal.h>
@@ -22,7 +21,6 @@ enum {
     FAULT = 1,
     USAGE = 2,
     BY_SIGNAL = 128, /* and its number */
-    LONGEST_PATH = 4096,
     LONGEST_MESSAGE = 8192,
     PROGRESS_STEP = 16,
     WATCH_MS = 200 /* between looks for a signal */
@@ -46,89 +44,12 @@ static void print_diagnostics(const char *text, const CommandLine *line)
         fputs(text, stderr);
 }
 
-/* The target spirv means SPIR-V where GLSL would be written. */
-static MatcOutput output_of(const CommandLine *line, int emit)
-{
-    bool spirv = emit == EMIT_glsl && line->compile.target && !strcmp(line->compile.target, "spirv");
-    return spirv ? MATC_SPIRV : (MatcOutput)emit_table[emit].output;
-}
-
-static int write_textures(const CommandLine *line, MatcProgram *program)
-{
-    char path[LONGEST_PATH];
-    for (int i = 0; i < matc_texture_count(program); i++) {
-        const MatcTexture *texture = matc_texture(program, i);
-        size_t size;
-        if (texture->path)
-            continue;
-        snprintf(path, sizeof path, "%s/%s.ktx", line->textures, texture->name);
-        char *bytes = output_ktx(texture, &size);
-        const char *why = output_write(path, bytes, size);
-        free(bytes);
-        if (why)
-            return complain(path, why);
-    }
-    return FINE;
-}
-
-static int first_emit(const CommandLine *line)
-{
-    int emit = 0;
-    while (!line->emit[emit])
-        emit++;
-    return emit;
-}
-
-/* Whether --watch would write what is there already. */
-static bool is_written(const CommandLine *line, const char *to, const char *bytes, size_t size)
-{
-    size_t old_size;
-    const char *why;
-    char *old = line->watch ? file_read(to, &old_size, &why) : NULL;
-    bool same = old && old_size == size && !memcmp(old, bytes, size);
-    free(old);
-    return same;
-}
-
-static int write_output(const CommandLine *line, MatcDocument *document, MatcProgram *program)
-{
-    int emit = first_emit(line);
-    size_t size = 0;
-    const char *to = line->output ? line->output : "-";
-    const char *text =
-        emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, output_of(line, emit), &size);
-    size = emit == EMIT_tree ? strlen(text) : size;
-    const char *why = is_written(line, to, text, size) ? NULL : output_write(to, text, size);
-    if (why)
-        return complain(to, why);
-    return line->textures && program ? write_textures(line, program) : FINE;
-}
-
-static int write_depfile(const CommandLine *line, const MatcDocument *document)
-{
-    char path[LONGEST_PATH + 2];
-    const char *to = line->output ? line->output : "-";
-    int count = matc_depend_count(document);
-    const char **files = calloc((size_t)count + 1, sizeof *files);
-    if (!files)
-        abort();
-    snprintf(path, sizeof path, "%s.d", to);
-    for (int i = 0; i < count; i++)
-        files[i] = matc_depend(document, i);
-    if (line->compile.layout && layout_is_file(line->compile.layout))
-        files[count++] = line->compile.layout;
-    const char *depfile = line->depfile ? line->depfile : path;
-    const char *why = output_depfile(depfile, line->target ? line->target : to, files, count);
-    free(files);
-    return why ? complain(depfile, why) : FINE;
-}
-
 static unsigned wanted_outputs(const CommandLine *line)
 {
     unsigned outputs = line->stats ? MATC_STATS : 0;
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         if (line->emit[emit])
-            outputs |= emit_table[emit].output | output_of(line, emit);
+            outputs |= emit_table[emit].output | emit_output(&line->compile, emit);
     return outputs;
 }
 
@@ -173,6 +94,7 @@ static int print_pareto(const CommandLine *line, const MatcDocument *document, i
 static int compile_material(const CommandLine *line, MatcDocument *document, int material)
 {
     MatcOptions options;
+    char path[SINGLE_PATH];
     if (choose_options(line, document, material, &options) != FINE)
         return FAULT;
     MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &options);
@@ -180,10 +102,9 @@ static int compile_material(const CommandLine *line, MatcDocument *document, int
     int status = matc_ok(program) ? FINE : FAULT;
     if (status == FINE && line->stats)
         fputs(matc_output(program, MATC_STATS, NULL), stderr);
-    if (status == FINE)
-        status = write_output(line, document, program);
-    if (status == FINE && line->depend)
-        status = write_depfile(line, document);
+    const char *why = status == FINE ? single_write(line, document, program, path) : NULL;
+    if (why)
+        status = complain(path, why);
     matc_program_free(program);
     return status;
 }
@@ -228,6 +149,13 @@ static int run_document(const CommandLine *line, MatcDocument *document)
     return line->eval ? eval_material(line, document, material) : compile_material(line, document, material);
 }
 
+static int write_tree(const CommandLine *line, MatcDocument *document)
+{
+    char path[SINGLE_PATH];
+    const char *why = single_write(line, document, NULL, path);
+    return why ? complain(path, why) : FINE;
+}
+
 static int run_input(const CommandLine *line, const char *path)
 {
     size_t size;
@@ -247,7 +175,7 @@ static int run_input(const CommandLine *line, const char *path)
     if (!tree_only)
         status = run_document(line, document);
     else if (matc_material_count(document))
-        status = write_output(line, document, NULL);
+        status = write_tree(line, document);
     matc_document_free(document);
     return status;
 }
@@ -388,78 +316,13 @@ static int print_cache(const CommandLine *line)
     return FINE;
 }
 
-/* NULL, or what is wrong. */
-static const char *check_measuring(const CommandLine *line)
-{
-    char *end = NULL;
-    if (line->max_error && (!(strtod(line->max_error, &end) > 0) || *end))
-        return "--max-error wants a number above 0";
-    if (line->range && (!(strtod(line->range, &end) > 0) || *end || strtod(line->range, &end) > 1e30))
-        return "--range wants a number above 0";
-    if (line->layout_error &&
-        (!(strtod(line->layout_error, &end) > 0) || *end || strtod(line->layout_error, &end) > 0.5))
-        return "--layout-error wants a number above 0, of at most 0.5";
-    if (line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
-        return "--gl: osmesa or egl";
-    if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
-        return "--max-error is of the pass gbuffer";
-    if ((line->pareto || line->max_error) && layout_is_custom(line->compile.layout))
-        return "--pareto and --max-error know the built-in layouts only";
-    if (line->pareto && (line->max_error || line->eval || line->folder || line->input_count > 1))
-        return "--pareto takes one document, and neither --max-error, --eval nor -d";
-    return NULL;
-}
-
-/* NULL, or what is wrong. */
-static const char *check_output(const CommandLine *line)
-{
-    int emits = 0;
-    for (int i = 0; i < EMIT_COUNT; i++)
-        emits += line->emit[i];
-    if (line->folder && strlen(line->folder) > LONGEST_PATH / 2)
-        return "the folder's name is too long";
-    if (line->output && line->folder)
-        return "-o and -d exclude each other";
-    if (line->input_count > 1 && !line->folder)
-        return line->output ? "several documents need -d, not -o" : "several documents need -d";
-    if (!emits)
-        return "--emit names nothing";
-    if (emits > 1 && !line->folder)
-        return "several outputs need -d";
-    if (line->pass_count > 1 && !line->folder)
-        return "several passes need -d";
-    if (line->eval && line->folder)
-        return "--eval prints, and does not go with -d";
-    if (line->watch && !line->folder && (!line->output || !strcmp(line->output, "-")))
-        return "--watch needs -o or -d";
-    for (int i = 0; i < line->input_count && line->watch; i++)
-        if (!strcmp(line->inputs[i], "-"))
-            return "standard input cannot be watched";
-    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
-        return "-MD needs -o, -d or -MF";
-    return NULL;
-}
-
 static int check_usage(const CommandLine *line)
 {
-    char room[LONGEST_MESSAGE];
-    const char *fault = NULL;
-    for (int i = 0; i < line->pass_count && !fault; i++) {
-        MatcOptions options = line->compile;
-        options.pass = line->passes[i];
-        if (layout_is_custom(options.layout))
-            options.layout = NULL; /* use_layout looks at it */
-        fault = matc_options_fault(&options);
-    }
-    if (fault) {
-        snprintf(room, sizeof room, "--%s names what does not exist", fault);
-        return usage(room);
-    }
-    if (!line->input_count)
-        return usage("no document");
-    if ((fault = check_measuring(line)) || (fault = check_output(line)))
-        return usage(fault);
-    return FINE;
+    char room[CHECK_ROOM];
+    const char *fault = options_check(line, room);
+    if (!fault && line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
+        fault = "--gl: osmesa or egl";
+    return fault ? usage(fault) : FINE;
 }
 
 static bool read_command_line(CommandLine *line, int argc, char **argv, const char **fault)

@@ -221,6 +221,18 @@ static bool read_level(CommandLine *line, const char *arg)
     return true;
 }
 
+static int emit_row(const MatcOptions *options, int emit)
+{
+    return emit == EMIT_glsl && options->target && !strcmp(options->target, "spirv") ? EMIT_spirv : emit;
+}
+
+MatcOutput emit_output(const MatcOptions *options, int emit)
+{
+    return (MatcOutput)emit_table[emit_row(options, emit)].output;
+}
+
+const char *emit_suffix(const MatcOptions *options, int emit) { return emit_table[emit_row(options, emit)].suffix; }
+
 static void add_input(CommandLine *line, const char *path)
 {
     enum { STEP = 256 };

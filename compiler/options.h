@@ -63,5 +63,11 @@ typedef struct {
 /* Reads the arguments; the lists it makes are from malloc. False: *fault says what is wrong. */
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
 void options_free(CommandLine *line);
+/* NULL, or what does not go together; `room` is for words that must be made. options_check.c */
+enum { CHECK_ROOM = 256 };
+const char *options_check(const CommandLine *line, char room[CHECK_ROOM]);
+/* The output behind an --emit: for the target spirv, SPIR-V where GLSL would be written. */
+MatcOutput emit_output(const MatcOptions *options, int emit);
+const char *emit_suffix(const MatcOptions *options, int emit);
 extern const char *const options_help;
 #endif

@@ -1,0 +1,76 @@
+/* Writing what was made of one material. */
+#include "single.h"
+#include "file.h"
+#include "layout_option.h"
+#include "output.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *write_textures(const CommandLine *line, MatcProgram *program, char path[SINGLE_PATH])
+{
+    const char *why = NULL;
+    for (int i = 0; i < matc_texture_count(program) && !why; i++) {
+        const MatcTexture *texture = matc_texture(program, i);
+        size_t size;
+        if (texture->path)
+            continue;
+        snprintf(path, SINGLE_PATH, "%s/%s.ktx", line->textures, texture->name);
+        char *bytes = output_ktx(texture, &size);
+        why = output_write(path, bytes, size);
+        free(bytes);
+    }
+    return why;
+}
+
+/* Whether --watch would write what is there already. */
+static bool is_written(const CommandLine *line, const char *to, const char *bytes, size_t size)
+{
+    size_t old_size;
+    const char *why;
+    char *old = line->watch ? file_read(to, &old_size, &why) : NULL;
+    bool same = old && old_size == size && !memcmp(old, bytes, size);
+    free(old);
+    return same;
+}
+
+static const char *write_output(const CommandLine *line, MatcDocument *document, MatcProgram *program,
+                                char path[SINGLE_PATH])
+{
+    int emit = 0;
+    size_t size = 0;
+    while (!line->emit[emit])
+        emit++;
+    snprintf(path, SINGLE_PATH, "%s", line->output ? line->output : "-");
+    const char *text =
+        emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, emit_output(&line->compile, emit), &size);
+    size = emit == EMIT_tree ? strlen(text) : size;
+    return is_written(line, path, text, size) ? NULL : output_write(path, text, size);
+}
+
+static const char *write_depfile(const CommandLine *line, const MatcDocument *document, char path[SINGLE_PATH])
+{
+    const char *to = line->output ? line->output : "-";
+    int count = matc_depend_count(document);
+    const char **files = calloc((size_t)count + 1, sizeof *files);
+    if (!files)
+        abort();
+    for (int i = 0; i < count; i++)
+        files[i] = matc_depend(document, i);
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        files[count++] = line->compile.layout;
+    snprintf(path, SINGLE_PATH, "%s%s", line->depfile ? line->depfile : to, line->depfile ? "" : ".d");
+    const char *why = output_depfile(path, line->target ? line->target : to, files, count);
+    free(files);
+    return why;
+}
+
+const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program, char path[SINGLE_PATH])
+{
+    const char *why = write_output(line, document, program, path);
+    if (!why && line->textures && program)
+        why = write_textures(line, program, path);
+    if (!why && line->depend && program)
+        why = write_depfile(line, document, path);
+    return why;
+}
