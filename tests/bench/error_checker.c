@@ -142,12 +142,16 @@ static void report(Checker *c)
         error_figure(c->bench, "checker", "horizon", m->name, "max", m->maximum);
         error_figure(c->bench, "checker", "horizon", m->name, "ns_per_pixel", m->nanoseconds);
     }
-    if (box)
+    if (samples->nanoseconds <= 0)
+        fputs("\nThe machine was busy: 16 samples took no longer than drawing nothing, so no ratio of times can be "
+              "told.\n",
+              out);
+    if (box && samples->nanoseconds > 0)
         error_target(c->bench, "checker to the horizon, aa=box",
                      sqrt(box->squares) <= 0.0465 && box->nanoseconds <= 0.5 * samples->nanoseconds,
                      "RMSE 0.046 at half the time of 16 samples|RMSE %.4f at %.2f of it", sqrt(box->squares),
                      box->nanoseconds / samples->nanoseconds);
-    if (aniso)
+    if (aniso && samples->nanoseconds > 0)
         error_target(c->bench, "checker to the horizon, aa=aniso",
                      sqrt(aniso->squares) <= 0.019 && aniso->nanoseconds <= samples->nanoseconds,
                      "RMSE 0.019 at the time of 16 samples|RMSE %.4f at %.2f of it", sqrt(aniso->squares),
