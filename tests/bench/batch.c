@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 enum { COUNT = 10000, THREADS = 2, RUNS = 5, FEW_RUNS = 2 };
 
@@ -88,20 +89,28 @@ static void *link_rest(void *user)
     return NULL;
 }
 
-/* Seconds that glslang alone takes to parse and link all, by so many threads. */
-static double link_all(Pairs *pairs, int threads)
+static double cpu_now(void)
+{
+    struct rusage usage;
+    getrusage(RUSAGE_SELF, &usage);
+    return (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
+}
+
+/* What glslang alone takes to parse and link all, by so many threads. */
+static BatchTimes link_all(Pairs *pairs, int threads)
 {
     pthread_t others[THREADS];
     link_pair(&pairs->at[0]); /* the first time glslang makes its tables */
     pairs->next = 0;
-    double start = bench_now();
+    double start = bench_now(), cpu = cpu_now();
     for (int i = 1; i < threads; i++)
         if (pthread_create(&others[i], NULL, link_rest, pairs))
             pairs->failed = true;
     link_rest(pairs);
     for (int i = 1; i < threads && !pairs->failed; i++)
         pthread_join(others[i], NULL);
-    return bench_now() - start;
+    return (BatchTimes){bench_now() - start, cpu_now() - cpu, 0};
 }
 
 static void put_times(const char *what, int count, const BatchTimes *times)
@@ -171,7 +180,11 @@ static bool measure_validated(const BatchFolder *folder, int count)
     BatchTimes times;
     Pairs pairs = {0};
     bool fine = run(folder, &runs[0], &times) && read_pairs(folder, &pairs);
-    double one = fine ? link_all(&pairs, 1) : 0, several = fine ? link_all(&pairs, THREADS) : 0;
+    BatchTimes one = {0}, several = {0};
+    if (fine)
+        one = link_all(&pairs, 1);
+    if (fine)
+        several = link_all(&pairs, THREADS);
     fine = fine && !pairs.failed;
     if (fine) {
         printf("%d different materials of %.0f bytes, %d programs of %.0f bytes, %d threads\n\n", count,
@@ -179,10 +192,10 @@ static bool measure_validated(const BatchFolder *folder, int count)
         printf("%-38s %8s %10s %10s %9s\n", "", "seconds", "materials", "CPU us", "peak MiB");
         printf("%-38s %8s %10s %10s\n", "", "", "a second", "each");
         put_times(runs[0].what, count, &times);
-        put_times("glslang alone, one thread", count, &(BatchTimes){one, one, 0});
-        put_times("glslang alone, two threads", count, &(BatchTimes){several, 0, 0});
-        printf("  validated / (glslang by one thread / %d) %.3f, / glslang by %d threads %.3f\n", THREADS,
-               times.seconds / (one / THREADS), THREADS, times.seconds / several);
+        put_times("glslang alone, one thread", count, &one);
+        put_times("glslang alone, two threads", count, &several);
+        printf("  validated / (glslang by one thread / %d) %.3f; CPU time / glslang's by one thread %.3f, by %d %.3f\n",
+               THREADS, times.seconds / (one.seconds / THREADS), times.cpu / one.cpu, THREADS, times.cpu / several.cpu);
     }
     free_pairs(&pairs);
     return fine;
