@@ -76,6 +76,18 @@ void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t s
     return moved;
 }
 
+void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t size)
+{
+    if (index < *room)
+        return array;
+    size_t wanted = 2 * index + 64;
+    void *moved = arena_zero(arena, wanted * size);
+    if (*room)
+        memcpy(moved, array, *room * size);
+    *room = wanted;
+    return moved;
+}
+
 void arena_reset(Arena *arena)
 {
     ArenaBlock *kept = arena->block;

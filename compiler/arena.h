@@ -17,6 +17,8 @@ void *arena_zero(Arena *arena, size_t size);
 char *arena_string(Arena *arena, const char *text, size_t size);
 /* An array that has room for `count` elements of `size`, doubled when it is full; the contents move along. */
 void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t size);
+/* An array by number with room for `index`: zeros where nothing was put yet. */
+void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t size);
 /* Gives everything back but keeps the newest block for what comes next. */
 void arena_reset(Arena *arena);
 void arena_free(Arena *arena);

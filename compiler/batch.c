@@ -229,7 +229,7 @@ static void commit(Batch *b)
         why = stage_commit(b->stage);
     if (why)
         batch_complain(b, NULL, b->line->folder, why);
-    else if (old)
+    else if (old && stage_written(b->stage)) /* else this manifest is that one */
         manifest_remove_stale(b, old);
     free(old);
     if (b->line->depend && !why)

@@ -1,6 +1,5 @@
 /* Footprints by differentiation: a width goes through every transform as a derivative does. */
 #include "footprint.h"
-#include <string.h>
 
 static const double BOX_VARIANCE = 12; /* a box of edge b has the variance b^2 / 12 */
 static const double LEAST_EDGE = 1e-7; /* of a box that something is divided by */
@@ -104,27 +103,13 @@ Ref box_corner(Lower *l, Ref x, Ref edge)
 
 void variance_set(Lower *l, Ref value, Ref variance)
 {
-    if (value >= l->variance_room) {
-        size_t more = 2 * (size_t)value + 64;
-        Ref *grown = ARENA_ARRAY(l->c->arena, Ref, more);
-        if (l->variance_room)
-            memcpy(grown, l->variances, l->variance_room * sizeof(Ref));
-        l->variances = grown;
-        l->variance_room = more;
-    }
+    l->variances = arena_reach(l->c->arena, l->variances, value, &l->variance_room, sizeof *l->variances);
     l->variances[value] = variance ? variance : NO_VARIANCE;
 }
 
 void split_set(Lower *l, Ref value, Split split)
 {
-    if (value >= l->split_room) {
-        size_t more = 2 * (size_t)value + 64;
-        Split *grown = ARENA_ARRAY(l->c->arena, Split, more);
-        if (l->split_room)
-            memcpy(grown, l->splits, l->split_room * sizeof(Split));
-        l->splits = grown;
-        l->split_room = more;
-    }
+    l->splits = arena_reach(l->c->arena, l->splits, value, &l->split_room, sizeof *l->splits);
     l->splits[value] = split;
 }
 

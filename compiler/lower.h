@@ -32,9 +32,9 @@ typedef struct {
     Memo *memo;
     size_t memo_count, memo_mask;
     const Job *job;
-    int filters;                  /* under way: Smooth3D, Laplace3D */
-    bool cheap;                   /* forms that are cheaper but not the plainest: -O1 and up */
-    Ref *slopes[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
+    int filters;                    /* under way: Smooth3D, Laplace3D */
+    bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
+    Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;
     Ref *variances; /* by Ref; footprint.c */
     size_t variance_room;

@@ -368,6 +368,8 @@ static void run_and_tell(CommandLine *line, Watch *watch)
     double start = milliseconds_now();
     for (int i = 0; i < line->list_count; i++)
         watch_list_add(&files, line->lists[i]);
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        watch_list_add(&files, line->compile.layout);
     line->watched = &files;
     int status = run(line, &result);
     double took = milliseconds_now() - start;

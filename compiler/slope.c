@@ -8,18 +8,8 @@ static const Ref FLAT = UINT32_MAX; /* in the memo: it does not change */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
 {
-    size_t room = l->slope_room;
-    if (value >= room) {
-        size_t more = 2 * (room > value ? room : value) + 64;
-        for (int d = 0; d < DIRECTION_COUNT; d++) {
-            Ref *grown = ARENA_ARRAY(l->c->arena, Ref, more);
-            if (room)
-                memcpy(grown, l->slopes[d], room * sizeof(Ref));
-            l->slopes[d] = grown;
-        }
-        l->slope_room = more;
-    }
-    return &l->slopes[direction][value];
+    l->slopes = arena_reach(l->c->arena, l->slopes, value, &l->slope_room, sizeof *l->slopes);
+    return &l->slopes[value][direction];
 }
 
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope)

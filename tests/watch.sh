@@ -73,6 +73,14 @@ printf 'a.yaml\n' >list.txt
 within "and shrinks" sh -c '! test -e out/b.frag'
 stop
 
+"$matc" --no-validate -d own --emit=glsl,layout --layout=auto b.yaml 2>log
+cp own/auto.layout.yaml mine.yaml 2>/dev/null || cp own/*.yaml mine.yaml
+start --layout=mine.yaml -d out b.yaml
+within "-d by a layout of one's own" test -s out/b.frag
+printf 'no layout' >mine.yaml
+within "a layout that changes" says 'nothing written'
+stop
+
 "$matc" --watch a.yaml 2>log && fail "--watch without an output"
 "$matc" --watch -o x.frag - 2>log </dev/null && fail "--watch of standard input"
 [ $failed = 0 ]

@@ -5,7 +5,8 @@
 
 enum { DIFFERENT_DOCUMENTS = 8 * 8 * 6 * 12 * 4 * 4 * 3, SCENE_PICTURES = 8 };
 
-/* A material of ordinary size, whose structure no other index below DIFFERENT_DOCUMENTS has. */
+/* A material of ordinary size, as no other index below DIFFERENT_DOCUMENTS is built; few of them come to the same program, since an
+ * Abs of what is never negative, for one, goes. */
 void batch_different(int index, Text *out);
 /* A material of a game's scene: of a family, many of which share a structure and differ in colours, scales and pictures; some have
  * a part that others of the family lack. `family` is set to its name. */

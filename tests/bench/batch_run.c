@@ -4,14 +4,18 @@
 #include "matbench.h"
 #include <fcntl.h>
 #include <ftw.h>
+#include <poll.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+enum { LOOK_MS = 3 };
 
 extern char **environ;
 
@@ -108,22 +112,50 @@ static void show(const char *path)
 
 static double seconds_of(struct timeval time) { return (double)time.tv_sec + (double)time.tv_usec * 1e-6; }
 
+/* Greatest resident memory of a process so far, KiB; 0 when it has ended. What wait4 tells is no less than our own memory. */
+static long memory_of(pid_t process)
+{
+    char path[64], line[256];
+    long memory = 0;
+    snprintf(path, sizeof path, "/proc/%ld/status", (long)process);
+    FILE *status = fopen(path, "r");
+    while (status && !memory && fgets(line, sizeof line, status))
+        if (!strncmp(line, "VmHWM:", 6))
+            memory = strtol(line + 6, NULL, 10);
+    if (status)
+        fclose(status);
+    return memory;
+}
+
+/* Waits for a process, looking at its memory now and then. */
+static bool wait_for(pid_t child, int *status, struct rusage *usage, long *memory)
+{
+    struct pollfd end = {.fd = (int)syscall(SYS_pidfd_open, child, 0), .events = POLLIN};
+    while (end.fd >= 0 && poll(&end, 1, LOOK_MS) == 0) {
+        long now = memory_of(child);
+        *memory = now > *memory ? now : *memory;
+    }
+    if (end.fd >= 0)
+        close(end.fd);
+    return wait4(child, status, 0, usage) == child;
+}
+
 /* Runs a process whose output goes to a file. */
 static bool run_process(char *const *arguments, const char *output, BatchTimes *times)
 {
     posix_spawn_file_actions_t actions;
     struct rusage usage;
     int status = 1;
+    long memory = 0;
     pid_t child;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     double start = bench_now();
     bool fine = !posix_spawn(&child, arguments[0], &actions, NULL, arguments, environ) &&
-                wait4(child, &status, 0, &usage) == child && status == 0;
+                wait_for(child, &status, &usage, &memory) && status == 0;
     if (fine)
-        *times =
-            (BatchTimes){bench_now() - start, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), usage.ru_maxrss};
+        *times = (BatchTimes){bench_now() - start, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), memory};
     posix_spawn_file_actions_destroy(&actions);
     return fine;
 }

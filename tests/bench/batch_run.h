@@ -15,7 +15,7 @@ typedef struct {
 /* What a process took. */
 typedef struct {
     double seconds, cpu; /* wall, and of all threads */
-    long memory;         /* greatest resident, KiB */
+    long memory;         /* greatest resident, KiB; 0: it ended too soon to tell */
 } BatchTimes;
 
 bool batch_folder_make(BatchFolder *folder, const char *matc);

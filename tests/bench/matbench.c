@@ -1,29 +1,13 @@
 /* matbench: measures what matc promises. Every figure in docs/ comes from one of its subcommands. */
 #include "matbench.h"
+#include "runtime/measure/meter.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
-#include <time.h>
 
-double bench_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
-static int by_value(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-double bench_median(double *values, int count)
-{
-    qsort(values, (size_t)count, sizeof *values, by_value);
-    return count % 2 ? values[count / 2] : (values[count / 2 - 1] + values[count / 2]) / 2;
-}
+double bench_now(void) { return meter_now(); }
+double bench_median(double *values, int count) { return meter_median(values, count); }
 
 long bench_peak_memory(void)
 {
