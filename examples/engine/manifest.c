@@ -57,7 +57,7 @@ static void fill_block(unsigned char *block, const cJSON *members, const cJSON *
     cJSON_ArrayForEach(member, members)
     {
         size_t at = (size_t)cJSON_GetNumberValue(cJSON_GetObjectItem(member, "offset"));
-        int words = !strcmp(text_of(member, "type"), "uint");
+        int words = text_of(member, "type")[0] == 'u'; /* uint, uvec4 */
         cJSON_ArrayForEach(number, numbers)
         {
             float real = (float)number->valuedouble;

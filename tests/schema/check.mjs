@@ -32,7 +32,7 @@ for (const of of ['document', 'layout', 'manifest', 'reflection']) {
 const said = of => ajv.errorsText(validate[of].errors).slice(0, 300);
 const files = (dir, test) => fs.readdirSync(path.join(root, dir), {recursive: true}).map(f => path.join(dir, f)).filter(f => test.test(f)).sort();
 function read(file) { // undefined: not YAML, or not JSON
-  const text = fs.readFileSync(path.join(root, file), 'utf8');
+  const text = fs.readFileSync(path.resolve(root, file), 'utf8');
   try {
     return file.endsWith('.json') ? JSON.parse(text) : parse(text, {merge: true, maxAliasCount: 1000});
   } catch {
@@ -88,14 +88,17 @@ function checkWritten(of, file) {
 }
 const runs = [[], ['--pass=shadow'], ['--pass=gbuffer,shadow,depth', '--constants=uniform'], ['--constants=baked', '--layout=thesis'],
               ['--pass=plane'], ['--pass=sky'], ['--pass=value', '--slot=normal'], ['--target=glsl110', '--layout=thin'],
-              ['--target=glsl450', '--noise=groimp'], ['--target=essl300', '--aa=box'], ['--target=spirv']];
+              ['--target=glsl450', '--noise=groimp'], ['--target=essl300', '--aa=box'], ['--target=spirv'],
+              ['--layout=auto'], ['--layout=examples/engine/layout.yaml']];
 let sample;
 for (const [i, options] of runs.entries()) {
   const out = path.join(folder, `run${i}`);
   fs.rmSync(out, {recursive: true, force: true});
-  execFileSync(matc, ['-d', out, '--no-validate', '--emit=glsl,vertex,unpack,reflect', ...options, ...documents], {cwd: root});
+  execFileSync(matc, ['-d', out, '--no-validate', '--emit=glsl,vertex,unpack,reflect,layout', ...options, ...documents], {cwd: root});
   const manifest = checkWritten('manifest', path.join(out, 'manifest.json'));
   for (const program of manifest.programs) checkWritten('reflection', path.join(out, program.reflection));
+  for (const name of fs.readdirSync(out).filter(name => name.endsWith('.layout.yaml')))
+    check(`layout ${name}`, accepts('layout', read(path.join(out, name))), said('layout'));
   sample ??= {manifest, reflection: JSON.parse(fs.readFileSync(path.join(out, manifest.programs[0].reflection)))};
 }
 
