@@ -187,11 +187,12 @@ static void manifest_path(const Batch *b, char path[LONGEST_PATH])
 
 static void write_manifest(Batch *b)
 {
-    Arena arena = {0};
-    const char *text = manifest_text(b, &arena), *why = stage_put(b->stage, manifest_name, text, strlen(text));
+    Bytes json = {0};
+    manifest_put(b, &json);
+    const char *why = stage_put(b->stage, manifest_name, json.at, json.size);
     if (why)
         batch_complain(b, NULL, manifest_name, why);
-    arena_free(&arena);
+    bytes_free(&json);
 }
 
 /* The manifest depends on all documents, on what they are made from, and on the lists. */

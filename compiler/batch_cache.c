@@ -133,9 +133,9 @@ bool stored_ranges(Batch *b, BatchDocument *document)
         return false;
     BytesReader from = {entry, entry + size, false};
     bool same = same_files(b, &from, (int)bytes_take_number(&from));
-    const void *ranges = same ? bytes_take(&from, sizeof document->ranges) : NULL;
+    const void *ranges = same ? bytes_take(&from, sizeof *document->ranges) : NULL;
     if (ranges)
-        memcpy(&document->ranges, ranges, sizeof document->ranges);
+        memcpy(document->ranges, ranges, sizeof *document->ranges);
     free(entry);
     return ranges != NULL;
 }
@@ -150,11 +150,17 @@ void store_ranges(Batch *b, const BatchDocument *document)
     for (int i = 0; i < count; i++)
         depends[i] = (char *)matc_depend(document->parsed, i);
     if (put_files(b, depends, count, &to)) {
-        bytes_add(&to, &document->ranges, sizeof document->ranges);
+        bytes_add(&to, document->ranges, sizeof *document->ranges);
         cache_put(b->cache, document->key, to.at, to.size);
     }
     free(depends);
     bytes_free(&to);
+}
+
+/* The library's own text. */
+static const char *opacity_named(const char *name)
+{
+    return !strcmp(name, "opaque") ? "opaque" : !strcmp(name, "transparent") ? "transparent" : "varying";
 }
 
 static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
@@ -167,7 +173,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
     document->offset = (int)bytes_take_number(from);
     if (from->broken || depend_count < 1)
         return false;
-    document_make_room(document, count, depend_count);
+    document_make_room(document, count, b->turn_count, depend_count);
     bytes_take_number(&depends);
     document->depends[0] = sets_copy(document->path);
     for (int i = 1; i < depend_count; i++) {
@@ -177,7 +183,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
     for (int m = 0; m < count; m++) {
         BatchMaterial *material = &document->materials[m];
         material->name = sets_copy(bytes_take_text(from));
-        snprintf(material->opacity, sizeof material->opacity, "%s", bytes_take_text(from));
+        material->opacity = opacity_named(bytes_take_text(from));
         for (int t = 0; t < b->turn_count; t++)
             if (!unit_load(from, &material->units[t]))
                 return false;

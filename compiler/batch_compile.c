@@ -102,7 +102,7 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
     snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", own->name);
     unit_fill(unit, program, b->numbers == NUMBERS_uniform, b->textures ? textures : NULL);
     if (!unit->turn)
-        snprintf(own->opacity, sizeof own->opacity, "%s", matc_opacity(program));
+        own->opacity = matc_opacity(program);
     bool first = first_of_program(b, unit);
     batch_name(b, unit, name);
     if (first)

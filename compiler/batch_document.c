@@ -54,11 +54,16 @@ static int count_materials(Batch *b, BatchDocument *document)
     return document->offset >= 0;
 }
 
-void document_make_room(BatchDocument *document, int materials, int depends)
+void document_make_room(BatchDocument *document, int materials, int turns, int depends)
 {
+    size_t units = (size_t)materials * (size_t)turns;
     document->material_count = materials;
     document->materials = sets_resize(NULL, (size_t)materials * sizeof *document->materials);
     memset(document->materials, 0, (size_t)materials * sizeof *document->materials);
+    document->units = sets_resize(NULL, units * sizeof *document->units);
+    memset(document->units, 0, units * sizeof *document->units);
+    for (int i = 0; i < materials; i++)
+        document->materials[i].units = document->units + (size_t)i * (size_t)turns;
     document->depend_count = depends;
     document->depends = sets_resize(NULL, (size_t)depends * sizeof *document->depends);
 }
@@ -67,7 +72,7 @@ bool document_list(Batch *b, BatchDocument *document)
 {
     const MatcDocument *parsed = document_parsed(b, document);
     int count = count_materials(b, document);
-    document_make_room(document, count, matc_depend_count(parsed));
+    document_make_room(document, count, b->turn_count, matc_depend_count(parsed));
     for (int i = 0; i < count; i++)
         document->materials[i].name = sets_copy(matc_material_name(parsed, document->offset + i));
     for (int i = 0; i < document->depend_count; i++)
@@ -89,6 +94,8 @@ void document_free(BatchDocument *document, int turns)
         free(document->depends[i]);
     free(document->depends);
     free(document->materials);
+    free(document->units);
+    free(document->ranges);
     free(document->again);
     free(document->text);
     bytes_free(&document->said);

@@ -14,9 +14,10 @@ static int open_to_measure(void *user, int number)
     if (!document_open(b, document))
         return 0;
     stored_key(b, document);
+    document->ranges = sets_resize(NULL, sizeof *document->ranges);
+    matc_ranges_init(document->ranges);
     if (stored_ranges(b, document))
         return 0;
-    matc_ranges_init(&document->ranges);
     int count = matc_material_count(document_parsed(b, document)); /* what is wrong with it is said later */
     return count;
 }
@@ -35,7 +36,7 @@ static void measure_material(void *user, int number, int material)
     free(fault); /* it is said when the material is compiled */
     pthread_mutex_lock(&document->mutex);
     if (fine)
-        matc_ranges_join(&document->ranges, &own);
+        matc_ranges_join(document->ranges, &own);
     pthread_mutex_unlock(&document->mutex);
 }
 
@@ -43,21 +44,24 @@ static void close_measured(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    if (document->text)
+    if (document->ranges) {
         store_ranges(b, document);
+        pthread_mutex_lock(&b->mutex);
+        matc_ranges_join(&b->ranges, document->ranges);
+        pthread_mutex_unlock(&b->mutex);
+    }
+    free(document->ranges);
+    document->ranges = NULL;
     document_close(document);
 }
 
 void batch_make_layout(Batch *b)
 {
-    MatcRanges all;
     if (!b->options.layout || strcmp(b->options.layout, "auto") != 0)
         return;
+    matc_ranges_init(&b->ranges);
     batch_phase(b, open_to_measure, measure_material, close_measured);
-    matc_ranges_init(&all);
-    for (int d = 0; d < b->document_count; d++)
-        matc_ranges_join(&all, &b->documents[d].ranges);
-    b->layout = matc_layout_for(&all, layout_error(b->line), &b->options);
+    b->layout = matc_layout_for(&b->ranges, layout_error(b->line), &b->options);
     if (matc_layout_ok(b->layout)) {
         b->options.custom = b->layout;
         if (b->line->stats)

@@ -16,8 +16,8 @@ typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 
 typedef struct {
     char *name;
-    char opacity[16];       /* matc_opacity */
-    Unit units[MOST_TURNS]; /* by turn */
+    const char *opacity; /* matc_opacity */
+    Unit *units;         /* by turn */
 } BatchMaterial;
 
 typedef struct {
@@ -27,13 +27,14 @@ typedef struct {
     Key key;              /* of all that its materials' programs depend on but for the files it is made from */
     MatcDocument *parsed; /* while someone needs it */
     BatchMaterial *materials;
+    Unit *units; /* of all of them */
     int material_count;
     int offset;     /* of the first in the document: --material takes one */
     char **depends; /* files that it was made from, itself first */
     int depend_count;
-    MatcRanges ranges; /* with --layout=auto */
-    bool stored;       /* the cache had it */
-    Bytes said;        /* diagnostics */
+    MatcRanges *ranges; /* with --layout=auto, while it is open */
+    bool stored;        /* the cache had it */
+    Bytes said;         /* diagnostics */
     bool closed;
     int *again, again_count; /* programs to be written for its materials, once all are known */
     pthread_mutex_t mutex;   /* of `parsed` */
@@ -58,6 +59,7 @@ typedef struct {
     int document_count;
     BatchProgram *programs;
     int program_count;
+    MatcRanges ranges;  /* of all documents, with --layout=auto */
     MatcLayout *layout; /* made for the set, or NULL */
     Stage *stage, *textures;
     Cache *cache;          /* NULL: none */
@@ -95,7 +97,7 @@ bool document_open(Batch *batch, BatchDocument *document);
 const MatcDocument *document_parsed(Batch *batch, BatchDocument *document);
 /* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
 bool document_list(Batch *batch, BatchDocument *document);
-void document_make_room(BatchDocument *document, int materials, int depends);
+void document_make_room(BatchDocument *document, int materials, int turns, int depends);
 void document_close(BatchDocument *document);
 void document_free(BatchDocument *document, int turns);
 
@@ -123,8 +125,8 @@ void store_program(Batch *batch, const BatchDocument *document, const Unit *unit
 /* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
  * must be written again. batch_group.c */
 void batch_group(Batch *batch);
-/* The manifest as JSON, in the arena. manifest.c */
-const char *manifest_text(const Batch *batch, Arena *arena);
+/* The manifest as JSON. manifest.c */
+void manifest_put(const Batch *batch, Bytes *to);
 /* Removes files that the old manifest names and this batch did not make. */
 void manifest_remove_stale(const Batch *batch, const char *old);
 #endif

@@ -104,9 +104,17 @@ static void put_material(Text *out, const Batch *b, const BatchDocument *documen
     text_put(out, "]}");
 }
 
-const char *manifest_text(const Batch *b, Arena *arena)
+/* What is written so far moves to the bytes: a manifest of many materials is long. */
+static void flush(Text *out, Bytes *to)
 {
-    Text out = text_new(arena);
+    bytes_add(to, out->at, out->size);
+    out->size = 0;
+}
+
+void manifest_put(const Batch *b, Bytes *to)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
     const char *target = b->options.target ? b->options.target : target_table[TARGET_glsl330].name;
     bool any = false;
     text_format(&out, "{\n  \"matc\": \"" MATC_VERSION "\",\n  \"target\": \"%s\"", target);
@@ -115,16 +123,19 @@ const char *manifest_text(const Batch *b, Arena *arena)
     for (int i = 0; i < b->program_count; i++) {
         text_put(&out, i ? ",\n    " : "\n    ");
         put_program(&out, b, &b->programs[i]);
+        flush(&out, to);
     }
     text_put(&out, "\n  ],\n  \"materials\": [");
     for (int d = 0; d < b->document_count; d++)
         for (int m = 0; m < b->documents[d].material_count; m++) {
             text_put(&out, any ? ",\n    " : "\n    ");
             put_material(&out, b, &b->documents[d], &b->documents[d].materials[m]);
+            flush(&out, to);
             any = true;
         }
     text_put(&out, "\n  ]\n}\n");
-    return out.at;
+    flush(&out, to);
+    arena_free(&arena);
 }
 
 static void remove_named(const Batch *b, const cJSON *object, const char *key)

@@ -6,7 +6,7 @@
 
 typedef struct {
     Interface interface;
-    const char *fragment, *vertex;
+    const char *fragment, *vertex; /* the vertex program is NULL where nothing is validated */
     size_t fragment_size;
 } Products;
 

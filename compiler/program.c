@@ -112,9 +112,11 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
     Compile *c = &p->c;
     const NamedMaterial *named = &p->document->graph->materials[p->material];
     Text ir = text_new(&p->arena), dot = text_new(&p->arena);
-    const Products *made = &p->products;
+    Products *made = &p->products;
+    if (!made->vertex && outputs & MATC_VERTEX)
+        made->vertex = emit_vertex(c, &p->job, &made->interface);
     keep(p, MATC_FRAGMENT, made->fragment, made->fragment_size);
-    keep(p, MATC_VERTEX, made->vertex, strlen(made->vertex));
+    keep(p, MATC_VERTEX, made->vertex, made->vertex ? strlen(made->vertex) : 0);
     if (outputs & MATC_UNPACK) {
         const char *unpack = emit_unpack(c, &p->job);
         keep(p, MATC_UNPACK, unpack, strlen(unpack));
