@@ -17,7 +17,7 @@ static void add_matches(DocumentList *list, const char *folder, const char *patt
         if (!list->paths)
             abort();
         for (size_t i = 0; i < found.gl_pathc; i++)
-            if (!strstr(found.gl_pathv[i], "/layouts/")) /* no documents */
+            if (!strstr(found.gl_pathv[i], "/layouts/") && !strstr(found.gl_pathv[i], "/engine/")) /* no documents */
                 list->paths[list->count++] = strdup(found.gl_pathv[i]);
     }
     globfree(&found);
