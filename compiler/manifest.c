@@ -29,6 +29,8 @@ static void put_layout(Text *out, const Batch *b)
     text_put(out, "]");
     if (b->line->emit[EMIT_unpack])
         text_format(out, ", \"unpack\": \"%s%s\"", job.layout->name, emit_table[EMIT_unpack].suffix);
+    if (b->line->emit[EMIT_layout])
+        text_format(out, ", \"file\": \"%s%s\"", job.layout->name, emit_table[EMIT_layout].suffix);
     text_put(out, "}");
 }
 
@@ -157,6 +159,7 @@ void manifest_remove_stale(const Batch *b, const char *old)
                     remove_named(b, program, file_keys[emit]);
         }
         remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "unpack");
+        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "file");
     }
     cJSON_Delete(json);
 }

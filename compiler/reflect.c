@@ -1,5 +1,6 @@
 /* What a program needs and gives, as JSON. */
 #include "choice.h"
+#include "constants.h"
 #include "emit.h"
 #include "emit_declare.h"
 #include "texture.h"
@@ -89,6 +90,31 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
                     *size_of_block);
 }
 
+/* The numbers from a buffer: members of a block of its own, with those of the material that this was made for. */
+static void put_constants(Text *out, const Ir *ir, const Job *job)
+{
+    if (!ir->constant_count)
+        return;
+    text_format(out, ",\n  \"constants\": {\"block\": \"" CONSTANT_BLOCK_NAME "\", \"size\": %d", constants_size(ir));
+    if (has_locations(job->target))
+        text_format(out, ", \"binding\": %d", CONSTANT_BLOCK);
+    List list = {out, true};
+    text_put(out, ", \"members\": [");
+    for (size_t i = 0; i < ir->constant_count; i++) {
+        const IrConstant *own = &ir->constants[i];
+        next(&list);
+        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"offset\": %d, \"value\": [", own->name,
+                    type_table[own->type].name, own->offset);
+        for (int lane = 0; lane < type_table[own->type].lanes; lane++) {
+            text_put(out, lane ? ", " : "");
+            text_double(out, own->numbers[lane]);
+        }
+        text_put(out, "]}");
+    }
+    close_list(&list);
+    text_put(out, "}");
+}
+
 static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     MatcTexture *textures;
@@ -153,6 +179,7 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
     int block = 0;
     put_inputs(out, job, interface, &block);
     put_uniforms(out, ir, job, interface, &block);
+    put_constants(out, ir, job);
     put_textures(c, out, ir, job, interface);
     put_outputs(out, ir, job);
     describe_vertex(out, job, interface);
