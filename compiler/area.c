@@ -157,15 +157,15 @@ Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
     return mean_of(l, values, count);
 }
 
-Ref area_ramp(Lower *l, Ref t, Ref edge, double low, double high)
+Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
 {
-    double height = high - low;
-    Ref zero = number(l, 0), one = number(l, 1);
-    if (height <= 0) {
-        Ref along = ir_binary(l->ir, OP_div, sub(l, t, number(l, low)), edge);
+    Ref zero = number(l, 0), one = number(l, 1), from = sub(l, t, low);
+    if (ir_known(l->ir, high)[0] <= ir_known(l->ir, low)[0]) {
+        Ref along = ir_binary(l->ir, OP_div, from, edge);
         return ir_ternary(l->ir, OP_clamp, add(l, along, number(l, 0.5)), zero, one);
     }
-    Ref s = mul(l, sub(l, t, number(l, low)), number(l, 1 / height)), box = mul(l, edge, number(l, 1 / height));
+    Ref inverse = ir_binary(l->ir, OP_div, one, sub(l, high, low));
+    Ref s = mul(l, from, inverse), box = mul(l, edge, inverse);
     Ref corners = sub(l, box_corner(l, s, box), box_corner(l, sub(l, s, one), box));
     return add(l, ir_ternary(l->ir, OP_clamp, s, zero, one), corners);
 }

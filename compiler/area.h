@@ -14,5 +14,5 @@ Ref area_odd_share(Lower *l, Ref q);
 /* A picture's function (sampler, uv, size). */
 Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size);
 /* The share of the way from `low` to `high` that t has gone, in [0, 1]; equal ones make a step. */
-Ref area_ramp(Lower *l, Ref t, Ref edge, double low, double high);
+Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high);
 #endif

@@ -128,6 +128,14 @@ static inline int ir_lanes(const Ir *ir, Ref ref) { return type_table[ir->nodes[
 static inline bool ir_is(const Ir *ir, Ref ref, Op op) { return ir->nodes[ref].op == op; }
 /* The numbers of a constant. */
 static inline const double *ir_numbers(const Ir *ir, Ref ref) { return &ir->numbers[ir->nodes[ref].payload]; }
+/* The numbers that a leaf has in this material, whether they stand in the program or come from a buffer; NULL: it is neither. What
+ * is decided by them is part of the program's shape. */
+static inline const double *ir_known(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_const)      ? ir_numbers(ir, ref)
+           : ir_is(ir, ref, OP_constant) ? ir->constants[ir->nodes[ref].payload].numbers
+                                         : NULL;
+}
 /* It runs a function of the program, which its payload numbers. */
 static inline bool ir_applies(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_apply) || ir_is(ir, ref, OP_kernel); }
 /* A constant all of whose lanes are `value`. */

@@ -17,13 +17,12 @@ typedef struct {
 /* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
 static Ref position(Lower *l, Ref t, Ref low, Ref high)
 {
-    Ref width = sub(l, high, low);
-    if (ir_is(l->ir, width, OP_const)) {
-        double w = ir_numbers(l->ir, width)[0];
-        return mul(l, sub(l, t, low), number(l, w != 0 ? 1 / w : 0));
-    }
+    const double *from = ir_known(l->ir, low), *to = ir_known(l->ir, high);
+    Ref width = sub(l, high, low), along = sub(l, t, low);
+    if (from && to)
+        return mul(l, along, from[0] == to[0] ? number(l, 0) : ir_binary(l->ir, OP_div, number(l, 1), width));
     Ref flat = ir_binary(l->ir, OP_eq, width, number(l, 0));
-    return ir_binary(l->ir, OP_div, sub(l, t, low), ir_select(l->ir, flat, number(l, 1), width));
+    return ir_binary(l->ir, OP_div, along, ir_select(l->ir, flat, number(l, 1), width));
 }
 
 /* What holds below item i's value and not below that of the one before. */
@@ -69,26 +68,12 @@ static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
     return result;
 }
 
-static bool known(const Ir *ir, Ref value) { return ir_is(ir, value, OP_const); }
-
-/* Constant values that do not descend. */
-static bool ascending_values(const Ir *ir, const Stop *stops, int count)
+/* Known values of which none is below the one before; strictly: as floats, none is equal to it. */
+static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
 {
     for (int i = 0; i < count; i++) {
-        if (!known(ir, stops[i].value))
-            return false;
-        if (i && ir_numbers(ir, stops[i].value)[0] < ir_numbers(ir, stops[i - 1].value)[0])
-            return false;
-    }
-    return true;
-}
-
-static bool strictly_ascending(const Ir *ir, const Stop *stops, int count)
-{
-    for (int i = 0; i < count; i++) {
-        if (!ir_is(ir, stops[i].value, OP_const))
-            return false;
-        if (i && (float)ir_numbers(ir, stops[i].value)[0] <= (float)ir_numbers(ir, stops[i - 1].value)[0])
+        const double *now = ir_known(ir, stops[i].value), *before = i ? ir_known(ir, stops[i - 1].value) : NULL;
+        if (!now || (before && (now[0] < before[0] || (strictly && (float)now[0] <= (float)before[0]))))
             return false;
     }
     return true;
@@ -109,8 +94,9 @@ static bool within_unit(const Ir *ir, Ref ref, int depth)
     int first = 0; /* of the operands that must be so too */
     switch (node->op) {
     case OP_const:
+    case OP_constant:
         for (int i = 0; i < ir_lanes(ir, ref); i++)
-            if (!(ir_numbers(ir, ref)[i] >= 0 && ir_numbers(ir, ref)[i] <= 1))
+            if (!(ir_known(ir, ref)[i] >= 0 && ir_known(ir, ref)[i] <= 1))
                 return false;
         return true;
     case OP_fract:
@@ -141,10 +127,10 @@ static bool alike_constants(const Ir *ir, const Stop *stops, int count)
 {
     double least = INFINITY, greatest = 0;
     for (int i = 0; i < count; i++) {
-        if (!known(ir, stops[i].result))
+        if (!ir_known(ir, stops[i].result))
             return false;
         for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
-            double size = fabs(ir_numbers(ir, stops[i].result)[lane]);
+            double size = fabs(ir_known(ir, stops[i].result)[lane]);
             least = fmin(least, size);
             greatest = fmax(greatest, size);
         }
@@ -165,7 +151,7 @@ static bool alike_arms(const Ir *ir, const Stop *stops, int count)
 /* How much of a box of t has the step from a stop to the next behind it. */
 static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
 {
-    return area_ramp(l, t, edge, ir_numbers(l->ir, stop[0].value)[0], ir_numbers(l->ir, stop[1].value)[0]);
+    return area_ramp(l, t, edge, stop[0].value, stop[1].value);
 }
 
 /* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
@@ -195,15 +181,15 @@ static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count
 
 static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
 {
-    Ref edge = count <= MOST_AREA_ITEMS && ascending_values(l->ir, stops, count) ? footprint_edges(l, t) : 0;
+    Ref edge = count <= MOST_AREA_ITEMS && ascending(l->ir, stops, count, false) ? footprint_edges(l, t) : 0;
     if (edge)
         return alike_arms(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
                                                : blend_weights(l, t, edge, stops, count);
-    bool ascending = strictly_ascending(l->ir, stops, count);
-    if (l->cheap && ascending && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
+    bool ordered = ascending(l->ir, stops, count, true);
+    if (l->cheap && ordered && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
         alike_arms(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);
-    if (ascending && (l->cheap || count > LIMIT_WALK))
+    if (ordered && (l->cheap || count > LIMIT_WALK))
         return blend_search(l, t, stops, count, 0, count);
     return blend_walk(l, t, stops, count);
 }
@@ -240,7 +226,7 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     }
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);
-    if (count > LIMIT_WALK && !strictly_ascending(l->ir, stops, count)) {
+    if (count > LIMIT_WALK && !ascending(l->ir, stops, count, true)) {
         diag_add(l->c, blend->span, DIAG_long_walk, LIMIT_WALK);
         l->failed = true;
         return stops[0].result;
