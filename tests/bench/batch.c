@@ -238,11 +238,14 @@ int bench_batch(int argc, char **argv)
     const char *matc = MATC_PROGRAM;
     int count = COUNT;
     bool scene = true, speed = true;
+    GlKind gl = GL_KIND_osmesa;
     for (int i = 1; i < argc; i++) {
         if (!strcmp(argv[i], "--count") && i + 1 < argc)
             count = atoi(argv[++i]);
         else if (!strcmp(argv[i], "--matc") && i + 1 < argc)
             matc = argv[++i];
+        else if (!strncmp(argv[i], "--gl=", 5) && gl_kind_find(argv[i] + 5, &gl))
+            continue;
         else if (!strcmp(argv[i], "--scene"))
             speed = false;
         else if (!strcmp(argv[i], "--speed"))
@@ -251,7 +254,7 @@ int bench_batch(int argc, char **argv)
             count = 0;
     }
     if (count < 1 || 4 * count > DIFFERENT_DOCUMENTS) {
-        fputs("usage: matbench batch [--count N] [--matc PROGRAM] [--speed | --scene]\n", stderr);
+        fputs("usage: matbench batch [--count N] [--matc PROGRAM] [--speed | --scene] [--gl=osmesa|egl]\n", stderr);
         return 2;
     }
     if (!batch_folder_make(&folder, matc)) {
@@ -259,7 +262,7 @@ int bench_batch(int argc, char **argv)
         return 1;
     }
     bool fine = (!speed || (measure_speed(&folder, count) && measure_memory(&folder, count))) &&
-                (!scene || batch_measure_scene(&folder));
+                (!scene || batch_measure_scene(&folder, gl));
     batch_folder_remove(&folder);
     return !fine;
 }

@@ -2,7 +2,8 @@
 #ifndef BATCH_H
 #define BATCH_H
 #include "batch_run.h"
+#include "runtime/gl/context.h"
 
 /* What sharing programs, layouts made for a scene and programs for each pass save: a table on standard output. */
-bool batch_measure_scene(BatchFolder *folder);
+bool batch_measure_scene(BatchFolder *folder, GlKind gl);
 #endif

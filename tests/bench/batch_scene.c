@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MATERIALS = 500, EVERY = 5 /* material is timed */, SIDE = 128, ROUNDS = 5 };
+enum { MATERIALS = 500, EVERY = 5 /* material is timed */, SIDE = 128, SIDE_OF_GPU = 2048, ROUNDS = 5 };
 
 typedef struct {
     const char *layout, *constants;
@@ -88,16 +88,17 @@ static bool time_material(Meter *meter, BatchOutput *outputs, int material, cons
     return fine;
 }
 
-static bool time_outputs(BatchOutput *outputs, double *means)
+static bool time_outputs(BatchOutput *outputs, GlKind gl, double *means)
 {
     char error[4096];
     FieldVertex plane[PLANE_VERTICES];
     Field field = {0};
-    Meter *meter = meter_open(GL_KIND_osmesa, error, sizeof error);
-    field_plane(plane, &(PlaneView){.yaw = 0.3, .scale = 1, .aspect = 1, .height = SIDE});
+    int side = gl == GL_KIND_osmesa ? SIDE : SIDE_OF_GPU;
+    Meter *meter = meter_open(gl, error, sizeof error);
+    field_plane(plane, &(PlaneView){.yaw = 0.3, .scale = 1, .aspect = 1, .height = side});
     bool fine = meter && field_make(meter->gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &field);
     for (int i = 0; i < SETTINGS && fine; i++)
-        fine = batch_output_targets(&outputs[i], meter, SIDE, SIDE);
+        fine = batch_output_targets(&outputs[i], meter, side, side);
     for (int m = 0; m < MATERIALS && fine; m += EVERY)
         fine = time_material(meter, outputs, m, &field, means);
     for (int i = 0; i < SETTINGS; i++)
@@ -122,7 +123,7 @@ static void put_row(const BatchOutput *output, const Setting *setting, double na
            passes, all - gbuffer, bytes ? bytes->valueint : 0, unpack_bytes(output), nanoseconds);
 }
 
-bool batch_measure_scene(BatchFolder *folder)
+bool batch_measure_scene(BatchFolder *folder, GlKind gl)
 {
     BatchOutput outputs[SETTINGS] = {0};
     char names[SETTINGS][32];
@@ -132,12 +133,12 @@ bool batch_measure_scene(BatchFolder *folder)
         name_of(&settings[i], names[i]);
         fine = compile(folder, &settings[i], names[i]) && batch_output_read(&outputs[i], folder, names[i]);
     }
-    fine = fine && time_outputs(outputs, means);
+    fine = fine && time_outputs(outputs, gl, means);
     if (fine)
         printf("\na scene of %d materials\n%-19s %8s %10s %12s %10s %8s %8s %9s\n%-9s%-10s %8s %10s %12s %10s %8s %8s "
                "%9s\n",
                MATERIALS, "", "G-buffer", "bytes of", "shadow and", "bytes of", "bytes", "bytes of", "ns a pixel",
-               "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL", "a pixel", "unpack", "(llvmpipe)");
+               "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL", "a pixel", "unpack", gl == GL_KIND_osmesa ? "(llvmpipe)" : "(GPU)");
     for (int i = 0; i < SETTINGS; i++) {
         if (fine)
             put_row(&outputs[i], &settings[i], means[i]);
