@@ -48,12 +48,7 @@ void batch_say(Batch *b, BatchDocument *document, const char *text)
     pthread_mutex_unlock(&b->mutex);
 }
 
-void batch_fault(Batch *b)
-{
-    pthread_mutex_lock(&b->mutex);
-    b->fault = true;
-    pthread_mutex_unlock(&b->mutex);
-}
+void batch_fault(Batch *b) { b->fault = true; }
 
 void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
 {
@@ -147,29 +142,44 @@ static void drop_files(Batch *b)
         }
 }
 
+/* The name of the material's files in a pass is another material's, too. */
+static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet *names)
+{
+    char name[LONGEST_NAME], earlier[LONGEST_NAME];
+    bool added, met = false;
+    for (int t = 0; t < b->turn_count && !met; t++) {
+        const Unit *unit = &material->units[t];
+        batch_name(b, unit, name);
+        strings_add(names, name, &added);
+        met = !added;
+        for (int before = 0; before < t && met; before++) { /* two passes of a material can be one program */
+            batch_name(b, &material->units[before], earlier);
+            met = strcmp(name, earlier) != 0;
+        }
+    }
+    return met;
+}
+
 /* Two materials of one name would overwrite each other. */
 static void check_names(Batch *b)
 {
-    StringSet names = {0};
+    StringSet materials = {0}, files = {0};
     for (int d = 0; d < b->document_count; d++)
         for (int m = 0; m < b->documents[d].material_count; m++) {
             bool added;
-            strings_add(&names, b->documents[d].materials[m].name, &added);
+            const BatchMaterial *material = &b->documents[d].materials[m];
+            strings_add(&materials, material->name, &added);
             if (!added)
-                batch_complain(b, &b->documents[d], b->documents[d].materials[m].name, "two materials have this name");
-            else if (b->line->emit[EMIT_reflect] && !strcmp(b->documents[d].materials[m].name, "manifest"))
+                batch_complain(b, &b->documents[d], material->name, "two materials have this name");
+            else if (b->turn_count > 1 && meets_other(b, material, &files))
+                batch_complain(b, &b->documents[d], material->name,
+                               "a program of this material and one of another have the same name");
+            else if (b->line->emit[EMIT_reflect] && !strcmp(material->name, "manifest"))
                 batch_complain(b, &b->documents[d], "manifest",
                                "the manifest has this name; call the material otherwise");
         }
-    strings_free(&names);
-    for (int i = 0; !b->fault && i < b->program_count; i++) {
-        bool added;
-        strings_add(&names, b->programs[i].name, &added);
-        if (!added)
-            batch_complain(b, &b->documents[b->programs[i].first->document], b->programs[i].name,
-                           "two programs have this name");
-    }
-    strings_free(&names);
+    strings_free(&materials);
+    strings_free(&files);
 }
 
 void batch_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))
@@ -202,13 +212,7 @@ static void write_depfile(Batch *b)
     char target[LONGEST_PATH], path[LONGEST_PATH + 8];
     manifest_path(b, target);
     snprintf(path, sizeof path, "%s/manifest.d", b->line->folder);
-    for (int d = 0; d < b->document_count; d++)
-        for (int i = 0; i < b->documents[d].depend_count; i++)
-            strings_add(&files, b->documents[d].depends[i], NULL);
-    for (int i = 0; i < b->line->list_count; i++)
-        strings_add(&files, b->line->lists[i], NULL);
-    if (b->line->compile.layout && layout_is_file(b->line->compile.layout))
-        strings_add(&files, b->line->compile.layout, NULL);
+    batch_inputs(b, &files);
     const char *depfile = b->line->depfile ? b->line->depfile : path;
     const char *why =
         output_depfile(depfile, b->line->target ? b->line->target : target, (const char *const *)files.at, files.count);
@@ -233,8 +237,6 @@ static void commit(Batch *b)
     else if (old && stage_written(b->stage)) /* else this manifest is that one */
         manifest_remove_stale(b, old);
     free(old);
-    if (b->line->depend && !why)
-        write_depfile(b);
 }
 
 static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
@@ -298,6 +300,7 @@ static void finish(Batch *b)
     free(b->programs);
     keys_free(&b->seen);
     strings_free(&b->files);
+    strings_free(&b->within);
     free(b->file_keys);
     bytes_free(&b->general);
     matc_layout_free(b->layout);
@@ -349,7 +352,10 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
     if (!b.fault) {
         batch_write_layout(&b);
         write_manifest(&b);
+        batch_spare_inputs(&b);
     }
+    if (!b.fault && line->depend)
+        write_depfile(&b);
     if (!b.fault)
         commit(&b);
     if (!b.fault)

@@ -21,7 +21,8 @@ static void note_file(Batch *b, const char *path, Key key)
         b->file_keys = sets_resize(b->file_keys, (size_t)b->files.room * sizeof *b->file_keys);
         b->file_keys[number] = key;
     }
-    b->unstable |= !key_equal(b->file_keys[number], key);
+    if (!key_equal(b->file_keys[number], key))
+        b->unstable = true;
     pthread_mutex_unlock(&b->mutex);
 }
 
@@ -89,8 +90,10 @@ static void put_settings(Bytes *to, const Batch *b)
 void stored_key(const Batch *b, BatchDocument *document)
 {
     Bytes bytes = {0};
-    if (!b->cache)
+    if (!b->cache) { /* so that a change is seen when it is read again */
+        document->key = key_of_bytes(document->text, document->size);
         return;
+    }
     put_settings(&bytes, b);
     bytes_text(&bytes, document->path);
     bytes_block(&bytes, document->text, document->size);

@@ -48,8 +48,9 @@ static bool first_of_program(Batch *b, const Unit *unit)
     return added;
 }
 
-/* Textures that matc makes: those of the material by its name, tables of noise by their own. */
-static void write_textures(Batch *b, BatchDocument *document, const char *material, MatcProgram *program)
+/* Textures that matc makes: those of the material by the name of its program, as each pass numbers its own; tables of noise by
+ * their own. */
+static void write_textures(Batch *b, BatchDocument *document, const char *base, MatcProgram *program)
 {
     char name[2 * LONGEST_NAME];
     for (int i = 0; b->textures && i < matc_texture_count(program); i++) {
@@ -58,7 +59,7 @@ static void write_textures(Batch *b, BatchDocument *document, const char *materi
         size_t size;
         if (texture->path)
             continue;
-        snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : material, table ? "" : ".", texture->name);
+        snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : base, table ? "" : ".", texture->name);
         char *bytes = output_ktx(texture, &size);
         const char *why = stage_put(b->textures, name, bytes, size);
         free(bytes);
@@ -99,16 +100,17 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
     MatcProgram *program = compile(b, document, unit, NULL);
     if (!program)
         return;
-    snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", own->name);
+    unit->pass = unit_pass(program);
+    batch_name(b, unit, name);
+    snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", name);
     unit_fill(unit, program, b->numbers == NUMBERS_uniform, b->textures ? textures : NULL);
     if (!unit->turn)
         own->opacity = matc_opacity(program);
     bool first = first_of_program(b, unit);
-    batch_name(b, unit, name);
     if (first)
         write_program(b, document, unit, NULL, program, name);
     if (first || b->textures)
-        write_textures(b, document, own->name, program);
+        write_textures(b, document, name, program);
     matc_program_free(program);
 }
 

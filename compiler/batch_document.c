@@ -11,11 +11,12 @@ static bool is_standard_input(const BatchDocument *document) { return !strcmp(do
 bool document_open(Batch *b, BatchDocument *document)
 {
     const char *why;
-    if (document->text)
-        return true;
+    if (document->text || document->unreadable)
+        return document->text != NULL;
     document->text = is_standard_input(document) ? file_read_from(STDIN_FILENO, &document->size, &why)
                                                  : file_read(document->path, &document->size, &why);
-    if (!document->text)
+    document->unreadable = !document->text;
+    if (document->unreadable)
         batch_complain(b, document, document->path, why);
     return document->text != NULL;
 }

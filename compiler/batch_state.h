@@ -7,6 +7,7 @@
 #include "stage.h"
 #include "unit.h"
 #include <pthread.h>
+#include <stdatomic.h>
 
 enum { MOST_TURNS = MOST_PASSES, LONGEST_NAME = 256, LONGEST_PATH = 4096 };
 
@@ -34,6 +35,7 @@ typedef struct {
     int depend_count;
     MatcRanges *ranges; /* with --layout=auto, while it is open */
     bool stored;        /* the cache had it */
+    bool unreadable;    /* which is said */
     Bytes said;         /* diagnostics */
     bool closed;
     int *again, again_count; /* programs to be written for its materials, once all are known */
@@ -64,13 +66,14 @@ typedef struct {
     Stage *stage, *textures;
     Cache *cache;          /* NULL: none */
     pthread_mutex_t mutex; /* of what follows */
+    StringSet within;      /* files that the batch reads and that lie in its folder, by their names there */
     KeySet seen;           /* programs that someone writes already */
     StringSet files;       /* what documents are made from, as it was read */
     Key *file_keys;        /* its contents */
-    bool unstable;         /* a file changed between two readings: nothing is kept for later */
     int closed, said;      /* documents whose diagnostics are complete; and were said, from the first on */
     Bytes general;         /* diagnostics of no document */
-    bool fault;
+    atomic_bool unstable;  /* a file changed between two readings: nothing is kept for later */
+    atomic_bool fault;     /* any thread reads these two */
 } Batch;
 
 /* -- batch.c */
@@ -85,6 +88,14 @@ void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 
 /* Every document is opened, its parts worked on and closed, by all threads. */
 void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int));
+
+/* -- batch_inputs.c */
+/* Documents, what they are made from, lists and a layout: the files that a change of which changes the batch. */
+void batch_inputs(const Batch *batch, StringSet *files);
+/* Complains of outputs in the place of inputs. Once all outputs are in the stage. */
+void batch_spare_inputs(Batch *batch);
+/* The folder's file of that name is an input. After that. */
+bool batch_reads(const Batch *batch, const char *name);
 
 /* -- batch_layout.c */
 void batch_make_layout(Batch *batch); /* with --layout=auto */
@@ -110,7 +121,7 @@ void put_file(Batch *batch, BatchDocument *document, const char *base, const cha
 /* An output that every program has a file of. */
 bool is_of_program(int emit);
 
-/* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache nothing. */
+/* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache a key is of the text alone. */
 bool stored_open(Batch *batch);
 void stored_key(const Batch *batch, BatchDocument *document);
 bool stored_document(Batch *batch, BatchDocument *document);

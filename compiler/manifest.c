@@ -45,6 +45,8 @@ static void put_files(Text *out, const Batch *b, const char *name)
     bool spirv = b->options.target && !strcmp(b->options.target, "spirv");
     for (int emit = 0; emit < EMIT_COUNT; emit++) {
         int as = emit == EMIT_glsl && spirv ? EMIT_spirv : emit;
+        if (emit == EMIT_glsl && spirv && b->line->emit[EMIT_spirv])
+            continue; /* one file */
         if (b->line->emit[emit] && file_keys[emit])
             text_format(out, ", \"%s\": \"%s%s\"", file_keys[as], name, emit_table[as].suffix);
     }
@@ -140,10 +142,12 @@ void manifest_put(const Batch *b, Bytes *to)
     arena_free(&arena);
 }
 
-static void remove_named(const Batch *b, const cJSON *object, const char *key)
+/* Only a name such as matc gives: a manifest can be anybody's. */
+static void remove_named(const Batch *b, const cJSON *object, const char *key, const char *suffix)
 {
     const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
-    if (name)
+    size_t size = name ? strlen(name) : 0, end = strlen(suffix);
+    if (size > end && !strcmp(name + size - end, suffix) && !batch_reads(b, name))
         stage_remove_stale(b->stage, name);
 }
 
@@ -156,10 +160,10 @@ void manifest_remove_stale(const Batch *b, const char *old)
         {
             for (int emit = 0; emit < EMIT_COUNT; emit++)
                 if (file_keys[emit])
-                    remove_named(b, program, file_keys[emit]);
+                    remove_named(b, program, file_keys[emit], emit_table[emit].suffix);
         }
-        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "unpack");
-        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "file");
+        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "unpack", emit_table[EMIT_unpack].suffix);
+        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "file", emit_table[EMIT_layout].suffix);
     }
     cJSON_Delete(json);
 }

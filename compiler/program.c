@@ -39,7 +39,7 @@ struct MatcProgram {
 static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t size)
 {
     int bit = __builtin_ctz(output);
-    p->outputs[bit] = text;
+    p->outputs[bit] = text ? text : ""; /* the IR of a depth program has no lines */
     p->sizes[bit] = size;
 }
 

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int pass_number(const char *name)
+int unit_pass(const MatcProgram *program)
 {
     int pass = 0;
-    while (pass < PASS_COUNT - 1 && strcmp(pass_table[pass].name, name) != 0)
+    while (pass < PASS_COUNT - 1 && strcmp(pass_table[pass].name, matc_pass(program)) != 0)
         pass++;
     return pass;
 }
@@ -72,7 +72,7 @@ void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *text
     Text own = text_new(&arena);
     unit->key = key_read(matc_key(program));
     unit->shape = key_read(matc_shape(program));
-    unit->pass = pass_number(matc_pass(program));
+    unit->pass = unit_pass(program);
     take_numbers(unit, program, buffered);
     put_uniforms(&own, program);
     put_textures(&own, program, textures);

@@ -28,6 +28,8 @@ typedef struct Unit {
     int document, material, turn; /* the turn is which of the passes asked for */
 } Unit;
 
+/* The pass whose program it is, by number. */
+int unit_pass(const MatcProgram *program);
 /* Takes from a program what outlives it. Buffered: the numbers are the members of its buffer; else its places. */
 void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *textures);
 /* What was written with the program. Buffered as above. */
