@@ -195,6 +195,18 @@ static void joining_has_no_order(void **state)
     set_close(&set);
 }
 
+static const char *read_example(const char *name)
+{
+    static char text[8192];
+    char path[512];
+    snprintf(path, sizeof path, SOURCE_FOLDER "/%s", name);
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    return text;
+}
+
 /* Materials that have little together take turns with the same bits; alone they need no cases. */
 static void mixed_sets_have_cases(void **state)
 {
@@ -213,6 +225,7 @@ static void mixed_sets_have_cases(void **state)
     assert_true(matc_layout_ok(back));
     assert_string_equal(matc_layout_text(back), text);
     matc_layout_free(back);
+    assert_non_null(strstr(read_example("examples/layouts/mixed.yaml"), strchr(text, '\n'))); /* but for its name */
     MatcOptions options = set.documents[0].options;
     options.custom = set.layout;
     MatcProgram *program = matc_compile(set.documents[0].document, 0, MATC_UNPACK, &options);
@@ -227,24 +240,26 @@ static void mixed_sets_have_cases(void **state)
     set_close(&set);
 }
 
-/* At every level, and with numbers that come from a buffer, each material of the set has a case; one that the set is not for is
+/* At every level, in every pass, and with numbers that come from a buffer, each material of the set has a case; one that the set is not for is
  * refused, and its slots are told. */
 static void none_is_without_a_case(void **state)
 {
     (void)state;
-    static const char *const constants[] = {"baked", "uniform"};
+    static const char *const constants[] = {"baked", "uniform"}, *const passes[] = {"gbuffer", "plane"};
     static const char other[] = "material: Phong\nemissive: 5\ntransparency: 0.5\nambient: 0\n";
     Set set;
     set_open(&set, mixed, 1, 0);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 12; i++) {
         MatcOptions options = set.documents[0].options;
         options.custom = set.layout;
-        options.optimize = i / 2;
+        options.optimize = i / 4;
         options.constants = constants[i % 2];
+        options.pass = passes[i / 2 % 2];
         for (int k = 0; k < set.documents[0].graph->material_count; k++) {
             MatcProgram *program = matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
             if (!matc_ok(program))
-                fail_msg("-O%d, %s: %s", i / 2, constants[i % 2], matc_program_diagnostics(program, MATC_TEXT));
+                fail_msg("-O%d, %s, %s: %s", i / 4, constants[i % 2], options.pass,
+                         matc_program_diagnostics(program, MATC_TEXT));
             matc_program_free(program);
         }
         MatcDocument *document = matc_read("other.yaml", other, sizeof other - 1, &options);
