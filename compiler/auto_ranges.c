@@ -1,4 +1,5 @@
 /* What a set of materials can be: the intervals of every slot, by the optimised IR. */
+#include "auto_layout.h"
 #include "pipeline.h"
 #include "range.h"
 #include "choice.h"
@@ -12,7 +13,7 @@ _Static_assert((int)MATC_SLOTS == (int)SLOT_COUNT, "matc.h knows how many slots 
 
 void matc_ranges_init(MatcRanges *ranges)
 {
-    *ranges = (MatcRanges){0};
+    memset(ranges, 0, sizeof *ranges); /* what lies between members too: equal ranges are equal bytes */
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         for (int lane = 0; lane < FIELD_LANES; lane++) {
             ranges->slot[slot].low[lane] = INFINITY;
@@ -34,6 +35,7 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
             to->high[lane] = fmax(to->high[lane], from->high[lane]);
         }
     }
+    sets_of_slots_join(ranges, other);
 }
 
 /* Lanes that are the same by how they are computed. */
@@ -135,6 +137,7 @@ static bool add_material(Compile *c, const Graph *graph, int material, const Job
     for (int i = 0; i < ir->output_count; i++)
         read_slot(ir, &ranges, same, &ir->outputs[i], &one->slot[ir->outputs[i].index]);
     drop_unneeded(one);
+    sets_of_slots_add(one, (MatcSlotSet){ir->slots, 1});
     return true;
 }
 

@@ -60,23 +60,49 @@ static void put_fate(Text *out, const Plan *plan, const MatcSlotRange *range, in
 static void put_field(Text *out, const Plan *plan)
 {
     const FieldRow *field = &plan->field;
-    const int takes = encoding_table[field->encoding].takes;
     Text encoding = text_new(out->arena);
     describe_encoding(&encoding, field);
     if (field_has_range(field)) {
         text_put(&encoding, " over ");
         describe_stored_range(&encoding, field);
     }
-    text_format(out, "%-28s %4d  ", encoding.at, field_size(field) * (takes ? field->count / takes : 1));
+    text_format(out, "%-28s %4d  ", encoding.at, field_bits(field));
     put_error(out, plan);
     text_put(out, field->gray ? ", one for all lanes" : "");
 }
 
-void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row)
+/* "case 0    3 materials    normal, diffuse" */
+static void put_cases(Text *out, const Division *division)
 {
-    text_format(out, "%d bytes a pixel for %d materials; compact has %d, thesis %d\n", layout_bytes(row),
-                ranges->materials, layout_bytes(&layout_table[LAYOUT_compact]),
+    text_format(out, "%-25s %-18s %s\n", "case", "materials", "slots that it stores");
+    for (int i = 0; i < division->count; i++) {
+        const char *between = "";
+        text_format(out, "%-25d %-18d ", i, division->materials[i]);
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            if (division->slots[i] >> slot & 1) {
+                text_format(out, "%s%s", between, slot_table[slot].name);
+                between = ", ";
+            }
+        text_char(out, '\n');
+    }
+    text_char(out, '\n');
+}
+
+static void put_sizes(Text *out, const MatcRanges *ranges, const LayoutRow *row, const Division *division)
+{
+    text_format(out, "%d bytes a pixel", layout_bytes(row));
+    if (division->count > 1)
+        text_format(out, " in %d cases", division->count);
+    text_format(out, " for %d materials; ", ranges->materials);
+    if (division->count > 1)
+        text_format(out, "one case would take %d, ", 4 * division->words_of_one);
+    text_format(out, "compact has %d, thesis %d\n", layout_bytes(&layout_table[LAYOUT_compact]),
                 layout_bytes(&layout_table[LAYOUT_thesis]));
+}
+
+void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row, const Division *division)
+{
+    put_sizes(out, ranges, row, division);
     text_format(out, "%-25s %-18s %-28s %4s  %s\n", "slot", "range", "stored as", "bits", "error at most");
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         const Plan *plan = &plans[slot];
@@ -92,4 +118,6 @@ void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const L
         text_char(out, '\n');
     }
     text_char(out, '\n');
+    if (division->count > 1)
+        put_cases(out, division);
 }

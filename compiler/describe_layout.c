@@ -47,4 +47,6 @@ void describe_layout(Text *out, const LayoutRow *layout)
     for (int number = 0; number < layout->case_count; number++)
         put_pieces(out, layout, number);
     put_constants(out, layout);
+    if (!layout_is_whole(layout))
+        text_put(out, "\nNo case stores all slots: a material that has more than each of them is refused.\n");
 }

@@ -104,6 +104,7 @@ typedef struct Ir {
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
     Opacity opacity;
+    unsigned slots;       /* where all slots are outputs: those that a layout has to store, 1 << slot */
     bool keep_pow;        /* powers stay calls of pow */
     ReferenceNoise noise; /* which the folder computes with */
     Ref *held;            /* operands of calls whose arguments are being made; see REFS */

@@ -58,6 +58,22 @@ bool layout_has_slot(const LayoutRow *row, Slot slot)
     return false;
 }
 
+static bool case_is_whole(const LayoutRow *row, const CaseRow *fields)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) && !case_has_slot(fields, (Slot)slot))
+            return false;
+    return true;
+}
+
+bool layout_is_whole(const LayoutRow *row)
+{
+    for (int i = 0; i < row->case_count; i++)
+        if (case_is_whole(row, &row->cases[i]))
+            return true;
+    return false;
+}
+
 int layout_case_bits(const LayoutRow *row)
 {
     int bits = 0;

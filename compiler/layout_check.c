@@ -120,13 +120,8 @@ static void check_room(Checker *k, int number, Tree *const *trees)
 
 static void check_cases(Checker *k, const Tree *file)
 {
-    const CaseRow *last = &k->row->cases[k->row->case_count - 1];
     if (layout_case_bits(k->row) && !format_table[k->row->formats[0]].words)
         k->fine = diag_add(k->c, tree_find(file, "targets")->value->span, DIAG_case_words);
-    for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(k->row, (Slot)slot) && !layout_fixed(k->row, (Slot)slot) &&
-            !case_has_slot(last, (Slot)slot))
-            k->fine = diag_add(k->c, file->span, DIAG_case_incomplete, slot_table[slot].name);
 }
 
 bool layout_check(Compile *c, const LayoutRow *row, const Tree *file, Tree *const *const *trees)

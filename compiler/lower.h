@@ -70,8 +70,14 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 Ref lower_eye_normal(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, by that case of it. lower_layout.c */
 void lower_layout(Lower *l, int number, const Node *material, const Env *env);
-/* The case of the layout that the material takes. The IR must simplify, so that constants are seen. */
+/* The case of the layout that the material takes; their number: none stores all that it has. The IR must simplify, so that
+ * constants are seen. */
 int lower_layout_case(Lower *l, const Node *material, const Env *env);
+/* Says that there is none. */
+void lower_no_case(Lower *l, const Node *material, const Env *env);
+/* The slots that a case of a layout made for a set must store for the material to take it, 1 << slot; alpha is in the
+ * transparency. */
+unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
 Ref lower_wave(Lower *l, const Wave *wave, Ref v);
 /* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse of its matrix,
  * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */

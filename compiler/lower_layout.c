@@ -115,23 +115,65 @@ static bool is_absent(Lower *l, const Node *material, Slot slot, const Env *env)
     return ir_is_number(l->ir, lower_slot(l, material, slot, env), slot_table[slot].absent);
 }
 
+/* It is not absent, nor are all slots without which it changes nothing. */
+static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
+{
+    const unsigned matters = slot_class_table[slot].matters;
+    if (is_absent(l, material, slot, env))
+        return false;
+    for (int other = 0; other < SLOT_COUNT; other++)
+        if (matters >> other & 1 && !is_absent(l, material, (Slot)other, env))
+            return true;
+    return !matters;
+}
+
+static bool is_stored(const LayoutRow *row, Slot slot)
+{
+    return layout_has_slot(row, slot) && !layout_fixed(row, slot);
+}
+
+/* Where a case is for everything, what changes nothing is stored too. */
+static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot, const Env *env)
+{
+    return layout_is_whole(row) ? !is_absent(l, material, slot, env) : is_needed(l, material, slot, env);
+}
+
 static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *material, const Env *env)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) &&
-            !case_has_slot(&row->cases[number], (Slot)slot) && !is_absent(l, material, (Slot)slot, env))
+        if (is_stored(row, (Slot)slot) && !case_has_slot(&row->cases[number], (Slot)slot) &&
+            is_asked(l, row, material, (Slot)slot, env))
             return false;
     return true;
 }
 
-/* The first case that stores all that the material has; the last one stores everything. */
 int lower_layout_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
     int number = 0;
-    while (number + 1 < row->case_count && !stores_all(l, row, number, material, env))
+    while (number < row->case_count && !stores_all(l, row, number, material, env))
         number++;
     return number;
+}
+
+unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
+{
+    unsigned slots = 1u << SLOT_normal;
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (slot_class_table[slot].kind != CLASS_none && is_needed(l, material, (Slot)slot, env))
+            slots |= 1u << slot;
+    return slots;
+}
+
+void lower_no_case(Lower *l, const Node *material, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    Text slots = text_new(l->c->arena);
+    for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
+        if (is_stored(row, (Slot)slot) && is_needed(l, material, (Slot)slot, env))
+            text_format(&slots, slots.size ? ", %s" : "%s", slot_table[slot].name);
+    diag_add(l->c, material ? material->span : NO_SPAN, DIAG_case_none, row->name, slots.at);
+    l->failed = true;
 }
 
 /* A layout that the target's GLSL cannot write, or whose fields do not fit in, is refused. */

@@ -110,6 +110,7 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
 
 static void write_slots(Lower *l, const Node *material, const Env *env)
 {
+    l->ir->slots = lower_needed_slots(l, material, env);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         ir_output(l->ir, OUT_color, slot, lower_slot(l, material, (Slot)slot, env));
 }
@@ -130,16 +131,23 @@ static Lower start(Compile *c, const Graph *graph, const Job *job, int optimize)
     return l;
 }
 
-/* The same at every level: where nothing is simplified, it is found on an IR of its own. */
+/* The same at every level: where nothing is simplified, it is found on an IR of its own. So it is where numbers that come from
+ * a buffer hide which slots are absent, and no case has all of those that may be there. */
 static int find_case(Lower *l, const Node *material, const Env *env)
 {
-    if (l->job->layout->case_count == 1 || l->cheap)
-        return lower_layout_case(l, material, env);
-    Lower probe = start(l->c, l->graph, l->job, 1);
+    const int none = l->job->layout->case_count;
+    int number = none == 1 ? 0 : l->cheap ? lower_layout_case(l, material, env) : none;
+    if (number < none || l->failed)
+        return number % none;
+    Job job = *l->job;
+    job.from_buffer = false;
+    Lower probe = start(l->c, l->graph, &job, 1);
     Env own = pass_env(&probe);
-    int number = lower_layout_case(&probe, material, &own);
+    number = lower_layout_case(&probe, material, &own);
+    if (number == none)
+        lower_no_case(&probe, material, &own);
     l->failed |= probe.failed;
-    return number;
+    return number % none;
 }
 
 /* A constant transparency, which needs no compiling of its own to be known. */

@@ -199,17 +199,26 @@ MATC_API const char *matc_layout_text(const MatcLayout *layout);
 MATC_API const char *matc_layout_report(const MatcLayout *layout);
 MATC_API void matc_layout_free(MatcLayout *layout);
 
-/* What a set of materials can be, for the smallest layout that holds it. Plain data: copy it, keep it. */
-enum { MATC_SLOTS = 12 };
+/* What a set of materials can be, for the smallest layout that holds it. Plain data: copy it, keep it as long as the library is
+ * of the same number; with another one it may have another size. */
+enum { MATC_SLOTS = 12, MATC_SETS = 256 };
 typedef struct {
     double low[4], high[4]; /* of each lane, over those that count */
     int counted;            /* materials to which the slot matters */
     int absent;             /* of them: those that say nothing about it */
     int alike;              /* of them: those whose lanes are all alike */
 } MatcSlotRange;
+/* Materials that have the same slots to be stored. */
+typedef struct {
+    unsigned slots; /* 1 << slot of each */
+    int materials;
+} MatcSlotSet;
 typedef struct {
     int materials;
+    int set_count;
     MatcSlotRange slot[MATC_SLOTS]; /* in the order of --list */
+    MatcSlotSet sets[MATC_SETS];    /* all different, those with the most slots first */
+    MatcSlotSet others;             /* what has no place there: materials with any of these slots */
 } MatcRanges;
 MATC_API void matc_ranges_init(MatcRanges *ranges);
 /* Adds a material; its constants must not be uniforms. False: it does not compile, and *fault, from malloc, says why. */
@@ -217,7 +226,7 @@ MATC_API bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, 
                               const MatcOptions *options, char **fault);
 /* Adds what another one has; in whatever order, the result is the same. */
 MATC_API void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other);
-/* The smallest layout that holds them. `error` is what a colour may be off, as its square root; other slots in proportion;
+/* The smallest layout that holds them, in up to eight cases. `error` is what a colour may be off, as its square root; other slots in proportion;
  * 0: half a step of 8 bits. Its report also says what was left out, and why. Never NULL. Not ok: there are no materials. */
 MATC_API MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOptions *options);
 

@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/auto_layout.h"
 #include "compiler/layout.h"
 #include "compiler/custom.h"
 #include "compiler/document.h"
@@ -58,17 +59,19 @@ static void set_close(Set *set)
         document_close(&set->documents[i]);
 }
 
+/* It is the same in every case that has it. */
 static const FieldRow *field_of(const Set *set, Slot slot)
 {
-    const CaseRow *row = &set->layout->row->cases[0];
-    for (int i = 0; i < row->field_count; i++)
-        if (row->fields[i].source[0].slot == slot)
-            return &row->fields[i];
+    const LayoutRow *row = set->layout->row;
+    for (int number = 0; number < row->case_count; number++)
+        for (int i = 0; i < row->cases[number].field_count; i++)
+            if (row->cases[number].fields[i].source[0].slot == slot)
+                return &row->cases[number].fields[i];
     return NULL;
 }
 
 static const char *const lambert[] = {"tests/layouts/lambert.yaml"}, *const grays[] = {"tests/layouts/grays.yaml"},
-                         *const glow[] = {"tests/layouts/glow.yaml"};
+                         *const glow[] = {"tests/layouts/glow.yaml"}, *const mixed[] = {"tests/layouts/mixed.yaml"};
 
 /* Normal and three times eight bits; nothing else is in the layout, in its GLSL, or in the program. */
 static void diffuse_colors_take_eight_bytes(void **state)
@@ -126,11 +129,24 @@ static void ranges_make_fields(void **state)
 static int all_bits(const Set *set)
 {
     int bits = 0;
-    Placement placement;
-    assert_null(layout_place(set->layout->row, 0, &placement));
-    for (int i = 0; i < placement.count; i++)
-        bits += placement.pieces[i].size;
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        bits += field_of(set, (Slot)slot) ? field_bits(field_of(set, (Slot)slot)) : 0;
     return bits;
+}
+
+/* Of the largest case. */
+static int placed_bits(const Set *set)
+{
+    int most = 0;
+    for (int number = 0; number < set->layout->row->case_count; number++) {
+        int bits = layout_case_bits(set->layout->row);
+        Placement placement;
+        assert_null(layout_place(set->layout->row, number, &placement));
+        for (int i = 0; i < placement.count; i++)
+            bits += placement.pieces[i].size;
+        most = bits > most ? bits : most;
+    }
+    return most;
 }
 
 /* The stated error buys bits; what the report says of a field is what encodings.def says. */
@@ -142,9 +158,9 @@ static void smaller_errors_take_more_bits(void **state)
     for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
         Set set;
         set_open(&set, glow, 1, errors[i]);
-        const int bits = all_bits(&set), bytes = matc_layout_bytes(set.layout);
-        print_message("error %g: %d bits, %d bytes\n", errors[i], bits, bytes);
-        assert_true(bits > before && bytes * 8 >= bits && bytes * 8 < bits + 64);
+        const int bits = all_bits(&set), placed = placed_bits(&set), bytes = matc_layout_bytes(set.layout);
+        print_message("error %g: %d bits, %d of them together, %d bytes\n", errors[i], bits, placed, bytes);
+        assert_true(bits > before && bytes * 8 >= placed && bytes * 8 < placed + 64);
         before = bits;
         set_close(&set);
     }
@@ -155,7 +171,7 @@ static void joining_has_no_order(void **state)
 {
     (void)state;
     static const char *const all[] = {"tests/layouts/lambert.yaml", "tests/layouts/grays.yaml",
-                                      "tests/layouts/glow.yaml"};
+                                      "tests/layouts/mixed.yaml"};
     Set set;
     MatcRanges parts[3], back, split;
     set_open(&set, all, 3, 0);
@@ -176,6 +192,86 @@ static void joining_has_no_order(void **state)
     assert_string_equal(matc_layout_text(layout), matc_layout_text(set.layout));
     assert_string_equal(matc_layout_report(layout), matc_layout_report(set.layout));
     matc_layout_free(layout);
+    set_close(&set);
+}
+
+static const char *read_example(const char *name)
+{
+    static char text[8192];
+    char path[512];
+    snprintf(path, sizeof path, SOURCE_FOLDER "/%s", name);
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    return text;
+}
+
+/* Materials that have little together take turns with the same bits; alone they need no cases. */
+static void mixed_sets_have_cases(void **state)
+{
+    (void)state;
+    Set set;
+    set_open(&set, mixed, 1, 0);
+    const LayoutRow *row = set.layout->row;
+    const char *report = matc_layout_report(set.layout), *text = matc_layout_text(set.layout);
+    assert_int_equal(matc_layout_bytes(set.layout), 16);
+    assert_true(row->case_count > 1 && !layout_is_whole(row));
+    assert_non_null(
+        strstr(report, "16 bytes a pixel in 4 cases for 10 materials; one case would take 28, compact has"));
+    assert_non_null(strstr(report, "\n0                         3                  normal, diffuse, ambient\n"));
+    assert_non_null(strstr(report, "refused"));
+    MatcLayout *back = matc_layout_read("back.yaml", text, strlen(text), &set.documents[0].options);
+    assert_true(matc_layout_ok(back));
+    assert_string_equal(matc_layout_text(back), text);
+    matc_layout_free(back);
+    assert_non_null(strstr(read_example("examples/layouts/mixed.yaml"), strchr(text, '\n'))); /* but for its name */
+    MatcOptions options = set.documents[0].options;
+    options.custom = set.layout;
+    MatcProgram *program = matc_compile(set.documents[0].document, 0, MATC_UNPACK, &options);
+    const char *unpack = matc_output(program, MATC_UNPACK, NULL);
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        char has[64];
+        snprintf(has, sizeof has, "#define SURFACE_HAS_%s\n", slot_table[slot].name);
+        assert_true((strstr(unpack, has) != NULL) == (slot != SLOT_alpha));
+    }
+    assert_non_null(strstr(unpack, "uint number = target0.x & 3u;"));
+    matc_program_free(program);
+    set_close(&set);
+}
+
+/* At every level, in every pass, and with numbers that come from a buffer, each material of the set has a case; one that the set is not for is
+ * refused, and its slots are told. */
+static void none_is_without_a_case(void **state)
+{
+    (void)state;
+    static const char *const constants[] = {"baked", "uniform"}, *const passes[] = {"gbuffer", "plane"};
+    static const char other[] = "material: Phong\nemissive: 5\ntransparency: 0.5\nambient: 0\n";
+    Set set;
+    set_open(&set, mixed, 1, 0);
+    for (int i = 0; i < 12; i++) {
+        MatcOptions options = set.documents[0].options;
+        options.custom = set.layout;
+        options.optimize = i / 4;
+        options.constants = constants[i % 2];
+        options.pass = passes[i / 2 % 2];
+        for (int k = 0; k < set.documents[0].graph->material_count; k++) {
+            MatcProgram *program = matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
+            if (!matc_ok(program))
+                fail_msg("-O%d, %s, %s: %s", i / 4, constants[i % 2], options.pass,
+                         matc_program_diagnostics(program, MATC_TEXT));
+            matc_program_free(program);
+        }
+        MatcDocument *document = matc_read("other.yaml", other, sizeof other - 1, &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        assert_false(matc_ok(program));
+        assert_null(matc_output(program, MATC_FRAGMENT, NULL));
+        assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
+                               "other.yaml:1:11: error: layout auto has no case that stores all that this material "
+                               "has: diffuse, transparency, emissive\n"));
+        matc_program_free(program);
+        matc_document_free(document);
+    }
     set_close(&set);
 }
 
@@ -243,25 +339,34 @@ static void what_is_packed_comes_back(void **state)
         const char *const *paths;
         int count;
         double error;
-    } sets[] = {{lambert, 1, 0}, {lambert, 1, 0.01}, {grays, 1, 0}, {grays, 1, 0.0002},
-                {glow, 1, 0},    {glow, 1, 0.03},    {all, 18, 0},  {&all[5], 3, 0.001}};
+    } sets[] = {{lambert, 1, 0}, {lambert, 1, 0.01}, {grays, 1, 0},      {grays, 1, 0.0002},
+                {mixed, 1, 0},   {mixed, 1, 0.0005}, {mixed, 1, 0.02},   {glow, 1, 0},
+                {glow, 1, 0.03}, {all, 18, 0},       {&all[5], 3, 0.001}};
     static Point points[POINT_COUNT];
     Drawer drawer;
     Kept kept = {0};
+    int cases = 0;
     points_make(points);
     assert_true(drawer_open(&drawer, true, points, POINT_COUNT, 1, GL_RGBA32F));
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
         Set set;
         set_open(&set, sets[i].paths, sets[i].count, sets[i].error);
+        memset(kept.drawn, 0, sizeof kept.drawn);
         check_set(&kept, &drawer, &set);
         print_message("%d materials, error %g: %d bytes\n", set.ranges.materials, sets[i].error,
                       matc_layout_bytes(set.layout));
+        for (int k = 0; k < set.layout->row->case_count && set.layout->row->case_count > 1; k++) {
+            char line[64]; /* of the report: it counts right */
+            snprintf(line, sizeof line, "\n%-25d %-18d normal", k, kept.drawn[k]);
+            assert_non_null(strstr(matc_layout_report(set.layout), line));
+            cases += kept.drawn[k] > 0;
+        }
         set_close(&set);
     }
     drawer_close(&drawer);
     print_message("%d materials, %d slots, %ld values, errors up to %.4f of their bounds\n", kept.materials,
                   kept.fields, kept.values, kept.worst);
-    assert_true(kept.values > 100000 && kept.worst > 0.9);
+    assert_true(kept.values > 100000 && kept.worst > 0.9 && cases > 8);
 }
 
 /* The oracle's value lies in the interval that is claimed, roundings aside. */
@@ -338,6 +443,8 @@ int main(void)
         cmocka_unit_test(ranges_make_fields),
         cmocka_unit_test(smaller_errors_take_more_bits),
         cmocka_unit_test(joining_has_no_order),
+        cmocka_unit_test(mixed_sets_have_cases),
+        cmocka_unit_test(none_is_without_a_case),
         cmocka_unit_test(none_is_told),
         cmocka_unit_test(what_is_packed_comes_back),
         cmocka_unit_test(claims_are_sound),

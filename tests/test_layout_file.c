@@ -160,7 +160,7 @@ static char *file_text(const char *path)
     return text;
 }
 
-/* The example layouts, with materials that they are for, in every case of theirs. */
+/* The example layouts, with materials that they are for, in every case of theirs; test_layout_auto has mixed. */
 static void examples_keep_what_they_promise(void **state)
 {
     (void)state;

@@ -120,7 +120,9 @@ static bool compare_all(Comparison *c, Gbuffer *g, Drawer *drawer, Document *d, 
         snprintf(c->kept->error, sizeof c->kept->error, "%.1000s", g->error);
         return false;
     }
-    c->fields = &g->layout->cases[drawn_case(g, drawer->count)];
+    const int number = drawn_case(g, drawer->count);
+    c->fields = &g->layout->cases[number];
+    c->kept->drawn[number]++;
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         const bool has = layout_has_slot(g->layout, (Slot)slot);
         if (slot == SLOT_normal || !(matters ? matters[slot] : has))

@@ -8,6 +8,7 @@ typedef struct {
     int materials, fields;
     long values;
     double worst; /* share of its bound that an error took */
+    int drawn[8]; /* materials by the case that they took */
     char error[1024];
 } Kept;
 

@@ -1,0 +1,149 @@
+// matc 0.1.0: reads layout mixed back. The normal is in eye space.
+
+uniform usampler2D matc_gbuffer0;
+
+#define SURFACE_HAS_normal
+#define SURFACE_HAS_diffuse
+#define SURFACE_HAS_specular
+#define SURFACE_HAS_shininess
+#define SURFACE_HAS_transparency
+#define SURFACE_HAS_transparencyShininess
+#define SURFACE_HAS_interpolatedTransparency
+#define SURFACE_HAS_diffuseTransparency
+#define SURFACE_HAS_ambient
+#define SURFACE_HAS_emissive
+#define SURFACE_HAS_ior
+struct Surface {
+    vec3 normal; // Shading normal in eye space, unit length.
+    vec3 diffuse; // Diffuse colour.
+    vec3 specular; // Specular colour.
+    float shininess; // Phong exponent of the specular lobe.
+    vec3 transparency; // Transparency, with alpha taken in: 1 + alpha (c - 1).
+    float transparencyShininess; // Phong exponent of the transmitted lobe.
+    float interpolatedTransparency; // 1 when transparency replaces diffuse and specular, 0 when it adds to them.
+    vec3 diffuseTransparency; // Colour of diffusely transmitted light.
+    vec3 ambient; // Colour that ambient light is multiplied with.
+    vec3 emissive; // Light that the surface sends out.
+    float ior; // Ratio of the indices of refraction.
+};
+
+// Inverse of encodeOctahedral: a unit vector for any e in [-1, 1]^2; before it is normalised its length is at least 1/sqrt(3).
+vec3 decodeOctahedral(vec2 e) {
+    float z = 1.0 - abs(e.x) - abs(e.y);
+    float fold = max(-z, 0.0);
+    return normalize(vec3(e.x + (e.x < 0.0 ? fold : -fold), e.y + (e.y < 0.0 ? fold : -fold), z));
+}
+
+// Inverse of octahedralWhole: a unit vector, at most 242.5 / (2^bits - 2) degrees from the one that was encoded.
+vec3 octahedralFromWhole(vec2 whole, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return decodeOctahedral(whole / scale);
+}
+
+// Inverse of octahedralBits: a unit vector for every code.
+vec3 octahedralFromBits(uint code, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    vec2 whole = vec2(code & ((1u << bits) - 1u), code >> bits) - scale;
+    return octahedralFromWhole(whole, bits);
+}
+
+// Inverse of unormBits, in [0, 1].
+float unormFromBits(uint code, int bits) {
+    return float(code) / float((1 << bits) - 1);
+}
+
+// Inverse of rootBits, in [0, 1], at most 1 / (2^bits - 1) from what was packed.
+float rootFromBits(uint code, int bits) {
+    float root = unormFromBits(code, bits);
+    return root * root;
+}
+
+// Inverse of logarithmBits, in [0, 65504].
+float logarithmFromBits(uint code, int bits) {
+    float place = float(code) - 1.0;
+    float value = exp2(place * (19.9992954 / float((1 << bits) - 2)) - 4.0);
+    return code == 0u ? 0.0 : min(value, 65504.0);
+}
+
+// Inverse of sharedExponentBits: exact for every code.
+vec3 sharedExponentFromBits(uint code, int bits) {
+    uint mask = (1u << bits) - 1u;
+    uvec3 m = uvec3(code, code >> bits, code >> (2 * bits)) & mask;
+    return vec3(m) * uintBitsToFloat((code >> (3 * bits)) + uint(112 - bits) << 23);
+}
+
+Surface unpackSurface(ivec2 pixel) {
+    uvec4 target0 = texelFetch(matc_gbuffer0, pixel, 0);
+    Surface surface;
+    uint number = target0.x & 3u;
+    if (number == 0u) {
+        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
+        surface.diffuse.x = rootFromBits(target0.y & 255u, 8);
+        surface.diffuse.y = rootFromBits(target0.y >> 8 & 255u, 8);
+        surface.diffuse.z = rootFromBits(target0.y >> 16 & 255u, 8);
+        surface.ambient.x = rootFromBits(target0.y >> 24 & 127u, 7) * 0.2;
+        surface.ambient.y = rootFromBits(target0.z & 127u, 7) * 0.2;
+        surface.ambient.z = rootFromBits(target0.z >> 7 & 127u, 7) * 0.2;
+        surface.specular = vec3(0.0);
+        surface.shininess = float(4.0);
+        surface.transparency = vec3(0.0);
+        surface.transparencyShininess = float(65504.0);
+        surface.interpolatedTransparency = float(1.0);
+        surface.diffuseTransparency = vec3(0.0);
+        surface.emissive = vec3(0.0);
+        surface.ior = float(1.5);
+    } else if (number == 1u) {
+        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
+        surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
+        surface.diffuse.x = rootFromBits(target0.y >> 10 & 255u, 8);
+        surface.diffuse.y = rootFromBits(target0.y >> 18 & 255u, 8);
+        surface.diffuse.z = rootFromBits(target0.z & 255u, 8);
+        surface.specular.x = rootFromBits(target0.z >> 8 & 255u, 8);
+        surface.specular.y = rootFromBits(target0.z >> 16 & 255u, 8);
+        surface.specular.z = rootFromBits(target0.z >> 24, 8);
+        surface.diffuseTransparency.x = rootFromBits(target0.w & 255u, 8);
+        surface.diffuseTransparency.y = rootFromBits(target0.w >> 8 & 255u, 8);
+        surface.diffuseTransparency.z = rootFromBits(target0.w >> 16 & 255u, 8);
+        surface.transparency = vec3(0.0);
+        surface.transparencyShininess = float(65504.0);
+        surface.interpolatedTransparency = float(1.0);
+        surface.ambient = vec3(0.0);
+        surface.emissive = vec3(0.0);
+        surface.ior = float(1.5);
+    } else if (number == 2u) {
+        surface.emissive = sharedExponentFromBits(target0.x >> 2 & 67108863u, 7);
+        surface.normal = octahedralFromBits(target0.y & 16777215u, 12);
+        surface.shininess = logarithmFromBits(target0.z & 1023u, 10);
+        surface.diffuse.x = rootFromBits(target0.y >> 24, 8);
+        surface.diffuse.y = rootFromBits(target0.z >> 10 & 255u, 8);
+        surface.diffuse.z = rootFromBits(target0.z >> 18 & 255u, 8);
+        surface.specular.x = rootFromBits(target0.w & 255u, 8);
+        surface.specular.y = rootFromBits(target0.w >> 8 & 255u, 8);
+        surface.specular.z = rootFromBits(target0.w >> 16 & 255u, 8);
+        surface.transparency = vec3(0.0);
+        surface.transparencyShininess = float(65504.0);
+        surface.interpolatedTransparency = float(1.0);
+        surface.diffuseTransparency = vec3(0.0);
+        surface.ambient = vec3(0.0);
+        surface.ior = float(1.5);
+    } else {
+        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
+        surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
+        surface.transparencyShininess = logarithmFromBits(target0.y >> 10 & 1023u, 10);
+        surface.diffuse.x = rootFromBits(target0.y >> 20 & 255u, 8);
+        surface.diffuse.y = rootFromBits(target0.z & 255u, 8);
+        surface.diffuse.z = rootFromBits(target0.z >> 8 & 255u, 8);
+        surface.specular.x = rootFromBits(target0.z >> 16 & 255u, 8);
+        surface.specular.y = rootFromBits(target0.z >> 24, 8);
+        surface.specular.z = rootFromBits(target0.w & 255u, 8);
+        surface.transparency.x = rootFromBits(target0.w >> 8 & 255u, 8);
+        surface.transparency.y = rootFromBits(target0.w >> 16 & 255u, 8);
+        surface.transparency.z = rootFromBits(target0.w >> 24, 8);
+        surface.interpolatedTransparency = unormFromBits(target0.x >> 26 & 1u, 1);
+        surface.diffuseTransparency = vec3(0.0);
+        surface.ambient = vec3(0.0);
+        surface.emissive = vec3(0.0);
+        surface.ior = float(1.5);
+    }
+    return surface;
+}
