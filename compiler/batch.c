@@ -48,6 +48,25 @@ void batch_say(Batch *b, BatchDocument *document, const char *text)
     pthread_mutex_unlock(&b->mutex);
 }
 
+void batch_say_of(Batch *b, BatchDocument *document, int material, const char *text)
+{
+    if (!*text || !strcmp(text, "[]\n"))
+        return;
+    pthread_mutex_lock(&b->mutex);
+    bytes_add(&document->materials[material].said, text, strlen(text));
+    pthread_mutex_unlock(&b->mutex);
+}
+
+/* What was said of its materials, behind what was said of the document. No thread works on it. */
+static void join_said(BatchDocument *document)
+{
+    for (int i = 0; i < document->material_count; i++) {
+        Bytes *said = &document->materials[i].said;
+        bytes_add(&document->said, said->at, said->size);
+        bytes_free(said);
+    }
+}
+
 void batch_fault(Batch *b) { b->fault = true; }
 
 void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
@@ -72,7 +91,7 @@ static int open_to_compile(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    if (!document_open(b, document))
+    if (!batch_open(b, document))
         return 0;
     stored_key(b, document);
     if (!stored_document(b, document) && !document_list(b, document))
@@ -88,8 +107,9 @@ static void close_compiled(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
+    join_said(document);
     store_document(b, document);
-    document_close(document);
+    batch_close(document);
     pthread_mutex_lock(&b->mutex);
     document->closed = true;
     b->closed++;
@@ -103,7 +123,7 @@ static int open_again(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    if (!document->again_count || !document_open(b, document))
+    if (!document->again_count || !batch_open(b, document))
         return 0;
     Key before = document->key;
     stored_key(b, document);
@@ -122,7 +142,7 @@ static void work_again(void *user, int number, int part)
 static void close_again(void *user, int number)
 {
     Batch *b = user;
-    document_close(&b->documents[number]);
+    batch_close(&b->documents[number]);
 }
 
 /* What was written for a material that does not give the program its name. */
@@ -313,6 +333,8 @@ static void finish(Batch *b)
 static void say_rest(Batch *b)
 {
     for (int d = 0; d <= b->document_count; d++) {
+        if (d < b->document_count)
+            join_said(&b->documents[d]);
         Bytes *said = d < b->document_count ? &b->documents[d].said : &b->general;
         bytes_add(said, "", 1);
         if (said->size > 1)

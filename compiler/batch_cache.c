@@ -11,7 +11,7 @@
 
 enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 1 };
 
-/* The contents of a file as this batch first read it. */
+/* The contents of a file as this batch first read it. Materials of two states would be half a set. */
 static void note_file(Batch *b, const char *path, Key key)
 {
     bool added;
@@ -21,9 +21,10 @@ static void note_file(Batch *b, const char *path, Key key)
         b->file_keys = sets_resize(b->file_keys, (size_t)b->files.room * sizeof *b->file_keys);
         b->file_keys[number] = key;
     }
-    if (!key_equal(b->file_keys[number], key))
-        b->unstable = true;
+    bool same = key_equal(b->file_keys[number], key);
     pthread_mutex_unlock(&b->mutex);
+    if (!same)
+        batch_complain(b, NULL, path, "it changed while it was compiled");
 }
 
 static bool known_file(Batch *b, const char *path, Key *key)
@@ -61,14 +62,14 @@ bool stored_open(Batch *b)
 {
     const char *why = NULL;
     const CommandLine *line = b->line;
+    b->options.read_file = read_noted;
+    b->options.user = b;
     if (!line->cache || b->textures || line->max_error || line->emit[EMIT_tree])
         return true; /* these are not kept */
     b->cache =
         cache_open(line->cache, (uint64_t)(line->cache_limit ? line->cache_limit : DEFAULT_LIMIT_MIB) << 20, &why);
     if (!b->cache)
         batch_complain(b, NULL, line->cache, why);
-    b->options.read_file = read_noted;
-    b->options.user = b;
     return b->cache != NULL;
 }
 
@@ -146,7 +147,7 @@ bool stored_ranges(Batch *b, BatchDocument *document)
 void store_ranges(Batch *b, const BatchDocument *document)
 {
     Bytes to = {0};
-    if (!b->cache || !document->parsed || b->fault || b->unstable)
+    if (!b->cache || !document->parsed || b->fault)
         return;
     int count = matc_depend_count(document->parsed);
     char **depends = sets_resize(NULL, (size_t)count * sizeof *depends);
@@ -218,7 +219,7 @@ bool stored_document(Batch *b, BatchDocument *document)
 void store_document(Batch *b, const BatchDocument *document)
 {
     Bytes to = {0};
-    if (!b->cache || document->stored || document->said.size || b->fault || b->unstable)
+    if (!b->cache || document->stored || document->said.size || b->fault)
         return;
     if (!put_files(b, document->depends, document->depend_count, &to)) {
         bytes_free(&to);
@@ -283,7 +284,7 @@ bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *me
 void store_program(Batch *b, const BatchDocument *document, const Unit *unit, const int *members, MatcProgram *program)
 {
     Bytes to = {0};
-    if (!b->cache || document->said.size || b->fault || b->unstable)
+    if (!b->cache || document->materials[unit->material].said.size || b->fault)
         return;
     written_store(&to, unit->written);
     for (int emit = 0; emit < EMIT_COUNT; emit++) {

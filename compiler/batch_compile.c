@@ -20,9 +20,8 @@ void put_file(Batch *b, BatchDocument *document, const char *base, const char *s
 static void write_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, MatcProgram *program,
                           const char *base)
 {
-    bool fine = matc_emit(program, b->outputs);
-    batch_say(b, document, matc_program_diagnostics(program, b->line->diagnostics));
-    if (!fine) {
+    if (!matc_emit(program, b->outputs)) {
+        batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
         batch_fault(b);
         return;
     }
@@ -88,7 +87,7 @@ static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit,
     MatcProgram *program = matc_compile(parsed, material, MATC_KEY, &options);
     if (matc_ok(program))
         return program;
-    batch_say(b, document, matc_program_diagnostics(program, b->line->diagnostics));
+    batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
     batch_fault(b);
     matc_program_free(program);
     return NULL;
@@ -100,6 +99,7 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
     MatcProgram *program = compile(b, document, unit, NULL);
     if (!program)
         return;
+    batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics)); /* warnings */
     unit->pass = unit_pass(program);
     batch_name(b, unit, name);
     snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", name);

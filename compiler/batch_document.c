@@ -3,12 +3,18 @@
 #include "file.h"
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static bool is_standard_input(const BatchDocument *document) { return !strcmp(document->path, "-"); }
 
-/* Standard input can be read but once: its text is kept. */
-bool document_open(Batch *b, BatchDocument *document)
+static bool is_regular(const char *path)
+{
+    struct stat info;
+    return !stat(path, &info) && S_ISREG(info.st_mode);
+}
+
+bool batch_open(Batch *b, BatchDocument *document)
 {
     const char *why;
     if (document->text || document->unreadable)
@@ -16,6 +22,7 @@ bool document_open(Batch *b, BatchDocument *document)
     document->text = is_standard_input(document) ? file_read_from(STDIN_FILENO, &document->size, &why)
                                                  : file_read(document->path, &document->size, &why);
     document->unreadable = !document->text;
+    document->once = is_standard_input(document) || !is_regular(document->path);
     if (document->unreadable)
         batch_complain(b, document, document->path, why);
     return document->text != NULL;
@@ -32,11 +39,11 @@ const MatcDocument *document_parsed(Batch *b, BatchDocument *document)
     return document->parsed;
 }
 
-void document_close(BatchDocument *document)
+void batch_close(BatchDocument *document)
 {
     matc_document_free(document->parsed);
     document->parsed = NULL;
-    if (is_standard_input(document))
+    if (document->once)
         return;
     free(document->text);
     document->text = NULL;
@@ -90,6 +97,7 @@ void document_free(BatchDocument *document, int turns)
         for (int t = 0; t < turns; t++)
             unit_free(&document->materials[m].units[t]);
         free(document->materials[m].name);
+        bytes_free(&document->materials[m].said);
     }
     for (int i = 0; i < document->depend_count; i++)
         free(document->depends[i]);

@@ -11,7 +11,7 @@ static int open_to_measure(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    if (!document_open(b, document))
+    if (!batch_open(b, document))
         return 0;
     stored_key(b, document);
     document->ranges = sets_resize(NULL, sizeof *document->ranges);
@@ -52,7 +52,7 @@ static void close_measured(void *user, int number)
     }
     free(document->ranges);
     document->ranges = NULL;
-    document_close(document);
+    batch_close(document);
 }
 
 void batch_make_layout(Batch *b)

@@ -18,6 +18,7 @@ typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 typedef struct {
     char *name;
     const char *opacity; /* matc_opacity */
+    Bytes said;          /* diagnostics, which follow those of the document */
     Unit *units;         /* by turn */
 } BatchMaterial;
 
@@ -36,6 +37,7 @@ typedef struct {
     MatcRanges *ranges; /* with --layout=auto, while it is open */
     bool stored;        /* the cache had it */
     bool unreadable;    /* which is said */
+    bool once;          /* a pipe, which can be read but once: its text is kept */
     Bytes said;         /* diagnostics */
     bool closed;
     int *again, again_count; /* programs to be written for its materials, once all are known */
@@ -72,13 +74,14 @@ typedef struct {
     Key *file_keys;        /* its contents */
     int closed, said;      /* documents whose diagnostics are complete; and were said, from the first on */
     Bytes general;         /* diagnostics of no document */
-    atomic_bool unstable;  /* a file changed between two readings: nothing is kept for later */
-    atomic_bool fault;     /* any thread reads these two */
+    atomic_bool fault;     /* any thread reads it */
 } Batch;
 
 /* -- batch.c */
 /* Adds diagnostics to those of the document (NULL: of none), if there are any. */
 void batch_say(Batch *batch, BatchDocument *document, const char *text);
+/* The same of a material, from any thread: they are said in the order of the materials. */
+void batch_say_of(Batch *batch, BatchDocument *document, int material, const char *text);
 void batch_fault(Batch *batch);
 /* Something against the document, which is a fault. */
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
@@ -103,13 +106,13 @@ void batch_make_layout(Batch *batch); /* with --layout=auto */
 void batch_write_layout(Batch *batch);
 
 /* -- batch_document.c */
-bool document_open(Batch *batch, BatchDocument *document);
+bool batch_open(Batch *batch, BatchDocument *document);
 /* Of an open document, from any thread. */
 const MatcDocument *document_parsed(Batch *batch, BatchDocument *document);
 /* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
 bool document_list(Batch *batch, BatchDocument *document);
 void document_make_room(BatchDocument *document, int materials, int turns, int depends);
-void document_close(BatchDocument *document);
+void batch_close(BatchDocument *document);
 void document_free(BatchDocument *document, int turns);
 
 /* -- batch_compile.c: a material's turns; a program again; the files of a program */

@@ -146,8 +146,10 @@ static Ir *place_members(Compile *c, Ir *ir, const Job *job)
 {
     if (c->options->member_count) {
         IrKey key = ir_key(c, ir, job);
-        if (key.place_count != c->options->member_count)
+        if (key.place_count != c->options->member_count) {
+            ir_done(ir);
             return diag_add(c, NO_SPAN, DIAG_wrong_members, c->options->member_count, key.place_count);
+        }
         constants_place(ir, key.places, c->options->members, key.place_count);
         opt_dead(ir);
     }

@@ -119,7 +119,10 @@ for mode in auto uniform baked; do
     check "which has its own" test -s "$work/operations/times.frag"
 done
 
-# -- names
+# -- names and pipes
+
+check "a document through a pipe" status 0 sh -c "cat '$work/forty.yaml' | $fast -d '$work/piped' /dev/stdin"
+check "is read once" only "$work/piped" c0.frag manifest.json
 
 sed 's/^  c/  other/' "$work/forty.yaml" >"$work/names.yaml"
 check "equal materials of other names" status 0 $fast -d "$work/names" --constants=baked "$work/forty.yaml" "$work/names.yaml"
@@ -161,6 +164,28 @@ check "the same by two threads" same "$work/said1" "$work/said2"
 check "and by seven" same "$work/said1" "$work/said7"
 snapshot "$work/j1" >"$work/after"
 check "the folder is as it was" same "$work/before" "$work/after"
+awk 'BEGIN {
+    print "materials:"
+    for (i = 0; i < 60; i++)
+        printf "  m%d: { material: Phong, specular: %g, diffuse: { map: VolumeTurbulence, octaves: { param: n, default: 2 } } }\n", i, i / 60
+}' >"$work/faulty.yaml"
+for threads in 1 2 7; do
+    check "faults of many materials" status 1 $fast -j$threads -d "$work/j1" "$work/faulty.yaml"
+    check "are all said" test "$(grep -c 'error: octaves' "$work/stderr")" = 60
+    cp "$work/stderr" "$work/said$threads"
+done
+check "in their order by two threads" same "$work/said1" "$work/said2"
+check "and by seven, too" same "$work/said1" "$work/said7"
+sed 's/octaves: .*default: 2 }/octaves: 2/' "$work/faulty.yaml" >"$work/shiny.yaml"
+cat examples/layouts/lambert.yaml - >"$work/dull.yaml" <<'EOF'
+constants:
+  specular: [0, 0, 0]
+EOF
+sed -i 's/layout: lambert/layout: dull/' "$work/dull.yaml"
+for threads in 1 7; do
+    check "warnings of many materials" status 0 $fast -j$threads -d "$work/shiny" --layout="$work/dull.yaml" "$work/shiny.yaml"
+    check "are all said, once" test "$(grep -c 'warning: layout dull' "$work/stderr")" = 59
+done
 check "a fault" status 1 $fast -d "$work/no" "$work/bad1.yaml"
 check "makes no folder" test ! -e "$work/no"
 check "--layout=auto of nothing" status 1 $fast -d "$work/no" --layout=auto "$work/none.yaml"

@@ -1,0 +1,645 @@
+/* Programs that materials share: with the numbers that the manifest has for a material, the shared program draws the G-buffer that
+ * the material's own program draws, with its numbers in the text. And when keys are equal, what places are, where members lie. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/batch.h"
+#include "compiler/layout.h"
+#include "compiler/pipeline.h"
+#include "runtime/gl/block.h"
+#include "runtime/gl/program.h"
+#include "runtime/lib/normal.h"
+#include "tests/stress/generate.h"
+#include "tests/stress/packed.h"
+#include "tests/value/batch_set.h"
+#include "tests/value/documents.h"
+#include "tests/value/draw.h"
+#include "tests/value/gbuffer.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+#ifndef MATC_PROGRAM
+#define MATC_PROGRAM "matc"
+#endif
+
+enum { MOST_MEMBERS = 256, BLOCK_ROOM = 16 * MOST_MEMBERS, BINDING = 2, RANDOM_TREES = 14, VARIANTS = 2 };
+
+typedef struct {
+    Drawer core, compat;
+    Point points[POINT_COUNT];
+    BatchSet examples, trees;
+    GLuint words[2][FRAMEBUFFER_COLORS][POINT_COUNT * 4]; /* by the shared program and by the material's own */
+    float slots[2][SLOT_COUNT][POINT_COUNT * 4];
+} Fixture;
+
+static char *read_text(const char *path)
+{
+    static char text[1 << 16];
+    FILE *file = fopen(path, "rb");
+    size_t size = file ? fread(text, 1, sizeof text - 1, file) : 0;
+    text[size] = 0;
+    if (file)
+        fclose(file);
+    return text;
+}
+
+static void add_examples(BatchSet *set)
+{
+    DocumentList list = documents_list(SOURCE_FOLDER);
+    for (int i = 0; i < list.count; i++) {
+        const char *rest = strstr(list.paths[i], "examples/") + strlen("examples/");
+        if (!strchr(rest, '/') && !strstr(rest, "3D") &&
+            !strstr(rest, "wrinkles")) /* 27 calls each, which drivers inline */
+            batch_set_add(set, read_text(list.paths[i]), VARIANTS);
+    }
+    documents_free(&list);
+}
+
+static void add_trees(BatchSet *set)
+{
+    Choices *choices = calloc(1, sizeof *choices);
+    assert_non_null(choices);
+    for (uint64_t i = 0, added = 0; added < RANDOM_TREES; i++) {
+        Arena arena = {0};
+        Text text = text_new(&arena);
+        choices_random(choices, 11, i);
+        generate_document(choices, &text);
+        if (!strstr(text.at, "3D") && text.size < 3000)
+            added += batch_set_add(set, text.at, VARIANTS) > 1;
+        arena_free(&arena);
+    }
+    free(choices);
+}
+
+static int set_up(void **state)
+{
+    Fixture *f = *state = calloc(1, sizeof *f);
+    if (!f)
+        return 1;
+    points_make(f->points);
+    if (!batch_set_open(&f->examples) || !batch_set_open(&f->trees))
+        return 1;
+    add_examples(&f->examples);
+    add_trees(&f->trees);
+    return !drawer_open(&f->core, true, f->points, POINT_COUNT, 1, GL_RGBA32F) ||
+           !drawer_open(&f->compat, false, f->points, POINT_COUNT, 1, GL_RGBA32F);
+}
+
+static int tear_down(void **state)
+{
+    Fixture *f = *state;
+    batch_set_close(&f->examples);
+    batch_set_close(&f->trees);
+    drawer_close(&f->core);
+    drawer_close(&f->compat);
+    free(f);
+    return 0;
+}
+
+/* -- drawing */
+
+typedef struct {
+    Fixture *f;
+    BatchSet *set;
+    Drawer *drawer;
+    Target target;
+    MatcOptions options; /* of the materials' own programs */
+    MatcLayout *custom;
+    Gbuffer g; /* of the material's own program */
+    long materials, shared;
+    long words, steps, other; /* words that were compared, whose codes are neighbours, whose codes are not */
+    long numbers, far;        /* slots that come back, that differ */
+} Run;
+
+static int number_of(const cJSON *object, const char *key)
+{
+    const cJSON *item = cJSON_GetObjectItemCaseSensitive(object, key);
+    assert_true(cJSON_IsNumber(item));
+    return item->valueint;
+}
+
+static const char *text_of(const cJSON *object, const char *key)
+{
+    const char *text = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
+    assert_non_null(text);
+    return text;
+}
+
+/* The members' offsets as the driver has them. */
+static void check_offset(const Run *r, GLuint program, const char *name, int offset)
+{
+    GLuint index = GL_INVALID_INDEX;
+    GLint found = -1;
+    r->drawer->uniform_indices(program, 1, &name, &index);
+    if (index == GL_INVALID_INDEX)
+        fail_msg("%s is no member", name);
+    r->drawer->uniform_values(program, 1, &index, GL_UNIFORM_OFFSET, &found);
+    assert_int_equal(found, offset);
+}
+
+/* The block of the program, from the numbers that the manifest has for a material; 0 where there are none. */
+static GLuint set_constants(const Run *r, GLuint program, const cJSON *block, const cJSON *numbers)
+{
+    static unsigned char bytes[BLOCK_ROOM];
+    const cJSON *members = cJSON_GetObjectItemCaseSensitive(block, "members"), *member, *list = numbers->child;
+    int size = number_of(block, "size");
+    assert_true(size > 0 && size <= BLOCK_ROOM && size % 16 == 0);
+    assert_int_equal(cJSON_GetArraySize(members), cJSON_GetArraySize(numbers));
+    memset(bytes, 0, sizeof bytes);
+    cJSON_ArrayForEach(member, members)
+    {
+        const cJSON *number;
+        int offset = number_of(member, "offset"), lanes = 0;
+        bool word = text_of(member, "type")[0] == 'u';
+        cJSON_ArrayForEach(number, list)
+        {
+            float value = (float)number->valuedouble;
+            uint32_t whole = word ? (uint32_t)number->valuedouble : 0;
+            assert_true(offset + 4 * lanes + 4 <= size);
+            memcpy(bytes + offset + 4 * lanes++, word ? (void *)&whole : (void *)&value, 4);
+        }
+        if (r->target == TARGET_glsl110)
+            program_set(r->drawer->gl, program,
+                        &(ProgramValue){text_of(member, "name"), lanes, (float *)(void *)(bytes + offset)});
+        else
+            check_offset(r, program, text_of(member, "name"), offset);
+        list = list->next;
+    }
+    return block_make(r->drawer->gl, program, text_of(block, "block"), BINDING, bytes, (size_t)size);
+}
+
+/* What was drawn, as words and as what comes back of them. */
+static void read_gbuffer(Run *r, int into)
+{
+    Fixture *f = r->f;
+    Gbuffer *g = &r->g;
+    gl_use(r->drawer->gl);
+    for (int target = 0; target < g->targets.spec.color_count; target++)
+        if (framebuffer_has_words(&g->targets, target) &&
+            !framebuffer_read_words(r->drawer->gl, &g->targets, target, f->words[into][target]))
+            fail_msg("%s", r->drawer->gl->error);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(g->layout, (Slot)slot) && !gbuffer_read(g, (Slot)slot, f->slots[into][slot]))
+            fail_msg("%s", g->error);
+}
+
+/* The program into the targets of the material's own; its numbers come from the manifest if it has a block. */
+static void draw_shared(Run *r, const char *fragment, const cJSON *block, const cJSON *numbers)
+{
+    GlContext *gl = r->drawer->gl;
+    Shading shading = r->g.shading; /* textures and params are the material's */
+    shading.fragment = fragment;
+    GLuint program = drawer_program(r->drawer, &shading), buffer = 0;
+    if (!program)
+        fail_msg("%s", r->drawer->error);
+    if (block)
+        buffer = set_constants(r, program, block, numbers);
+    if (!drawer_draw_to(r->drawer, program, &shading, true, &r->g.targets))
+        fail_msg("%s", r->drawer->error);
+    gl->DeleteBuffers(1, &buffer);
+    gl->DeleteProgram(program);
+}
+
+static int case_of(const Run *r, GLuint word) { return (int)(word & ((1u << layout_case_bits(r->g.layout)) - 1)); }
+
+/* A driver takes factors together that it sees, which moves a coordinate by an ULP or two: of one up to 100 that is less than
+ * a code's width of any pattern of these sets; of one of 1e5 it is a hundredth of a cell. */
+static bool is_near(const Point *point)
+{
+    const double far = 100;
+    double greatest = 0;
+    for (int lane = 0; lane < 3; lane++)
+        greatest = fmax(greatest, fmax(fabs(point->input[INPUT_U][lane]), fabs(point->input[INPUT_X][lane])));
+    return greatest <= far;
+}
+
+/* Words of the same case of the layout: a driver folds the numbers that it sees, so a value may round to the next code. */
+static void compare_words(Run *r)
+{
+    GLuint(*a)[POINT_COUNT * 4] = r->f->words[0], (*b)[POINT_COUNT * 4] = r->f->words[1];
+    for (int target = 0; target < r->g.targets.spec.color_count; target++)
+        for (int i = 0; i < POINT_COUNT * 4 && framebuffer_has_words(&r->g.targets, target); i++) {
+            if (!is_near(&r->f->points[i / 4]))
+                continue;
+            if (case_of(r, a[0][i / 4 * 4]) != case_of(r, b[0][i / 4 * 4]))
+                continue; /* of numbers from a buffer it is not known that a slot is as absent ones are */
+            bool near = packed_agree(r->g.layout, target, i % 4, a[target][i], b[target][i]);
+            r->words++;
+            r->steps += near && a[target][i] != b[target][i];
+            r->other += !near;
+        }
+}
+
+/* What two neighbouring codes of a piece are apart: each is within the field's error of one value, and that may be rounded
+ * otherwise by some ULP. */
+static double piece_bound(const Piece *piece, const float *value)
+{
+    ErrorUnit unit = encoding_table[piece->field->encoding].unit;
+    double greatest = fmax(fabs(value[0]), fmax(fabs(value[1]), fabs(value[2])));
+    return 2 * field_error(piece->field) * (unit == UNIT_relative ? fmax(greatest, 1. / 32) : 1);
+}
+
+static double slot_bound(const Run *r, Slot slot, const float *value)
+{
+    double bound = 0;
+    Placement placement;
+    for (int number = 0; number < r->g.layout->case_count; number++) {
+        assert_null(layout_place(r->g.layout, number, &placement));
+        for (int i = 0; i < placement.count; i++)
+            if (placement.pieces[i].field->source[placement.pieces[i].first].slot == slot)
+                bound = fmax(bound, piece_bound(&placement.pieces[i], value));
+    }
+    return bound;
+}
+
+static bool comes_back(const Run *r, Slot slot, const float *a, const float *b)
+{
+    double bound = slot_bound(r, slot, b);
+    if (slot == SLOT_normal) {
+        double m[3] = {a[0], a[1], a[2]}, n[3] = {b[0], b[1], b[2]};
+        return normal_angle(m, n) <= bound + 1e-3;
+    }
+    for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
+        if (!(fabs((double)a[lane] - (double)b[lane]) <= bound + 1e-5 * fmax(1, fabs(b[lane]))))
+            return false;
+    return true;
+}
+
+static void compare_slots(Run *r, const char *path)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        for (int i = 0; i < POINT_COUNT && layout_has_slot(r->g.layout, (Slot)slot); i++) {
+            const float *a = &r->f->slots[0][slot][4 * i], *b = &r->f->slots[1][slot][4 * i];
+            if (!is_near(&r->f->points[i]))
+                continue;
+            r->numbers++;
+            if (comes_back(r, (Slot)slot, a, b))
+                continue;
+            r->far++;
+            if (getenv("VERBOSE"))
+                print_message("u %.9g %.9g x %.9g %.9g %.9g: ", r->f->points[i].input[INPUT_U][0],
+                              r->f->points[i].input[INPUT_U][1], r->f->points[i].input[INPUT_X][0],
+                              r->f->points[i].input[INPUT_X][1], r->f->points[i].input[INPUT_X][2]),
+                    print_message("%s, point %d, %s: (%g %g %g), not (%g %g %g)\n", path, i, slot_table[slot].name,
+                                  a[0], a[1], a[2], b[0], b[1], b[2]);
+        }
+}
+
+/* The material by itself, its numbers in the text, and the program that it shares. */
+static void draw_material(Run *r, const cJSON *material, const cJSON *use)
+{
+    char path[SET_PATH];
+    Document d;
+    size_t size;
+    const cJSON *program =
+        cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(r->set->manifest, "programs"), number_of(use, "program"));
+    const cJSON *block = cJSON_GetObjectItemCaseSensitive(program, "constants");
+    if (!block && number_of(program, "materials") == 1)
+        return; /* it is its own already */
+    snprintf(path, sizeof path, "%s/%s", r->set->folder, text_of(material, "source"));
+    if (!document_open(&d, path))
+        fail_msg("%s", document_fault(&d));
+    char *shared = batch_set_file(r->set, text_of(program, "fragment"), &size);
+    assert_non_null(shared);
+    if (!gbuffer_open(&r->g, r->drawer, d.document, NULL, &r->options) || !gbuffer_draw(&r->g, true))
+        fail_msg("%s", r->g.error);
+    assert_int_equal(matc_constant_count(r->g.program), 0);
+    read_gbuffer(r, 1);
+    draw_shared(r, shared, block, cJSON_GetObjectItemCaseSensitive(use, "constants"));
+    read_gbuffer(r, 0);
+    compare_words(r);
+    compare_slots(r, path);
+    r->shared++;
+    free(shared);
+    gbuffer_close(&r->g);
+    document_close(&d);
+}
+
+static void open_layout(Run *r)
+{
+    size_t size;
+    char *text = batch_set_layout(r->set, &size);
+    assert_non_null(text);
+    r->custom = matc_layout_read("set.layout.yaml", text, size, &r->options);
+    free(text);
+    if (!matc_layout_ok(r->custom))
+        fail_msg("%s", matc_layout_diagnostics(r->custom, MATC_TEXT));
+    r->options.custom = r->custom;
+}
+
+/* All materials of the set, compiled for a target and a layout. */
+static void run_set(Fixture *f, BatchSet *set, Target target, const char *layout, const char *constants)
+{
+    char options[SET_PATH];
+    const cJSON *material;
+    bool old = target == TARGET_glsl110;
+    Run r = {.f = f, .set = set, .drawer = old ? &f->compat : &f->core, .target = target};
+    snprintf(options, sizeof options, "--target=%s --layout=%s --constants=%s --emit=glsl,layout --no-validate",
+             target_table[target].name, layout, constants);
+    if (!batch_set_run(set, MATC_PROGRAM, options))
+        fail_msg("matc -d %s fails", options);
+    matc_options_init(&r.options);
+    r.options.target = target_table[target].name;
+    r.options.validate = false;
+    r.options.pixels = true;
+    open_layout(&r);
+    cJSON_ArrayForEach(material, cJSON_GetObjectItemCaseSensitive(set->manifest, "materials"))
+    {
+        draw_material(&r, material, cJSON_GetObjectItemCaseSensitive(material, "programs")->child);
+        r.materials++;
+    }
+    print_message("%s, %s, %s: %ld materials, %ld shared; of %ld words %ld are a step apart, %ld more; of %ld slots "
+                  "%ld are other\n",
+                  target_table[target].name, layout, constants, r.materials, r.shared, r.words, r.steps, r.other,
+                  r.numbers, r.far);
+    matc_layout_free(r.custom);
+    assert_int_equal(r.materials, set->count);
+    assert_true(r.shared > set->count / 2);
+    assert_true(r.steps <= r.words / 1000); /* Mesa's llvmpipe leaves none */
+    assert_int_equal(r.other, 0);
+    assert_int_equal(r.far, 0);
+}
+
+static void examples_draw_the_same(void **state)
+{
+    Fixture *f = *state;
+    run_set(f, &f->examples, TARGET_glsl330, "compact", "auto");
+    run_set(f, &f->examples, TARGET_glsl110, "thesis", "auto");
+}
+
+static void random_trees_draw_the_same(void **state)
+{
+    Fixture *f = *state;
+    run_set(f, &f->trees, TARGET_glsl330, "compact", "uniform");
+    run_set(f, &f->trees, TARGET_glsl330, "thesis", "auto");
+    run_set(f, &f->trees, TARGET_glsl330, "auto", "auto");
+    run_set(f, &f->trees, TARGET_glsl110, "thin", "uniform");
+}
+
+/* -- keys and places */
+
+static const char plain[] = "material: Phong\n"
+                            "diffuse: { map: Checker, color1: [0.1, 0.2, 0.3], color2: [0.4, 0.5, 0.6],\n"
+                            "  input: { map: UVTransform, offsetU: 0.3, scaleV: 5.5 } }\n";
+
+typedef struct {
+    MatcDocument *document;
+    MatcProgram *program;
+    MatcOptions options;
+} Compiled;
+
+static Compiled compile(const char *name, const char *text, const char *option, const char *value)
+{
+    Compiled c = {0};
+    matc_options_init(&c.options);
+    c.options.read_file = generate_file;
+    if (option)
+        assert_true(matc_options_set(&c.options, option, value));
+    c.document = matc_read(name, text, strlen(text), &c.options);
+    c.program = matc_compile(c.document, 0, MATC_KEY, &c.options);
+    if (!matc_ok(c.program))
+        fail_msg("%s%s", matc_diagnostics(c.document, MATC_TEXT), matc_program_diagnostics(c.program, MATC_TEXT));
+    return c;
+}
+
+static void release(Compiled *c)
+{
+    matc_program_free(c->program);
+    matc_document_free(c->document);
+}
+
+/* Bits: 1, the keys are equal; 2, the shapes. */
+static int meeting(const char *text, const char *other, const char *option, const char *value)
+{
+    Compiled a = compile("a.yaml", text, option, value), b = compile("b.yaml", other, option, value);
+    int equal =
+        !strcmp(matc_key(a.program), matc_key(b.program)) + 2 * !strcmp(matc_shape(a.program), matc_shape(b.program));
+    release(&a);
+    release(&b);
+    return equal;
+}
+
+/* The text with a part of it replaced. */
+static const char *with(const char *text, const char *part, const char *by)
+{
+    static char changed[4096];
+    const char *at = strstr(text, part);
+    assert_non_null(at);
+    snprintf(changed, sizeof changed, "%.*s%s%s", (int)(at - text), text, by, at + strlen(part));
+    return changed;
+}
+
+enum { KEYS = 1, SHAPES = 2 };
+
+static void keys_are_of_what_a_program_is(void **state)
+{
+    static const char image[] = "material: Phong\ndiffuse: { map: ImageMap, image: tiles.png }\n";
+    static const char param[] = "material: Phong\nspecular: { param: shine, default: 0.5 }\n";
+    (void)state;
+    assert_int_equal(meeting(plain, plain, NULL, NULL), KEYS | SHAPES);
+    assert_int_equal(meeting(plain, with(plain, "material: Phong", "# another text\nmaterial:   Phong"), NULL, NULL),
+                     KEYS | SHAPES);
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3, scaleV: 5.5", "scaleV: 5.5, offsetU: 0.3"), NULL, NULL),
+                     KEYS | SHAPES);
+    assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), NULL, NULL), SHAPES);
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "offsetU: 0.35"), NULL, NULL), SHAPES);
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), NULL, NULL), 0); /* added, multiplied */
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "offsetV: 0.3"), NULL, NULL),
+                     SHAPES); /* lanes of a vec2 */
+    assert_int_equal(meeting(plain, with(plain, "Checker", "VolumeChecker"), NULL, NULL), 0);
+    assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "constants", "uniform"), KEYS | SHAPES);
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), "constants", "uniform"), 0);
+    assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "pass", "depth"), KEYS | SHAPES);
+    assert_int_equal(meeting(image, image, NULL, NULL), KEYS | SHAPES);
+    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, bilinearFiltering: false"), NULL, NULL), 0);
+    assert_int_equal(meeting(param, with(param, "0.5", "0.7"), NULL, NULL),
+                     KEYS | SHAPES); /* a param's default is no part */
+    assert_int_equal(meeting(param, with(param, "shine", "gloss"), NULL, NULL), 0);
+}
+
+/* One document, compiled in another way each time. */
+static void keys_are_of_how_it_is_compiled(void **state)
+{
+    static const char *const options[][2] = {{NULL, NULL},          {"pass", "depth"},       {"pass", "value"},
+                                             {"target", "glsl110"}, {"target", "glsl450"},   {"target", "essl300"},
+                                             {"layout", "thesis"},  {"layout", "integer"},   {"noise", "groimp"},
+                                             {"noise", "simplex"},  {"constants", "uniform"}};
+    enum { COUNT = sizeof options / sizeof *options };
+    char keys[COUNT][33];
+    (void)state;
+    for (int i = 0; i < COUNT; i++) {
+        Compiled c = compile("a.yaml", plain, options[i][0], options[i][1]);
+        snprintf(keys[i], sizeof keys[i], "%s", matc_key(c.program));
+        assert_int_equal(strspn(keys[i], "0123456789abcdef"), 32);
+        for (int k = 0; k < i; k++)
+            if (!strcmp(keys[i], keys[k]))
+                fail_msg("%s and %s meet", options[i][1], options[k][1] ? options[k][1] : "the default");
+        release(&c);
+    }
+}
+
+static void places_become_members(void **state)
+{
+    Compiled c = compile("a.yaml", plain, NULL, NULL);
+    int members[MOST_MEMBERS], count = matc_place_count(c.program);
+    unsigned char block[BLOCK_ROOM];
+    (void)state;
+    assert_in_range(count, 4, MOST_MEMBERS);
+    for (int i = 0; i < count; i++)
+        members[i] = i;
+    MatcOptions options = c.options;
+    options.members = members;
+    options.member_count = count;
+    MatcProgram *placed = matc_compile(c.document, 0, MATC_FRAGMENT, &options);
+    if (!matc_ok(placed))
+        fail_msg("%s", matc_program_diagnostics(placed, MATC_TEXT));
+    assert_int_equal(matc_constant_count(placed), count);
+    assert_in_range(matc_constant_bytes(placed), 16, BLOCK_ROOM);
+    matc_constant_block(placed, block);
+    for (int i = 0, end = 0; i < count; i++) {
+        const MatcConstant *member = matc_constant(placed, i), *place = matc_place(c.program, member->member);
+        float first;
+        memcpy(&first, block + member->offset, sizeof first);
+        assert_string_equal(member->type, place->type);
+        assert_memory_equal(member->values, place->values, sizeof(double) * (size_t)place->lanes);
+        assert_true(member->type[0] == 'u' || first == (float)place->values[0]);
+        assert_true(member->offset >= end && member->offset % (member->lanes < 3 ? 4 * member->lanes : 16) == 0);
+        assert_non_null(strstr(matc_output(placed, MATC_FRAGMENT, NULL), member->name));
+        end = member->offset + 4 * member->lanes;
+        assert_true(end <= matc_constant_bytes(placed));
+    }
+    matc_program_free(placed);
+    release(&c);
+}
+
+static void places_can_share_or_stay(void **state)
+{
+    static const char gray[] =
+        "material: Phong\nspecular: 0.3\ndiffuse: { map: Checker, color1: 0.25, color2: 0.75 }\nshininess: 0.4\n";
+    Compiled c = compile("a.yaml", gray, "layout", "thesis");
+    int members[MOST_MEMBERS], count = matc_place_count(c.program), first = -1;
+    (void)state;
+    assert_in_range(count, 2, MOST_MEMBERS);
+    for (int i = 0; i < count; i++)
+        members[i] = -1;
+    MatcOptions options = c.options;
+    options.members = members;
+    options.member_count = count;
+    MatcProgram *same = matc_compile(c.document, 0, MATC_KEY, &options);
+    assert_true(matc_ok(same));
+    assert_int_equal(matc_constant_count(same), 0);
+    assert_string_equal(matc_key(same), matc_key(c.program)); /* nothing was placed */
+    matc_program_free(same);
+    for (int i = 0; i < count; i++) { /* all places of one value */
+        const MatcConstant *place = matc_place(c.program, i), *other = matc_place(c.program, first < 0 ? i : first);
+        bool equal = place->lanes == other->lanes && !strcmp(place->type, other->type) &&
+                     !memcmp(place->values, other->values, sizeof(double) * (size_t)place->lanes);
+        members[i] = equal ? 0 : -1;
+        first = first < 0 ? i : first;
+    }
+    MatcProgram *one = matc_compile(c.document, 0, MATC_KEY, &options);
+    assert_true(matc_ok(one));
+    assert_int_equal(matc_constant_count(one), 1);
+    assert_string_not_equal(matc_key(one), matc_key(c.program));
+    matc_program_free(one);
+    options.member_count = count - 1;
+    MatcProgram *wrong = matc_compile(c.document, 0, MATC_KEY, &options);
+    assert_false(matc_ok(wrong));
+    assert_non_null(strstr(matc_program_diagnostics(wrong, MATC_TEXT), "error"));
+    matc_program_free(wrong);
+    release(&c);
+}
+
+/* -- documents that change between the reading of their materials and the writing of what they share */
+
+typedef struct {
+    char path[SET_PATH];
+    const char *text;
+    int said;
+} Change;
+
+static void write_text(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static void change_at_last(void *user, int done, int documents)
+{
+    Change *change = user;
+    if (done == documents)
+        write_text(change->path, change->text);
+}
+
+static void hear(void *user, const char *text)
+{
+    Change *change = user;
+    change->said += strstr(text, change->path) && strstr(text, "it changed while it was compiled");
+}
+
+static bool run_changing(const BatchSet *set, Change *change, BatchResult *result)
+{
+    char documents[2][SET_PATH], out[SET_PATH];
+    char *argv[] = {"matc", "-d", out, "-j1", "--no-validate", documents[0], documents[1]};
+    CommandLine line;
+    const char *fault;
+    const BatchCalls calls = {hear, change_at_last, NULL, NULL, change};
+    snprintf(out, sizeof out, "%s/changing", set->folder);
+    for (int i = 0; i < 2; i++)
+        snprintf(documents[i], sizeof documents[i], "%s/d%d.yaml", set->folder, i);
+    assert_true(options_read(&line, sizeof argv / sizeof *argv, argv, &fault));
+    bool fine = batch_run(&line, &calls, result);
+    options_free(&line);
+    assert_int_equal(!access(out, F_OK), fine);
+    return fine;
+}
+
+static void changes_are_noticed(void **state)
+{
+    static const char part[] = "defs: { tone: [0.1, 0.2, 0.3] }\n", text[] = "include: part.yaml\nmaterial: Phong\n"
+                                                                             "diffuse: { ref: tone }\nspecular: 0.1\n";
+    BatchSet set;
+    BatchResult result;
+    Change change = {.text = part};
+    (void)state;
+    assert_true(batch_set_open(&set));
+    snprintf(change.path, sizeof change.path, "%s/part.yaml", set.folder);
+    write_text(change.path, part);
+    assert_int_equal(batch_set_add(&set, text, 1), 2);
+    assert_true(run_changing(&set, &change, &result)); /* written again, as it was */
+    assert_int_equal(result.programs, 1);
+    assert_int_equal(result.buffered, 1);
+    char command[2 * SET_PATH];
+    snprintf(command, sizeof command, "rm -r '%s/changing'", set.folder);
+    assert_int_equal(system(command), 0);
+    change.text = "defs: { tone: { map: Checker } }\n";
+    assert_false(run_changing(&set, &change, &result));
+    assert_int_equal(change.said, 1);
+    write_text(change.path, part);
+    snprintf(change.path, sizeof change.path, "%s/d0.yaml", set.folder);
+    change.text = "material: Phong\n";
+    assert_false(run_changing(&set, &change, &result));
+    assert_int_equal(change.said, 2);
+    batch_set_close(&set);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(keys_are_of_what_a_program_is), cmocka_unit_test(keys_are_of_how_it_is_compiled),
+        cmocka_unit_test(places_become_members),         cmocka_unit_test(places_can_share_or_stay),
+        cmocka_unit_test(changes_are_noticed),           cmocka_unit_test(examples_draw_the_same),
+        cmocka_unit_test(random_trees_draw_the_same),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
