@@ -270,6 +270,7 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
         if (!strcmp(line->compile.constants, modes[i]))
             b->numbers = (Numbers)i;
     b->options.constants = modes[b->numbers];
+    b->options.linked = b->linked = matc_linked_new();
     b->options.pass = NULL; /* each turn has its own */
     b->turn_count = line->pass_count;
     for (int i = 0; i < line->pass_count; i++)
@@ -324,6 +325,7 @@ static void finish(Batch *b)
     free(b->file_keys);
     bytes_free(&b->general);
     matc_layout_free(b->layout);
+    matc_linked_free(b->linked);
     stage_close(b->stage);
     stage_close(b->textures);
     pthread_mutex_destroy(&b->mutex);

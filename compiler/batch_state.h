@@ -66,6 +66,7 @@ typedef struct {
     MatcRanges ranges;  /* of all documents, with --layout=auto */
     MatcLayout *layout; /* made for the set, or NULL */
     Stage *stage, *textures;
+    MatcLinked *linked;    /* in the options of all */
     Cache *cache;          /* NULL: none */
     pthread_mutex_t mutex; /* of what follows */
     StringSet within;      /* files that the batch reads and that lie in its folder, by their names there */

@@ -192,7 +192,8 @@ bool compile_back(Compile *c, const Ir *ir, const Job *job, Products *products)
     products->fragment = emit_fragment(c, ir, job, &products->interface, &products->fragment_size);
     stage_done(c, "emit", 0, 0);
     products->vertex = c->options->validate ? emit_vertex(c, job, &products->interface) : NULL;
-    if (c->options->validate && !validate(c, job->target, products->vertex, products->fragment, &log)) {
+    if (c->options->validate &&
+        !validate(c, job->target, products->vertex, products->fragment, products->interface.declarations, &log)) {
         diag_add(c, NO_SPAN, DIAG_not_valid, target_table[job->target].name, log);
         return false;
     }

@@ -346,6 +346,7 @@ const char *emit_fragment(Compile *c, const Ir *ir, const Job *job, Interface *i
     }
     put_main(c, &body, ir, job, interface);
     emit_declarations(c, &out, ir, job, interface);
+    interface->declarations = out.size;
     for (size_t i = 0; i < interface->chunks.count; i++) {
         text_put(&out, interface->chunks.at[i]->body);
         text_char(&out, '\n');

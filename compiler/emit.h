@@ -7,9 +7,10 @@
 /* What the fragment program declares; the vertex program and the reflection go by it. */
 typedef struct {
     bool inputs[INPUT_COUNT];
-    bool *uniforms; /* by index in the graph */
-    bool *textures; /* by index in the Ir */
-    Chunks chunks;  /* library functions, and the uniforms they declare */
+    bool *uniforms;      /* by index in the graph */
+    bool *textures;      /* by index in the Ir */
+    size_t declarations; /* bytes of them, at the beginning of the fragment program */
+    Chunks chunks;       /* library functions, and the uniforms they declare */
 } Interface;
 
 /* The fragment program. */

@@ -36,6 +36,9 @@ MATC_API const char *matc_version(void);
 
 typedef struct MatcDocument MatcDocument;
 typedef struct MatcProgram MatcProgram;
+/* What glslang has linked already, for a program that compiles many materials: a vertex program is then parsed once for all
+ * fragment programs that declare the same, and not for each of them. Any number of threads may share it. */
+typedef struct MatcLinked MatcLinked;
 typedef struct MatcLayout MatcLayout;
 
 /* Gives the bytes of a file in memory from malloc, or NULL and a reason. */
@@ -69,8 +72,11 @@ typedef struct {
     MatcReadFile read_file;   /* for pictures and includes; NULL reads the file system */
     void *user;               /* for read_file */
     const MatcLayout *custom; /* overrides `layout`; it lives as long as what is compiled with it */
+    MatcLinked *linked;       /* or NULL */
 } MatcOptions;
 
+MATC_API MatcLinked *matc_linked_new(void);
+MATC_API void matc_linked_free(MatcLinked *linked);
 /* Members beyond those that the caller knows of keep their defaults. */
 #define matc_options_init(options) matc_options_init_sized(options, sizeof(MatcOptions))
 MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);

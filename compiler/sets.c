@@ -100,6 +100,8 @@ int keys_add(KeySet *set, Key key, bool *added)
     return set->table[at] - 1;
 }
 
+int keys_find(const KeySet *set, Key key) { return set->count ? set->table[key_place(set, key)] - 1 : -1; }
+
 void keys_free(KeySet *set)
 {
     free(set->at);

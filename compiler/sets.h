@@ -24,6 +24,7 @@ typedef struct {
 } KeySet;
 
 int keys_add(KeySet *set, Key key, bool *added);
+int keys_find(const KeySet *set, Key key);
 void keys_free(KeySet *set);
 
 /* malloc, realloc and strdup that end the process where there is no memory. */

@@ -1,6 +1,8 @@
 /* glslang's C interface. It is initialised once for the process, by whichever thread comes first, and never torn down: its
  * built-in symbol tables are most of the cost of a first compilation. */
 #include "validate.h"
+#include "bytes.h"
+#include "linked.h"
 #include <glslang/Include/glslang_c_interface.h>
 #include <pthread.h>
 #include <string.h>
@@ -42,10 +44,22 @@ static const char *keep(Compile *c, const char *log)
     return arena_string(c->arena, log ? log : "", log ? strlen(log) : 0);
 }
 
+/* The text without what follows `//`: glslang reads every letter, and the lines keep their numbers. */
+static const char *without_comments(Compile *c, const char *code)
+{
+    char *bare = arena_alloc(c->arena, strlen(code) + 1), *to = bare;
+    for (const char *comment; (comment = strstr(code, "//")); code = comment + strcspn(comment, "\n")) {
+        memcpy(to, code, (size_t)(comment - code));
+        to += comment - code;
+    }
+    strcpy(to, code);
+    return bare;
+}
+
 static bool parse(Compile *c, Session *session, Target target, glslang_stage_t stage, const char *code,
                   const char **log)
 {
-    const glslang_input_t input = input_for(target, stage, code);
+    const glslang_input_t input = input_for(target, stage, without_comments(c, code));
     glslang_shader_t *shader = glslang_shader_create(&input);
     if (!shader)
         return false;
@@ -82,10 +96,28 @@ static void close_session(Session *session)
         glslang_shader_delete(session->shaders[i]);
 }
 
-bool validate(Compile *c, Target target, const char *vertex, const char *fragment, const char **log)
+/* All that a fragment program and its vertex program can disagree about: the one's declarations, and the other. */
+static Key interface_key(Target target, const char *vertex, const char *fragment, size_t declarations)
+{
+    Bytes bytes = {0};
+    bytes_number(&bytes, (uint32_t)target);
+    bytes_text(&bytes, vertex);
+    bytes_block(&bytes, fragment, declarations);
+    Key key = key_of_bytes(bytes.at, bytes.size);
+    bytes_free(&bytes);
+    return key;
+}
+
+bool validate(Compile *c, Target target, const char *vertex, const char *fragment, size_t declarations,
+              const char **log)
 {
     Session session = {0};
-    bool fine = link_session(c, &session, target, vertex, fragment, log);
+    MatcLinked *linked = c->options ? c->options->linked : NULL;
+    Key key = linked ? interface_key(target, vertex, fragment, declarations) : (Key){0, 0};
+    bool known = linked_before(linked, key),
+         fine = link_session(c, &session, target, known ? NULL : vertex, fragment, log);
+    if (fine && !known)
+        linked_add(linked, key);
     close_session(&session);
     return fine;
 }

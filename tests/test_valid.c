@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/validate.h"
 #include "tests/value/documents.h"
 #include <pthread.h>
 #include <spawn.h>
@@ -159,10 +160,41 @@ static void examples_are_valid(void **state)
     assert_int_equal(run.faults, 0);
 }
 
+/* What was linked before is not asked again, and nothing else is let through for it. */
+static void linked_programs_are_told_apart(void **state)
+{
+    (void)state;
+    static const char head[] = "#version 330 core\nin vec3 p;\nlayout(location = 0) out vec4 color;\n";
+    static const char good[] =
+        "#version 330 core\nout vec3 p;\nvoid main() { p = vec3(1.0); gl_Position = vec4(p, 1.0); }\n";
+    static const char other[] =
+        "#version 330 core\nout vec2 p;\nvoid main() { p = vec2(1.0); gl_Position = vec4(1.0); }\n";
+    char fine[256], broken[256];
+    const char *log = "";
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    options.linked = matc_linked_new();
+    Compile c = {.options = &options, .arena = &arena};
+    size_t size = strlen(head);
+    snprintf(fine, sizeof fine, "%svoid main() { color = vec4(p, 1.0); } // comment\n", head);
+    snprintf(broken, sizeof broken, "%svoid main() { color = vec4(q, 1.0); }\n", head);
+    assert_false(validate(&c, TARGET_glsl330, other, fine, size, &log)); /* and is not remembered */
+    assert_false(validate(&c, TARGET_glsl330, other, fine, size, &log));
+    assert_true(validate(&c, TARGET_glsl330, good, fine, size, &log));
+    assert_true(validate(&c, TARGET_glsl330, good, fine, size, &log));
+    assert_false(validate(&c, TARGET_glsl330, good, broken, size, &log));
+    assert_non_null(strstr(log, ":4:")); /* lines are those of the text */
+    assert_false(validate(&c, TARGET_glsl330, other, fine, size, &log));
+    matc_linked_free(options.linked);
+    arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(examples_are_valid),
+        cmocka_unit_test(linked_programs_are_told_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

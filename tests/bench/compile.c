@@ -229,7 +229,7 @@ int bench_glslang(int argc, char **argv)
     MatcOptions options = options_for(true);
     Compile c = {.options = &options, .arena = &arena};
     char *vertex = read_program(argv[1]), *fragment = read_program(argv[2]);
-    bool fine = validate(&c, TARGET_glsl330, vertex, fragment, &log);
+    bool fine = validate(&c, TARGET_glsl330, vertex, fragment, 0, &log);
     free(vertex);
     free(fragment);
     arena_free(&arena);
