@@ -108,8 +108,19 @@ static bool is_constant(const MatcSlotRange *range, int lanes)
     return true;
 }
 
-Plan plan_slot(Slot slot, const MatcSlotRange *range, double scale)
+/* What some materials answer and whoever draws tells the others can be anything. */
+static MatcSlotRange with_drawn(Slot slot, MatcSlotRange range)
 {
+    for (int lane = 0; lane < FIELD_LANES && range.counted && range.drawn; lane++) {
+        range.low[lane] = slot_table[slot].low;
+        range.high[lane] = slot_table[slot].high;
+    }
+    return range;
+}
+
+Plan plan_slot(Slot slot, const MatcSlotRange *of, double scale)
+{
+    const MatcSlotRange own = with_drawn(slot, *of), *range = &own;
     const SlotClassRow *row = &slot_class_table[slot];
     const int lanes = type_table[slot_table[slot].type].lanes;
     Plan plan = {.slot = slot, .low = INFINITY, .high = -INFINITY};

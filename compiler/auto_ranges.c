@@ -30,6 +30,7 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
         to->counted += from->counted;
         to->absent += from->absent;
         to->alike += from->alike;
+        to->drawn += from->drawn;
         for (int lane = 0; lane < FIELD_LANES; lane++) {
             to->low[lane] = fmin(to->low[lane], from->low[lane]);
             to->high[lane] = fmax(to->high[lane], from->high[lane]);
@@ -90,6 +91,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same, c
     const SlotRow *row = &slot_table[output->index];
     const Ref value = output->value;
     const bool draws = ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
+    range->drawn = draws;
     if (slot_class_table[output->index].kind == CLASS_none || draws)
         return; /* another slot has it, or who draws knows it */
     range->counted = 1;

@@ -213,6 +213,7 @@ typedef struct {
     int counted;            /* materials to which the slot matters */
     int absent;             /* of them: those that say nothing about it */
     int alike;              /* of them: those whose lanes are all alike */
+    int drawn;              /* further ones, to which whoever draws tells it */
 } MatcSlotRange;
 /* Materials that have the same slots to be stored. */
 typedef struct {

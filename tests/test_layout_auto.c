@@ -101,6 +101,18 @@ static void diffuse_colors_take_eight_bytes(void **state)
     set_close(&set);
 }
 
+/* What some materials answer and the draw tells the others is stored. */
+static void ratios_of_the_draw_are_no_constants(void **state)
+{
+    (void)state;
+    static const char *const ior[] = {"tests/layouts/ior.yaml"};
+    Set set;
+    set_open(&set, ior, 1, 0);
+    assert_non_null(field_of(&set, SLOT_ior));
+    assert_false(layout_fixed(set.layout->row, SLOT_ior));
+    set_close(&set);
+}
+
 /* Lanes that are alike are stored once, what never changes not at all, light up to 1 as colours are. */
 static void ranges_make_fields(void **state)
 {
@@ -219,7 +231,8 @@ static void mixed_sets_have_cases(void **state)
     assert_true(row->case_count > 1 && !layout_is_whole(row));
     assert_non_null(
         strstr(report, "16 bytes a pixel in 4 cases for 11 materials; one case would take 28, compact has"));
-    assert_non_null(strstr(report, "\n0                         4                  normal, diffuse, ambient\n"));
+    assert_non_null(strstr(report, "\n2                         2                  normal, diffuse, transparency, "
+                                   "transparencyShininess, ambient, ior\n"));
     assert_non_null(strstr(report, "refused"));
     MatcLayout *back = matc_layout_read("back.yaml", text, strlen(text), &set.documents[0].options);
     assert_true(matc_layout_ok(back));
@@ -268,7 +281,7 @@ static void none_is_without_a_case(void **state)
         assert_null(matc_output(program, MATC_FRAGMENT, NULL));
         assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
                                "other.yaml:1:11: error: layout auto has no case that stores all that this material "
-                               "has: diffuse, transparency, emissive\n"));
+                               "has: diffuse, transparency, emissive, ior\n"));
         matc_program_free(program);
         matc_document_free(document);
     }
@@ -440,6 +453,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(diffuse_colors_take_eight_bytes),
+        cmocka_unit_test(ratios_of_the_draw_are_no_constants),
         cmocka_unit_test(ranges_make_fields),
         cmocka_unit_test(smaller_errors_take_more_bits),
         cmocka_unit_test(joining_has_no_order),

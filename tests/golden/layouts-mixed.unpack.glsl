@@ -47,6 +47,13 @@ vec3 octahedralFromBits(uint code, int bits) {
     return octahedralFromWhole(whole, bits);
 }
 
+// Inverse of logarithmBits, in [0, 65504].
+float logarithmFromBits(uint code, int bits) {
+    float place = float(code) - 1.0;
+    float value = exp2(place * (19.9992954 / float((1 << bits) - 2)) - 4.0);
+    return code == 0u ? 0.0 : min(value, 65504.0);
+}
+
 // Inverse of unormBits, in [0, 1].
 float unormFromBits(uint code, int bits) {
     return float(code) / float((1 << bits) - 1);
@@ -56,13 +63,6 @@ float unormFromBits(uint code, int bits) {
 float rootFromBits(uint code, int bits) {
     float root = unormFromBits(code, bits);
     return root * root;
-}
-
-// Inverse of logarithmBits, in [0, 65504].
-float logarithmFromBits(uint code, int bits) {
-    float place = float(code) - 1.0;
-    float value = exp2(place * (19.9992954 / float((1 << bits) - 2)) - 4.0);
-    return code == 0u ? 0.0 : min(value, 65504.0);
 }
 
 // Inverse of sharedExponentBits: exact for every code.
@@ -77,22 +77,6 @@ Surface unpackSurface(ivec2 pixel) {
     Surface surface;
     uint number = target0.x & 3u;
     if (number == 0u) {
-        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
-        surface.diffuse.x = rootFromBits(target0.y & 255u, 8);
-        surface.diffuse.y = rootFromBits(target0.y >> 8 & 255u, 8);
-        surface.diffuse.z = rootFromBits(target0.y >> 16 & 255u, 8);
-        surface.ambient.x = rootFromBits(target0.y >> 24 & 127u, 7) * 0.2;
-        surface.ambient.y = rootFromBits(target0.z & 127u, 7) * 0.2;
-        surface.ambient.z = rootFromBits(target0.z >> 7 & 127u, 7) * 0.2;
-        surface.specular = vec3(0.0);
-        surface.shininess = float(4.0);
-        surface.transparency = vec3(0.0);
-        surface.transparencyShininess = float(65504.0);
-        surface.interpolatedTransparency = float(1.0);
-        surface.diffuseTransparency = vec3(0.0);
-        surface.emissive = vec3(0.0);
-        surface.ior = float(1.5);
-    } else if (number == 1u) {
         surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
         surface.diffuse.x = rootFromBits(target0.y >> 10 & 255u, 8);
@@ -109,8 +93,8 @@ Surface unpackSurface(ivec2 pixel) {
         surface.interpolatedTransparency = float(1.0);
         surface.ambient = vec3(0.0);
         surface.emissive = vec3(0.0);
-        surface.ior = float(1.5);
-    } else if (number == 2u) {
+        surface.ior = float(1.0);
+    } else if (number == 1u) {
         surface.emissive = sharedExponentFromBits(target0.x >> 2 & 67108863u, 7);
         surface.normal = octahedralFromBits(target0.y & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.z & 1023u, 10);
@@ -125,11 +109,29 @@ Surface unpackSurface(ivec2 pixel) {
         surface.interpolatedTransparency = float(1.0);
         surface.diffuseTransparency = vec3(0.0);
         surface.ambient = vec3(0.0);
-        surface.ior = float(1.5);
+        surface.ior = float(1.0);
+    } else if (number == 2u) {
+        surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
+        surface.transparencyShininess = logarithmFromBits(target0.y & 1023u, 10);
+        surface.ior = logarithmFromBits(target0.y >> 10 & 1023u, 10);
+        surface.diffuse.x = rootFromBits(target0.y >> 20 & 255u, 8);
+        surface.diffuse.y = rootFromBits(target0.z & 255u, 8);
+        surface.diffuse.z = rootFromBits(target0.z >> 8 & 255u, 8);
+        surface.transparency.x = rootFromBits(target0.z >> 16 & 255u, 8);
+        surface.transparency.y = rootFromBits(target0.z >> 24, 8);
+        surface.transparency.z = rootFromBits(target0.w & 255u, 8);
+        surface.ambient.x = rootFromBits(target0.w >> 8 & 127u, 7) * 0.2;
+        surface.ambient.y = rootFromBits(target0.w >> 15 & 127u, 7) * 0.2;
+        surface.ambient.z = rootFromBits(target0.w >> 22 & 127u, 7) * 0.2;
+        surface.specular = vec3(0.0);
+        surface.shininess = float(4.0);
+        surface.interpolatedTransparency = float(1.0);
+        surface.diffuseTransparency = vec3(0.0);
+        surface.emissive = vec3(0.0);
     } else {
         surface.normal = octahedralFromBits(target0.x >> 2 & 16777215u, 12);
         surface.shininess = logarithmFromBits(target0.y & 1023u, 10);
-        surface.transparencyShininess = logarithmFromBits(target0.y >> 10 & 1023u, 10);
+        surface.ior = logarithmFromBits(target0.y >> 10 & 1023u, 10);
         surface.diffuse.x = rootFromBits(target0.y >> 20 & 255u, 8);
         surface.diffuse.y = rootFromBits(target0.z & 255u, 8);
         surface.diffuse.z = rootFromBits(target0.z >> 8 & 255u, 8);
@@ -140,10 +142,10 @@ Surface unpackSurface(ivec2 pixel) {
         surface.transparency.y = rootFromBits(target0.w >> 16 & 255u, 8);
         surface.transparency.z = rootFromBits(target0.w >> 24, 8);
         surface.interpolatedTransparency = unormFromBits(target0.x >> 26 & 1u, 1);
+        surface.transparencyShininess = float(65504.0);
         surface.diffuseTransparency = vec3(0.0);
         surface.ambient = vec3(0.0);
         surface.emissive = vec3(0.0);
-        surface.ior = float(1.5);
     }
     return surface;
 }
