@@ -90,7 +90,8 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
                     *size_of_block);
 }
 
-/* The numbers from a buffer: members of a block of its own, with those of the material that this was made for. */
+/* The numbers from a buffer: members of a block of its own. The manifest of a batch has every material's numbers; a program's
+ * reflection does not change with them. */
 static void put_constants(Text *out, const Ir *ir, const Job *job)
 {
     if (!ir->constant_count)
@@ -103,13 +104,8 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     for (size_t i = 0; i < ir->constant_count; i++) {
         const IrConstant *own = &ir->constants[i];
         next(&list);
-        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"offset\": %d, \"value\": [", own->name,
-                    type_table[own->type].name, own->offset);
-        for (int lane = 0; lane < type_table[own->type].lanes; lane++) {
-            text_put(out, lane ? ", " : "");
-            text_double(out, own->numbers[lane]);
-        }
-        text_put(out, "]}");
+        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"offset\": %d}", own->name, type_table[own->type].name,
+                    own->offset);
     }
     close_list(&list);
     text_put(out, "}");
