@@ -157,6 +157,16 @@ Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
     return mean_of(l, values, count);
 }
 
+Ref known_inverse(Lower *l, Ref low, Ref high)
+{
+    const double width = ir_known(l->ir, high)[0] - ir_known(l->ir, low)[0];
+    if (width == 0)
+        return number(l, 0);
+    if (ir_is(l->ir, low, OP_const) && ir_is(l->ir, high, OP_const))
+        return number(l, 1 / width);
+    return ir_binary(l->ir, OP_div, number(l, 1), sub(l, high, low));
+}
+
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
 {
     Ref zero = number(l, 0), one = number(l, 1), from = sub(l, t, low);
@@ -164,7 +174,7 @@ Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
         Ref along = ir_binary(l->ir, OP_div, from, edge);
         return ir_ternary(l->ir, OP_clamp, add(l, along, number(l, 0.5)), zero, one);
     }
-    Ref inverse = ir_binary(l->ir, OP_div, one, sub(l, high, low));
+    Ref inverse = known_inverse(l, low, high);
     Ref s = mul(l, from, inverse), box = mul(l, edge, inverse);
     Ref corners = sub(l, box_corner(l, s, box), box_corner(l, sub(l, s, one), box));
     return add(l, ir_ternary(l->ir, OP_clamp, s, zero, one), corners);

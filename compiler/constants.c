@@ -1,6 +1,8 @@
 /* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in places, laid out. */
 #include "constants.h"
 #include "emit_declare.h"
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 enum { FIRST_TABLE = 64 };
@@ -249,7 +251,7 @@ void constants_finish(Compile *c, Ir *ir, const int *list, size_t count)
 
 uint32_t constant_bits(double value, bool word)
 {
-    float number = (float)value;
+    float number = (float)fmin(fmax(value, -FLT_MAX), FLT_MAX); /* as text_float writes it */
     uint32_t bits;
     if (word)
         return (uint32_t)value;

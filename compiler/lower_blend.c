@@ -18,9 +18,10 @@ typedef struct {
 static Ref position(Lower *l, Ref t, Ref low, Ref high)
 {
     const double *from = ir_known(l->ir, low), *to = ir_known(l->ir, high);
-    Ref width = sub(l, high, low), along = sub(l, t, low);
+    Ref along = sub(l, t, low);
     if (from && to)
-        return mul(l, along, from[0] == to[0] ? number(l, 0) : ir_binary(l->ir, OP_div, number(l, 1), width));
+        return mul(l, along, known_inverse(l, low, high));
+    Ref width = sub(l, high, low);
     Ref flat = ir_binary(l->ir, OP_eq, width, number(l, 0));
     return ir_binary(l->ir, OP_div, along, ir_select(l->ir, flat, number(l, 1), width));
 }

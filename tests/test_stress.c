@@ -27,6 +27,26 @@ static void random_trees_hold(void **state)
     assert_true(n.values > 10 * TREES && n.programs > TREES / 32 && n.judged > 1000);
 }
 
+/* Trees that once had a fault. */
+static void mended_trees_hold(void **state)
+{
+    (void)state;
+    static const struct {
+        uint64_t seed;
+        long first;
+    } trees[] = {{20261121, 6118}}; /* Blend: values that are one as floats, and their distance a divisor at -O0 */
+    for (size_t i = 0; i < sizeof trees / sizeof *trees; i++) {
+        StressOptions options;
+        TrialCount n = {0};
+        stress_options_init(&options);
+        options.seed = trees[i].seed;
+        options.first = trees[i].first;
+        options.count = 1;
+        assert_int_equal(stress_run(&options, &n), 0);
+        assert_int_equal(n.trees, 1);
+    }
+}
+
 /* One seed, one document: a fault's seed is all that is needed to see it again. */
 static void a_seed_is_a_document(void **state)
 {
@@ -72,6 +92,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_seed_is_a_document),
         cmocka_unit_test(scripts_shrink),
+        cmocka_unit_test(mended_trees_hold),
         cmocka_unit_test(random_trees_hold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
