@@ -18,6 +18,7 @@ pack() {
 run() {
     LD_LIBRARY_PATH=$PWD/.device/lib .device/matbench error --gl=egl --seconds=10 --csv "$1/accuracy-gpu.csv" \
         --plot "$1/accuracy-gpu" --page "$1/accuracy-gpu.md"
+    sed -i "s#$1/#docs/#g" "$1/accuracy-gpu.md" # the command as it is given here, and no path of that machine
 }
 
 case "${1:-}" in
