@@ -5,35 +5,9 @@ set -u
 matc=$1
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
-passed=0
-failed=0
+. tests/check.sh
 unset MATC_CACHE
 
-# check NAME COMMAND...: the command must succeed
-check() {
-    name=$1
-    shift
-    if "$@" >"$work/out" 2>"$work/err"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name"
-        sed 's/^/    /' "$work/err" | head -5
-        sed 's/^/    | /' "$work/stderr" | head -5
-    fi
-}
-
-# status WANTED COMMAND...
-status() {
-    wanted=$1
-    shift
-    "$@" >"$work/stdout" 2>"$work/stderr"
-    got=$?
-    [ "$got" = "$wanted" ] || echo "exit status $got, wanted $wanted: $*" >&2
-    [ "$got" = "$wanted" ]
-}
-
-says() { grep -q -- "$1" "$work/stderr"; }
 silent() { ! [ -s "$work/stderr" ]; }
 same() { diff -r "$1" "$2" >&2; }
 differ() { ! diff -r "$1" "$2" >/dev/null; }

@@ -4,33 +4,8 @@ set -u
 matc=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-passed=0
-failed=0
+. tests/check.sh
 
-# check NAME COMMAND...: the command must succeed
-check() {
-    name=$1
-    shift
-    if "$@" >"$work/out" 2>"$work/err"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name"
-        sed 's/^/    /' "$work/err" | head -5
-    fi
-}
-
-# status WANTED COMMAND...
-status() {
-    wanted=$1
-    shift
-    "$@" >"$work/stdout" 2>"$work/stderr"
-    got=$?
-    [ "$got" = "$wanted" ] || echo "exit status $got, wanted $wanted: $*" >&2
-    [ "$got" = "$wanted" ]
-}
-
-says() { grep -q -- "$1" "$work/stderr"; }
 prints() { grep -q -- "$1" "$work/stdout"; }
 # The second file names the same bytes as the first
 same() { cmp -s "$1" "$2"; }

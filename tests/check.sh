@@ -1,0 +1,29 @@
+# What the scripts that run matc share; read by them with `.`, from the project's root. $work is their folder.
+passed=0
+failed=0
+
+# check NAME COMMAND...: the command must succeed
+check() {
+    name=$1
+    shift
+    if "$@" >"$work/out" 2>"$work/err"; then
+        passed=$((passed + 1))
+    else
+        failed=$((failed + 1))
+        echo "FAILED: $name"
+        sed 's/^/    /' "$work/err" | head -5
+        sed 's/^/    | /' "$work/stderr" | head -5
+    fi
+}
+
+# status WANTED COMMAND...
+status() {
+    wanted=$1
+    shift
+    "$@" >"$work/stdout" 2>"$work/stderr"
+    got=$?
+    [ "$got" = "$wanted" ] || echo "exit status $got, wanted $wanted: $*" >&2
+    [ "$got" = "$wanted" ]
+}
+
+says() { grep -q -- "$1" "$work/stderr"; }
