@@ -2,8 +2,12 @@
 # Finds expressions that make IR nodes in an order that C leaves open: two arguments of a call, two members of an
 # initialiser, or both operands of an operator that call functions which take an `Ir *` or a `Lower *`. What only reads
 # takes a `const Ir *`. REFS (compiler/ir.h) or a variable of its own gives each an order.
-# order.sh [FILE...]; needs clang-query. Run from the project's root.
+# order.sh [FILE...]. Run from the project's root. Status 77: skipped.
 set -eu
+command -v clang-query >/dev/null || {
+    echo "SKIPPED: clang-query is not installed (Debian: clang-tools), so no order of evaluation was looked for"
+    exit 77
+}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

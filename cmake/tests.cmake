@@ -1,0 +1,57 @@
+# The tests. run.c compares with the goldens, every tests/test_<name>.c is a program, and scripts are named below. Each runs from the
+# project's root; status 77 says that something it needs is not installed, and ctest lists it as skipped at its end.
+pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
+pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+
+# Mesa leaks a little for every context, fontconfig keeps its tables
+set(LEAKS "ASAN_OPTIONS=detect_leaks=1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0")
+# matc_test(name command...)
+function(matc_test name)
+  add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77 ENVIRONMENT "${LEAKS}")
+endfunction()
+
+add_executable(golden tests/run.c compiler/output.c)
+target_link_libraries(golden PRIVATE libmatc)
+set_target_properties(golden PROPERTIES LINKER_LANGUAGE CXX)
+matc_test(golden golden ${PROJECT_SOURCE_DIR})
+matc_test(embed_example embed_example)
+
+file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c)
+foreach(file ${TESTS})
+  get_filename_component(name ${file} NAME_WE)
+  add_executable(${name} ${file})
+  target_compile_definitions(${name} PRIVATE SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" MATC_PROGRAM="$<TARGET_FILE:matc>")
+  target_link_libraries(${name} PRIVATE test_support matc_measure libmatc matc_view PkgConfig::CMOCKA PkgConfig::CJSON)
+  if(name MATCHES "^test_exact")
+    target_link_libraries(${name} PRIVATE PkgConfig::MPFR)
+  endif()
+  set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+  matc_test(${name} ${name})
+endforeach()
+
+# From outside
+matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
+matc_test(batch sh tests/batch.sh $<TARGET_FILE:matc>)
+matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
+matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
+matc_test(order sh tests/order.sh)
+
+# The libraries and packages
+set(LIBRARIES ${MATC_KINDS})
+list(TRANSFORM LIBRARIES REPLACE "(.+)" "$<TARGET_FILE:matc_\\1>")
+matc_test(abi sh tests/abi.sh ${LIBRARIES})
+if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot link to a library with them
+  matc_test(package sh tests/package.sh ${PROJECT_BINARY_DIR})
+  matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})
+  matc_test(install_make sh tests/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
+  matc_test(subproject sh tests/subproject.sh)
+endif()
+
+# A first run starts those that take longest first; later ones go by what they took.
+set(LONG order schema test_value test_valid test_equiv test_function test_layout subproject install install_make package)
+foreach(name ${LONG})
+  if(TEST ${name})
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
+endforeach()
