@@ -1,4 +1,4 @@
-/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper (numerics.md 7.2). */
+/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper (numerics.md 6.2). */
 #include "opt.h"
 #include <math.h>
 

@@ -3,8 +3,8 @@
  * The source says "total irradiance of sky + sun" and no more. Taken here: on the horizontal plane, mean of linear red, green
  * and blue, at radiance factor 1 (or else the factor would cancel); the sky's radiance integrated over the upper half space
  * with the cosine, plus the sun's disc of 32 arc minutes through Preetham's attenuations by Rayleigh scattering, aerosol,
- * ozone and water vapour; the mixed gases absorb only above 759 nm, beyond the sun's spectrum here. The tables were written
- * from memory of the paper's appendix. The colour matching functions are the sums of Gaussians of
+ * ozone and water vapour; the mixed gases absorb only above 759 nm, beyond the sun's spectrum here. The tables are those of the
+ * paper's appendix; published programs carry the same numbers. The colour matching functions are the sums of Gaussians of
  * Wyman, Sloan and Shirley (2013), a fit to CIE 1931. */
 #include "runtime/lib/sky.h"
 #include "runtime/reference.h"

@@ -103,7 +103,7 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     }
 }
 
-/* What drivers err by: numerics.md 7.2, with some room. */
+/* What drivers err by: numerics.md 6.2, with some room. */
 static double float_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
     switch (node->op) {
