@@ -33,6 +33,7 @@ endforeach()
 # From outside
 matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
 matc_test(batch sh tests/batch.sh $<TARGET_FILE:matc>)
+matc_test(links sh tests/links.sh $<TARGET_FILE:matc>)
 matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
 matc_test(order sh tests/order.sh)

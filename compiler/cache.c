@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-enum { VERSION = 1, LARGEST_BLOB = 256 << 20, READABLE = 0666, PASSABLE = 0777 };
+enum { VERSION = 1, LARGEST_BLOB = 256 << 20, READABLE = 0666, PASSABLE = 0777, ABOVE = 3 /* "ab/" */ };
 
 struct Cache {
     int folder;
@@ -129,6 +129,27 @@ static char *read_entry(int file, Key key, size_t *size)
     return NULL;
 }
 
+/* The folder of an entry, made if need be: a folder, and no link to one. -1: errno says why. */
+static int open_above(const Cache *cache, const char *name)
+{
+    const char above[3] = {name[0], name[1], 0};
+    const int how = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+    int folder = openat(cache->folder, above, how);
+    if (folder >= 0 || errno != ENOENT || (mkdirat(cache->folder, above, PASSABLE) && errno != EEXIST))
+        return folder;
+    return openat(cache->folder, above, how);
+}
+
+/* May hit a good one that was just put there: then it is made again. */
+static void remove_entry(const Cache *cache, const char *name)
+{
+    int above = open_above(cache, name);
+    if (above < 0)
+        return;
+    unlinkat(above, name + ABOVE, 0);
+    close(above);
+}
+
 char *cache_get(Cache *cache, Key key, size_t *size)
 {
     char name[CACHE_NAME], *bytes = NULL;
@@ -143,7 +164,7 @@ char *cache_get(Cache *cache, Key key, size_t *size)
         close(file);
     }
     if (there && !bytes) {
-        unlinkat(cache->folder, name, 0); /* may hit a good one that was just put there: then it is made again */
+        remove_entry(cache, name);
         cache->damaged++;
     }
     if (bytes)
@@ -154,9 +175,9 @@ char *cache_get(Cache *cache, Key key, size_t *size)
 }
 
 /* Writes all parts to a new file. errno says what failed. */
-static bool write_entry(const Cache *cache, const char *name, const Header *header, const void *bytes)
+static bool write_entry(int above, const char *name, const Header *header, const void *bytes)
 {
-    int file = openat(cache->folder, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, READABLE);
+    int file = openat(above, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, READABLE);
     if (file < 0)
         return false;
     const struct iovec parts[] = {{(void *)header, sizeof *header}, {(void *)bytes, header->size}};
@@ -170,32 +191,24 @@ static bool write_entry(const Cache *cache, const char *name, const Header *head
     return whole && closed;
 }
 
-/* The folders of entries are made as entries need them. */
-static bool write_temporary(const Cache *cache, const char *name, const Header *header, const void *bytes)
-{
-    if (write_entry(cache, name, header, bytes))
-        return true;
-    if (errno != ENOENT)
-        return false;
-    const char above[3] = {name[0], name[1], 0};
-    if (mkdirat(cache->folder, above, PASSABLE) && errno != EEXIST)
-        return false;
-    return write_entry(cache, name, header, bytes);
-}
-
 static bool put_entry(Cache *cache, Key key, const void *bytes, size_t size)
 {
     char name[CACHE_NAME], temporary[CACHE_NAME];
     const Header header = header_of(key, bytes, size);
     cache_name(key, name);
-    snprintf(temporary, sizeof temporary, "%.3s.tmp%016llx-%llx", name, (unsigned long long)cache->mark,
+    snprintf(temporary, sizeof temporary, ".tmp%016llx-%llx", (unsigned long long)cache->mark,
              (unsigned long long)cache->temporaries++);
-    if (write_temporary(cache, temporary, &header, bytes) && !renameat(cache->folder, temporary, cache->folder, name))
-        return true;
-    int error = errno, none = 0;
-    unlinkat(cache->folder, temporary, 0);
-    atomic_compare_exchange_strong(&cache->trouble, &none, error);
-    return false;
+    int above = open_above(cache, name), none = 0;
+    bool fine =
+        above >= 0 && write_entry(above, temporary, &header, bytes) && !renameat(above, temporary, above, name + ABOVE);
+    int error = errno;
+    if (!fine && above >= 0)
+        unlinkat(above, temporary, 0);
+    if (above >= 0)
+        close(above);
+    if (!fine)
+        atomic_compare_exchange_strong(&cache->trouble, &none, error);
+    return fine;
 }
 
 /* Adds what was counted since the last time to the statistics, and trims if the folder may be too large. */

@@ -14,6 +14,8 @@
 
 enum { NAME_DIGITS = 30, COUNTS_TEXT = 1024, LOCK_TRIES = 100, LOCK_WAIT_NS = 1000000, READABLE = 0666 };
 
+static const char statistics[] = "statistics";
+
 void cache_name(Key key, char *name)
 {
     static const char digits[] = "0123456789abcdef";
@@ -69,9 +71,23 @@ static int print_counts(char *text, const CacheCounts *counts)
     return size;
 }
 
+/* Opens a file of the cache's own, which is made if need be. What somebody planted under its name goes first: a link, a pipe, or
+ * another name of a file that lies elsewhere. */
+static int open_own(int folder, const char *name)
+{
+    const int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
+    struct stat info;
+    int file = openat(folder, name, how, READABLE);
+    if (file < 0 ? errno != ELOOP : !fstat(file, &info) && S_ISREG(info.st_mode) && info.st_nlink == 1)
+        return file;
+    if (file >= 0)
+        close(file);
+    return unlinkat(folder, name, 0) ? -1 : openat(folder, name, how | O_EXCL, READABLE);
+}
+
 CacheCounts cache_counts(int folder)
 {
-    int file = openat(folder, "statistics", O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    int file = openat(folder, statistics, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW);
     if (file < 0)
         return (CacheCounts){0};
     CacheCounts counts = read_counts(file);
@@ -82,7 +98,7 @@ CacheCounts cache_counts(int folder)
 CacheCounts cache_count(int folder, const CacheCounts *more)
 {
     char text[COUNTS_TEXT];
-    int file = openat(folder, "statistics", O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, READABLE);
+    int file = open_own(folder, statistics);
     CacheCounts sums = *more;
     if (file < 0)
         return sums;
@@ -189,7 +205,7 @@ static void remove_oldest(int folder, Entries *entries, uint64_t limit, CacheTri
 
 bool cache_trim(int folder, uint64_t limit, CacheTrim *done)
 {
-    int file = openat(folder, "trim.lock", O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, READABLE);
+    int file = open_own(folder, "trim.lock");
     bool free_to = file >= 0 && !flock(file, LOCK_EX | LOCK_NB);
     if (free_to) {
         Entries entries = list_entries(folder, true);

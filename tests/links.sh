@@ -1,0 +1,76 @@
+#!/bin/sh
+# Links, pipes and folders planted where matc writes: nothing outside changes, and what is written is what it would be without them.
+# links.sh MATC. Run from the project's root.
+set -u
+matc=$1
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+. tests/check.sh
+unset MATC_CACHE
+fast="$matc --no-validate"
+
+# Kinds of what can be planted under a name: a link to a file, one to nothing, another name of a file, a pipe
+kinds='link nowhere name pipe'
+# plant KIND PATH
+plant() {
+    rm -rf "$2"
+    case $1 in
+    link) ln -s "$work/victim" "$2" ;;
+    nowhere) ln -s "$work/outside/new" "$2" ;;
+    name) ln "$work/victim" "$2" ;;
+    pipe) mkfifo "$2" ;;
+    esac
+}
+fresh() {
+    rm -rf "$work/cache" "$work/made" "$work/outside" "$work/victim"
+    mkdir "$work/cache" "$work/outside"
+    echo precious >"$work/victim"
+    touch "$work/mark"
+}
+# The victim is as it was, and nothing came into the folder outside
+unharmed() { [ "$(cat "$work/victim")" = precious ] && [ -z "$(ls -A "$work/outside")" ] && [ -z "$(find "$work/victim" -newer "$work/mark")" ]; }
+is_file() { [ -f "$1" ] && ! [ -L "$1" ] && [ "$(stat -c %h "$1")" = 1 ]; }
+counts() { "$matc" --cache-stats --cache "$work/cache" | awk -v key="$1" '$1 == key { print $2 }'; }
+
+# -- the cache
+
+for file in statistics trim.lock; do
+    for kind in $kinds; do
+        fresh
+        plant $kind "$work/cache/$file"
+        check "$file: a $kind" status 0 timeout 20 $fast --cache "$work/cache" -d "$work/made" examples/checker.yaml
+        check "$file: harms nobody" unharmed
+        check "$file: is the cache's own" is_file "$work/cache/$file"
+        check "$file: and counts" test "$(counts misses)" -gt 0
+    done
+done
+for kind in $kinds; do
+    fresh
+    plant $kind "$work/cache/CACHEDIR.TAG"
+    check "the tag: a $kind" status 0 timeout 20 $fast --cache "$work/cache" -d "$work/made" examples/checker.yaml
+    check "the tag: harms nobody" unharmed
+done
+
+# All folders of entries are links to one outside
+fresh
+for above in $(awk 'BEGIN { for (i = 0; i < 256; i++) printf "%02x ", i }'); do ln -s "$work/outside" "$work/cache/$above"; done
+check "links for folders" status 0 $fast --cache "$work/cache" -d "$work/made" examples/checker.yaml
+check "get no entry" unharmed
+check "which is told" says 'warning: the cache'
+
+# Entries that are planted
+for kind in $kinds; do
+    fresh
+    $fast --cache "$work/cache" -d "$work/made" examples/checker.yaml
+    cp -r "$work/made" "$work/right"
+    find "$work/cache" -mindepth 2 -type f | while read -r entry; do plant $kind "$entry"; done
+    rm -rf "$work/made"
+    check "entries: a $kind" status 0 timeout 20 $fast --cache "$work/cache" -d "$work/made" examples/checker.yaml
+    check "entries: harms nobody" unharmed
+    check "entries: are made anew" test -z "$(find "$work/cache" -mindepth 2 ! -type d ! -type f)"
+    check "entries: the program is right" diff -r "$work/right" "$work/made"
+    rm -rf "$work/right"
+done
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
