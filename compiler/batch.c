@@ -2,6 +2,7 @@
  * programs that several materials share with different numbers are written again with those in a buffer. Only then do files
  * appear in the folder. */
 #include "batch_state.h"
+#include "depfile.h"
 #include "file.h"
 #include "layout_option.h"
 #include "output.h"
@@ -234,10 +235,12 @@ static void write_depfile(Batch *b)
     snprintf(path, sizeof path, "%s/manifest.d", b->line->folder);
     batch_inputs(b, &files);
     const char *depfile = b->line->depfile ? b->line->depfile : path;
-    const char *why =
-        output_depfile(depfile, b->line->target ? b->line->target : target, (const char *const *)files.at, files.count);
+    const char *bad, *made = b->line->target ? b->line->target : target;
+    char *text = depfile_text(made, (const char *const *)files.at, files.count, &bad);
+    const char *why = text ? output_write(depfile, text, strlen(text)) : depfile_why;
     if (why)
-        batch_complain(b, NULL, depfile, why);
+        batch_complain(b, NULL, text ? depfile : bad, why);
+    free(text);
     strings_free(&files);
 }
 

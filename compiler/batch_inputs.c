@@ -8,7 +8,7 @@
 void batch_inputs(const Batch *b, StringSet *files)
 {
     for (int d = 0; d < b->document_count; d++)
-        for (int i = 0; i < b->documents[d].depend_count; i++)
+        for (int i = !strcmp(b->documents[d].path, "-"); i < b->documents[d].depend_count; i++)
             strings_add(files, b->documents[d].depends[i], NULL);
     for (int i = 0; i < b->line->list_count; i++)
         strings_add(files, b->line->lists[i], NULL);

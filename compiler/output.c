@@ -100,36 +100,3 @@ char *output_ktx(const MatcTexture *t, size_t *file_size)
     *file_size = HEADER + sizeof size + size;
     return (char *)file;
 }
-
-/* Spaces and the characters that make minds. */
-static void put_escaped(FILE *out, const char *path)
-{
-    for (; *path; path++) {
-        if (*path == ' ' || *path == '#' || *path == '\\')
-            fputc('\\', out);
-        if (*path == '$')
-            fputc('$', out);
-        fputc(*path, out);
-    }
-}
-
-const char *output_depfile(const char *path, const char *target, const char *const *files, int count)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out)
-        return strerror(errno);
-    put_escaped(out, target);
-    fputc(':', out);
-    for (int i = 0; i < count; i++) {
-        if (files[i][0] == '<')
-            continue; /* standard input has no file */
-        fputs(i ? " \\\n  " : " ", out);
-        put_escaped(out, files[i]);
-    }
-    fputc('\n', out);
-    const char *why = fclose(out) ? strerror(errno) : output_write(path, text, size);
-    free(text);
-    return why;
-}

@@ -7,6 +7,4 @@
 const char *output_write(const char *path, const void *bytes, size_t size);
 /* A texture as a KTX 1 file (row 0 is v = 0), from malloc. */
 char *output_ktx(const MatcTexture *texture, size_t *size);
-/* `target: files...` for make and ninja. */
-const char *output_depfile(const char *path, const char *target, const char *const *files, int count);
 #endif

@@ -1,5 +1,6 @@
 /* Writing what was made of one material. */
 #include "single.h"
+#include "depfile.h"
 #include "file.h"
 #include "layout_option.h"
 #include "output.h"
@@ -48,29 +49,49 @@ static const char *write_output(const CommandLine *line, MatcDocument *document,
     return is_written(line, path, text, size) ? NULL : output_write(path, text, size);
 }
 
-static const char *write_depfile(const CommandLine *line, const MatcDocument *document, char path[SINGLE_PATH])
+/* Files that the document is made from: standard input is none. */
+static int list_files(const CommandLine *line, const MatcDocument *document, const char **files)
 {
-    const char *to = line->output ? line->output : "-";
-    int count = matc_depend_count(document);
-    const char **files = calloc((size_t)count + 1, sizeof *files);
-    if (!files)
-        abort();
-    for (int i = 0; i < count; i++)
-        files[i] = matc_depend(document, i);
+    int count = 0;
+    for (int i = !strcmp(line->inputs[0], "-"); i < matc_depend_count(document); i++)
+        files[count++] = matc_depend(document, i);
     if (line->compile.layout && layout_is_file(line->compile.layout))
         files[count++] = line->compile.layout;
-    snprintf(path, SINGLE_PATH, "%s%s", line->depfile ? line->depfile : to, line->depfile ? "" : ".d");
-    const char *why = output_depfile(path, line->target ? line->target : to, files, count);
+    return count;
+}
+
+/* The depfile's text, from malloc; NULL: it cannot be written, since a name in it cannot, which `path` gets. */
+static char *make_depfile(const CommandLine *line, const MatcDocument *document, char path[SINGLE_PATH])
+{
+    const char *to = line->output ? line->output : "-", *bad;
+    const char **files = calloc((size_t)matc_depend_count(document) + 1, sizeof *files);
+    if (!files)
+        abort();
+    char *text = depfile_text(line->target ? line->target : to, files, list_files(line, document, files), &bad);
+    if (!text)
+        snprintf(path, SINGLE_PATH, "%s", bad);
     free(files);
-    return why;
+    return text;
+}
+
+static const char *write_depfile(const CommandLine *line, const char *text, char path[SINGLE_PATH])
+{
+    const char *to = line->output ? line->output : "-";
+    snprintf(path, SINGLE_PATH, "%s%s", line->depfile ? line->depfile : to, line->depfile ? "" : ".d");
+    return output_write(path, text, strlen(text));
 }
 
 const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program, char path[SINGLE_PATH])
 {
+    bool depend = line->depend && program;
+    char *depfile = depend ? make_depfile(line, document, path) : NULL;
+    if (depend && !depfile)
+        return depfile_why;
     const char *why = write_output(line, document, program, path);
     if (!why && line->textures && program)
         why = write_textures(line, program, path);
-    if (!why && line->depend && program)
-        why = write_depfile(line, document, path);
+    if (!why && depfile)
+        why = write_depfile(line, depfile, path);
+    free(depfile);
     return why;
 }
