@@ -259,12 +259,19 @@ static void check_errors(Test *t, double error[AA_COUNT])
         fault(t, "the error of aniso over that of box is", error[AA_aniso] / error[AA_box], t->row->aniso);
 }
 
+static void show_errors(const Area *row, const double error[AA_COUNT])
+{
+    print_message("%-31s %7.4g %8.4g %8.4g %8.4g %8.4g %8.4g %8.4g", row->name, error[AA_none], error[AA_box], row->box,
+                  error[AA_none] / error[AA_box], row->gain, error[AA_aniso] / error[AA_box], row->aniso);
+}
+
 static void pixels_show_means(void **state)
 {
     (void)state;
     int faults = 0;
     const char *only = getenv("AREA_ONLY");
-    print_message("%-32s %9s %9s %9s %9s\n", "map", "none", "box", "aniso", "on axes");
+    print_message("%-31s %7s %17s %17s %17s %15s\n", "seen, and at most", "none", "box", "none/box", "aniso/box",
+                  "on axes");
     for (int i = 0; i < AREA_COUNT; i++) {
         Test t = {.row = &areas[i], .state = java_random(i)};
         double error[AA_COUNT] = {0};
@@ -273,9 +280,9 @@ static void pixels_show_means(void **state)
         open_map(&t);
         check_points(&t);
         check_errors(&t, error);
-        print_message("%-32s %9.2g %9.2g %9.2g", areas[i].name, error[AA_none], error[AA_box], error[AA_aniso]);
+        show_errors(&areas[i], error);
         if (areas[i].exact > 0)
-            print_message(" %9.1e", check_exact(&t));
+            print_message(" %7.1e %7.0e", check_exact(&t), areas[i].exact);
         print_message("%s\n", t.faults ? "  TOO LARGE" : "");
         faults += t.faults;
         arena_free(&t.arena);

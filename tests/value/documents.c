@@ -58,13 +58,8 @@ static char *read_text(Arena *arena, const char *path, size_t *size)
     return text.at;
 }
 
-bool document_open(Document *d, const char *path)
+static bool take_text(Document *d, const char *path, const char *text, size_t size)
 {
-    size_t size = 0;
-    *d = (Document){.path = path};
-    char *text = read_text(&d->arena, path, &size);
-    if (!text)
-        return false;
     matc_options_init(&d->options);
     d->options.pixels = true;
     d->document = matc_read(path, text, size, &d->options);
@@ -73,6 +68,20 @@ bool document_open(Document *d, const char *path)
     ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
     d->graph = compile_front(&d->c, 0, &d->tree);
     return d->graph && matc_error_count(d->document) == 0;
+}
+
+bool document_open(Document *d, const char *path)
+{
+    size_t size = 0;
+    *d = (Document){.path = path};
+    char *text = read_text(&d->arena, path, &size);
+    return text && take_text(d, path, text, size);
+}
+
+bool document_open_text(Document *d, const char *text)
+{
+    *d = (Document){.path = "text.yaml"};
+    return take_text(d, d->path, text, strlen(text));
 }
 
 bool document_is_library(const Document *d)

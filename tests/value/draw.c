@@ -42,6 +42,15 @@ static float *make_vertices(const Drawer *d, const Point *points)
     return vertices;
 }
 
+static void set_attributes(const GlContext *gl)
+{
+    for (int i = 0; i < ATTRIBUTES; i++) {
+        size_t offset = i ? (2 + 3 * (size_t)(i - 1)) * sizeof(float) : 0;
+        gl->VertexAttribPointer((GLuint)i, i ? 3 : 2, GL_FLOAT, GL_FALSE, FLOATS * sizeof(float), (void *)offset);
+        gl->EnableVertexAttribArray((GLuint)i);
+    }
+}
+
 static void upload(Drawer *d, const Point *points)
 {
     const GlContext *gl = d->gl;
@@ -52,11 +61,7 @@ static void upload(Drawer *d, const Point *points)
     gl->BindBuffer(GL_ARRAY_BUFFER, d->buffer);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)d->count * (1 + CORNERS) * FLOATS * sizeof(float)), vertices,
                    GL_STATIC_DRAW);
-    for (int i = 0; i < ATTRIBUTES; i++) {
-        size_t offset = i ? (2 + 3 * (size_t)(i - 1)) * sizeof(float) : 0;
-        gl->VertexAttribPointer((GLuint)i, i ? 3 : 2, GL_FLOAT, GL_FALSE, FLOATS * sizeof(float), (void *)offset);
-        gl->EnableVertexAttribArray((GLuint)i);
-    }
+    set_attributes(gl);
     free(vertices);
 }
 
@@ -250,26 +255,62 @@ static bool set_textures(Drawer *d, GLuint program, const Shading *shading, GLui
     return count <= UNITS || fail(d, "too many textures");
 }
 
+/* Vertices of the bound array. */
+typedef struct {
+    GLenum kind;
+    int first, count;
+} Part;
+
 /* Framebuffer rows are those of the grid. */
-static bool draw(Drawer *d, GLuint program, bool front, const Framebuffer *target)
+static bool draw(Drawer *d, GLuint program, const Part *part, const Framebuffer *target)
 {
     const GlContext *gl = d->gl;
     framebuffer_clear(gl, target, (float[4]){-12345, -12345, -12345, -12345});
     gl->UseProgram(program);
-    gl->BindVertexArray(d->array);
-    gl->DrawArrays(front ? GL_POINTS : GL_TRIANGLES, front ? 0 : d->count, front ? d->count : CORNERS * d->count);
+    gl->DrawArrays(part->kind, part->first, part->count);
     return gl_check(d->gl, "drawing points") || fail(d, d->gl->error);
+}
+
+/* The array of vertices that are to be drawn is bound. */
+static bool draw_with(Drawer *d, GLuint program, const Shading *shading, const Part *part, const Framebuffer *target)
+{
+    GLuint names[UNITS] = {0};
+    GLuint buffers[] = {set_uniforms(d, program, shading), set_constants(d, program, shading)};
+    bool drawn = set_textures(d, program, shading, names) && draw(d, program, part, target);
+    d->gl->DeleteTextures(UNITS, names);
+    d->gl->DeleteBuffers(2, buffers);
+    return drawn;
 }
 
 bool drawer_draw_to(Drawer *d, GLuint program, const Shading *shading, bool front, const Framebuffer *target)
 {
-    GLuint names[UNITS] = {0};
+    const Part points = {GL_POINTS, 0, d->count}, triangles = {GL_TRIANGLES, d->count, CORNERS * d->count};
     gl_use(d->gl);
-    GLuint buffers[] = {set_uniforms(d, program, shading), set_constants(d, program, shading)};
-    bool drawn = set_textures(d, program, shading, names) && draw(d, program, front, target);
-    d->gl->DeleteTextures(UNITS, names);
-    d->gl->DeleteBuffers(2, buffers);
-    return drawn;
+    d->gl->BindVertexArray(d->array);
+    return draw_with(d, program, shading, front ? &points : &triangles, target);
+}
+
+bool drawer_fill(Drawer *d, GLuint program, const Shading *shading, const Point corners[3], float *rgba)
+{
+    static const float places[CORNERS][2] = {{-1, -1}, {3, -1}, {-1, 3}};
+    const GlContext *gl = d->gl;
+    float vertices[CORNERS][FLOATS];
+    GLuint array, buffer;
+    for (int i = 0; i < CORNERS; i++) {
+        memcpy(vertices[i], places[i], sizeof places[i]);
+        memcpy(vertices[i] + 2, corners[i].input, sizeof corners[i].input);
+    }
+    gl_use(d->gl);
+    gl->GenVertexArrays(1, &array);
+    gl->BindVertexArray(array);
+    gl->GenBuffers(1, &buffer);
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl->BufferData(GL_ARRAY_BUFFER, sizeof vertices, vertices, GL_STATIC_DRAW);
+    set_attributes(gl);
+    bool drawn = draw_with(d, program, shading, &(Part){GL_TRIANGLES, 0, CORNERS}, &d->target);
+    gl->DeleteBuffers(1, &buffer);
+    gl->DeleteVertexArrays(1, &array);
+    return drawn && (framebuffer_read(d->gl, &d->target, 0, rgba) || fail(d, d->gl->error));
 }
 
 bool drawer_draw(Drawer *d, GLuint program, const Shading *shading, bool front, float *const *rgba, int targets)

@@ -42,4 +42,7 @@ GLuint drawer_program(Drawer *d, const Shading *shading);
 bool drawer_draw(Drawer *d, GLuint program, const Shading *shading, bool front, float *const *rgba, int targets);
 /* The same into another framebuffer, which is not read. */
 bool drawer_draw_to(Drawer *d, GLuint program, const Shading *shading, bool front, const Framebuffer *target);
+/* One triangle over all of the target, seen from the front: what its corners have at (-1, -1), (3, -1) and (-1, 3) of clip space
+ * changes evenly from pixel to pixel. Four floats a pixel of the first target, from the lower left. */
+bool drawer_fill(Drawer *d, GLuint program, const Shading *shading, const Point corners[3], float *rgba);
 #endif

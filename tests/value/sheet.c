@@ -1,0 +1,126 @@
+/* Varyings as planes over the pixels; one program a draw. */
+#include "sheet.h"
+#include <stdio.h>
+#include <string.h>
+
+void sheet_init(Sheet *sheet)
+{
+    memset(sheet, 0, sizeof *sheet);
+    sheet->at.input[INPUT_N][2] = sheet->at.input[INPUT_eyeN][2] = 1;
+    sheet->at.input[INPUT_DU][0] = sheet->at.input[INPUT_XU][0] = 1;
+    sheet->at.input[INPUT_DV][1] = sheet->at.input[INPUT_XV][1] = 1;
+}
+
+void sheet_set(Sheet *sheet, int lane, double middle, double right, double up)
+{
+    static const Input inputs[] = {INPUT_X, INPUT_P, INPUT_U};
+    for (int i = 0; i < 3; i++) {
+        if (inputs[i] == INPUT_U && lane == 2)
+            continue;
+        sheet->right.input[inputs[i]][lane] = (float)right;
+        sheet->up.input[inputs[i]][lane] = (float)up;
+        sheet->at.input[inputs[i]][lane] =
+            (float)(middle - right * (SHEET_WIDTH - 1) / 2 - up * (SHEET_HEIGHT - 1) / 2);
+    }
+}
+
+static double varying(const Sheet *sheet, int input, int lane, double right, double up)
+{
+    return sheet->at.input[input][lane] + right * (double)sheet->right.input[input][lane] +
+           up * (double)sheet->up.input[input][lane];
+}
+
+void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surface *surface)
+{
+    static const Input input[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
+                                  [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
+    right += pixel % SHEET_WIDTH;
+    up += pixel / SHEET_WIDTH;
+    point_surface(&sheet->at, true, surface);
+    for (Group group = 0; group < GROUP_R; group++)
+        for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
+            surface->root[channel_id(group, lane)] = varying(sheet, (int)input[group], lane, right, up);
+}
+
+/* The corners of drawer_fill, in pixels from the middle of the lower left one. */
+static void find_corners(const Sheet *sheet, Point corners[3])
+{
+    for (int corner = 0; corner < 3; corner++)
+        for (int input = 0; input < POINT_VARYINGS; input++)
+            for (int lane = 0; lane < 3; lane++)
+                corners[corner].input[input][lane] =
+                    (float)varying(sheet, input, lane, (corner == 1 ? 2 * SHEET_WIDTH : 0) - 0.5,
+                                   (corner == 2 ? 2 * SHEET_HEIGHT : 0) - 0.5);
+}
+
+static void set_options(const Filtered *filtered, MatcOptions *options)
+{
+    matc_options_init(options);
+    options->pass = "value";
+    options->pixels = options->check = true;
+    options->slot = filtered->slot;
+    options->target = filtered->target ? filtered->target : options->target;
+    options->aa = filtered->aa ? filtered->aa : options->aa;
+    options->noise = filtered->noise ? filtered->noise : options->noise;
+}
+
+static Target target_of(const MatcOptions *options)
+{
+    Job job;
+    job_of(options, &job);
+    return job.target;
+}
+
+const char *drawers_open(Drawers *drawers)
+{
+    static const Point none;
+    if (!drawer_open(&drawers->core, true, &none, 1, 1, GL_RGBA32F))
+        return drawers->core.error;
+    return drawer_open(&drawers->old, false, &none, 1, 1, GL_RGBA32F) ? NULL : drawers->old.error;
+}
+
+void drawers_close(Drawers *drawers)
+{
+    drawer_close(&drawers->core);
+    drawer_close(&drawers->old);
+}
+
+static bool fail(Filtered *filtered, const char *text)
+{
+    snprintf(filtered->error, sizeof filtered->error, "%s: %.3000s", filtered->map, text);
+    return false;
+}
+
+bool filtered_open(Filtered *f, Drawers *drawers)
+{
+    MatcOptions options;
+    snprintf(f->text, sizeof f->text, "material: Phong\n%s: %s\n", f->slot, f->map);
+    if (!document_open_text(&f->document, f->text))
+        return fail(f, document_fault(&f->document));
+    set_options(f, &options);
+    f->program = matc_compile(f->document.document, 0, MATC_FRAGMENT, &options);
+    if (!matc_ok(f->program))
+        return fail(f, matc_program_diagnostics(f->program, MATC_TEXT));
+    f->shading = (Shading){.fragment = matc_output(f->program, MATC_FRAGMENT, NULL),
+                           .target = target_of(&options),
+                           .program = f->program,
+                           .graph = f->document.graph};
+    f->drawer = f->shading.target == TARGET_glsl110 ? &drawers->old : &drawers->core;
+    f->name = drawer_program(f->drawer, &f->shading);
+    return f->name || fail(f, f->drawer->error);
+}
+
+void filtered_close(Filtered *f)
+{
+    if (f->name)
+        f->drawer->gl->DeleteProgram(f->name);
+    matc_program_free(f->program);
+    document_close(&f->document);
+}
+
+bool filtered_draw(Filtered *f, const Sheet *sheet, float (*rgba)[4])
+{
+    Point corners[3];
+    find_corners(sheet, corners);
+    return drawer_fill(f->drawer, f->name, &f->shading, corners, *rgba) || fail(f, f->drawer->error);
+}
