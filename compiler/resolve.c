@@ -154,9 +154,10 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
         diag_add(r->c, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->c, tree));
         return false;
     }
-    *value = (Value){.kind = VALUE_items, .items = tree->items_made};
-    if (tree->items_made)
+    if (tree->made == MADE_items) {
+        *value = (Value){.kind = VALUE_items, .items = tree->items_made};
         return true;
+    }
     Item *item = ARENA_ARRAY(r->c->arena, Item, tree->count);
     Items *items = ARENA_NEW(r->c->arena, Items);
     *items = (Items){(int)tree->count, item};
@@ -171,7 +172,10 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
     if (descends)
         diag_add(r->c, descends->span, DIAG_unordered_items);
     *value = (Value){.kind = VALUE_items, .items = items};
-    tree->items_made = fine ? items : NULL;
+    if (fine) {
+        tree->items_made = items;
+        tree->made = MADE_items;
+    }
     return fine;
 }
 
@@ -403,7 +407,7 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
 {
     if (tree_is_null(tree))
         return NULL;
-    if (tree->node && is_material(tree->node->kind) == material)
+    if (tree->made == MADE_node && is_material(tree->node->kind) == material)
         return tree->node;
     const Node *node = NULL;
     if (r->depth >= LIMIT_DEPTH)
@@ -415,7 +419,10 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
         tree->open = false;
         r->depth--;
     }
-    tree->node = node;
+    if (node) {
+        tree->node = node;
+        tree->made = MADE_node;
+    }
     tree->failed = !node;
     *fault |= !node;
     return node;

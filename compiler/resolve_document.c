@@ -127,7 +127,7 @@ static void check_defs(Resolver *r)
         for (uint32_t k = 0; k < r->defs[i]->count; k++) {
             Tree *tree = r->defs[i]->members[k].value;
             bool fault = false;
-            if (!tree->node && !tree->failed)
+            if (tree->made != MADE_node && !tree->failed)
                 resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
         }
 }

@@ -237,8 +237,8 @@ static int wave_length(const Wave *wave) { return wave ? wave->length : 0; }
 /* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number, second: wave } */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
 {
-    *result = tree->wave;
-    if (tree_is_null(tree) || tree->wave)
+    *result = tree->made == MADE_wave ? tree->wave : NULL;
+    if (tree_is_null(tree) || *result)
         return true;
     if (tree->failed)
         return false;
@@ -265,7 +265,11 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
         fine = false;
     }
     tree->failed = !fine;
-    *result = tree->wave = fine ? wave : NULL;
+    *result = fine ? wave : NULL;
+    if (fine) {
+        tree->wave = wave;
+        tree->made = MADE_wave;
+    }
     return fine;
 }
 

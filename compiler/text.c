@@ -189,16 +189,14 @@ void text_json(Text *text, const char *string, size_t size)
 
 bool text_number(const char *string, size_t size, double *value)
 {
-    if (!size || size >= 64 || !strchr("+-.0123456789", string[0]))
+    char *end;
+    if (!size || !strchr("+-.0123456789", string[0]))
         return false;
     for (size_t i = 0; i < size; i++)
         if (!strchr("+-.eE0123456789", string[i]) || !string[i])
             return false; /* no hexadecimal, no "inf" */
-    char copy[64], *end;
-    memcpy(copy, string, size);
-    copy[size] = 0;
-    *value = strtod(copy, &end);
-    return *end == 0 && end != copy;
+    *value = strtod(string, &end);
+    return end == string + size;
 }
 
 int utf8_length(const unsigned char *at, const unsigned char *end)

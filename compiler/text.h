@@ -25,7 +25,8 @@ void text_float(Text *text, double value);
 void text_double(Text *text, double value);
 /* A JSON string with its quotes. */
 void text_json(Text *text, const char *string, size_t size);
-/* Reads a decimal number that takes up all of the string; one that is too large is infinite. */
+/* Reads a decimal number that takes up all of the string, rounded to nearest; one that is too large is infinite. What stands behind
+ * the string's end does not continue a number: a zero, a space. */
 bool text_number(const char *string, size_t size, double *value);
 /* Length of the UTF-8 sequence at `at`, 0 if it is none: overlong forms, surrogates and numbers past U+10FFFF are none. */
 int utf8_length(const unsigned char *at, const unsigned char *end);

@@ -32,48 +32,70 @@ const char *tree_describe(Compile *c, const Tree *tree)
 
 enum { LARGE_OBJECT = 16 }; /* members from which on a hash table pays */
 
-uint32_t tree_hash(const char *key)
+uint32_t tree_hash(const char *key, size_t size)
 {
     uint32_t hash = 2166136261u;
-    for (; *key; key++)
-        hash = (hash ^ (unsigned char)*key) * 16777619u;
+    for (size_t i = 0; i < size; i++)
+        hash = (hash ^ (unsigned char)key[i]) * 16777619u;
     return hash ^ hash >> 15;
 }
 
-void tree_index(Compile *c, Tree *object)
+static bool has_key(const Member *member, const char *key, size_t size)
 {
-    if (object->count <= LARGE_OBJECT)
-        return;
+    return member->size == size && !memcmp(member->key, key, size);
+}
+
+/* A power of two that leaves half of the table empty. */
+static uint32_t table_size(uint32_t count)
+{
     uint32_t size = 64;
-    while (size < 2 * object->count)
+    while (size < 2 * count)
         size *= 2;
-    object->table = ARENA_ARRAY(c->arena, uint32_t, size);
-    object->mask = size - 1;
-    for (uint32_t i = 0; i < object->count; i++) {
-        uint32_t at = tree_hash(object->members[i].key) & object->mask;
-        while (object->table[at] && strcmp(object->members[object->table[at] - 1].key, object->members[i].key) != 0)
-            at = (at + 1) & object->mask;
-        if (!object->table[at])
-            object->table[at] = i + 1;
+    return size;
+}
+
+/* The table's place of a key: it holds the number of the first member that has it, from 1, or 0. */
+static uint32_t *table_place(const Tree *object, const char *key, size_t size)
+{
+    uint32_t *table = (uint32_t *)(object->members + object->count), mask = table_size(object->count) - 1;
+    uint32_t at = tree_hash(key, size) & mask;
+    while (table[at] && !has_key(&object->members[table[at] - 1], key, size))
+        at = (at + 1) & mask;
+    return &table[at];
+}
+
+void tree_set_members(Compile *c, Tree *object, const Member *members, size_t count)
+{
+    const size_t size = count * sizeof *members;
+    const size_t table = count > LARGE_OBJECT ? table_size((uint32_t)count) * sizeof(uint32_t) : 0;
+    object->count = (uint32_t)count;
+    if (!count)
+        return;
+    object->members = arena_alloc(c->arena, size + table);
+    memcpy(object->members, members, size);
+    memset(object->members + count, 0, table);
+    for (uint32_t i = 0; table && i < count; i++) {
+        uint32_t *place = table_place(object, members[i].key, members[i].size);
+        if (!*place)
+            *place = i + 1;
     }
 }
 
-const Member *tree_find(const Tree *object, const char *key)
+const Member *tree_find_bytes(const Tree *object, const char *key, size_t size)
 {
     if (object->kind != TREE_object)
         return NULL;
-    if (object->table) {
-        uint32_t at = tree_hash(key) & object->mask;
-        while (object->table[at] && strcmp(object->members[object->table[at] - 1].key, key) != 0)
-            at = (at + 1) & object->mask;
-        return object->table[at] ? &object->members[object->table[at] - 1] : NULL;
+    if (object->count > LARGE_OBJECT) {
+        uint32_t found = *table_place(object, key, size);
+        return found ? &object->members[found - 1] : NULL;
     }
     for (uint32_t i = 0; i < object->count; i++)
-        if (*object->members[i].key == *key &&
-            !strcmp(object->members[i].key, key)) /* most differ in the first letter */
+        if (has_key(&object->members[i], key, size))
             return &object->members[i];
     return NULL;
 }
+
+const Member *tree_find(const Tree *object, const char *key) { return tree_find_bytes(object, key, strlen(key)); }
 
 static void indent(Text *out, int depth)
 {

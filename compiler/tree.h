@@ -9,15 +9,21 @@ typedef enum {
     TREE_object, /* members, count */
 } TreeKind;
 
+/* What resolve made of a subtree, so that a shared one is made once. */
+typedef enum { MADE_nothing, MADE_node, MADE_wave, MADE_items } Made;
+
 typedef struct Tree Tree;
 typedef struct {
-    const char *key;
-    Span span; /* of the key */
+    const char *key; /* zero-terminated */
     Tree *value;
+    Span span;     /* of the key */
+    uint32_t size; /* bytes of the key */
 } Member;
 
+/* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of docs/stability.md, Memory. */
 struct Tree {
-    TreeKind kind;
+    uint8_t kind; /* TreeKind */
+    uint8_t made; /* Made: which of the last pointers is set */
     bool plain;   /* scalar: unquoted, so that it may be a number, a truth value or null */
     bool open;    /* being read, or being resolved: met again, it contains itself */
     bool shared;  /* an alias stands for it */
@@ -28,22 +34,23 @@ struct Tree {
     union {
         const char *text; /* zero-terminated */
         Tree **items;
-        Member *members;
+        Member *members; /* with a hash table behind them where they are many: tree_set_members */
     };
-    uint32_t *table;         /* of an object with many members: hash table of member numbers from 1, for tree_find */
-    uint32_t mask;           /* its size less one */
-    const Wave *wave;        /* resolve: the wave this subtree became */
-    const Items *items_made; /* resolve: the blend items it became */
-    const Node *node;        /* resolve: the node this subtree became, so that a shared one is made once */
+    union {
+        const Node *node;
+        const Wave *wave;
+        const Items *items_made;
+    };
 };
 
 /* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into c->sources. */
 Tree *read_document(Compile *c, uint32_t source);
-uint32_t tree_hash(const char *key);
-/* Makes tree_find fast for an object with many members, once it is read. */
-void tree_index(Compile *c, Tree *object);
+uint32_t tree_hash(const char *key, size_t size);
+/* The object's members are a copy of these. Of those with one key tree_find gives the first. */
+void tree_set_members(Compile *c, Tree *object, const Member *members, size_t count);
 /* The first member of that key, or NULL. */
 const Member *tree_find(const Tree *object, const char *key);
+const Member *tree_find_bytes(const Tree *object, const char *key, size_t size);
 bool tree_is_null(const Tree *tree);
 /* A plain scalar that is a finite number. */
 bool tree_number(const Tree *tree, double *value);

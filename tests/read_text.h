@@ -1,0 +1,25 @@
+/* A text through the reader alone: any value, not what a material must be. */
+#ifndef MATC_READ_TEXT_H
+#define MATC_READ_TEXT_H
+#include "compiler/tree.h"
+
+typedef struct {
+    Arena arena;
+    MatcOptions options;
+    Compile c;
+    Tree *tree; /* NULL: refused */
+} ReadText;
+
+/* The text has a zero behind it, as every source has. */
+static inline void read_text(ReadText *r, const char *name, const char *text, size_t size)
+{
+    *r = (ReadText){0};
+    matc_options_init(&r->options);
+    r->c = (Compile){.options = &r->options, .arena = &r->arena};
+    Source source = {name, text, size};
+    ARENA_PUSH(&r->arena, r->c.sources, r->c.source_count, r->c.source_room, source);
+    r->tree = read_document(&r->c, 0);
+}
+
+static inline void read_text_done(ReadText *r) { arena_free(&r->arena); }
+#endif
