@@ -1,0 +1,194 @@
+#!/bin/sh
+# Would the tests notice? Puts one fault at a time into a copy of the project, builds the tests that are nearest to it, and runs
+# them: mutants.txt has the faults. Run from anywhere; nothing in the tree that it stands in is touched.
+#   run.sh [-j N] [--golden] [--again] [NAME...]   the rows named, or all; what is known of the same sources is not run again
+#   run.sh --check                                 says which rows are stale, without building anything
+#   -j N      in N copies at once
+#   --golden  what lives is given to the goldens, too; those that die by them alone are counted apart
+#   --again   those that lived or did not build the last time, whatever has changed
+# Copies and results lie in $MATC_MUTANTS, else in build/mutants. Exit status: 0, all died; 1, some live; 2, a row is at fault.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../.." && pwd)
+folder=${MATC_MUTANTS:-$root/build/mutants}
+table=$here/mutants.txt
+limit=300 # seconds for a test: a mutant may hang
+jobs=1
+golden=
+again=
+
+rows() { awk -v act="$1" -v row="${2:-}" -v root="${3:-$root}" -f "$here/mutants.awk" "$table"; }
+
+# The project's files, without what is built from them
+files() {
+    cd "$root" && find . \( -name .git -o -name 'build*' -type d -path './build*' \) -prune -o -type f -print | LC_ALL=C sort
+}
+
+# build targets of tests: a program of the same name, the feeder of a fuzzer's seeds, the goldens, or matc that a script runs
+targets() {
+    for test in "$@"; do
+        case $test in
+        test_*)
+            echo "$test"
+            ! grep -q MATC_PROGRAM "$root/tests/$test.c" || echo matc
+            ;;
+        fuzz_*_seeds) test=${test#fuzz_} && echo "feed_${test%_seeds}" ;;
+        golden) echo golden ;;
+        *) echo matc ;;
+        esac
+    done | sort -u
+}
+
+# copy N: the sources as they are now, in a build folder that knows what has changed
+copy() {
+    place=$folder/$1
+    mkdir -p "$place/source"
+    files | (cd "$root" && tar -cf - -T -) | tar -xpf - -C "$place/source"
+    (cd "$place/source" && find . -type f | LC_ALL=C sort | { files >"$place/files" && LC_ALL=C comm -23 - "$place/files"; } |
+        while read -r gone; do rm "$gone"; done)
+    [ ! -f "$place/changed" ] || touch "$place/source/$(cat "$place/changed")" # a run was ended in the middle
+    [ -f "$place/build/build.ninja" ] && return
+    set -- -DCMAKE_BUILD_TYPE=Release -DMATC_REFERENCE=OFF -DMATC_WERROR=OFF
+    ! command -v ccache >/dev/null || set -- "$@" -DCMAKE_C_COMPILER_LAUNCHER=ccache
+    ! command -v mold >/dev/null || set -- "$@" -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=mold
+    cmake -G Ninja -S "$place/source" -B "$place/build" "$@" >"$place/log"
+}
+
+# passes PLACE TEST...: the tests pass there; else $killer is the first that does not. 3: they do not build
+passes() {
+    place=$1
+    shift
+    killer=
+    # shellcheck disable=SC2046
+    CCACHE_BASEDIR=$place cmake --build "$place/build" --target $(targets "$@") >"$place/log" 2>&1 || return 3
+    if ctest --test-dir "$place/build" -R "^($(echo "$*" | tr ' ' '|'))\$" --stop-on-failure --timeout $limit --no-tests=error \
+        >"$place/log" 2>&1; then
+        return 0
+    fi
+    killer=$(sed -n 's/^.*[0-9]* - \([a-z_A-Z0-9]*\) (.*/\1/p' "$place/log" | head -1)
+    return 1
+}
+
+# verdict PLACE TEST...: what becomes of the mutant that stands there
+verdict() {
+    place=$1
+    code=0
+    passes "$@" || code=$?
+    case $code in
+    3) echo "unbuilt" ;;
+    1) echo "killed by ${killer:-no test: none was found}" ;;
+    0)
+        if [ -n "$golden" ] && ! passes "$place" golden; then
+            echo "golden"
+        else
+            echo "lives"
+        fi
+        ;;
+    esac
+}
+
+# try PLACE KEY NAME FILE TEST...
+try() {
+    place=$1 key=$2 name=$3 file=$4
+    shift 4
+    echo "$file" >"$place/changed"
+    rows apply "$name" "$root" >"$place/source/$file"
+    said=$(verdict "$place" "$@")
+    cp "$root/$file" "$place/source/$file"
+    echo "$key $name $said" >>"$folder/results"
+    printf '%-24s %s\n' "$name" "$said"
+}
+
+# baseline PLACE TEST...: without a fault all of them pass, or nothing can be learnt from them
+baseline() {
+    place=$1
+    passes "$@" && return
+    echo "run.sh: without a fault, ${killer:-the build} fails; see $place/log" >&2
+    return 1
+}
+
+# work N: every row of its share, from $folder/todo
+work() {
+    place=$folder/$1
+    copy "$1"
+    tests=$(awk -F '\t' -v n="$1" -v jobs="$jobs" 'NR % jobs == n % jobs { print $4 }' "$folder/todo" | tr ' ' '\n' | sort -u)
+    # shellcheck disable=SC2086
+    [ -z "$tests" ] || baseline "$place" $tests || return 2
+    awk -v n="$1" -v jobs="$jobs" 'NR % jobs == n % jobs' "$folder/todo" >"$place/share"
+    while IFS="$(printf '\t')" read -r key name file tests; do
+        # shellcheck disable=SC2086
+        try "$place" "$key" "$name" "$file" $tests </dev/null
+    done <"$place/share"
+}
+
+# known KEY NAME: decided before
+known() { grep -q "^$1 $2 " "$folder/results" && ! { [ -n "$golden" ] && grep -q "^$1 $2 lives" "$folder/results"; }; }
+lived() { awk -v name="$1" '$2 == name { said = $3 } END { exit !(said != "killed") }' "$folder/results"; }
+
+# Rows that are still to be run, with the checksum of the sources and of the row
+plan() {
+    sources=$(cd "$root" && files | grep -v '^./tests/mutants/' | tr '\n' '\0' | xargs -0 cksum | cksum | cut -d ' ' -f 1)
+    rows list | while IFS="$(printf '\t')" read -r name file tests fault; do
+        [ $# = 0 ] || case " $* " in *" $name "*) ;; *) continue ;; esac
+        key=$sources-$({ echo "$tests" && rows apply "$name"; } | cksum | cut -d ' ' -f 1)
+        echo "$key $name" >>"$folder/asked"
+        if [ -n "$again" ]; then
+            lived "$name" || continue
+        else
+            ! known "$key" "$name" || continue
+        fi
+        printf '%s\t%s\t%s\t%s\n' "$key" "$name" "$file" "$tests"
+    done
+}
+
+# The last word on every row that was asked for
+summary() {
+    awk -v asked="$folder/asked" '
+        BEGIN { while ((getline line < asked) > 0) { split(line, part, " "); order[++rows] = part[2] } }
+        { said[$2] = $3 }
+        END {
+            for (i = 1; i <= rows; i++) {
+                count[said[order[i]]]++
+                names[said[order[i]]] = names[said[order[i]]] " " order[i]
+            }
+            decided = rows - count["unbuilt"]
+            printf "%d mutants: %d killed without goldens", rows, count["killed"]
+            if (decided)
+                printf " (%.0f %%)", 100 * count["killed"] / decided
+            printf ", %d by goldens alone, %d live\n", count["golden"], count["lives"]
+            if (count["golden"]) print "by goldens alone:" names["golden"]
+            if (count["lives"]) print "live:" names["lives"]
+            if (count["unbuilt"]) print "do not build:" names["unbuilt"]
+            exit count["unbuilt"] ? 2 : count["lives"] || count["golden"] ? 1 : 0
+        }' "$folder/results"
+}
+
+while [ $# -gt 0 ]; do
+    case $1 in
+    -j) jobs=$2 && shift ;;
+    --golden) golden=yes ;;
+    --again) again=yes ;;
+    --check) rows check && exit 0 || exit 2 ;;
+    -*) sed -n '2,9p' "$0" | cut -c3- && exit 2 ;;
+    *) break ;;
+    esac
+    shift
+done
+rows check || exit 2
+mkdir -p "$folder"
+touch "$folder/results"
+: >"$folder/asked"
+plan "$@" >"$folder/todo"
+failed=
+pids=
+i=1
+while [ $i -le "$jobs" ]; do
+    work $i &
+    pids="$pids $!"
+    i=$((i + 1))
+done
+for pid in $pids; do
+    wait "$pid" || failed=yes
+done
+[ -z "$failed" ] || exit 2
+summary

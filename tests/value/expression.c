@@ -1,0 +1,172 @@
+/* Recursive descent, and back. */
+#include "expression.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_ARGUMENTS = 16, LONGEST_WORD = 32 };
+
+typedef struct {
+    const char *name;
+    Input input;
+    int lane; /* -1: all */
+} Leaf;
+
+static const Leaf leaves[] = {{"x", INPUT_X, 0},  {"y", INPUT_X, 1},  {"z", INPUT_X, 2},         {"v", INPUT_X, -1},
+                              {"w", INPUT_P, -1}, {"u", INPUT_U, -1}, {"front", INPUT_front, -1}};
+enum { LEAF_COUNT = sizeof leaves / sizeof *leaves };
+
+static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+
+static Ref read(Ir *ir, const char **at);
+
+static void skip(const char **at) { *at += strspn(*at, " "); }
+
+static bool accept(const char **at, char letter)
+{
+    skip(at);
+    bool found = **at == letter;
+    *at += found;
+    return found;
+}
+
+/* "[1, 0, 0]" behind its bracket. */
+static Ref read_vector(Ir *ir, const char **at)
+{
+    double numbers[4];
+    int count = 0;
+    do {
+        char *end;
+        numbers[count++] = strtod(*at, &end);
+        *at = end;
+    } while (count < 4 && accept(at, ','));
+    return accept(at, ']') ? ir_const(ir, type_of_lanes[count], numbers) : 0;
+}
+
+static Ref read_number(Ir *ir, const char **at)
+{
+    char *end;
+    double number = strtod(*at, &end);
+    *at = end;
+    if (accept(at, 'i'))
+        return ir_int(ir, number);
+    return ir_const(ir, accept(at, 'u') ? TYPE_uint : TYPE_float, &number);
+}
+
+static Ref read_leaf(Ir *ir, const char *word)
+{
+    for (int i = 0; i < LEAF_COUNT; i++)
+        if (!strcmp(leaves[i].name, word)) {
+            Ref input = ir_input(ir, leaves[i].input);
+            return leaves[i].lane < 0 ? input : ir_swizzle_lanes(ir, input, (uint32_t)leaves[i].lane, 1);
+        }
+    if (!strcmp(word, "true") || !strcmp(word, "false"))
+        return ir_const(ir, TYPE_bool, (double[]){!strcmp(word, "true")});
+    return 0;
+}
+
+static Ref make(Ir *ir, const char *word, const Ref *args, int count)
+{
+    if (!strncmp(word, "vec", 3))
+        return ir_vec(ir, type_of_lanes[word[3] - '0'], args, count);
+    for (int op = 0; op < OP_COUNT; op++)
+        if (!strcmp(op_table[op].name, word))
+            return ir_make(ir, (Op)op, ir_type(ir, args[op == OP_select]), 0, args, count);
+    for (int function = 0; function < FUNCTION_COUNT; function++)
+        if (function_row(function)->name && !strcmp(function_row(function)->name, word))
+            return ir_call(ir, function, args, count);
+    return 0;
+}
+
+static Ref read_word(Ir *ir, const char **at)
+{
+    char word[LONGEST_WORD];
+    Ref args[MOST_ARGUMENTS];
+    int size = 0, count = 0;
+    while (isalnum((unsigned char)**at) && size + 1 < LONGEST_WORD)
+        word[size++] = *(*at)++;
+    word[size] = 0;
+    if (!accept(at, '('))
+        return read_leaf(ir, word);
+    do {
+        if (!(args[count++] = read(ir, at)))
+            return 0;
+    } while (count < MOST_ARGUMENTS && accept(at, ','));
+    return accept(at, ')') ? make(ir, word, args, count) : 0;
+}
+
+static Ref read(Ir *ir, const char **at)
+{
+    skip(at);
+    Ref ref = accept(at, '[')                ? read_vector(ir, at)
+              : isalpha((unsigned char)**at) ? read_word(ir, at)
+                                             : read_number(ir, at);
+    while (ref && **at == '.') {
+        char lanes[5] = "";
+        for (int i = 0; i < 4 && strchr("xyzw", (*at)[1]) && (*at)[1]; i++)
+            lanes[i] = *++*at;
+        ++*at;
+        ref = ir_swizzle(ir, ref, lanes);
+    }
+    return ref;
+}
+
+Ref expression_read(Ir *ir, const char *text)
+{
+    Ref ref = read(ir, &text);
+    return *text ? 0 : ref;
+}
+
+static void print_const(Text *out, const Ir *ir, Ref ref)
+{
+    int lanes = ir_lanes(ir, ref);
+    const double *numbers = ir_numbers(ir, ref);
+    if (ir_type(ir, ref) == TYPE_bool) {
+        text_put(out, numbers[0] != 0 ? "true" : "false");
+        return;
+    }
+    text_put(out, lanes > 1 ? "[" : "");
+    for (int i = 0; i < lanes; i++)
+        text_format(out, "%s%.10g", i ? ", " : "", numbers[i]);
+    text_put(out, lanes > 1 ? "]" : ir_type(ir, ref) == TYPE_int ? "i" : ir_type(ir, ref) == TYPE_uint ? "u" : "");
+}
+
+/* An input, or one of its lanes that has a name. */
+static bool print_leaf(Text *out, const Ir *ir, Ref ref)
+{
+    const IrNode *node = ir_at(ir, ref);
+    int lane = node->op == OP_swizzle && ir_lanes(ir, ref) == 1 ? (int)node->payload : -1;
+    Ref input = lane < 0 ? ref : ir_arg(ir, ref, 0);
+    for (int i = 0; i < LEAF_COUNT; i++)
+        if (ir_is(ir, input, OP_input) && ir_at(ir, input)->payload == leaves[i].input && leaves[i].lane == lane) {
+            text_put(out, leaves[i].name);
+            return true;
+        }
+    return false;
+}
+
+void expression_print(Text *out, const Ir *ir, Ref ref)
+{
+    const IrNode *node = ir_at(ir, ref);
+    if (print_leaf(out, ir, ref))
+        return;
+    if (node->op == OP_const) {
+        print_const(out, ir, ref);
+        return;
+    }
+    if (node->op == OP_swizzle) {
+        expression_print(out, ir, ir_arg(ir, ref, 0));
+        text_char(out, '.');
+        for (int i = 0; i < ir_lanes(ir, ref); i++)
+            text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
+        return;
+    }
+    text_put(out, node->op == OP_call  ? function_row((int)node->payload)->name
+                  : node->op == OP_vec ? type_table[node->type].name
+                                       : op_table[node->op].name);
+    for (int i = 0; i < node->count; i++) {
+        text_put(out, i ? ", " : "(");
+        expression_print(out, ir, ir_arg(ir, ref, i));
+    }
+    text_char(out, ')');
+}
