@@ -265,7 +265,7 @@ static Interval lane_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
     case OP_max:
         return (Interval){fmax(a.low, b.low), fmax(a.high, b.high)};
     case OP_clamp:
-        return (Interval){fmin(fmax(a.low, b.low), c.high), fmax(fmin(a.high, c.high), b.low)};
+        return (Interval){fmin(fmax(a.low, b.low), c.low), fmin(fmax(a.high, b.high), c.high)};
     case OP_mix:
         return mixed(a, b, c);
     default:
