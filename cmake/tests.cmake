@@ -38,6 +38,7 @@ matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>)
 matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
 matc_test(order sh tests/order.sh)
+matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
 
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})

@@ -24,6 +24,20 @@ files() {
     cd "$root" && find . \( -name .git -o -name 'build*' -type d -path './build*' \) -prune -o -type f -print | LC_ALL=C sort
 }
 
+# Tests that rows name and ctest does not know
+unknown() {
+    rows list | cut -f 3 | tr ' ' '\n' | sort -u | while read -r test; do
+        [ -f "$root/tests/$test.c" ] || grep -q "matc_test($test " "$root/cmake/tests.cmake" || echo "$test: no such test"
+    done
+}
+
+# check: no row is stale, and the tests of all are there
+check() {
+    strange=$(unknown)
+    [ -z "$strange" ] || echo "$strange" >&2
+    rows check && [ -z "$strange" ]
+}
+
 # build targets of tests: a program of the same name, the feeder of a fuzzer's seeds, the goldens, or matc that a script runs
 targets() {
     for test in "$@"; do
@@ -168,13 +182,13 @@ while [ $# -gt 0 ]; do
     -j) jobs=$2 && shift ;;
     --golden) golden=yes ;;
     --again) again=yes ;;
-    --check) rows check && exit 0 || exit 2 ;;
+    --check) check && exit 0 || exit 2 ;;
     -*) sed -n '2,9p' "$0" | cut -c3- && exit 2 ;;
     *) break ;;
     esac
     shift
 done
-rows check || exit 2
+check || exit 2
 mkdir -p "$folder"
 touch "$folder/results"
 : >"$folder/asked"
