@@ -9,6 +9,7 @@
 #include "compiler/opt.h"
 #include "tests/stress/choices.h"
 #include "tests/value/expression.h"
+#include "tests/value/ir_site.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -340,32 +341,13 @@ static const Case ranges[] = {
 };
 
 /* An IR in which the leaves stand already, x the youngest: commutative operands go by age. */
-static Ir *new_ir(Compile *c, const Graph *graph)
+static Ir *open_with_leaves(Site *s)
 {
     static const char *const leaves[] = {"front", "u", "w", "v", "z", "y", "x"};
-    Ir *ir = ir_new(c, graph);
+    site_open(s);
     for (size_t i = 0; i < sizeof leaves / sizeof *leaves; i++)
-        expression_read(ir, leaves[i]);
-    return ir;
-}
-
-typedef struct {
-    Arena arena;
-    Compile compile;
-    Graph graph;
-} Site;
-
-static Ir *site_ir(Site *p)
-{
-    *p = (Site){0};
-    p->compile.arena = &p->arena;
-    return new_ir(&p->compile, &p->graph);
-}
-
-static void site_done(Site *p, Ir *ir)
-{
-    ir_done(ir);
-    arena_free(&p->arena);
+        expression_read(s->ir, leaves[i]);
+    return s->ir;
 }
 
 /* The numbers of which points are made: with their borders, and both signs. */
@@ -416,7 +398,7 @@ static void add_output(Ir *ir, const char *text)
 static bool check(const Case *c, bool (*pass)(Ir *ir), bool as_made)
 {
     Site sites[2];
-    Ir *before = site_ir(&sites[0]), *after = site_ir(&sites[1]);
+    Ir *before = open_with_leaves(&sites[0]), *after = open_with_leaves(&sites[1]);
     add_output(before, c->text);
     after->simplify = as_made ? opt_simplify : NULL;
     add_output(after, c->text);
@@ -427,8 +409,8 @@ static bool check(const Case *c, bool (*pass)(Ir *ir), bool as_made)
         print_error("%s: became %s instead of %s\n", c->text, got, wanted);
     assert_null(ir_check(after));
     check_values(c->text, before, after);
-    site_done(&sites[0], before);
-    site_done(&sites[1], after);
+    site_close(&sites[0]);
+    site_close(&sites[1]);
     return good;
 }
 

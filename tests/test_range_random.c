@@ -1,0 +1,173 @@
+/* Values of every node of random programs, held against the intervals that are claimed of them: one for a node, and one for each lane, where
+ * conditions bound what their arms compute. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/fold.h"
+#include "compiler/range.h"
+#include "tests/stress/choices.h"
+#include "tests/value/expression.h"
+#include "tests/value/ir_site.h"
+
+enum { PROGRAMS = 300, STEPS = 40, POINTS = 24 };
+
+static const double numbers[] = {-3, -2.5, -1, -0.5, 0, 0.25, 0.5, 1, 1.5, 2, 3};
+enum { NUMBERS = sizeof numbers / sizeof *numbers };
+
+typedef struct {
+    Site site;
+    Choices choices;
+    Ref floats[STEPS + 8], vectors[STEPS + 8];
+    int float_count, vector_count;
+} Program;
+
+/* Recent ones more often: programs grow deep. */
+static Ref pick(Program *p, const Ref *from, int count)
+{
+    int recent = count < 6 ? count : 6;
+    return chance(&p->choices, 1, 3) ? from[choose(&p->choices, (uint32_t)count)]
+                                     : from[count - 1 - (int)choose(&p->choices, (uint32_t)recent)];
+}
+
+static Ref a_float(Program *p) { return pick(p, p->floats, p->float_count); }
+static Ref a_vector(Program *p) { return pick(p, p->vectors, p->vector_count); }
+static Ref a_number(Program *p) { return ir_float(p->site.ir, numbers[choose(&p->choices, NUMBERS)]); }
+
+/* A value, or a function of it, where its condition holds. */
+static Ref guarded(Program *p)
+{
+    Ir *ir = p->site.ir;
+    Ref value = a_float(p), at = a_number(p), other = a_float(p);
+    Op compare = chance(&p->choices, 1, 2) ? OP_lt : OP_le;
+    bool right = chance(&p->choices, 1, 2);
+    Ref condition = right ? ir_binary(ir, compare, value, at) : ir_binary(ir, compare, at, value);
+    Ref arm = chance(&p->choices, 1, 2) ? value : ir_binary(ir, OP_mul, value, other);
+    Ref rest = chance(&p->choices, 1, 2) ? other : ir_binary(ir, OP_sub, value, other);
+    return ir_select(ir, condition, arm, rest);
+}
+
+static Ref float_step(Program *p)
+{
+    static const Op one[] = {OP_neg, OP_abs, OP_floor, OP_ceil, OP_fract, OP_sign, OP_sin, OP_cos, OP_atan};
+    static const Op two[] = {OP_add, OP_sub, OP_mul, OP_min, OP_max, OP_step, OP_atan2};
+    Ir *ir = p->site.ir;
+    switch (choose(&p->choices, 10)) {
+    case 0:
+        return ir_unary(ir, one[choose(&p->choices, sizeof one / sizeof *one)], a_float(p));
+    case 1:
+        return ir_binary(ir, two[choose(&p->choices, sizeof two / sizeof *two)], a_float(p), a_float(p));
+    case 2:
+        return ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, -1), ir_float(ir, 2));
+    case 3:
+        return ir_ternary(ir, OP_mix, a_float(p), a_float(p), a_float(p));
+    case 4:
+        return ir_binary(ir, OP_div, a_float(p),
+                         ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, 0.5), ir_float(ir, 3)));
+    case 5:
+        return ir_binary(ir, OP_mod, a_float(p),
+                         ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, 1), ir_float(ir, 2)));
+    case 6:
+        return ir_binary(ir, OP_dot, a_vector(p), a_vector(p));
+    case 7:
+        return ir_unary(ir, OP_length, a_vector(p));
+    case 8:
+        return ir_swizzle_lanes(ir, a_vector(p), choose(&p->choices, 3), 1);
+    default:
+        return guarded(p);
+    }
+}
+
+static Ref vector_step(Program *p)
+{
+    Ir *ir = p->site.ir;
+    switch (choose(&p->choices, 5)) {
+    case 0:
+        return ir_vec(ir, TYPE_vec3, REFS(ir, a_float(p), a_float(p), a_float(p)), 3);
+    case 1:
+        return ir_binary(ir, OP_mul, a_vector(p), a_float(p));
+    case 2:
+        return ir_unary(ir, OP_fract, a_vector(p));
+    case 3:
+        return ir_make(ir, OP_linear, TYPE_vec3, 0, REFS(ir, a_vector(p), a_vector(p), a_vector(p), a_vector(p)), 4);
+    default:
+        return ir_swizzle(ir, a_vector(p), "zxy");
+    }
+}
+
+static void program_make(Program *p, int number)
+{
+    *p = (Program){0};
+    choices_random(&p->choices, 17, (uint64_t)number);
+    site_open(&p->site);
+    static const char *const first[] = {"x", "fract(y)", "clamp(z, -1, 3)", "0.5", "-2"};
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++)
+        p->floats[p->float_count++] = expression_read(p->site.ir, first[i]);
+    p->vectors[p->vector_count++] = expression_read(p->site.ir, "clamp(v, -2, 2)");
+    p->vectors[p->vector_count++] = expression_read(p->site.ir, "fract(w)");
+    for (int i = 0; i < STEPS; i++)
+        if (chance(&p->choices, 1, 4))
+            p->vectors[p->vector_count++] = vector_step(p);
+        else
+            p->floats[p->float_count++] = float_step(p);
+}
+
+static void check_node(Program *p, const Ranges ranges[2], Ref ref, const double *value)
+{
+    for (int kept = 0; kept < 2; kept++)
+        for (int lane = 0; lane < ir_lanes(p->site.ir, ref); lane++) {
+            Interval claimed = range_of(&ranges[kept], p->site.ir, ref, lane);
+            double spare = 1e-9 * fmax(fabs(value[lane]), 1), x = value[lane];
+            if (isfinite(x) && !(x >= claimed.low - spare && x <= claimed.high + spare)) {
+                Text text = text_new(&p->site.arena);
+                expression_print(&text, p->site.ir, ref);
+                fail_msg("%.900s: lane %d is %.17g, claimed [%.17g, %.17g] of %d", text.at, lane, x, claimed.low,
+                         claimed.high, ranges[kept].lanes);
+            }
+        }
+}
+
+/* The values of `count` nodes at every point. */
+static void check_nodes(Program *p, const Ranges ranges[2], const Ref *refs, int count)
+{
+    const ReferenceContext context = {.noise = p->site.ir->noise};
+    p->site.ir->output_count = 0;
+    for (int i = 0; i < count; i++)
+        ir_output(p->site.ir, OUT_color, i, refs[i]);
+    for (int n = 0; n < POINTS; n++) {
+        double inputs[INPUT_COUNT][4], values[MOST_OUTPUTS][4];
+        p->choices.count = 0;
+        for (int i = 0; i < INPUT_COUNT; i++)
+            for (int lane = 0; lane < 4; lane++)
+                inputs[i][lane] = chance(&p->choices, 1, 2) ? 8 * choose_part(&p->choices) - 4
+                                                            : numbers[choose(&p->choices, NUMBERS)];
+        ir_eval(p->site.ir, &context, (const double(*)[4])inputs, values);
+        for (int i = 0; i < count; i++)
+            check_node(p, ranges, refs[i], values[i]);
+    }
+}
+
+static void values_of_random_programs_lie_within_their_intervals(void **state)
+{
+    (void)state;
+    static Program p;
+    for (int number = 0; number < PROGRAMS; number++) {
+        program_make(&p, number);
+        Ranges ranges[2] = {ranges_find(p.site.ir, &p.site.arena, 1), ranges_find(p.site.ir, &p.site.arena, 4)};
+        for (int i = 0; i < p.float_count; i += MOST_OUTPUTS)
+            check_nodes(&p, ranges, &p.floats[i], p.float_count - i < MOST_OUTPUTS ? p.float_count - i : MOST_OUTPUTS);
+        for (int i = 0; i < p.vector_count; i += MOST_OUTPUTS)
+            check_nodes(&p, ranges, &p.vectors[i],
+                        p.vector_count - i < MOST_OUTPUTS ? p.vector_count - i : MOST_OUTPUTS);
+        site_close(&p.site);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(values_of_random_programs_lie_within_their_intervals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
