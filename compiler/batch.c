@@ -3,6 +3,7 @@
  * appear in the folder. */
 #include "batch_state.h"
 #include "depfile.h"
+#include "diag.h"
 #include "file.h"
 #include "layout_option.h"
 #include "output.h"
@@ -72,9 +73,11 @@ void batch_fault(Batch *b) { b->fault = true; }
 
 void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
 {
-    char text[LONGEST_PATH + 256];
-    snprintf(text, sizeof text, "matc: error: %s: %s\n", what, why);
-    batch_say(b, document, text);
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    diag_complain(&text, what, why);
+    batch_say(b, document, text.at);
+    arena_free(&arena);
     batch_fault(b);
 }
 
@@ -181,6 +184,14 @@ static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet
     return met;
 }
 
+static bool is_utf8(const char *name)
+{
+    const unsigned char *at = (const unsigned char *)name, *end = at + strlen(name);
+    while (at < end && utf8_length(at, end))
+        at += utf8_length(at, end);
+    return at == end;
+}
+
 /* Two materials of one name would overwrite each other. */
 static void check_names(Batch *b)
 {
@@ -190,7 +201,10 @@ static void check_names(Batch *b)
             bool added;
             const BatchMaterial *material = &b->documents[d].materials[m];
             strings_add(&materials, material->name, &added);
-            if (!added)
+            if (!is_utf8(material->name))
+                batch_complain(b, &b->documents[d], material->name,
+                               "the material's name is not UTF-8, which a manifest is");
+            else if (!added)
                 batch_complain(b, &b->documents[d], material->name, "two materials have this name");
             else if (b->turn_count > 1 && meets_other(b, material, &files))
                 batch_complain(b, &b->documents[d], material->name,

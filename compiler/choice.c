@@ -1,6 +1,7 @@
 /* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
 #include "choice.h"
 #include "custom.h"
+#include "json_write.h"
 #include "pipeline.h"
 #include <stddef.h>
 #include <string.h>
@@ -182,7 +183,10 @@ void choices_comment(Text *out, const Job *job)
 
 void choices_json(Text *out, const Job *job)
 {
-    for (int axis = 0; axis < AXIS_COUNT; axis++)
-        text_format(out, "%s\"%s\": \"%s\"", axis ? ", " : "{", axis_table[axis].name, choice_name(job, axis));
+    text_put(out, "{");
+    for (int axis = 0; axis < AXIS_COUNT; axis++) {
+        text_put(out, axis ? ", " : "");
+        json_member(out, axis_table[axis].name, choice_name(job, axis));
+    }
     text_put(out, "}");
 }

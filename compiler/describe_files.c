@@ -1,16 +1,15 @@
 /* matc --schema=manifest and so on: JSON Schema (2020-12) of the files of files.def. */
 #include "compile.h"
 #include "describe.h"
+#include "json_write.h"
 #include "matc.h"
 #include <string.h>
-
-static void put_json(Text *out, const char *string) { text_json(out, string, strlen(string)); }
 
 /* A name of a list of them: comma, then the name. */
 static void put_name(Text *out, const char *name, size_t size, bool first)
 {
     text_put(out, first ? "" : ", ");
-    text_json(out, name, size);
+    json_bytes(out, name, size);
 }
 
 static const char *target_name(int i) { return target_table[i].name; }
@@ -58,7 +57,7 @@ static void put_choices(Text *out)
     text_put(out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         text_format(out, "%s\n          \"%s\": {\"description\": ", axis ? "," : "", axis_table[axis].name);
-        put_json(out, axis_table[axis].doc);
+        json_string(out, axis_table[axis].doc);
         text_put(out, ", \"enum\": [");
         for (int i = 0; i < axis_choices((Axis)axis); i++) {
             const char *name = choice_table[axis_table[axis].first + i].name;
@@ -88,7 +87,7 @@ static void put_slot_constants(Text *out)
     for (int i = 0; i < SLOT_COUNT; i++) {
         int lanes = type_table[slot_table[i].type].lanes;
         text_format(out, "%s\n          \"%s\": {\"description\": ", i ? "," : "", slot_table[i].name);
-        put_json(out, slot_table[i].doc);
+        json_string(out, slot_table[i].doc);
         text_put(out, ", \"anyOf\": [{\"type\": \"number\"}, ");
         text_format(out,
                     "{\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": %d, \"maxItems\": %d}]}",
@@ -169,7 +168,7 @@ static void put_encodings(Text *out)
 static void put_member(Text *out, const FileRow *row, bool written_by_people)
 {
     text_format(out, "\n        \"%s\": {\"description\": ", row->name);
-    put_json(out, row->doc);
+    json_string(out, row->doc);
     text_put(out, ", ");
     if (written_by_people && !row->must) {
         text_put(out, "\"anyOf\": [{\"type\": \"null\"}, {");
@@ -187,7 +186,7 @@ static int put_object(Text *out, int at, bool written_by_people)
     int first = at + 1, end = first;
     bool encodings = false, any = false;
     text_format(out, "    \"%s\": {\n      \"description\": ", file_table[at].name);
-    put_json(out, file_table[at].doc);
+    json_string(out, file_table[at].doc);
     text_put(out, ",\n      \"type\": \"object\", \"additionalProperties\": false,\n      \"required\": [");
     for (; end < file_row_count && file_table[end].kind == FILE_ROW_member; end++)
         if (file_table[end].must) {
@@ -221,7 +220,7 @@ char *describe_file(const char *name)
                 "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n  \"title\": \"matc %s %s\",\n",
                 MATC_VERSION, name);
     text_put(&out, "  \"description\": ");
-    put_json(&out, file_table[at].doc);
+    json_string(&out, file_table[at].doc);
     text_format(&out, ",\n  \"$ref\": \"#/$defs/%s\",\n  \"$defs\": {\n", file_table[at + 1].name);
     if (layout)
         put_slots_definition(&out);

@@ -2,6 +2,7 @@
  * refuses, matc refuses too. describe_files.c has the schemas of other files. */
 #include "compile.h"
 #include "describe.h"
+#include "json_write.h"
 #include "matc.h"
 #include <math.h>
 #include <string.h>
@@ -103,13 +104,11 @@ static const char fixed_definitions[] =
     "      ]\n"
     "    },\n";
 
-static void put_json(Text *out, const char *string) { text_json(out, string, strlen(string)); }
-
 /* A member of a list of names: comma, then the name. */
 static void put_name(Text *out, const char *name, int *count)
 {
     text_put(out, (*count)++ ? ", " : "");
-    put_json(out, name);
+    json_string(out, name);
 }
 
 static void put_color(Text *out)
@@ -129,11 +128,11 @@ static void put_waves(Text *out)
     text_put(out, "    \"waveName\": {\n      \"oneOf\": [\n");
     for (int i = 0; i < WAVE_COUNT; i++) {
         text_format(out, "        {\"const\": \"%s\", \"description\": ", wave_table[i].name);
-        put_json(out, wave_table[i].doc);
+        json_string(out, wave_table[i].doc);
         text_put(out, "},\n");
     }
     text_put(out, "        {\"const\": \"Chain\", \"description\": ");
-    put_json(out, CHAIN_DOC);
+    json_string(out, CHAIN_DOC);
     text_put(out, "}\n      ]\n    },\n");
 }
 
@@ -161,7 +160,7 @@ static void put_kind_names(Text *out, Kind kind)
         if (preset_table[i].kind == kind && is_preset_head(i))
             put_name(out, preset_table[i].name, &count);
     text_put(out, more ? "], \"description\": " : ", \"description\": ");
-    put_json(out, kind_table[kind].doc);
+    json_string(out, kind_table[kind].doc);
     text_char(out, '}');
 }
 
@@ -197,7 +196,7 @@ static void put_param(Text *out, const ParamRow *param)
         describe_default(out, param, NULL);
     }
     text_put(out, ", \"description\": ");
-    put_json(out, param->doc);
+    json_string(out, param->doc);
     text_char(out, '}');
 }
 
@@ -205,7 +204,7 @@ static void open_kind(Text *out, Kind kind, const char *suffix)
 {
     bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
     text_format(out, "    \"%s%s\": {\n      \"description\": ", kind_table[kind].name, suffix);
-    put_json(out, kind_table[kind].doc);
+    json_string(out, kind_table[kind].doc);
     text_format(out,
                 ",\n      \"type\": \"object\", \"required\": [\"%s\"], \"additionalProperties\": false,\n"
                 "      \"properties\": {\n",

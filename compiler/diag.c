@@ -1,5 +1,6 @@
 /* Diagnostics as text: place, message, source line, caret; or as JSON. */
 #include "diag.h"
+#include "json_write.h"
 #include <string.h>
 
 enum { LONGEST_LINE = 160 };
@@ -30,68 +31,87 @@ Place source_place(const Source *source, uint32_t offset)
     return place;
 }
 
-/* Text of the document as a terminal may have it: control characters and what is not UTF-8 become question marks. */
-static void put_clean(Text *out, const char *text, size_t size)
-{
-    for (size_t i = 0; i < size;) {
-        int length = utf8_length((const unsigned char *)text + i, (const unsigned char *)text + size);
-        bool control =
-            length == 1 && ((unsigned char)text[i] < 0x20 || text[i] == 0x7F) && text[i] != '\t' && text[i] != '\n';
-        if (!length || control)
-            text_char(out, '?');
-        else
-            text_add(out, text + i, (size_t)length);
-        i += length ? (size_t)length : 1;
-    }
-}
-
 static bool continues_character(char c) { return ((unsigned char)c & 0xC0) == 0x80; }
 
-/* The line under the source line: a caret at the span's start, tildes to its end, in display columns. */
+/* As many columns as the text takes when it is shown. */
+static void put_columns(Text *out, const char *text, size_t size, char mark)
+{
+    Text shown = text_new(out->arena);
+    text_visible(&shown, text, size);
+    for (size_t i = 0; i < shown.size; i++)
+        if (!continues_character(shown.at[i]))
+            text_char(out, mark == ' ' && shown.at[i] == '\t' ? '\t' : mark);
+}
+
+/* The line under the source line: a caret at the span's start, tildes to its end. */
 static void put_caret(Text *out, const Place *place, uint32_t length)
 {
+    const size_t line = (size_t)place->line_length, column = (size_t)place->column - 1,
+                 from = column < line ? column : line;
+    size_t to = length < line - from ? from + length : line;
+    while (to > from && to < line && continues_character(place->line_start[to]))
+        to++;
     text_put(out, "      | ");
-    for (int i = 0; i < place->column - 1 && i < place->line_length; i++)
-        if (!continues_character(place->line_start[i]))
-            text_char(out, place->line_start[i] == '\t' ? '\t' : ' ');
+    put_columns(out, place->line_start, from, ' ');
+    Text marks = text_new(out->arena);
+    put_columns(&marks, place->line_start + from, to - from, '~');
     text_char(out, '^');
-    for (uint32_t i = 1; i < length && place->column - 1 + (int)i < place->line_length; i++)
-        if (!continues_character(place->line_start[place->column - 1 + (int)i]))
-            text_char(out, '~');
+    if (marks.size)
+        text_add(out, marks.at + 1, marks.size - 1);
+    text_char(out, '\n');
+}
+
+/* In one line; but what glslang says are several. */
+static void put_message(Text *out, const Diag *diag)
+{
+    const char *at = diag->message;
+    for (size_t size; diag->kind == DIAG_not_valid && at[size = strcspn(at, "\n")]; at += size + 1) {
+        text_visible(out, at, size);
+        text_char(out, '\n');
+    }
+    text_visible(out, at, strlen(at));
     text_char(out, '\n');
 }
 
 void diag_print(Text *out, const Diag *diag, const Source *sources)
 {
     if (diag->span.file == NO_FILE) {
-        text_format(out, "matc: %s: %s\n", severity_name[diag->severity], diag->message);
+        text_format(out, "matc: %s: ", severity_name[diag->severity]);
+        put_message(out, diag);
         return;
     }
     const Source *source = &sources[diag->span.file];
     Place place = source_place(source, diag->span.start);
-    text_format(out, "%s:%d:%d: %s: ", source->name, place.line, place.column, severity_name[diag->severity]);
-    put_clean(out, diag->message, strlen(diag->message));
-    text_char(out, '\n');
+    text_visible(out, source->name, strlen(source->name));
+    text_format(out, ":%d:%d: %s: ", place.line, place.column, severity_name[diag->severity]);
+    put_message(out, diag);
     if (!source->size || place.line_length > LONGEST_LINE)
         return;
     text_format(out, "%5d | ", place.line);
-    put_clean(out, place.line_start, (size_t)place.line_length);
+    text_visible(out, place.line_start, (size_t)place.line_length);
     text_char(out, '\n');
     put_caret(out, &place, diag->span.end - diag->span.start);
 }
 
 void diag_print_json(Text *out, const Diag *diag, const Source *sources)
 {
-    text_format(out, "{\"severity\": \"%s\", \"kind\": \"%s\", \"message\": ", severity_name[diag->severity],
-                diag_table[diag->kind].name);
-    text_json(out, diag->message, strlen(diag->message));
+    text_put(out, "{");
+    json_member(out, "severity", severity_name[diag->severity]);
+    json_next(out, "kind", diag_table[diag->kind].name);
+    json_next(out, "message", diag->message);
     if (diag->span.file != NO_FILE) {
         const Source *source = &sources[diag->span.file];
         Place start = source_place(source, diag->span.start), end = source_place(source, diag->span.end);
-        text_put(out, ", \"file\": ");
-        text_json(out, source->name, strlen(source->name));
+        json_next(out, "file", source->name);
         text_format(out, ", \"line\": %d, \"column\": %d, \"endLine\": %d, \"endColumn\": %d", start.line, start.column,
                     end.line, end.column);
     }
     text_put(out, "}");
+}
+
+void diag_complain(Text *out, const char *what, const char *why)
+{
+    text_put(out, "matc: error: ");
+    text_visible(out, what, strlen(what));
+    text_format(out, ": %s\n", why);
 }

@@ -41,6 +41,8 @@ extern const DiagRow diag_table[DIAG_COUNT];
 
 /* gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
+/* What a program says of a file or an option: "matc: error: what: why". */
+void diag_complain(Text *out, const char *what, const char *why);
 /* One JSON object. */
 void diag_print_json(Text *out, const Diag *diag, const Source *sources);
 #endif

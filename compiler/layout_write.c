@@ -1,4 +1,5 @@
 /* LayoutRow -> YAML. */
+#include "json_write.h"
 #include "layout_read.h"
 
 /* "diffuse", "diffuse.rg", "[emissive.b, ambient.r]" */
@@ -42,11 +43,8 @@ static void put_field(Text *out, const FieldRow *field, const char *indent)
 
 static void put_doc(Text *out, const char *before, const char *doc)
 {
-    size_t size = 0;
-    while (doc[size])
-        size++;
     text_put(out, before);
-    text_json(out, doc, size);
+    json_string(out, doc);
     text_char(out, '\n');
 }
 

@@ -1,6 +1,7 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
 #include "batch.h"
 #include "cache.h"
+#include "diag.h"
 #include "file.h"
 #include "layout_option.h"
 #include "options.h"
@@ -28,8 +29,25 @@ enum {
 
 static int complain(const char *what, const char *why)
 {
-    fprintf(stderr, "matc: error: %s: %s\n", what, why);
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    diag_complain(&text, what, why);
+    fputs(text.at, stderr);
+    arena_free(&arena);
     return FAULT;
+}
+
+/* Diagnostics, or what is wrong in a line. */
+static void print_fault(const char *fault)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    text_visible(&text, fault, strlen(fault));
+    if (strchr(fault, '\n'))
+        fputs(fault, stderr);
+    else
+        fprintf(stderr, "matc: error: %s\n", text.at);
+    arena_free(&arena);
 }
 
 static int usage(const char *what)
@@ -240,7 +258,7 @@ static int use_layout(CommandLine *line)
         return FINE; /* the batch makes it of what it reads */
     MatcLayout *layout = layout_open(line, &fault);
     if (fault)
-        fprintf(stderr, strchr(fault, '\n') ? "%s" : "matc: error: %s\n", fault);
+        print_fault(fault);
     free(fault);
     if (layout)
         print_diagnostics(matc_layout_diagnostics(layout, line->diagnostics), line);

@@ -1,16 +1,20 @@
 /* What a batch made, as JSON: programs, and for every material its programs and the numbers that are its own. */
 #include "batch_state.h"
 #include "choice.h"
+#include "json_write.h"
 #include "layout.h"
 #include "pipeline.h"
 #include <cjson/cJSON.h>
 #include <stdlib.h>
 #include <string.h>
 
-static void put_name(Text *out, const char *key, const char *value)
+/* , "key": "name.suffix" */
+static void put_file_name(Text *out, const char *key, const char *name, const char *suffix)
 {
-    text_format(out, "\"%s\": ", key);
-    text_json(out, value, strlen(value));
+    Text file = text_new(out->arena);
+    text_put(&file, name);
+    text_put(&file, suffix);
+    json_next(out, key, file.at);
 }
 
 static void put_layout(Text *out, const Batch *b)
@@ -22,15 +26,17 @@ static void put_layout(Text *out, const Batch *b)
     if (!any || job_of(&b->options, &job))
         return;
     text_put(out, ",\n  \"layout\": {");
-    put_name(out, "name", job.layout->name);
+    json_member(out, "name", job.layout->name);
     text_format(out, ", \"bytes\": %d, \"targets\": [", layout_bytes(job.layout));
-    for (int i = 0; i < layout_targets(job.layout); i++)
-        text_format(out, "%s\"%s\"", i ? ", " : "", format_table[job.layout->formats[i]].name);
+    for (int i = 0; i < layout_targets(job.layout); i++) {
+        text_put(out, i ? ", " : "");
+        json_string(out, format_table[job.layout->formats[i]].name);
+    }
     text_put(out, "]");
     if (b->line->emit[EMIT_unpack])
-        text_format(out, ", \"unpack\": \"%s%s\"", job.layout->name, emit_table[EMIT_unpack].suffix);
+        put_file_name(out, "unpack", job.layout->name, emit_table[EMIT_unpack].suffix);
     if (b->line->emit[EMIT_layout])
-        text_format(out, ", \"file\": \"%s%s\"", job.layout->name, emit_table[EMIT_layout].suffix);
+        put_file_name(out, "file", job.layout->name, emit_table[EMIT_layout].suffix);
     text_put(out, "}");
 }
 
@@ -48,7 +54,7 @@ static void put_files(Text *out, const Batch *b, const char *name)
         if (emit == EMIT_glsl && spirv && b->line->emit[EMIT_spirv])
             continue; /* one file */
         if (b->line->emit[emit] && file_keys[emit])
-            text_format(out, ", \"%s\": \"%s%s\"", file_keys[as], name, emit_table[as].suffix);
+            put_file_name(out, file_keys[as], name, emit_table[as].suffix);
     }
 }
 
@@ -56,7 +62,9 @@ static void put_program(Text *out, const Batch *b, const BatchProgram *program)
 {
     char digits[KEY_TEXT];
     key_text(program->members ? program->first->shape : program->first->key, digits);
-    text_format(out, "{\"pass\": \"%s\", \"key\": \"%s\"", pass_table[program->first->pass].name, digits);
+    text_put(out, "{");
+    json_member(out, "pass", pass_table[program->first->pass].name);
+    json_next(out, "key", digits);
     put_files(out, b, program->name);
     text_format(out, ", \"materials\": %d%s}", program->unit_count, program->first->written->json);
 }
@@ -94,14 +102,15 @@ static void put_constants(Text *out, const Unit *unit, const Written *written)
 static void put_material(Text *out, const Batch *b, const BatchDocument *document, const BatchMaterial *material)
 {
     text_put(out, "{");
-    put_name(out, "name", material->name);
-    text_put(out, ", ");
-    put_name(out, "source", document->depend_count ? document->depends[0] : document->path);
-    text_format(out, ", \"opacity\": \"%s\", \"programs\": [", material->opacity);
+    json_member(out, "name", material->name);
+    json_next(out, "source", document->depend_count ? document->depends[0] : document->path);
+    json_next(out, "opacity", material->opacity);
+    text_put(out, ", \"programs\": [");
     for (int turn = 0; turn < b->turn_count; turn++) {
         const Unit *unit = &material->units[turn];
-        text_format(out, "%s\n      {\"pass\": \"%s\", \"program\": %d", turn ? "," : "", b->turns[turn],
-                    unit->program);
+        text_put(out, turn ? ",\n      {" : "\n      {");
+        json_member(out, "pass", b->turns[turn]);
+        text_format(out, ", \"program\": %d", unit->program);
         put_constants(out, unit, b->programs[unit->program].first->written);
         text_format(out, "%s}", unit->own);
     }
@@ -121,7 +130,10 @@ void manifest_put(const Batch *b, Bytes *to)
     Text out = text_new(&arena);
     const char *target = b->options.target ? b->options.target : target_table[TARGET_glsl330].name;
     bool any = false;
-    text_format(&out, "{\n  \"matc\": \"" MATC_VERSION "\",\n  \"target\": \"%s\"", target);
+    text_put(&out, "{\n  ");
+    json_member(&out, "matc", MATC_VERSION);
+    text_put(&out, ",\n  ");
+    json_member(&out, "target", target);
     put_layout(&out, b);
     text_put(&out, ",\n  \"programs\": [");
     for (int i = 0; i < b->program_count; i++) {

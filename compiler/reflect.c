@@ -3,6 +3,7 @@
 #include "constants.h"
 #include "emit.h"
 #include "emit_declare.h"
+#include "json_write.h"
 #include "texture.h"
 #include <string.h>
 #define XXH_INLINE_ALL
@@ -17,7 +18,9 @@ typedef struct {
 
 static List open_list(Text *out, const char *name)
 {
-    text_format(out, ",\n  \"%s\": [", name);
+    text_put(out, ",\n  ");
+    json_key(out, name);
+    text_put(out, "[");
     return (List){out, true};
 }
 
@@ -25,6 +28,21 @@ static void next(List *list)
 {
     text_put(list->out, list->first ? "\n    " : ",\n    ");
     list->first = false;
+}
+
+/* An object's beginning. */
+static void put_typed(Text *out, const char *name, const char *type)
+{
+    text_put(out, "{");
+    json_member(out, "name", name);
+    json_next(out, "type", type);
+}
+
+/* A member of the outermost object, on its own line. */
+static void put_line(Text *out, const char *key, const char *value)
+{
+    text_put(out, ",\n  ");
+    json_member(out, key, value);
 }
 
 static void close_list(List *list) { text_put(list->out, list->first ? "]" : "\n  ]"); }
@@ -45,8 +63,8 @@ static void put_inputs(Text *out, const Job *job, const Interface *interface, in
         if (!interface->inputs[i] || row->source == SOURCE_change)
             continue;
         next(&list);
-        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"source\": \"%s\"", row->glsl,
-                    type_table[row->type].name, sources[row->source]);
+        put_typed(out, row->glsl, type_table[row->type].name);
+        json_next(out, "source", sources[row->source]);
         if (row->source == SOURCE_varying && has_locations(job->target))
             text_format(out, ", \"location\": %d", input_location((Input)i));
         if (row->source == SOURCE_draw)
@@ -65,7 +83,7 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
             continue;
         const char *glsl = uniform_is_int(ir, i) ? "int" : type_table[uniform->type].name;
         next(&list);
-        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\"", uniform->name, glsl);
+        put_typed(out, uniform->name, glsl);
         put_offset(out, job, glsl, size_of_block);
         text_put(out, ", \"default\": [");
         for (int lane = 0; lane < type_table[uniform->type].lanes; lane++) {
@@ -80,7 +98,8 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
             if (!strncmp(line, "highp", 5) || !strncmp(line, "sampler", 7))
                 continue;
             next(&list);
-            text_format(out, "{\"name\": \"%.*s\", \"type\": \"%.*s\"", size - type - 1, line + type + 1, type, line);
+            put_typed(out, arena_string(out->arena, line + type + 1, (size_t)(size - type - 1)),
+                      arena_string(out->arena, line, (size_t)type));
             put_offset(out, job, line, size_of_block);
             text_char(out, '}');
         }
@@ -104,8 +123,8 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     for (size_t i = 0; i < ir->constant_count; i++) {
         const IrConstant *own = &ir->constants[i];
         next(&list);
-        text_format(out, "{\"name\": \"%s\", \"type\": \"%s\", \"offset\": %d}", own->name, type_table[own->type].name,
-                    own->offset);
+        put_typed(out, own->name, type_table[own->type].name);
+        text_format(out, ", \"offset\": %d}", own->offset);
     }
     close_list(&list);
     text_put(out, "}");
@@ -120,21 +139,17 @@ static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, co
         const MatcTexture *t = &textures[i];
         bool bytes = made_by[i] >= 0 ? t->path != NULL : !strcmp(t->name, "matc_xor");
         next(&list);
-        text_format(out,
-                    "{\"name\": \"%s\", \"width\": %d, \"height\": %d, \"format\": \"%s\", \"filter\": \"%s\", "
-                    "\"wrap\": \"repeat\", \"origin\": \"bottom-left\", ",
-                    t->name, t->width, t->height,
-                    bytes           ? t->lanes == 4 ? "RGBA8" : "R8"
-                    : t->lanes == 4 ? "RGBA32F"
-                                    : "R32F",
-                    t->mipmaps ? "mipmaps" : "nearest");
+        text_put(out, "{");
+        json_member(out, "name", t->name);
+        text_format(out, ", \"width\": %d, \"height\": %d", t->width, t->height);
+        json_next(out, "format", t->lanes == 4 ? bytes ? "RGBA8" : "RGBA32F" : bytes ? "R8" : "R32F");
+        json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
+        text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
         if (has_locations(job->target))
             text_format(out, "\"binding\": %d, ", texture_binding(c, ir, interface, t->name));
-        text_put(out, t->path ? "\"file\": " : "\"baked\": true}");
-        if (t->path) {
-            text_json(out, t->path, strlen(t->path));
-            text_put(out, "}");
-        }
+        if (t->path)
+            json_member(out, "file", t->path);
+        text_put(out, t->path ? "}" : "\"baked\": true}");
     }
     close_list(&list);
 }
@@ -145,12 +160,15 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     bool layout = job->pass == PASS_gbuffer || job->pass == PASS_plane;
     for (int i = 0; i < ir->output_count; i++) {
         const IrOutput *output = &ir->outputs[i];
+        bool color = output->kind == OUT_color;
         next(&list);
-        if (output->kind == OUT_color)
-            text_format(out, "{\"kind\": \"color\", \"location\": %d, \"format\": \"%s\"}", output->index,
-                        layout ? format_table[job->layout->formats[output->index]].name : "float");
-        else
-            text_format(out, "{\"kind\": \"%s\"}", output->kind == OUT_depth ? "depth" : "discard");
+        text_put(out, "{");
+        json_member(out, "kind", color ? "color" : output->kind == OUT_depth ? "depth" : "discard");
+        if (color) {
+            text_format(out, ", \"location\": %d", output->index);
+            json_next(out, "format", layout ? format_table[job->layout->formats[output->index]].name : "float");
+        }
+        text_put(out, "}");
     }
     close_list(&list);
 }
@@ -160,16 +178,17 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
 {
     Text text = text_new(c->arena), *out = &text;
     XXH128_hash_t hash = XXH3_128bits(fragment, strlen(fragment));
-    text_put(out, "{\n  \"matc\": \"" MATC_VERSION "\",\n  \"material\": ");
-    text_json(out, material, strlen(material));
-    text_format(out, ",\n  \"target\": \"%s\",\n  \"pass\": \"%s\"", target_table[job->target].name,
-                pass_table[job->pass].name);
+    text_put(out, "{\n  ");
+    json_member(out, "matc", MATC_VERSION);
+    put_line(out, "material", material);
+    put_line(out, "target", target_table[job->target].name);
+    put_line(out, "pass", pass_table[job->pass].name);
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
-        text_format(out, ",\n  \"layout\": \"%s\"", job->layout->name);
+        put_line(out, "layout", job->layout->name);
     if (job->pass == PASS_value)
-        text_format(out, ",\n  \"slot\": \"%s\"", slot_table[job->slot].name);
-    text_format(out, ",\n  \"noise\": \"%s\",\n  \"opacity\": \"%s\"", choice_table[job->choice[AXIS_noise]].name,
-                opacity);
+        put_line(out, "slot", slot_table[job->slot].name);
+    put_line(out, "noise", choice_table[job->choice[AXIS_noise]].name);
+    put_line(out, "opacity", opacity);
     text_put(out, ",\n  \"choices\": ");
     choices_json(out, job);
     int block = 0;
@@ -182,7 +201,7 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
     List files = open_list(out, "sources");
     for (size_t i = 0; i < c->depend_count; i++) {
         next(&files);
-        text_json(out, c->depends[i], strlen(c->depends[i]));
+        json_string(out, c->depends[i]);
     }
     close_list(&files);
     text_format(out, ",\n  \"hash\": \"%016llx%016llx\"\n}\n", (unsigned long long)hash.high64,

@@ -172,19 +172,12 @@ void text_double(Text *text, double value)
         shortest(text, value, fabs(value) < DBL_MIN || fabs(value) >= 1e6 ? 1 : DBL_DIG, false);
 }
 
-void text_json(Text *text, const char *string, size_t size)
+bool text_is_control(const char *at, int size)
 {
-    text_char(text, '"');
-    for (size_t i = 0; i < size; i++) {
-        unsigned char c = (unsigned char)string[i];
-        if (c == '"' || c == '\\')
-            text_format(text, "\\%c", c);
-        else if (c < 0x20)
-            text_format(text, "\\u%04x", c);
-        else
-            text_char(text, (char)c);
-    }
-    text_char(text, '"');
+    const unsigned char first = (unsigned char)at[0];
+    if (size == 1)
+        return first < 0x20 || first == 0x7F;
+    return size == 2 && first == 0xC2 && (unsigned char)at[1] < 0xA0;
 }
 
 bool text_number(const char *string, size_t size, double *value)
@@ -213,4 +206,18 @@ int utf8_length(const unsigned char *at, const unsigned char *end)
         (at[0] == 0xF4 && at[1] > 0x8F))
         return 0;
     return length;
+}
+
+void text_visible(Text *text, const char *string, size_t size)
+{
+    for (const char *end = string + size; string < end;) {
+        int length = utf8_length((const unsigned char *)string, (const unsigned char *)end);
+        bool shown = length && (!text_is_control(string, length) || *string == '\t');
+        const char *next = string + (length ? length : 1);
+        if (shown)
+            text_add(text, string, (size_t)length);
+        for (; !shown && string < next; string++)
+            text_format(text, "\\x%02x", (unsigned char)*string);
+        string = next;
+    }
 }

@@ -1,5 +1,6 @@
 /* Questions about a Tree, and its text form. */
 #include "tree.h"
+#include "json_write.h"
 #include <string.h>
 
 bool tree_is_null(const Tree *tree)
@@ -122,7 +123,7 @@ static void print(Text *out, Tree *tree, int depth)
         if (tree->plain)
             text_put(out, tree->text);
         else
-            text_json(out, tree->text, tree->count);
+            json_bytes(out, tree->text, tree->count);
         return;
     }
     if (!tree->count) {

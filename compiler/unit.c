@@ -1,6 +1,7 @@
 /* What a batch remembers of a material in a pass. */
 #include "unit.h"
 #include "grammar/tables.h"
+#include "json_write.h"
 #include "sets.h"
 #include "text.h"
 #include <stdlib.h>
@@ -36,7 +37,9 @@ static void put_uniforms(Text *out, const MatcProgram *program)
     int count = matc_uniform_count(program);
     for (int i = 0; i < count; i++) {
         const MatcUniform *uniform = matc_uniform(program, i);
-        text_format(out, i ? ", \"%s\": [" : ", \"uniforms\": {\"%s\": [", uniform->name);
+        text_put(out, i ? ", " : ", \"uniforms\": {");
+        json_key(out, uniform->name);
+        text_put(out, "[");
         for (int lane = 0; lane < uniform->lanes; lane++) {
             text_put(out, lane ? ", " : "");
             text_double(out, uniform->initial[lane]);
@@ -59,8 +62,8 @@ static void put_textures(Text *out, MatcProgram *program, const char *folder_and
             text_put(&path, texture->path);
         else
             text_format(&path, "%s.%s.ktx", folder_and_material, texture->name);
-        text_format(out, any ? ", \"%s\": " : ", \"textures\": {\"%s\": ", texture->name);
-        text_json(out, path.at, path.size);
+        text_put(out, any ? ", " : ", \"textures\": {");
+        json_member(out, texture->name, path.at);
         any = true;
     }
     text_put(out, any ? "}" : "");
@@ -88,8 +91,10 @@ static void put_block(Text *out, const MatcProgram *program)
                 matc_constant_bytes(program));
     for (int i = 0; i < matc_constant_count(program); i++) {
         const MatcConstant *member = matc_constant(program, i);
-        text_format(out, "%s\n       {\"name\": \"%s\", \"type\": \"%s\", \"offset\": %d}", i ? "," : "", member->name,
-                    member->type, member->offset);
+        text_put(out, i ? ",\n       {" : "\n       {");
+        json_member(out, "name", member->name);
+        json_next(out, "type", member->type);
+        text_format(out, ", \"offset\": %d}", member->offset);
     }
     text_put(out, "]}");
 }
@@ -102,7 +107,8 @@ static void put_tables(Text *out, MatcProgram *program)
         const MatcTexture *texture = matc_texture(program, i);
         if (texture->path || strncmp(texture->name, "matc_", 5) != 0)
             continue;
-        text_format(out, any ? ", \"%s\"" : ",\n     \"tables\": [\"%s\"", texture->name);
+        text_put(out, any ? ", " : ",\n     \"tables\": [");
+        json_string(out, texture->name);
         any = true;
     }
     text_put(out, any ? "]" : "");

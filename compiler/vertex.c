@@ -1,6 +1,7 @@
 /* The vertex program that goes with a fragment program: it computes the varyings in use and nothing else. */
 #include "emit.h"
 #include "emit_declare.h"
+#include "json_write.h"
 #include <string.h>
 
 /* How a varying comes about: attributes and uniforms it reads, and its expression. */
@@ -127,9 +128,14 @@ const char *emit_vertex(Compile *c, const Job *job, const Interface *interface)
 static void describe(Text *out, const char *declaration, const char *key, int value)
 {
     int type = (int)strcspn(declaration, " ");
-    text_format(out, "{\"name\": \"%s\", \"type\": \"%.*s\"", declaration + type + 1, type, declaration);
-    if (value >= 0)
-        text_format(out, ", \"%s\": %d", key, value);
+    text_put(out, "{");
+    json_member(out, "name", declaration + type + 1);
+    json_next(out, "type", arena_string(out->arena, declaration, (size_t)type));
+    if (value >= 0) {
+        text_put(out, ", ");
+        json_key(out, key);
+        text_int(out, value);
+    }
     text_char(out, '}');
 }
 
