@@ -64,13 +64,6 @@ static void set_options(const Filtered *filtered, MatcOptions *options)
     options->noise = filtered->noise ? filtered->noise : options->noise;
 }
 
-static Target target_of(const MatcOptions *options)
-{
-    Job job;
-    job_of(options, &job);
-    return job.target;
-}
-
 const char *drawers_open(Drawers *drawers)
 {
     static const Point none;
@@ -98,14 +91,16 @@ bool filtered_open(Filtered *f, Drawers *drawers)
     if (!document_open_text(&f->document, f->text))
         return fail(f, document_fault(&f->document));
     set_options(f, &options);
+    if (job_of(&options, &f->job))
+        return fail(f, "no such option");
     f->program = matc_compile(f->document.document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(f->program))
         return fail(f, matc_program_diagnostics(f->program, MATC_TEXT));
     f->shading = (Shading){.fragment = matc_output(f->program, MATC_FRAGMENT, NULL),
-                           .target = target_of(&options),
+                           .target = f->job.target,
                            .program = f->program,
                            .graph = f->document.graph};
-    f->drawer = f->shading.target == TARGET_glsl110 ? &drawers->old : &drawers->core;
+    f->drawer = f->job.target == TARGET_glsl110 ? &drawers->old : &drawers->core;
     f->name = drawer_program(f->drawer, &f->shading);
     return f->name || fail(f, f->drawer->error);
 }
@@ -116,6 +111,12 @@ void filtered_close(Filtered *f)
         f->drawer->gl->DeleteProgram(f->name);
     matc_program_free(f->program);
     document_close(&f->document);
+}
+
+Oracle *filtered_oracle(const Filtered *f)
+{
+    ReferenceContext context = {.noise = noise_for(f->job.choice[AXIS_noise], f->job.target)};
+    return oracle_open(f->document.graph, &context);
 }
 
 bool filtered_draw(Filtered *f, const Sheet *sheet, float (*rgba)[4])

@@ -22,6 +22,7 @@ void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surfa
 /* How a map is compiled, NULL being the default of MatcOptions, and what came of it. */
 typedef struct {
     const char *map, *slot, *target, *aa, *noise; /* the map as YAML */
+    Job job;
     Document document;
     MatcProgram *program;
     Shading shading;
@@ -41,6 +42,8 @@ void drawers_close(Drawers *drawers);
 /* False: see error. Close it in any case. */
 bool filtered_open(Filtered *filtered, Drawers *drawers);
 void filtered_close(Filtered *filtered);
+/* What the program computes without --aa: with its noise. */
+Oracle *filtered_oracle(const Filtered *filtered);
 /* The value of the slot for each pixel. */
 bool filtered_draw(Filtered *filtered, const Sheet *sheet, float (*rgba)[4]);
 #endif

@@ -1,0 +1,289 @@
+/* --aa as it is drawn over parallelograms, against means that the C reference makes of points within them; noise by its statistics. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/lib/java_random.h"
+#include "tests/value/apart.h"
+#include "tests/value/sheet.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    SIDE = 9,      /* samples of a pixel, an axis */
+    STEP = 11,     /* to the next pixel that is looked at */
+    POINTS = 20000 /* of which noise's statistics are made */
+};
+enum { BOX, ANISO, FILTERS };
+static const char *const filters[] = {"box", "aniso"};
+typedef float Picture[SHEET_PIXELS][4];
+
+static Drawers drawers;
+
+static int set_up(void **state)
+{
+    (void)state;
+    const char *fault = drawers_open(&drawers);
+    if (fault)
+        print_error("%s\n", fault);
+    return fault != NULL;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    drawers_close(&drawers);
+    return 0;
+}
+
+static void draw(Filtered *f, const Sheet *sheet, Picture rgba)
+{
+    if (!filtered_draw(f, sheet, rgba))
+        fail_msg("%s", f->error);
+}
+
+/* All of the coordinates change both ways, and none as another does. */
+static Sheet turned_sheet(double size)
+{
+    Sheet sheet;
+    sheet_init(&sheet);
+    sheet_set(&sheet, 0, .137, .91 * size, -.19 * size);
+    sheet_set(&sheet, 1, -.291, .33 * size, .47 * size);
+    sheet_set(&sheet, 2, .43, .23 * size, .11 * size);
+    return sheet;
+}
+
+static double value_at(Oracle *oracle, const Filtered *f, const Surface *surface)
+{
+    SlotValues values;
+    oracle_material(oracle, f->document.graph->materials[0].node, surface, &values);
+    return values.lane[SLOT_emissive][0];
+}
+
+static double mean_over(Oracle *oracle, const Filtered *f, const Sheet *sheet, int pixel)
+{
+    double sum = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        Surface surface;
+        sheet_surface(sheet, pixel, (i % SIDE + .5) / SIDE - .5, (i / SIDE + .5) / SIDE - .5, &surface);
+        sum += value_at(oracle, f, &surface);
+    }
+    return sum / (SIDE * SIDE);
+}
+
+/* Of pixels of several sizes: the root of the mean square error; the mean error; and the drawn value's slope against the true mean,
+ * by least squares, which is 1 where a mean fades as it should. */
+typedef struct {
+    double square, bias, slope;
+} Errors;
+
+/* Sums over pixels. */
+typedef struct {
+    double count, drawn, want, drawn_drawn, drawn_want, want_want;
+} Sums;
+
+static void add(Sums *s, double drawn, double want)
+{
+    s->count++;
+    s->drawn += drawn;
+    s->want += want;
+    s->drawn_drawn += drawn * drawn;
+    s->drawn_want += drawn * want;
+    s->want_want += want * want;
+}
+
+static Errors errors_of(const Sums *s)
+{
+    double n = s->count, covariance = s->drawn_want / n - s->drawn * s->want / n / n;
+    return (Errors){.square = sqrt((s->drawn_drawn - 2 * s->drawn_want + s->want_want) / n),
+                    .bias = (s->drawn - s->want) / n,
+                    .slope = covariance / (s->drawn_drawn / n - s->drawn * s->drawn / n / n)};
+}
+
+static void open(Filtered f[FILTERS], const char *map, const char *noise)
+{
+    for (int i = 0; i < FILTERS; i++) {
+        f[i] = (Filtered){.map = map, .slot = "emissive", .aa = filters[i], .noise = noise};
+        if (!filtered_open(&f[i], &drawers))
+            fail_msg("%s", f[i].error);
+    }
+}
+
+static void close(Filtered f[FILTERS])
+{
+    for (int i = 0; i < FILTERS; i++)
+        filtered_close(&f[i]);
+}
+
+static void measure(Filtered f[FILTERS], double period, Errors errors[FILTERS])
+{
+    static const double sizes[] = {.2, .45, 1.1};
+    static Picture rgba[FILTERS];
+    Sums sums[FILTERS] = {0};
+    Oracle *oracle = filtered_oracle(f);
+    for (int size = 0; size < 3; size++) {
+        Sheet sheet = turned_sheet(sizes[size] * period);
+        for (int i = 0; i < FILTERS; i++)
+            draw(&f[i], &sheet, rgba[i]);
+        for (int pixel = 0; pixel < SHEET_PIXELS; pixel += STEP) {
+            double want = mean_over(oracle, f, &sheet, pixel);
+            for (int i = 0; i < FILTERS; i++)
+                add(&sums[i], rgba[i][pixel][0], want);
+        }
+    }
+    oracle_close(oracle);
+    for (int i = 0; i < FILTERS; i++)
+        errors[i] = errors_of(&sums[i]);
+}
+
+static const struct {
+    const char *map, *noise;
+    double period;
+    Errors most[FILTERS]; /* box, aniso; of the slope how far it is from 1 */
+} cases[] = {
+    {"{ map: Checker }", NULL, 1, {{.0569, .0066, .039}, {.0252, .0041, .020}}},
+    {"{ map: VolumeChecker }", NULL, 2, {{.0735, .0017, .042}, {.0476, .0014, .035}}},
+    {"{ map: Leopard }", NULL, 2 * M_PI, {{.0271, .0023, .020}, {.0108, .0015, .005}}},
+    {"{ map: Gradient, direction: [0.8, -0.5, 0.3], waveForm: Triangle }",
+     NULL,
+     1,
+     {{.0197, .0009, .011}, {.0197, .0009, .011}}},
+    {"{ map: Gradient, direction: [0.8, -0.5, 0.3], waveForm: Ramp }",
+     NULL,
+     1,
+     {{.0302, .0035, .016}, {.0302, .0035, .016}}},
+    {"{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.5, input: 0.9 }, { value: 1, input: 0.3 }], input: { "
+     "map: Gradient, "
+     "direction: [0.8, -0.5, 0.3] } }",
+     NULL,
+     1,
+     {{.0007, .0006, .002}, {.0007, .0006, .002}}},
+    {"{ map: Mandel }", NULL, 1, {{.1368, .0085, .081}, {.1368, .0085, .081}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }", "lattice", 1, {{.0939, .0007, .083}, {.0285, .0013, .025}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }", "groimp", 1, {{.0910, .0032, .086}, {.0287, .0019, .035}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }", "simplex", .5, {{.0808, .0052, .064}, {.0259, .0034, .020}}},
+    {"{ map: VolumeTurbulence, octaves: 3, noiseRatio: 0.6 }",
+     "lattice",
+     1,
+     {{.1536, .0119, .082}, {.0634, .0053, .029}}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
+     "lattice",
+     1,
+     {{.0836, .0039, .106}, {.0422, .0138, .038}}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", "groimp", 1, {{.0846, .0072, .121}, {.0350, .0101, .053}}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
+     "simplex",
+     .5,
+     {{.0659, .0161, .082}, {.0277, .0033, .029}}},
+    {"{ map: Granite }", "lattice", .25, {{.1132, .0121, .120}, {.0507, .0061, .053}}},
+    {"{ map: Granite }", "groimp", .25, {{.0939, .0045, .071}, {.0483, .0019, .029}}},
+    {"{ map: Granite }", "simplex", .125, {{.1005, .0150, .112}, {.0486, .0082, .066}}},
+    {"{ map: Granite, waveForm: Sqr }", "lattice", .25, {{.0531, .0017, .060}, {.0344, .0090, .054}}},
+    {"{ map: Checker, input: { map: Turbulence, noiseRatio: 0.5 } }",
+     "lattice",
+     1,
+     {{.0666, .0059, .014}, {.0396, .0022, .025}}},
+};
+
+static bool compare(const Filtered *f, const Errors *seen, const Errors *most)
+{
+    bool fine = seen->square <= most->square && fabs(seen->bias) <= most->bias && fabs(seen->slope - 1) <= most->slope;
+    print_message("%-60.60s %-5s error %.4f (%.4f), bias %7.4f (%.4f), slope %.3f (1 +- %.3f)%s\n", f->map, f->aa,
+                  seen->square, most->square, seen->bias, most->bias, seen->slope, most->slope,
+                  fine ? "" : "  TOO MUCH");
+    return fine;
+}
+
+static void parallelograms_show_about_their_means(void **state)
+{
+    (void)state;
+    int failures = 0;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Filtered f[FILTERS];
+        Errors seen[FILTERS];
+        open(f, cases[i].map, cases[i].noise);
+        measure(f, cases[i].period, seen);
+        for (int k = 0; k < FILTERS; k++)
+            failures += !compare(&f[k], &seen[k], &cases[i].most[k]);
+        close(f);
+    }
+    assert_int_equal(failures, 0);
+}
+
+/* Many periods of noise in every pixel, over which x + y + z stays the same. */
+static Sheet wide_sheet(void)
+{
+    Sheet sheet;
+    sheet_init(&sheet);
+    sheet_set(&sheet, 0, .5, 37, 20.5);
+    sheet_set(&sheet, 1, -.25, -37, 20.5);
+    sheet_set(&sheet, 2, .125, 0, -41);
+    return sheet;
+}
+
+/* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of what Turbulence moves by. */
+static const struct {
+    const char *map;
+    double most[3]; /* by noise */
+} wide_cases[] = {
+    {"{ map: VolumeTurbulence, octaves: 1 }", {.0009, .0039, .0024}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7 }", {.0009, .0036, .0024}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0164}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0291}},
+    {"{ map: Granite }", {.0018, .0079, .0070}},
+    {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0050}},
+    {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, 1, 1], octaves: 1 } "
+     "}",
+     {.0048, .0387, .0016}},
+};
+static const char *const noises[] = {"lattice", "groimp", "simplex"};
+
+static double mean_of_points(const Filtered *f, const Sheet *sheet)
+{
+    double sum = 0;
+    uint64_t random = java_random(7);
+    Oracle *oracle = filtered_oracle(f);
+    for (int i = 0; i < POINTS; i++) {
+        Surface surface;
+        double right = java_random_signed(&random), up = java_random_signed(&random);
+        sheet_surface(sheet, i % SHEET_PIXELS, right / 2, up / 2, &surface);
+        sum += value_at(oracle, f, &surface) / POINTS;
+    }
+    oracle_close(oracle);
+    return sum;
+}
+
+static void wide_pixels_show_statistics(void **state)
+{
+    (void)state;
+    static Picture rgba;
+    int failures = 0;
+    Sheet sheet = wide_sheet();
+    for (size_t i = 0; i < sizeof wide_cases / sizeof *wide_cases * 3; i++) {
+        Filtered f[FILTERS];
+        open(f, wide_cases[i / 3].map, noises[i % 3]);
+        double want = mean_of_points(f, &sheet);
+        for (int k = 0; k < FILTERS; k++) {
+            double worst = 0;
+            draw(&f[k], &sheet, rgba);
+            for (int pixel = 0; pixel < SHEET_PIXELS; pixel++)
+                note(isnan(rgba[pixel][0]) ? INFINITY : fabs(rgba[pixel][0] - want), &worst);
+            print_message("%-70.70s %-7s %-5s %.4f, off by %.4f (%.4f)%s\n", f->map, f->noise, f[k].aa, want, worst,
+                          wide_cases[i / 3].most[i % 3], worst <= wide_cases[i / 3].most[i % 3] ? "" : "  TOO MUCH");
+            failures += !(worst <= wide_cases[i / 3].most[i % 3]);
+        }
+        close(f);
+    }
+    assert_int_equal(failures, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parallelograms_show_about_their_means),
+        cmocka_unit_test(wide_pixels_show_statistics),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

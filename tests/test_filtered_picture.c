@@ -1,0 +1,179 @@
+/* --aa of pictures, as it is drawn: texels that the test made, and mipmaps that it makes by hand. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/gl/png_write.h"
+#include "tests/value/apart.h"
+#include "tests/value/sheet.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { MOST_SIDE = 8, LEVELS = 4, LANES = 3 };
+typedef float Pixels[SHEET_PIXELS][4];
+
+/* Of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the one below; row 0 is at v = 0. */
+typedef struct {
+    int side;
+    double texel[LEVELS][MOST_SIDE][MOST_SIDE][LANES];
+    char path[64];
+} Mipmaps;
+
+static Drawers drawers;
+static Mipmaps small, large; /* of 2 x 2 and 8 x 8 texels */
+
+/* Any, far from each other. */
+static uint8_t byte_at(int column, int row, int lane)
+{
+    return (uint8_t)(61 * column * column + 87 * row + 149 * column * row + 83 * lane + 17);
+}
+
+static void fill_levels(Mipmaps *m)
+{
+    for (int level = 0; m->side >> level; level++)
+        for (int row = 0; row < m->side >> level; row++)
+            for (int column = 0; column < m->side >> level; column++)
+                for (int lane = 0; lane < LANES; lane++) {
+                    double(*below)[MOST_SIDE][LANES] = m->texel[level ? level - 1 : 0];
+                    int x = 2 * column, y = 2 * row;
+                    m->texel[level][row][column][lane] = !level ? byte_at(column, row, lane) / 255.
+                                                                : (below[y][x][lane] + below[y][x + 1][lane] +
+                                                                   below[y + 1][x][lane] + below[y + 1][x + 1][lane]) /
+                                                                      4;
+                }
+}
+
+static bool make_picture(Mipmaps *m, int side, const char *folder)
+{
+    uint8_t bytes[MOST_SIDE * MOST_SIDE * LANES];
+    char error[256];
+    *m = (Mipmaps){.side = side};
+    snprintf(m->path, sizeof m->path, "%s/%d.png", folder, side);
+    for (int i = 0; i < side * side * LANES; i++)
+        bytes[i] = byte_at(i / LANES % side, i / LANES / side, i % LANES);
+    fill_levels(m);
+    return png_write(m->path, &(PngPicture){side, side, LANES, bytes}, error, sizeof error);
+}
+
+static char folder[] = "/tmp/matc-filtered-XXXXXX";
+
+static int set_up(void **state)
+{
+    (void)state;
+    const char *fault = drawers_open(&drawers);
+    if (fault)
+        print_error("%s\n", fault);
+    return fault || !mkdtemp(folder) || !make_picture(&small, 2, folder) || !make_picture(&large, 8, folder);
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    drawers_close(&drawers);
+    return remove(small.path) || remove(large.path) || rmdir(folder);
+}
+
+static int wrapped(double place, int side) { return (int)(place - side * floor(place / side)); }
+
+/* The four texels around a place, of which whole numbers are the texels' own. */
+static double bilinear(const Mipmaps *m, int level, double x, double y, int lane)
+{
+    int side = m->side >> level;
+    double sum = 0;
+    for (int i = 0; i < 4; i++) {
+        double column = floor(x) + i % 2, row = floor(y) + i / 2;
+        sum += (1 - fabs(x - column)) * (1 - fabs(y - row)) *
+               m->texel[level][wrapped(row, side)][wrapped(column, side)][lane];
+    }
+    return sum;
+}
+
+/* A picture's value stands at the lower corner of its texel (semantics.md 2.2), its mean over four of them half a texel further. */
+static double level_at(const Mipmaps *m, int level, const double u[2], int lane)
+{
+    double scale = 1 << level, x = u[0] * m->side, y = u[1] * m->side;
+    return bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, lane);
+}
+
+/* By imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed with mipmaps, the level being the
+ * logarithm of the texels; then the mipmaps alone. */
+static double want_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    double near = bilinear(m, 0, u[0] * m->side, u[1] * m->side, lane);
+    double level = fmin(fmax(log2(texels), 0), log2(m->side)), share = fmin(fmax(texels - 1, 0), 1);
+    int low = (int)level, high = m->side >> (low + 1) ? low + 1 : low;
+    double far = level_at(m, low, u, lane) * (1 - level + low) + level_at(m, high, u, lane) * (level - low);
+    return near * (1 - share) + far * share;
+}
+
+/* In GLSL 1.10: sixteen places. */
+static double want_samples(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    double sum = 0, x = u[0] * m->side, y = u[1] * m->side;
+    if (texels <= 1)
+        return bilinear(m, 0, x, y, lane);
+    for (int i = 0; i < 16; i++)
+        sum += bilinear(m, 0, x + (i % 4 - 1.5) / 4 * texels, y + (i / 4 - 1.5) / 4 * texels, lane) / 16;
+    return sum;
+}
+
+/* Greatest error of pixels that cover `texels` texels either way. */
+static double measure(const Mipmaps *m, double texels, const char *target)
+{
+    static Pixels rgba;
+    char map[128];
+    double worst = 0;
+    bool samples = !strcmp(target, "glsl110");
+    Sheet sheet;
+    snprintf(map, sizeof map, "{ map: ImageMap, image: %s }", m->path);
+    Filtered f = {.map = map, .slot = "emissive", .target = target, .aa = "box"};
+    if (!filtered_open(&f, &drawers))
+        fail_msg("%s", f.error);
+    sheet_init(&sheet);
+    sheet_set(&sheet, 0, .137, texels / m->side, 0);
+    sheet_set(&sheet, 1, -.291, 0, texels / m->side);
+    if (!filtered_draw(&f, &sheet, rgba))
+        fail_msg("%s", f.error);
+    for (int i = 0; i < SHEET_PIXELS * LANES; i++) {
+        int pixel = i / LANES, lane = i % LANES;
+        Surface s;
+        sheet_surface(&sheet, pixel, 0, 0, &s);
+        const double *u = &s.root[channel_id(GROUP_U, 0)];
+        double want = samples ? want_samples(m, texels, u, lane) : want_mipmaps(m, texels, u, lane);
+        note(isnan(rgba[pixel][lane]) ? INFINITY : fabs(rgba[pixel][lane] - want), &worst);
+    }
+    filtered_close(&f);
+    return worst;
+}
+
+/* Of the driver's mipmaps: bytes, mixed by weights of eight bits. */
+static void pictures_show_their_mipmaps(void **state)
+{
+    (void)state;
+    static const struct {
+        double texels, most;
+    } cases[] = {{.21, 3e-6}, {.9, 3e-6}, {1.5, .01}, {2, .01}, {2.9, .015}, {4, .01}};
+    static const char *const targets[] = {"glsl330", "essl300", "glsl110"};
+    int failures = 0;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int target = 0; target < 3; target++)
+            for (int k = 0; k < 2; k++) {
+                double seen = measure(k ? &large : &small, cases[i].texels, targets[target]);
+                double most = target == 2 ? 1e-5 : cases[i].most;
+                print_message("%s, %d x %d, %g texels a pixel: %.1e, at most %.1e\n", targets[target], k ? 8 : 2,
+                              k ? 8 : 2, cases[i].texels, seen, most);
+                failures += !(seen <= most);
+            }
+    assert_int_equal(failures, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pictures_show_their_mipmaps),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
