@@ -1,33 +1,27 @@
 /* What rounding takes from a coordinate: affine chains of constants are followed back, in double, to the value they start from,
  * and GLSL computes M root + offset as a whole number and a fraction, each good to the last bit. */
 #include "footprint.h"
+#include <float.h>
 #include <math.h>
-#include <string.h>
 
-enum { LANES = 3, DEEPEST = 64 };
-
-/* One lane as offset + sum of factor[i] * lane i of the root. */
-typedef struct {
-    Ref root; /* 0: a constant */
-    double factor[LANES], offset;
-} Line;
+enum { LANES = AFFINE_LANES };
+static const double GREATEST = FLT_MAX / 4; /* of a factor or an offset: twice of it is a float yet */
 
 static Line constant(double value) { return (Line){.offset = value}; }
 
-/* A node that is nothing affine: it is what others start from. */
+/* A node that is nothing affine: it is what others start from. Of a vec4 only the first three lanes can be that. */
 static Line start(Ref ref, int lane)
 {
-    Line line = {.root = ref};
-    if (lane < LANES)
+    Line line = {.root = ref, .closed = lane >= LANES};
+    if (!line.closed)
         line.factor[lane] = 1;
     return line;
 }
 
-static Line line_of(const Ir *ir, Ref ref, int lane, int depth);
-
+/* a + sign b; false where they start from different values. */
 static bool combined(const Line *a, const Line *b, double sign, Line *sum)
 {
-    if (a->root && b->root && a->root != b->root)
+    if (a->closed || b->closed || (a->root && b->root && a->root != b->root))
         return false;
     *sum = (Line){.root = a->root ? a->root : b->root, .offset = a->offset + sign * b->offset};
     for (int i = 0; i < LANES; i++)
@@ -43,31 +37,36 @@ static Line scaled(Line line, double factor)
     return line;
 }
 
-static int lane_in(const Ir *ir, Ref ref, int lane) { return ir_lanes(ir, ref) > 1 ? lane : 0; }
-
-static Line sum_line(const Ir *ir, Ref ref, int lane, int depth)
+/* What is kept of a lane; a number stands for all lanes of a vector. */
+static Line line_of(const Lower *l, Ref ref, int lane)
 {
-    Ref x = ir_arg(ir, ref, 0), y = ir_arg(ir, ref, 1);
-    Line a = line_of(ir, x, lane_in(ir, x, lane), depth), b = line_of(ir, y, lane_in(ir, y, lane), depth), sum;
-    return combined(&a, &b, ir_is(ir, ref, OP_sub) ? -1 : 1, &sum) ? sum : start(ref, lane);
+    if (ir_lanes(l->ir, ref) == 1)
+        lane = 0;
+    if (ir_is(l->ir, ref, OP_const))
+        return constant(ir_numbers(l->ir, ref)[lane]);
+    return l->affine.first[ref] ? l->affine.lines[l->affine.first[ref] - 1 + (size_t)lane] : start(ref, lane);
 }
 
-static Line product_line(const Ir *ir, Ref ref, int lane, int depth)
+static Line sum_line(const Lower *l, Ref ref, int lane)
 {
-    Ref x = ir_arg(ir, ref, 0), y = ir_arg(ir, ref, 1);
-    Line a = line_of(ir, x, lane_in(ir, x, lane), depth), b = line_of(ir, y, lane_in(ir, y, lane), depth);
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane), sum;
+    return combined(&a, &b, ir_is(l->ir, ref, OP_sub) ? -1 : 1, &sum) ? sum : start(ref, lane);
+}
+
+static Line product_line(const Lower *l, Ref ref, int lane)
+{
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane);
     if (!a.root)
         return scaled(b, a.offset);
     return b.root ? start(ref, lane) : scaled(a, b.offset);
 }
 
 /* A matrix by its columns, all constant, times a vector. */
-static Line linear_line(const Ir *ir, Ref ref, int lane, int depth)
+static Line linear_line(const Lower *l, Ref ref, int lane)
 {
     Line total = constant(0);
-    for (int k = 1; k < ir_at(ir, ref)->count; k++) {
-        Line factor = line_of(ir, ir_arg(ir, ref, k), lane, depth), x = line_of(ir, ir_arg(ir, ref, 0), k - 1, depth),
-             sum;
+    for (int k = 1; k < ir_at(l->ir, ref)->count; k++) {
+        Line factor = line_of(l, ir_arg(l->ir, ref, k), lane), x = line_of(l, ir_arg(l->ir, ref, 0), k - 1), sum;
         if (factor.root)
             return start(ref, lane);
         Line part = scaled(x, factor.offset);
@@ -78,40 +77,81 @@ static Line linear_line(const Ir *ir, Ref ref, int lane, int depth)
     return total;
 }
 
-static Line vec_line(const Ir *ir, Ref ref, int lane, int depth)
+static Line vec_line(const Lower *l, Ref ref, int lane)
 {
-    for (int i = 0; i < ir_at(ir, ref)->count; i++) {
-        Ref part = ir_arg(ir, ref, i);
-        if (lane < ir_lanes(ir, part))
-            return line_of(ir, part, lane, depth);
-        lane -= ir_lanes(ir, part);
+    int own = lane;
+    for (int i = 0; i < ir_at(l->ir, ref)->count; i++) {
+        Ref part = ir_arg(l->ir, ref, i);
+        if (lane < ir_lanes(l->ir, part))
+            return line_of(l, part, lane);
+        lane -= ir_lanes(l->ir, part);
     }
-    return start(ref, lane);
+    return start(ref, own);
 }
 
-static Line line_of(const Ir *ir, Ref ref, int lane, int depth)
+/* By the lines of the operands. */
+static Line new_line(const Lower *l, Ref ref, int lane)
 {
-    const IrNode *node = ir_at(ir, ref);
-    if (node->op == OP_const)
-        return constant(ir_numbers(ir, ref)[lane]);
-    if (depth > DEEPEST)
-        return start(ref, lane);
+    const IrNode *node = ir_at(l->ir, ref);
     switch (node->op) {
     case OP_add:
     case OP_sub:
-        return sum_line(ir, ref, lane, depth + 1);
+        return sum_line(l, ref, lane);
     case OP_mul:
-        return product_line(ir, ref, lane, depth + 1);
+        return product_line(l, ref, lane);
     case OP_neg:
-        return scaled(line_of(ir, ir_arg(ir, ref, 0), lane, depth + 1), -1);
+        return scaled(line_of(l, ir_arg(l->ir, ref, 0), lane), -1);
     case OP_linear:
-        return linear_line(ir, ref, lane, depth + 1);
+        return linear_line(l, ref, lane);
     case OP_vec:
-        return vec_line(ir, ref, lane, depth + 1);
-    case OP_swizzle:
-        return line_of(ir, ir_arg(ir, ref, 0), (int)(node->payload >> 2 * lane & 3), depth + 1);
+        return vec_line(l, ref, lane);
     default:
-        return start(ref, lane);
+        return line_of(l, ir_arg(l->ir, ref, 0), (int)(node->payload >> 2 * lane & 3));
+    }
+}
+
+static bool is_affine(const IrNode *node)
+{
+    switch (node->op) {
+    case OP_add:
+    case OP_sub:
+    case OP_mul:
+    case OP_neg:
+    case OP_linear:
+    case OP_vec:
+    case OP_swizzle:
+        return node->type >= TYPE_float && node->type <= TYPE_vec4;
+    default:
+        return false;
+    }
+}
+
+/* Products that no float holds are not followed. */
+static bool is_finite(const Line *line)
+{
+    double greatest = fabs(line->offset);
+    for (int i = 0; i < LANES; i++)
+        greatest = fmax(greatest, fabs(line->factor[i]));
+    return greatest <= GREATEST && !isnan(line->offset);
+}
+
+/* Finds the lines of all nodes up to this one that have none yet. Operands have lower numbers, so theirs are there. */
+static void follow(Lower *l, Ref last)
+{
+    Affine *affine = &l->affine;
+    affine->first = arena_reach(l->c->arena, affine->first, last, &affine->first_room, sizeof *affine->first);
+    for (; affine->done <= last; affine->done++) {
+        Ref ref = affine->done;
+        if (!is_affine(ir_at(l->ir, ref)))
+            continue;
+        uint32_t first = (uint32_t)affine->count + 1;
+        for (int lane = 0; lane < ir_lanes(l->ir, ref); lane++) {
+            Line line = new_line(l, ref, lane);
+            if ((line.closed && line.root != ref) || !is_finite(&line))
+                line = start(ref, lane);
+            ARENA_PUSH(l->c->arena, affine->lines, affine->count, affine->room, line);
+        }
+        affine->first[ref] = first;
     }
 }
 
@@ -170,8 +210,9 @@ static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
     *root = 0;
     if (l->job->choice[AXIS_coordinates] != CHOICE_coordinates_long || lanes > LANES)
         return false;
+    follow(l, coordinate);
     for (int i = 0; i < lanes; i++) {
-        lines[i] = line_of(l->ir, coordinate, i, 0);
+        lines[i] = line_of(l, coordinate, i);
         exact &= is_exact(&lines[i]);
         if (lines[i].root == coordinate || (*root && lines[i].root && lines[i].root != *root))
             return false;

@@ -10,9 +10,11 @@
 #include "validate.h"
 #include <string.h>
 
+bool diag_full(const Compile *c) { return c->diags.count >= MOST_DIAGS; }
+
 void *diag_add(Compile *c, Span span, DiagKind kind, ...)
 {
-    if (c->diags.count >= MOST_DIAGS) {
+    if (diag_full(c)) {
         c->diags.errors += diag_table[kind].severity == SEVERITY_error;
         return NULL;
     }
@@ -74,13 +76,7 @@ char *read_file(Compile *c, const char *path, size_t *size, const char **why)
     return file_read(path, size, why);
 }
 
-void depend_on(Compile *c, const char *path)
-{
-    for (size_t i = 0; i < c->depend_count; i++)
-        if (!strcmp(c->depends[i], path))
-            return;
-    ARENA_PUSH(c->arena, c->depends, c->depend_count, c->depend_room, path);
-}
+void depend_on(Compile *c, const char *path) { names_add(c->arena, &c->depends, path); }
 
 /* Drops `.` and `//` and takes `a/..` together, so that a file has one name. In place. */
 static void normalise(char *path)

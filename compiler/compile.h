@@ -6,6 +6,7 @@
 #include "grammar/tables.h"
 #include "graph.h"
 #include "matc.h"
+#include "names.h"
 #include "source.h"
 #include <time.h>
 
@@ -21,7 +22,8 @@ enum {
     LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
     LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
     LIMIT_PARAMS = 4096,        /* uniforms of a document */
-    LIMIT_INCLUDES = 256,       /* files that a document includes */
+    LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
+    LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
     LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range_guard.c */
     LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
@@ -42,8 +44,7 @@ typedef struct Compile {
     DiagList diags;
     Source *sources;
     size_t source_count, source_room;
-    const char **depends; /* files read, the document first */
-    size_t depend_count, depend_room;
+    Names depends; /* files read, the document first */
     StageStats *stats;
     size_t stat_count, stat_room;
     double stage_start;
@@ -65,6 +66,8 @@ typedef struct {
 
 /* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
 void *diag_add(Compile *c, Span span, DiagKind kind, ...);
+/* Further ones are only counted. */
+bool diag_full(const Compile *c);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
 const char *diag_all(Compile *c, MatcForm form);
 /* Marks the end of a stage for --stats. */

@@ -170,14 +170,6 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
     }
 }
 
-static bool name_taken(const Ir *ir, const char *name)
-{
-    for (int i = 0; i < ir->graph->uniform_count; i++)
-        if (!strcmp(ir->graph->uniforms[i]->name, name))
-            return true;
-    return false;
-}
-
 /* "checkerConstant", "checkerConstant2" */
 static const char *new_name(Ir *ir, size_t index, int *named)
 {
@@ -189,7 +181,7 @@ static const char *new_name(Ir *ir, size_t index, int *named)
         text_put(&name, "Constant");
         if (named[hint]++)
             text_int(&name, named[hint]);
-    } while (name_taken(ir, name.at));
+    } while (names_find(&ir->graph->uniform_names, name.at) >= 0);
     return name.at;
 }
 

@@ -16,9 +16,8 @@ static const char *hint_title(int hint) { return hint < KIND_COUNT ? kind_table[
 
 static bool is_taken(const Scope *e, const char *name)
 {
-    for (int i = 0; i < e->ir->graph->uniform_count; i++)
-        if (!strcmp(e->ir->graph->uniforms[i]->name, name))
-            return true;
+    if (names_find(&e->ir->graph->uniform_names, name) >= 0)
+        return true;
     for (int i = 0; i < FUNCTION_COUNT; i++) {
         const char *other = function_row(i)->name;
         if (other && *other == *name && !strcmp(other, name)) /* most differ in the first letter */

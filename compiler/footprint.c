@@ -182,12 +182,37 @@ static Ref derive(Lower *l, Ref ref)
                   : variance;
 }
 
+static Ref known_variance(const Lower *l, Ref value) { return value < l->variance_room ? l->variances[value] : 0; }
+
+static void push_unknown(Lower *l, Ref ref)
+{
+    if (!known_variance(l, ref))
+        ARENA_PUSH(l->c->arena, l->to_vary, l->to_vary_count, l->to_vary_room, ref);
+}
+
+/* Operands of which a variance is made; the others are taken to have none. */
+static int varying_operands(const IrNode *node)
+{
+    enum { MOST_VARYING = 2 };
+    return node->op == OP_vec ? node->count : node->op == OP_linear ? 1 : node->count < MOST_VARYING ? node->count : MOST_VARYING;
+}
+
+/* Operands first, the left one before the right, on a stack of its own. */
 Ref variance_of(Lower *l, Ref value)
 {
-    Ref known = value < l->variance_room ? l->variances[value] : 0;
-    if (known)
-        return known == NO_VARIANCE ? 0 : known;
-    Ref variance = derive(l, value);
-    variance_set(l, value, variance);
-    return variance;
+    size_t before = l->to_vary_count;
+    push_unknown(l, value);
+    while (l->to_vary_count > before) {
+        Ref ref = l->to_vary[l->to_vary_count - 1];
+        size_t now = l->to_vary_count;
+        for (int i = varying_operands(ir_at(l->ir, ref)) - 1; i >= 0 && !known_variance(l, ref); i--)
+            push_unknown(l, ir_arg(l->ir, ref, i));
+        if (l->to_vary_count > now)
+            continue;
+        l->to_vary_count--;
+        if (!known_variance(l, ref))
+            variance_set(l, ref, derive(l, ref));
+    }
+    Ref variance = known_variance(l, value);
+    return variance == NO_VARIANCE ? 0 : variance;
 }

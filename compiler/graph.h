@@ -3,6 +3,7 @@
 #ifndef MATC_GRAPH_H
 #define MATC_GRAPH_H
 #include "grammar/tables.h"
+#include "names.h"
 #include "source.h"
 #include <stddef.h>
 
@@ -104,6 +105,7 @@ typedef struct {
     int node_count;
     const Uniform *const *uniforms;
     int uniform_count;
+    Names uniform_names; /* theirs, in the same order */
     const Image *const *images;
     int image_count;
 } Graph;

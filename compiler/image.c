@@ -33,9 +33,9 @@ const Image *image_load(Resolver *r, const char *path, Span span)
 {
     Compile *c = r->c;
     const char *full = path_beside(c, c->sources[span.file].name, path), *why = "";
-    for (size_t i = 0; i < r->image_count; i++)
-        if (!strcmp(r->images[i]->path, full))
-            return r->images[i];
+    int found = names_find(&r->image_paths, full);
+    if (found >= 0)
+        return r->images[found];
     size_t size;
     depend_on(c, full);
     char *file = read_file(c, full, &size, &why);
@@ -50,5 +50,6 @@ const Image *image_load(Resolver *r, const char *path, Span span)
         return diag_add(c, span, DIAG_no_image, path, why);
     const Image *kept = image;
     ARENA_PUSH(c->arena, r->images, r->image_count, r->image_room, kept);
+    names_add(c->arena, &r->image_paths, full);
     return image;
 }

@@ -96,6 +96,8 @@ typedef struct Ir {
     size_t function_count, function_room;
     IrTexture *textures;
     size_t texture_count, texture_room;
+    uint32_t *texture_table; /* hash table of numbers from 1; lower_surface.c */
+    uint32_t texture_mask;
     IrConstant *constants;
     size_t constant_count, constant_room;
     uint32_t *constant_table; /* by source: hash table of numbers from 1 */

@@ -111,9 +111,8 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
         found = argument_place(atoi(text), atoi(strchr(text, '.') + 1));
     else if (op == OP_texture)
         found = atoi(text);
-    for (int i = 0; op == OP_uniform && i < s->ir->graph->uniform_count; i++)
-        if (!strcmp(s->ir->graph->uniforms[i]->name, text))
-            found = i;
+    else if (op == OP_uniform)
+        found = names_find(&s->ir->graph->uniform_names, text);
     *payload = (uint32_t)found;
     return found >= 0 || fail(s, "a node names what does not exist");
 }

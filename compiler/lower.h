@@ -2,7 +2,7 @@
  * input, and no input is the surface. */
 #ifndef MATC_LOWER_H
 #define MATC_LOWER_H
-#include "ir.h"
+#include "affine.h"
 
 /* What the root of the delegation answers. Filters evaluate their input in an environment of their own. */
 typedef struct {
@@ -26,6 +26,18 @@ typedef struct {
 } Split;
 
 typedef struct {
+    Ref u, v;
+} Slopes;
+
+/* What a chain of UVTransforms makes of slopes: those of one are turned by it, those of several by the product of all. */
+typedef struct {
+    bool known;
+    int count;             /* of transforms */
+    const Node *transform; /* of one */
+    Slopes column[2];      /* of several: what becomes of (1, 0) and of (0, 1) */
+} Turn;
+
+typedef struct {
     Compile *c;
     Ir *ir;
     const Graph *graph;
@@ -36,10 +48,17 @@ typedef struct {
     bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;
+    Ref *to_differ; /* stack of values whose derivatives are under way; slope.c */
+    size_t to_differ_count, to_differ_room;
     Ref *variances; /* by Ref; footprint.c */
     size_t variance_room;
+    Ref *to_vary; /* stack of values whose variances are under way; footprint.c */
+    size_t to_vary_count, to_vary_room;
     Split *splits; /* by Ref; footprint.c */
     size_t split_room;
+    Turn *turns; /* by node; lower_normal.c */
+    size_t turn_room;
+    Affine affine;        /* affine.c */
     uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
     bool failed;          /* a diagnostic was made */
 } Lower;

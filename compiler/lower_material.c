@@ -154,12 +154,11 @@ static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
     return plain_slot(l, diffuse, number(l, 0), slot, env);
 }
 
-/* The materials of the two sides. A missing back is as the front; a missing front stays missing. */
-static void sides(const Node *m, const Node **front, const Node **back)
+/* The material of a side. A missing back is as the front; a missing front stays missing. */
+static const Node *side(const Node *m, bool front)
 {
-    const Node *f = param_node(m, P_SideSwitch_frontShader), *b = param_node(m, P_SideSwitch_backShader);
-    *front = f;
-    *back = b ? b : f;
+    const Node *back = front ? NULL : param_node(m, P_SideSwitch_backShader);
+    return back ? back : param_node(m, P_SideSwitch_frontShader);
 }
 
 /* A preview takes the GUI's material; the others stand in where it is missing. */
@@ -170,14 +169,22 @@ static const Node *algorithm(const Node *m)
     return gui ? gui : ray ? ray : param_node(m, P_AlgorithmSwitch_radiationShader);
 }
 
+/* The material that is seen of one side, through any number of switches: within one of them the side is known. */
+static const Node *seen_from(const Node *m, bool front)
+{
+    while (m && (m->kind == KIND_SideSwitch || m->kind == KIND_AlgorithmSwitch))
+        m = m->kind == KIND_SideSwitch ? side(m, front) : algorithm(m);
+    return m;
+}
+
 static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
 {
     return sides[0] == sides[1] ? sides[0] : ir_select(l->ir, env->front, sides[0], sides[1]);
 }
 
-static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+/* Of a material that is no switch. */
+static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
-    const Node *front, *back;
     if (!m)
         return missing_slot(l, slot, env);
     switch (m->kind) {
@@ -187,14 +194,17 @@ static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
         return rgba_slot(l, m, slot, env);
     case KIND_SunSkyLight:
         return sky_slot(l, m, slot, env);
-    case KIND_AlgorithmSwitch:
-        return value_slot(l, algorithm(m), slot, env);
-    case KIND_SideSwitch:
-        sides(m, &front, &back);
-        return both_sides(l, env, REFS(l->ir, value_slot(l, front, slot, env), value_slot(l, back, slot, env)));
     default:
         return missing_slot(l, slot, env);
     }
+}
+
+static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    const Node *front = seen_from(m, true), *back = seen_from(m, false);
+    if (front == back)
+        return side_slot(l, front, slot, env);
+    return both_sides(l, env, REFS(l->ir, side_slot(l, front, slot, env), side_slot(l, back, slot, env)));
 }
 
 /* In eye space: the interpolated normal comes so from the vertex program; any other is turned. */
@@ -205,17 +215,18 @@ static Ref in_eye_space(Lower *l, Ref normal, const Env *env)
     return ir_call(l->ir, FN_eyeFromWorld, &normal, 1);
 }
 
-static Ref normal_of(Lower *l, const Node *m, const Env *env, bool eye)
+static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
 {
-    const Node *front, *back;
-    if (m && m->kind == KIND_AlgorithmSwitch)
-        return normal_of(l, algorithm(m), env, eye);
-    if (m && m->kind == KIND_SideSwitch) {
-        sides(m, &front, &back);
-        return both_sides(l, env, REFS(l->ir, normal_of(l, front, env, eye), normal_of(l, back, env, eye)));
-    }
     Ref normal = raw_normal(l, m, env);
     return eye ? in_eye_space(l, normal, env) : normal;
+}
+
+static Ref normal_of(Lower *l, const Node *m, const Env *env, bool eye)
+{
+    const Node *front = seen_from(m, true), *back = seen_from(m, false);
+    if (front == back)
+        return side_normal(l, front, env, eye);
+    return both_sides(l, env, REFS(l->ir, side_normal(l, front, env, eye), side_normal(l, back, env, eye)));
 }
 
 /* Unit length, and turned to the viewer's side. */

@@ -28,21 +28,66 @@ static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 
 static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
 
-typedef struct {
-    Ref u, v;
-} Slopes;
-
 static Ref filled(Lower *l, Ref slope) { return slope ? slope : number(l, 0); }
+
+static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
+{
+    Ref u = uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DU),
+        v = uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DV);
+    return (Slopes){u, v};
+}
+
+/* What the slopes along u (0) and along v (1) become. */
+static Slopes column_of(Lower *l, const Turn *turn, int column)
+{
+    Ref u = number(l, column == 0), v = number(l, column == 1);
+    return turn->transform ? turned_by(l, turn->transform, (Slopes){u, v}) : turn->column[column];
+}
+
+/* One more node above those of a turn. */
+static Turn turned_at(Lower *l, const Turn *below, const Node *node)
+{
+    if (node->kind != KIND_UVTransform)
+        return *below;
+    if (!below->count)
+        return (Turn){.known = true, .count = 1, .transform = node};
+    Turn turn = {.known = true, .count = below->count + 1};
+    for (int i = 0; i < 2; i++)
+        turn.column[i] = turned_by(l, node, column_of(l, below, i));
+    return turn;
+}
+
+static Turn *turn_at(Lower *l, const Node *node)
+{
+    l->turns = arena_reach(l->c->arena, l->turns, (size_t)node->index, &l->turn_room, sizeof *l->turns);
+    return &l->turns[node->index];
+}
+
+/* What the UVTransforms from a node down its inputs make of slopes, together. Every node keeps its own: a chain is walked once. */
+static Turn turn_of(Lower *l, const Node *node)
+{
+    const Node **chain = NULL;
+    size_t count = 0, room = 0;
+    Turn turn = {.known = true};
+    for (; node && !turn_at(l, node)->known; node = param_node(node, kind_table[node->kind].first))
+        ARENA_PUSH(l->c->arena, chain, count, room, node);
+    if (node)
+        turn = *turn_at(l, node);
+    while (count--) {
+        turn = turned_at(l, &turn, chain[count]);
+        *turn_at(l, chain[count]) = turn;
+    }
+    return turn;
+}
 
 /* The slopes along the input's tangents: where a UVTransform turned those, it turns the slopes. */
 static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
 {
-    if (!input)
-        return slopes;
-    slopes = along_tangents(l, param_node(input, kind_table[input->kind].first), slopes);
-    if (input->kind != KIND_UVTransform)
-        return slopes;
-    Ref u = uv_tangent(l, input, slopes.u, slopes.v, GROUP_DU), v = uv_tangent(l, input, slopes.u, slopes.v, GROUP_DV);
+    const Turn turn = turn_of(l, input);
+    if (turn.count <= 1)
+        return turn.count ? turned_by(l, turn.transform, slopes) : slopes;
+    Ref u = add(l, mul(l, slopes.u, turn.column[0].u), mul(l, slopes.v, turn.column[1].u));
+    Ref v = add(l, mul(l, slopes.u, turn.column[0].v), mul(l, slopes.v, turn.column[1].v));
     return (Slopes){u, v};
 }
 

@@ -1,5 +1,9 @@
 /* Constants, checkers and pictures. */
 #include "area.h"
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+enum { FIRST_TEXTURES = 16 }; /* places of the table */
 
 static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
 
@@ -144,15 +148,45 @@ static bool same_texture(const IrTexture *a, const IrTexture *b)
     return true;
 }
 
+/* Equal textures have equal ones. */
+static uint32_t texture_hash(const IrTexture *texture)
+{
+    double numbers[16] = {0};
+    int count = texture->kind == TEXTURE_image ? 0 : kind_table[KIND_Carpenter].count;
+    for (int i = 1; i < count; i++)
+        value_number(&texture->node->params[i], TYPE_float, &numbers[i]);
+    for (int i = 1; i < count; i++)
+        numbers[i] += 0.0; /* -0 is 0 */
+    return (uint32_t)XXH3_64bits_withSeed(numbers, sizeof numbers, (uintptr_t)texture->image);
+}
+
+static uint32_t *texture_place(Ir *ir, const IrTexture *wanted)
+{
+    uint32_t at = texture_hash(wanted) & ir->texture_mask;
+    while (ir->texture_table[at] && !same_texture(&ir->textures[ir->texture_table[at] - 1], wanted))
+        at = (at + 1) & ir->texture_mask;
+    return &ir->texture_table[at];
+}
+
+static void grow_texture_table(Ir *ir)
+{
+    ir->texture_mask = ir->texture_table ? 2 * ir->texture_mask + 1 : FIRST_TEXTURES - 1;
+    ir->texture_table = ARENA_ARRAY(ir->arena, uint32_t, ir->texture_mask + 1);
+    for (uint32_t i = 0; i < ir->texture_count; i++)
+        *texture_place(ir, &ir->textures[i]) = i + 1;
+}
+
 static Ref texture(Lower *l, IrTexture wanted)
 {
     Ir *ir = l->ir;
-    uint32_t i = 0;
-    while (i < ir->texture_count && !same_texture(&ir->textures[i], &wanted))
-        i++;
-    if (i == ir->texture_count)
+    if (2 * ir->texture_count >= ir->texture_mask)
+        grow_texture_table(ir);
+    uint32_t *place = texture_place(ir, &wanted);
+    if (!*place) {
         ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, wanted);
-    return ir_make(ir, OP_texture, TYPE_sampler, i, NULL, 0);
+        *place = (uint32_t)ir->texture_count;
+    }
+    return ir_make(ir, OP_texture, TYPE_sampler, *place - 1, NULL, 0);
 }
 
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */

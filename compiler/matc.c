@@ -53,7 +53,6 @@ void document_lend(const MatcDocument *d, Compile *c)
     c->sources = d->c.sources;
     c->source_count = d->c.source_count;
     c->depends = d->c.depends;
-    c->depend_count = d->c.depend_count;
 }
 
 void matc_document_free(MatcDocument *d)
@@ -75,8 +74,8 @@ int matc_material_find(const MatcDocument *d, const char *name)
     return -1;
 }
 
-int matc_depend_count(const MatcDocument *d) { return (int)d->c.depend_count; }
-const char *matc_depend(const MatcDocument *d, int index) { return d->c.depends[index]; }
+int matc_depend_count(const MatcDocument *d) { return (int)d->c.depends.count; }
+const char *matc_depend(const MatcDocument *d, int index) { return d->c.depends.at[index]; }
 int matc_error_count(const MatcDocument *d) { return d->c.diags.errors; }
 
 const char *matc_tree_text(MatcDocument *d)

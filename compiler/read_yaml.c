@@ -270,9 +270,28 @@ static Tree *read_stream(Reader *r)
     }
 }
 
+/* Lines that begin with %TAG, wherever they stand: libyaml reads them all before it tells of the first. */
+static bool check_tags(const TreeBuilder *b, const Source *source)
+{
+    static const char tag[] = "%TAG";
+    const size_t size = sizeof tag - 1;
+    int count = 0;
+    const char *end = source->text + source->size;
+    for (const char *at = source->text + b->start; at && (size_t)(end - at) >= size;) {
+        uint32_t offset = (uint32_t)(at - source->text);
+        if (!memcmp(at, tag, size) && ++count > LIMIT_TAGS)
+            return diag_add(b->c, (Span){offset, offset + (uint32_t)size, b->file}, DIAG_too_many_tags, LIMIT_TAGS);
+        at = memchr(at, '\n', (size_t)(end - at));
+        at += at != NULL;
+    }
+    return true;
+}
+
 Tree *read_yaml(TreeBuilder *b)
 {
     const Source *source = &b->c->sources[b->file];
+    if (!check_tags(b, source))
+        return NULL;
     Reader reader = {.b = b, .c = b->c};
     map_characters(&reader, source);
     if (!yaml_parser_initialize(&reader.parser))

@@ -199,9 +199,9 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
     put_outputs(out, ir, job);
     describe_vertex(out, job, interface);
     List files = open_list(out, "sources");
-    for (size_t i = 0; i < c->depend_count; i++) {
+    for (size_t i = 0; i < c->depends.count; i++) {
         next(&files);
-        json_string(out, c->depends[i]);
+        json_string(out, c->depends.at[i]);
     }
     close_list(&files);
     text_format(out, ",\n  \"hash\": \"%016llx%016llx\"\n}\n", (unsigned long long)hash.high64,

@@ -10,8 +10,10 @@ typedef struct {
     size_t def_count, def_room;
     const Uniform **uniforms;
     size_t uniform_count, uniform_room;
+    Names uniform_names;
     const Image **images;
     size_t image_count, image_room;
+    Names image_paths;
     int node_count;
     int depth;
 } Resolver;

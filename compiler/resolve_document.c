@@ -39,7 +39,7 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     for (size_t i = 0; i < c->source_count; i++)
         if (!strcmp(c->sources[i].name, path))
             return true; /* read already */
-    if (c->source_count > LIMIT_INCLUDES) {
+    if (c->depends.count > LIMIT_INCLUDES) {
         diag_add(c, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
         return false;
     }
@@ -159,6 +159,7 @@ Graph *resolve(Compile *c, Tree *document)
     graph->node_count = r.node_count;
     graph->uniforms = r.uniforms;
     graph->uniform_count = (int)r.uniform_count;
+    graph->uniform_names = r.uniform_names;
     graph->images = r.images;
     graph->image_count = (int)r.image_count;
     return fine && !fault && !c->diags.errors ? graph : NULL;

@@ -103,10 +103,9 @@ static bool same_default(const Uniform *uniform, const Value *value)
 /* The uniform of that name, made on first use. */
 static bool name_uniform(Resolver *r, const Tree *name, Value *value)
 {
-    for (size_t i = 0; i < r->uniform_count; i++) {
-        const Uniform *known = r->uniforms[i];
-        if (strcmp(known->name, name->text) != 0)
-            continue;
+    int found = names_find(&r->uniform_names, name->text);
+    if (found >= 0) {
+        const Uniform *known = r->uniforms[found];
         if (!same_default(known, value)) {
             diag_add(r->c, name->span, DIAG_param_conflict, name->text);
             diag_add(r->c, known->span, DIAG_first_given);
@@ -124,6 +123,7 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
     memcpy(uniform->initial, value->number, sizeof value->number);
     const Uniform *kept = uniform;
     ARENA_PUSH(r->c->arena, r->uniforms, r->uniform_count, r->uniform_room, kept);
+    names_add(r->c->arena, &r->uniform_names, uniform->name);
     value->uniform = uniform;
     return true;
 }

@@ -285,11 +285,26 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-Ref slope_of(Lower *l, Ref value, Direction direction)
+/* What a value's derivative is made of: the operands', and where it runs a function the result's. */
+static int parts_of(const Ir *ir, Ref ref)
 {
-    Ref known = *memo_of(l, value, direction);
-    if (known != UNKNOWN)
-        return known == FLAT ? 0 : known;
+    return ir_applies(ir, ref) ? 1 : ir_at(ir, ref)->count;
+}
+
+static Ref part_of(const Ir *ir, Ref ref, int i)
+{
+    return ir_applies(ir, ref) ? ir->functions[ir_at(ir, ref)->payload].result : ir_arg(ir, ref, i);
+}
+
+static void push_unknown(Lower *l, Ref ref, Direction direction)
+{
+    if (*memo_of(l, ref, direction) == UNKNOWN)
+        ARENA_PUSH(l->c->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
+}
+
+/* Its operands' are known. */
+static void find_slope(Lower *l, Ref value, Direction direction)
+{
     uint8_t hint = l->ir->hint;
     l->ir->hint = ir_at(l->ir, value)->hint;
     Ref slope = widened(l, differentiate(l, value, direction), ir_type(l->ir, value));
@@ -301,5 +316,24 @@ Ref slope_of(Lower *l, Ref value, Direction direction)
         for (int d = 0; d < DIRECTION_COUNT; d++) /* footprints count as constant */
             if (*memo_of(l, slope, (Direction)d) == UNKNOWN && !ir_is(l->ir, slope, OP_const))
                 slope_set(l, slope, (Direction)d, 0);
-    return slope;
+}
+
+/* Operands first, the left one before the right, on a stack of its own: a tree of maps may be deeper than the caller's stack. */
+Ref slope_of(Lower *l, Ref value, Direction direction)
+{
+    size_t before = l->to_differ_count;
+    push_unknown(l, value, direction);
+    while (l->to_differ_count > before) {
+        Ref ref = l->to_differ[l->to_differ_count - 1];
+        size_t now = l->to_differ_count;
+        for (int i = parts_of(l->ir, ref) - 1; i >= 0 && *memo_of(l, ref, direction) == UNKNOWN; i--)
+            push_unknown(l, part_of(l->ir, ref, i), direction);
+        if (l->to_differ_count > now)
+            continue;
+        l->to_differ_count--;
+        if (*memo_of(l, ref, direction) == UNKNOWN)
+            find_slope(l, ref, direction);
+    }
+    Ref slope = *memo_of(l, value, direction);
+    return slope == FLAT ? 0 : slope;
 }

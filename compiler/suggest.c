@@ -1,6 +1,7 @@
 /* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case aside. */
 #include "resolve.h"
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LONGEST = LIMIT_NAME };
@@ -8,12 +9,13 @@ enum { LONGEST = LIMIT_NAME };
 static int least(int a, int b) { return a < b ? a : b; }
 static bool same(char a, char b) { return tolower((unsigned char)a) == tolower((unsigned char)b); }
 
-static int distance(const char *a, const char *b)
+/* More than `most` where that is seen at once. */
+static int distance(const char *a, const char *b, int most)
 {
     int row[3][LONGEST + 1];
     int n = (int)strlen(a), m = (int)strlen(b);
-    if (n > LONGEST || m > LONGEST)
-        return LONGEST;
+    if (n > LONGEST || m > LONGEST || abs(n - m) > most)
+        return most + 1;
     for (int j = 0; j <= m; j++)
         row[0][j] = j;
     for (int i = 1; i <= n; i++) {
@@ -32,9 +34,9 @@ const char *suggest(Compile *c, const char *name, const char *(*names)(const voi
 {
     const char *best = NULL;
     int size = (int)strlen(name), best_distance = size < 5 ? 1 : size / 3 + 1;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !diag_full(c); i++) { /* what is not said needs no suggestion */
         const char *candidate = names(user, i);
-        int d = candidate ? distance(name, candidate) : LONGEST;
+        int d = candidate ? distance(name, candidate, best_distance) : LONGEST;
         if (d <= best_distance && (!best || d < best_distance)) {
             best = candidate;
             best_distance = d;

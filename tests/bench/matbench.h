@@ -27,4 +27,6 @@ int bench_error(int argc, char **argv);
 /* Many materials in one process: --count N --matc PROGRAM --speed --scene. */
 int bench_batch(int argc, char **argv);
 int bench_stress(int argc, char **argv);
+/* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
+int bench_growth(int argc, char **argv);
 #endif

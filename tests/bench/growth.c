@@ -1,0 +1,40 @@
+/* matbench growth [NAME...]: how the time to compile grows with the document, over the table that test_growth.c bounds. */
+#include "matbench.h"
+#include "tests/growth/growth.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SIZES = 4, RUNS = 3 };
+
+static bool is_wanted(const char *name, int argc, char **argv)
+{
+    for (int i = 1; i < argc; i++)
+        if (!strcmp(argv[i], name))
+            return true;
+    return argc == 1;
+}
+
+static void print_row(const GrowthRow *row)
+{
+    double seconds[SIZES];
+    printf("%-20s %-34s %6d", row->name, row->options, row->count);
+    for (int i = 0; i < SIZES; i++) {
+        seconds[i] = growth_seconds(row, row->count << i, RUNS);
+        printf(" %9.2f", seconds[i] * 1000);
+        fflush(stdout);
+    }
+    GrowthRun last = growth_run(row, row->count << (SIZES - 1));
+    double exponent = log(seconds[SIZES - 1] / seconds[0]) / log(GROWTH_FACTOR);
+    printf(" %8.2f %8zu %8zu %6d\n", exponent, last.read / 1024, last.written / 1024, last.errors);
+}
+
+int bench_growth(int argc, char **argv)
+{
+    printf("%-20s %-34s %6s %9s %9s %9s %9s %8s %8s %8s %6s\n", "document", "options", "n", "n: ms", "2 n", "4 n",
+           "8 n", "exponent", "KiB read", "written", "errors");
+    for (int i = 0; i < growth_count; i++)
+        if (is_wanted(growth_table[i].name, argc, argv))
+            print_row(&growth_table[i]);
+    return 0;
+}

@@ -1,0 +1,203 @@
+/* Writes the documents of growth.def, and compiles them with the clock of this thread. */
+#include "growth.h"
+#include "compiler/matc.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+const GrowthRow growth_table[] = {
+#define MANY(name, options, count, head, part, tail) {#name, options, count, false, head, part, tail, "", ""},
+#define NEST(name, options, count, head, part, middle, close, tail)                                                    \
+    {#name, options, count, false, false, head, part, middle, close, tail},
+#define DEEP(name, options, count, part, top) {#name, options, count, false, true, top, part, "", "", ""},
+#include "growth.def"
+};
+const int growth_count = sizeof growth_table / sizeof *growth_table;
+
+enum {
+    STEP = 40
+}; /* maps that a material of its own resolves: a reference and what it names are a level each of LIMIT_DEPTH */
+
+/* The part with its number for $; `before`: what stands for @, by the number before. */
+static void put_part(FILE *out, const char *part, int number, const char *before)
+{
+    for (const char *at = part; *at; at++)
+        if (*at == '$')
+            fprintf(out, "%d", number);
+        else if (*at == '@')
+            fprintf(out, before, number - 1);
+        else
+            fputc(*at, out);
+}
+
+static void put_many(FILE *out, const GrowthRow *row, int count)
+{
+    fputs(row->head, out);
+    for (int i = 0; i < count; i++)
+        put_part(out, row->part, i, "%d");
+    fputs(row->middle, out);
+    for (int i = 0; i < count; i++)
+        fputs(row->close, out);
+    fputs(row->tail, out);
+}
+
+/* k0 ... as definitions; materials on the way up; the last one has `top`, a frame where that begins with '!'. */
+static void put_deep(FILE *out, const GrowthRow *row, int count)
+{
+    fputs("defs:\n  k0: { map: Granite }\n", out);
+    for (int i = 1; i <= count; i++) {
+        fprintf(out, "  k%d: ", i);
+        put_part(out, row->part, i, "{ ref: k%d }");
+        fputc('\n', out);
+    }
+    fputs("materials:\n", out);
+    for (int i = STEP; i < count; i += STEP)
+        fprintf(out, "  m%d: { material: Phong, diffuse: { ref: k%d } }\n", i, i);
+    bool frame = *row->head == '!';
+    fprintf(out, "  top: { material: Phong, %s: ", frame ? "input" : "diffuse");
+    put_part(out, row->head + frame, count + 1, "{ ref: k%d }");
+    fputs(" }\n", out);
+}
+
+char *growth_text(const GrowthRow *row, int count, size_t *size)
+{
+    char *text = NULL;
+    FILE *out = open_memstream(&text, size);
+    if (row->deep)
+        put_deep(out, row, count);
+    else
+        put_many(out, row, count);
+    fclose(out);
+    return text;
+}
+
+/* One white pixel. */
+static const unsigned char picture[] = {
+    0x89, 'P',  'N',  'G',  13,  10,  26,  10,   0,    0,    0,    13,   'I',  'H',  'D',  'R',  0,
+    0,    0,    1,    0,    0,   0,   1,   8,    0,    0,    0,    0,    0x3A, 0x7E, 0x9B, 0x55, 0,
+    0,    0,    10,   'I',  'D', 'A', 'T', 0x78, 0x9C, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
+    0x1B, 0xB6, 0xEE, 0x56, 0,   0,   0,   0,    'I',  'E',  'N',  'D',  0xAE, 0x42, 0x60, 0x82};
+
+static char *read_made(void *user, const char *path, size_t *size, const char **why)
+{
+    static const char empty[] = "defs: {}\n";
+    (void)user;
+    *why = "it is missing";
+    if (strstr(path, "missing"))
+        return NULL;
+    bool png = strstr(path, ".png");
+    *size = png ? sizeof picture : sizeof empty - 1;
+    char *bytes = malloc(*size + 1);
+    memcpy(bytes, png ? (const void *)picture : empty, *size);
+    bytes[*size] = 0;
+    return bytes;
+}
+
+typedef struct {
+    MatcOptions options;
+    bool eval, all;
+} Setting;
+
+static void set_option(Setting *s, const char *name, char *value)
+{
+    if (!strcmp(name, "eval"))
+        s->eval = s->options.pixels = true;
+    else if (!strcmp(name, "all"))
+        s->all = true;
+    else if (!strcmp(name, "measure"))
+        s->options.measure = true;
+    else if (!strcmp(name, "validate"))
+        s->options.validate = true;
+    else if (name[0] == 'O')
+        s->options.optimize = name[1] - '0';
+    else if (!value || !matc_options_set(&s->options, name, value))
+        abort();
+}
+
+/* `words` holds the values, and lives as long as the setting. */
+static Setting setting_of(const GrowthRow *row, char *words)
+{
+    Setting s = {0};
+    matc_options_init(&s.options);
+    s.options.validate = false;
+    s.options.read_file = read_made;
+    s.options.check = false;
+    strcpy(words, row->options);
+    for (char *rest, *word = strtok_r(words, " ", &rest); word; word = strtok_r(NULL, " ", &rest)) {
+        char *value = strchr(word, '=');
+        if (value)
+            *value++ = 0;
+        set_option(&s, word, value);
+    }
+    return s;
+}
+
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
+}
+
+static void compile(MatcDocument *document, int material, const Setting *s, GrowthRun *run)
+{
+    static const unsigned outputs[] = {MATC_FRAGMENT, MATC_VERTEX, MATC_UNPACK, MATC_REFLECT,
+                                       MATC_IR,       MATC_DOT,    MATC_LAYOUT, MATC_STATS};
+    enum { COUNT = sizeof outputs / sizeof *outputs };
+    unsigned all = 0;
+    for (int i = 0; i < COUNT; i++)
+        all |= outputs[i];
+    MatcProgram *program = matc_compile(document, material, all, &s->options);
+    for (int i = 0; i < COUNT; i++) {
+        size_t size = 0;
+        run->written += matc_output(program, (MatcOutput)outputs[i], &size) ? size : 0;
+    }
+    if (matc_ok(program))
+        run->written += strlen(matc_key(program)) + (size_t)matc_place_count(program);
+    run->written += (size_t)matc_texture_count(program);
+    run->written += strlen(matc_program_diagnostics(program, MATC_JSON));
+    run->errors += !matc_ok(program);
+    matc_program_free(program);
+}
+
+static void evaluate(const MatcDocument *document, int material, const Setting *s, GrowthRun *run)
+{
+    const char *fault;
+    char *text = matc_eval(document, material, "u=0.3 v=0.4 x=0.2 y=0.7", &s->options, &fault);
+    run->written += text ? strlen(text) : 0;
+    run->errors += !text;
+    free(text);
+}
+
+GrowthRun growth_run(const GrowthRow *row, int count)
+{
+    char words[128];
+    const Setting s = setting_of(row, words);
+    GrowthRun run = {0};
+    char *text = growth_text(row, count, &run.read);
+    double start = now();
+    MatcDocument *document = matc_read("growth.yaml", text, run.read, &s.options);
+    run.written += strlen(matc_tree_text(document)) + (size_t)matc_depend_count(document);
+    run.written += strlen(matc_diagnostics(document, MATC_TEXT)) + strlen(matc_diagnostics(document, MATC_JSON));
+    run.errors += matc_error_count(document);
+    int materials = matc_material_count(document);
+    for (int i = s.all ? 0 : materials - 1; i >= 0 && i < materials; i++)
+        if (s.eval)
+            evaluate(document, i, &s, &run);
+        else
+            compile(document, i, &s, &run);
+    matc_document_free(document);
+    run.seconds = now() - start;
+    free(text);
+    return run;
+}
+
+double growth_seconds(const GrowthRow *row, int count, int runs)
+{
+    double least = INFINITY;
+    for (int i = 0; i < runs; i++)
+        least = fmin(least, growth_run(row, count).seconds);
+    return least;
+}

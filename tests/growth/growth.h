@@ -1,0 +1,36 @@
+/* Documents that grow: one table of them, for test_growth.c and matbench growth. */
+#ifndef MATC_GROWTH_H
+#define MATC_GROWTH_H
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { GROWTH_FACTOR = 8 }; /* a row's longest document has so many times the parts of its shortest */
+
+typedef struct {
+    const char *name;
+    const char *options; /* "coordinates=long O0 ..."; see growth.c */
+    int count;           /* parts of the shortest document */
+    bool faulty;         /* the document has errors */
+    bool deep;           /* the parts are maps over one another; else they stand side by side */
+    const char *head;    /* what stands before the parts; deep: the map over all of them */
+    const char *part;    /* $ is its number, @ the part before it */
+    const char *middle;  /* behind the parts */
+    const char *close;   /* then, once for each part */
+    const char *tail;    /* what stands behind all of it */
+} GrowthRow;
+
+extern const GrowthRow growth_table[];
+extern const int growth_count;
+
+/* A row's document of that many parts; from malloc. */
+char *growth_text(const GrowthRow *row, int count, size_t *size);
+/* CPU seconds of this thread to read the document and to compile its last material into everything, and what it came to. */
+typedef struct {
+    double seconds;
+    size_t read, written; /* bytes of the document, of the outputs and diagnostics */
+    int errors;
+} GrowthRun;
+GrowthRun growth_run(const GrowthRow *row, int count);
+/* The quickest of several runs. */
+double growth_seconds(const GrowthRow *row, int count, int runs);
+#endif

@@ -1,0 +1,74 @@
+/* Time grows as the document does: every row of growth/growth.def, at n and at 8 n parts. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/compile.h"
+#include "tests/growth/growth.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Eight times as much takes 8 times as long, 8 log 8 at most; 64 times where something is quadratic. Between them lies what a
+ * busy machine adds, caches that are too small for the longer one, tables that are grown. */
+static const double MOST = 24;
+static const double LEAST_SECONDS = 5e-4; /* what a clock and a scheduler leave of a time; shorter ones count as that */
+enum { RUNS = 3, TRIES = 4 };
+
+static int smaller(int count)
+{
+#if defined(__SANITIZE_ADDRESS__)
+    return count / 4 + 1;
+#else
+    return count;
+#endif
+}
+
+/* The longer run is repeated only if it seems too long: what else the machine does can only add to it. */
+static double ratio(const GrowthRow *row)
+{
+    int count = smaller(row->count);
+    double base = fmax(growth_seconds(row, count, RUNS), LEAST_SECONDS), least = INFINITY;
+    for (int i = 0; i < TRIES && least > MOST * base; i++)
+        least = fmin(least, growth_seconds(row, GROWTH_FACTOR * count, 1));
+    return least / base;
+}
+
+static void every_document_takes_time_by_its_length(void **state)
+{
+    (void)state;
+    int failed = 0;
+    for (int i = 0; i < growth_count; i++) {
+        double times = ratio(&growth_table[i]);
+        if (times <= MOST)
+            continue;
+        fprintf(stderr, "%s %s: %d parts take %.1f times as long as %d\n", growth_table[i].name,
+                growth_table[i].options, GROWTH_FACTOR * growth_table[i].count, times, growth_table[i].count);
+        failed++;
+    }
+    assert_int_equal(failed, 0);
+}
+
+/* A row that is refused at its first part would measure nothing. */
+static void documents_are_read_as_they_are_meant(void **state)
+{
+    (void)state;
+    for (int i = 0; i < growth_count; i++) {
+        const GrowthRow *row = &growth_table[i];
+        GrowthRun run = growth_run(row, 2);
+        if (!run.errors != !row->faulty)
+            fail_msg("%s: %d errors", row->name, run.errors);
+        assert_true(run.written > 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(documents_are_read_as_they_are_meant),
+        cmocka_unit_test(every_document_takes_time_by_its_length),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
