@@ -194,7 +194,10 @@ static void push_unknown(Lower *l, Ref ref)
 static int varying_operands(const IrNode *node)
 {
     enum { MOST_VARYING = 2 };
-    return node->op == OP_vec ? node->count : node->op == OP_linear ? 1 : node->count < MOST_VARYING ? node->count : MOST_VARYING;
+    return node->op == OP_vec           ? node->count
+           : node->op == OP_linear      ? 1
+           : node->count < MOST_VARYING ? node->count
+                                        : MOST_VARYING;
 }
 
 /* Operands first, the left one before the right, on a stack of its own. */

@@ -286,10 +286,7 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
 }
 
 /* What a value's derivative is made of: the operands', and where it runs a function the result's. */
-static int parts_of(const Ir *ir, Ref ref)
-{
-    return ir_applies(ir, ref) ? 1 : ir_at(ir, ref)->count;
-}
+static int parts_of(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? 1 : ir_at(ir, ref)->count; }
 
 static Ref part_of(const Ir *ir, Ref ref, int i)
 {

@@ -7,27 +7,30 @@
 #include <string.h>
 #include <time.h>
 
+/* clang-format off */
 const GrowthRow growth_table[] = {
-#define MANY(name, options, count, head, part, tail) {#name, options, count, false, head, part, tail, "", ""},
+#define MANY(name, options, count, head, part, tail) {#name, options, count, false, false, head, part, tail, "", ""},
+#define BAD(name, options, count, head, part, tail)  {#name, options, count, true, false, head, part, tail, "", ""},
 #define NEST(name, options, count, head, part, middle, close, tail)                                                    \
     {#name, options, count, false, false, head, part, middle, close, tail},
-#define DEEP(name, options, count, part, top) {#name, options, count, false, true, top, part, "", "", ""},
+#define DEEP(name, options, count, part, top)        {#name, options, count, false, true, top, part, "", "", ""},
 #include "growth.def"
 };
+/* clang-format on */
 const int growth_count = sizeof growth_table / sizeof *growth_table;
 
 enum {
     STEP = 40
 }; /* maps that a material of its own resolves: a reference and what it names are a level each of LIMIT_DEPTH */
 
-/* The part with its number for $; `before`: what stands for @, by the number before. */
-static void put_part(FILE *out, const char *part, int number, const char *before)
+/* The part with its number for $, and a reference to the part before it for @. */
+static void put_part(FILE *out, const char *part, int number)
 {
     for (const char *at = part; *at; at++)
         if (*at == '$')
             fprintf(out, "%d", number);
         else if (*at == '@')
-            fprintf(out, before, number - 1);
+            fprintf(out, "{ ref: k%d }", number - 1);
         else
             fputc(*at, out);
 }
@@ -36,7 +39,7 @@ static void put_many(FILE *out, const GrowthRow *row, int count)
 {
     fputs(row->head, out);
     for (int i = 0; i < count; i++)
-        put_part(out, row->part, i, "%d");
+        put_part(out, row->part, i);
     fputs(row->middle, out);
     for (int i = 0; i < count; i++)
         fputs(row->close, out);
@@ -49,7 +52,7 @@ static void put_deep(FILE *out, const GrowthRow *row, int count)
     fputs("defs:\n  k0: { map: Granite }\n", out);
     for (int i = 1; i <= count; i++) {
         fprintf(out, "  k%d: ", i);
-        put_part(out, row->part, i, "{ ref: k%d }");
+        put_part(out, row->part, i);
         fputc('\n', out);
     }
     fputs("materials:\n", out);
@@ -57,7 +60,7 @@ static void put_deep(FILE *out, const GrowthRow *row, int count)
         fprintf(out, "  m%d: { material: Phong, diffuse: { ref: k%d } }\n", i, i);
     bool frame = *row->head == '!';
     fprintf(out, "  top: { material: Phong, %s: ", frame ? "input" : "diffuse");
-    put_part(out, row->head + frame, count + 1, "{ ref: k%d }");
+    put_part(out, row->head + frame, count + 1);
     fputs(" }\n", out);
 }
 
