@@ -266,6 +266,10 @@ static void commit(Batch *b)
     size_t size;
     manifest_path(b, path);
     char *old = file_read(path, &size, &why);
+    if (!old && !access(path, F_OK)) { /* what is stale could not be told */
+        batch_complain(b, NULL, path, why);
+        return;
+    }
     why = b->textures ? stage_commit(b->textures) : NULL;
     if (!why)
         why = stage_commit(b->stage);

@@ -20,7 +20,7 @@ bool batch_open(Batch *b, BatchDocument *document)
     if (document->text || document->unreadable)
         return document->text != NULL;
     document->text = is_standard_input(document) ? file_read_from(STDIN_FILENO, &document->size, &why)
-                                                 : file_read(document->path, &document->size, &why);
+                                                 : file_read_named(document->path, &document->size, &why);
     document->unreadable = !document->text;
     document->once = is_standard_input(document) || !is_regular(document->path);
     if (document->unreadable)

@@ -3,8 +3,11 @@
 #define MATC_FILE_H
 #include <stddef.h>
 
-/* The bytes of a file, or of a stream to its end, with a zero byte behind them, in memory from malloc. NULL: *why; that it is
- * larger than LIMIT_DOCUMENT_MIB, too. */
+/* The bytes of a file with a zero byte behind them, in memory from malloc. NULL: *why; that it is larger than LIMIT_DOCUMENT_MIB, too.
+ * Pipes, devices and folders are refused at once: they may have no end, and another each time. */
 char *file_read(const char *path, size_t *size, const char **why);
+/* The same of a path that the user named: it can be a pipe such as <(command) or /dev/stdin, or a terminal. */
+char *file_read_named(const char *path, size_t *size, const char **why);
+/* All that comes from a descriptor, whatever it is. */
 char *file_read_from(int descriptor, size_t *size, const char **why);
 #endif

@@ -178,7 +178,7 @@ static int run_input(const CommandLine *line, const char *path)
 {
     size_t size;
     const char *why;
-    char *text = strcmp(path, "-") ? file_read(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
+    char *text = strcmp(path, "-") ? file_read_named(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
     if (!text && line->watched)
         watch_list_add(line->watched, path);
     if (!text)

@@ -248,7 +248,7 @@ static void add_input(CommandLine *line, const char *path)
 static bool read_list(CommandLine *line, const char *path, const char **fault)
 {
     size_t size;
-    char *text = file_read(path, &size, fault);
+    char *text = file_read_named(path, &size, fault);
     if (!text)
         return false;
     line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));

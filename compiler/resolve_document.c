@@ -54,6 +54,10 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     free(text);
     ARENA_PUSH(c->arena, c->sources, c->source_count, c->source_room, source);
     Tree *tree = read_document(c, (uint32_t)c->source_count - 1);
+    if (tree && tree->kind != TREE_object) {
+        diag_add(c, tree->span, DIAG_include_not_object);
+        return false;
+    }
     return tree && read_defs(r, tree, depth + 1);
 }
 

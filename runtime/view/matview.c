@@ -1,4 +1,5 @@
 /* matview's command line: draws pictures of materials. */
+#include "compiler/file.h"
 #include "picture.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
@@ -6,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 extern const char view_text_screen[], view_text_light[];
 
@@ -145,30 +147,15 @@ static const char *check_usage(CommandLine *line)
     return line->output && line->input_count > 1 ? "several documents need -d, not -o" : NULL;
 }
 
-static char *read_stream(FILE *file, size_t *size)
-{
-    size_t room = 1 << 16;
-    char *text = malloc(room);
-    for (*size = 0; text; text = realloc(text, room *= 2)) {
-        *size += fread(text + *size, 1, room - *size, file);
-        if (*size < room)
-            return text;
-    }
-    abort();
-}
-
 static MatcDocument *read_document(const CommandLine *line, const char *path)
 {
     bool standard = !strcmp(path, "-");
-    FILE *file = standard ? stdin : fopen(path, "rb");
-    size_t size = 0;
-    char *text = file ? read_stream(file, &size) : NULL;
-    bool fine = file && !ferror(file);
-    if (!fine)
-        complain(path, strerror(errno));
-    if (file && !standard)
-        fclose(file);
-    MatcDocument *document = fine ? matc_read(standard ? "<stdin>" : path, text, size, &line->picture.compile) : NULL;
+    size_t size;
+    const char *why;
+    char *text = standard ? file_read_from(STDIN_FILENO, &size, &why) : file_read_named(path, &size, &why);
+    if (!text)
+        complain(path, why);
+    MatcDocument *document = text ? matc_read(standard ? "<stdin>" : path, text, size, &line->picture.compile) : NULL;
     free(text);
     return document;
 }
