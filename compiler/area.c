@@ -73,7 +73,7 @@ Ref area_vector_turbulence(Lower *l, const Ref args[4])
     return is_plain(l, args[0]) ? ir_call(l->ir, FN_vectorTurbulence, args, 4) : octaves(l, &vector, args, 4);
 }
 
-/* Samples over the footprint: their mean, and their variance. */
+/* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
 static Ref sampled(Lower *l, Kind kind, const Ref *args, int count)
 {
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0}, all[8];
@@ -85,11 +85,13 @@ static Ref sampled(Lower *l, Kind kind, const Ref *args, int count)
         for (int k = 1; k < count; k++)
             all[k] = args[k];
         values[i] = ir_call(l->ir, function, all, count);
-        squares[i] = mul(l, values[i], values[i]);
     }
-    Ref mean = mean_of(l, values, point_count), square = mean_of(l, squares, point_count);
-    Ref variance = ir_binary(l->ir, OP_max, sub(l, square, mul(l, mean, mean)), number(l, 0));
-    variance_set(l, mean, variance);
+    Ref mean = mean_of(l, values, point_count);
+    for (int i = 0; i < point_count; i++) {
+        Ref apart = sub(l, values[i], mean);
+        squares[i] = mul(l, apart, apart);
+    }
+    variance_set(l, mean, mean_of(l, squares, point_count));
     return mean;
 }
 
@@ -167,15 +169,31 @@ Ref known_inverse(Lower *l, Ref low, Ref high)
     return ir_binary(l->ir, OP_div, number(l, 1), sub(l, high, low));
 }
 
+/* A step: the share of the box that is not below it; of no box, whether t is. */
+static Ref step_share(Lower *l, Ref from, Ref edge)
+{
+    Ref zero = number(l, 0), one = number(l, 1), least = ir_unary(l->ir, OP_neg, edge);
+    Ref along = add(l, over_edge(l, ir_ternary(l->ir, OP_clamp, from, least, edge), edge), number(l, 0.5));
+    Ref is_box = ir_binary(l->ir, OP_lt, zero, edge);
+    return ir_select(l->ir, is_box, ir_ternary(l->ir, OP_clamp, along, zero, one),
+                     ir_binary(l->ir, OP_step, zero, from));
+}
+
+/* The mean of a ramp of width w over a box of edge b is a ramp too, as wide as the wider of the two, with both its bends rounded over
+ * the narrower one: nothing cancels, whichever is how many times the other. Of the bends only one is near.
+ *   w = 1, b = 4: the ramp begins at low - 3/2 and ends at high + 3/2; where it begins the box reaches to
+ *   low + 1/2, and its mean is 1/32: a bend's share of 1/8, over 4 */
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
 {
     Ref zero = number(l, 0), one = number(l, 1), from = sub(l, t, low);
-    if (ir_known(l->ir, high)[0] <= ir_known(l->ir, low)[0]) {
-        Ref along = ir_binary(l->ir, OP_div, from, edge);
-        return ir_ternary(l->ir, OP_clamp, add(l, along, number(l, 0.5)), zero, one);
-    }
-    Ref inverse = known_inverse(l, low, high);
-    Ref s = mul(l, from, inverse), box = mul(l, edge, inverse);
-    Ref corners = sub(l, box_corner(l, s, box), box_corner(l, sub(l, s, one), box));
-    return add(l, ir_ternary(l->ir, OP_clamp, s, zero, one), corners);
+    if (ir_known(l->ir, high)[0] <= ir_known(l->ir, low)[0])
+        return step_share(l, from, edge);
+    Ref width = sub(l, high, low);
+    Ref wider = ir_binary(l->ir, OP_max, edge, width), narrower = ir_binary(l->ir, OP_min, edge, width);
+    Ref more = mul(l, sub(l, wider, width), number(l, 0.5));
+    Ref begin = add(l, from, more), end = sub(l, sub(l, t, high), more);
+    Ref place = ir_ternary(l->ir, OP_clamp, begin, ir_unary(l->ir, OP_neg, wider), add(l, wider, wider));
+    Ref bends = sub(l, box_corner(l, begin, narrower), box_corner(l, end, narrower));
+    Ref share = ir_ternary(l->ir, OP_clamp, over_edge(l, place, wider), zero, one);
+    return add(l, share, over_edge(l, bends, wider));
 }

@@ -1,8 +1,8 @@
 /* Footprints by differentiation: a width goes through every transform as a derivative does. */
 #include "footprint.h"
 
-static const double BOX_VARIANCE = 12; /* a box of edge b has the variance b^2 / 12 */
-static const double LEAST_EDGE = 1e-7; /* of a box that something is divided by */
+static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */
+static const double LEAST_DIVISOR = 1e-37; /* a float that is no denormal */
 
 static const Ref NO_VARIANCE = UINT32_MAX; /* in the memo: known to be none */
 
@@ -36,7 +36,6 @@ Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges)
     *edges = together(l, part, shorter);
     if (variance)
         *edges = unary(l, OP_sqrt, add(l, mul(l, *edges, *edges), scaled(l, variance, BOX_VARIANCE)));
-    *edges = ir_binary(l->ir, OP_max, *edges, number(l, LEAST_EDGE));
     return longer;
 }
 
@@ -82,7 +81,7 @@ Ref footprint_edges(Lower *l, Ref value)
         Ref square = scaled(l, variance, BOX_VARIANCE);
         edges = unary(l, OP_sqrt, edges ? add(l, mul(l, edges, edges), square) : square);
     }
-    return edges ? ir_binary(l->ir, OP_max, edges, number(l, LEAST_EDGE)) : 0;
+    return edges;
 }
 
 Ref greatest_lane(Lower *l, Ref value)
@@ -94,11 +93,22 @@ Ref greatest_lane(Lower *l, Ref value)
     return greatest;
 }
 
-Ref box_corner(Lower *l, Ref x, Ref edge)
+Ref box_over(Lower *l, Ref x, Ref edge)
 {
     Ref over = sub(l, scaled(l, edge, 0.5), unary(l, OP_abs, x));
-    over = ir_binary(l->ir, OP_max, over, number(l, 0));
-    return ir_binary(l->ir, OP_div, mul(l, over, over), scaled(l, edge, 2));
+    return ir_binary(l->ir, OP_max, over, number(l, 0));
+}
+
+Ref over_edge(Lower *l, Ref part, Ref edge)
+{
+    return ir_binary(l->ir, OP_div, part, ir_binary(l->ir, OP_max, edge, number(l, LEAST_DIVISOR)));
+}
+
+/* The quotient, at most 1/2, comes before the product, which is then neither too great nor too small for a float. */
+Ref box_corner(Lower *l, Ref x, Ref edge)
+{
+    Ref over = box_over(l, x, edge);
+    return mul(l, scaled(l, over, 0.5), over_edge(l, over, edge));
 }
 
 void variance_set(Lower *l, Ref value, Ref variance)

@@ -23,7 +23,8 @@ Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges);
 /* MOST_TAPS points spread over the footprint; 0 as above. For functions of which nothing better is known. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
 /* Edges by lane of a box that varies as much as the value does within the pixel: by its slope and by what it has left out.
- * 0: it does not vary. */
+ * 0: it does not vary. Else they are numbers of the shader that may be 0, and a box without edges is its middle: whoever divides
+ * by an edge guards that. */
 Ref footprint_edges(Lower *l, Ref value);
 /* The greatest lane. */
 Ref greatest_lane(Lower *l, Ref value);
@@ -39,6 +40,10 @@ typedef struct {
     Ref whole, fraction;
 } LongCoordinate;
 bool long_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts);
-/* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than max(x, 0). */
+/* max(b / 2 - |x|, 0): how far a box of edge b around x reaches over 0. */
+Ref box_over(Lower *l, Ref x, Ref edge);
+/* part / b of a part that is 0 where b is: 0 there. */
+Ref over_edge(Lower *l, Ref part, Ref edge);
+/* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than max(x, 0); 0 without a box. */
 Ref box_corner(Lower *l, Ref x, Ref edge);
 #endif

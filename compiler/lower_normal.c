@@ -3,27 +3,32 @@
 #include "slope.h"
 
 typedef struct {
-    Ref n, tu, tv; /* of the input */
-    Ref size;      /* |n|, never 0 */
+    Ref tu, tv; /* of the input */
+    Ref unit;   /* its n / |n|; 0 where that has no length */
 } Frame;
 
 static Frame input_frame(Lower *l, const Node *input, const Env *env)
 {
     const double least = 1e-30;
-    Frame f = {.n = ask(l, input, GROUP_N, env)};
-    f.tu = ask(l, input, GROUP_DU, env);
+    Ref n = ask(l, input, GROUP_N, env);
+    Frame f = {.tu = ask(l, input, GROUP_DU, env)};
     f.tv = ask(l, input, GROUP_DV, env);
-    f.size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, f.n), number(l, least));
+    Ref size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, n), number(l, least));
+    f.unit = mul(l, n, ir_binary(l->ir, OP_div, number(l, 1), size));
     return f;
 }
 
-/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv'. */
+/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv' with the unit normal n. Of n' the term du dv (n x n) is 0 and left out: of steep
+ * slopes the product would be none of floats. */
 static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 {
-    Ref du = slope[0], dv = slope[1];
-    Ref tu = group == GROUP_DV ? 0 : add(l, f->tu, mul(l, f->n, du));
-    Ref tv = group == GROUP_DU ? 0 : add(l, f->tv, mul(l, f->n, dv));
-    return group == GROUP_DU ? tu : group == GROUP_DV ? tv : ir_binary(l->ir, OP_cross, tu, tv);
+    Ref tu = group == GROUP_DV ? 0 : add(l, f->tu, mul(l, f->unit, slope[0]));
+    if (group == GROUP_DU)
+        return tu;
+    if (group == GROUP_DV)
+        return add(l, f->tv, mul(l, f->unit, slope[1]));
+    Ref by_v = mul(l, ir_binary(l->ir, OP_cross, f->tu, f->unit), slope[1]);
+    return add(l, ir_binary(l->ir, OP_cross, tu, f->tv), by_v);
 }
 
 static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
@@ -112,7 +117,7 @@ Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
         return ask(l, input, group, env);
     Frame frame = input_frame(l, input, env);
     Ref strength = param_value(l, node_param(node, P_BumpMap_strength), TYPE_float);
-    Ref k = ir_binary(l->ir, OP_div, mul(l, strength, number(l, step)), frame.size);
+    Ref k = mul(l, strength, number(l, step));
     Slopes slopes = height_slopes(l, displacement, input, env);
     return tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group);
 }
@@ -156,8 +161,7 @@ Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
         v_count = mul(l, v_count, number(l, 3));
     }
     Frame frame = input_frame(l, input, env);
-    Ref amplitude = param_value(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
-    Ref k = ir_binary(l->ir, OP_div, amplitude, frame.size);
+    Ref k = param_value(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
     Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
     Ref by_u = mul(l, k, mul(l, a.slope, b.height)), by_v = mul(l, k, mul(l, a.height, b.slope));
     Ref result = tilted(l, &frame, REFS(l->ir, by_u, by_v), group);

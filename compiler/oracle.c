@@ -52,6 +52,7 @@ Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
 }
 
 void oracle_exact_derivatives(Oracle *oracle, bool exact) { oracle->exact = exact; }
+void oracle_slope_side(Oracle *oracle, int side) { oracle->side = side; }
 
 void oracle_close(Oracle *oracle)
 {

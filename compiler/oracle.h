@@ -32,6 +32,9 @@ typedef struct Oracle Oracle;
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context);
 /* From now on BumpMap goes by the true slope of its height rather than by the maps' finite steps. */
 void oracle_exact_derivatives(Oracle *oracle, bool exact);
+/* That slope is of both sides of the point (0, the default), of what lies ahead (1) or behind (-1): where these differ, there is no
+ * true one, or none that differences of doubles can tell. */
+void oracle_slope_side(Oracle *oracle, int side);
 void oracle_close(Oracle *oracle);
 
 /* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. */

@@ -16,6 +16,7 @@ struct Oracle {
     Memo **memos;    /* by depth of environments: node_count * CHANNEL_ID_COUNT cells */
     int memo_count;  /* depths reached so far */
     bool exact;      /* derivatives are those of the map, not GroIMP's finite steps */
+    int side;        /* of the point that they are taken on; 0: both */
     uint64_t stamp;  /* that of the environment opened last; 0 is in no environment */
 };
 

@@ -22,19 +22,16 @@ static double cross(const double a[3], const double b[3], int lane)
 }
 
 /* One lane of the frame after the tangents were raised along the normal by the given slopes. The new normal is their
- * cross product, not normalised. */
+ * cross product, not normalised; without n x n, which is 0 but as the difference of steep slopes' products would be noise. */
 static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
 {
-    double du[3], dv[3];
-    for (int i = 0; i < 3; i++) {
-        du[i] = frame->du[i] + slope_u * frame->n[i];
-        dv[i] = frame->dv[i] + slope_v * frame->n[i];
-    }
+    int lane = lane_of(channel);
     if (group_of(channel) == GROUP_DU)
-        return du[lane_of(channel)];
+        return frame->du[lane] + slope_u * frame->n[lane];
     if (group_of(channel) == GROUP_DV)
-        return dv[lane_of(channel)];
-    return cross(du, dv, lane_of(channel));
+        return frame->dv[lane] + slope_v * frame->n[lane];
+    return cross(frame->du, frame->dv, lane) + slope_u * cross(frame->n, frame->dv, lane) +
+           slope_v * cross(frame->du, frame->n, lane);
 }
 
 static bool in_frame(int channel)
@@ -69,12 +66,15 @@ static double slope_step(const Surface *surface)
     return ldexp(size, -26);
 }
 
-/* Derivatives of the height by u and v from differences. */
+/* Derivatives of the height by u and v from differences, over both sides or one. */
 static void exact_slopes(Environment *environment, const Node *height, double slope[2])
 {
     double h = slope_step(environment->surface);
-    slope[0] = (height_at(environment, height, h, 0) - height_at(environment, height, -h, 0)) / (2 * h);
-    slope[1] = (height_at(environment, height, 0, h) - height_at(environment, height, 0, -h)) / (2 * h);
+    double ahead = environment->oracle->side < 0 ? 0 : h, behind = environment->oracle->side > 0 ? 0 : -h;
+    double by_u = height_at(environment, height, ahead, 0) - height_at(environment, height, behind, 0);
+    double by_v = height_at(environment, height, 0, ahead) - height_at(environment, height, 0, behind);
+    slope[0] = by_u / (ahead - behind);
+    slope[1] = by_v / (ahead - behind);
 }
 
 /* The tangents that the slopes are raised along are those of the input: where it turned them, so are the slopes. */

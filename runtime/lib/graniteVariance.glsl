@@ -7,7 +7,7 @@ float graniteVariance(float width) {
     width *= 4.0;
     for (int k = 0; k < 6; k++) {
         float share = magnitudeShare(width);
-        float slope = width * noiseGrain;
+        float slope = min(width, 64.0) * noiseGrain;
         sum += strength * max(1.0 - share * share * (1.0 + slope * slope * (14.6 / 12.0)), 0.0);
         strength *= 0.25;
         width *= 2.0;

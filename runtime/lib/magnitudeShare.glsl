@@ -1,6 +1,7 @@
 // needs: noiseStatistics
 // The same of the noise's magnitude, whose creases are finer: 1 / (1 + 1.08 w^2 + 0.19 w^4), made to end at 1.4 periods.
 float magnitudeShare(float width) {
-    float w = width * width * (noiseGrain * noiseGrain);
+    float periods = min(width, 64.0) * noiseGrain;
+    float w = periods * periods;
     return max(1.35 / (1.0 + w * (1.08 + 0.19 * w)) - 0.35, 0.0);
 }

@@ -3,6 +3,11 @@
 
 typedef double Wave(double v);
 
+static const double NARROW =
+    1e-9; /* edges up to here are none: in double the difference of two integrals has no digits */
+static const double POINT =
+    1e-6; /* edges up to here are none to a wave that jumps: in GLSL the distance to the jump has no digits */
+
 /* A wave of period 1 and its antiderivative over [0, 1], from 0. */
 typedef struct {
     Wave *wave, *integral;
@@ -12,9 +17,8 @@ static double integral_to(const Periodic *p, double v) { return floor(v) * p->in
 
 static double box_mean(const Periodic *p, double v, double edge)
 {
-    const double narrow = 1e-9; /* below, the difference has no digits */
     double t = fraction(v);
-    return edge < narrow ? p->wave(t) : (integral_to(p, t + edge / 2) - integral_to(p, t - edge / 2)) / edge;
+    return edge <= NARROW ? p->wave(t) : (integral_to(p, t + edge / 2) - integral_to(p, t - edge / 2)) / edge;
 }
 
 static double stripe(double v) { return fraction(v) < .5 ? 1 : -1; }
@@ -34,7 +38,7 @@ static double scallop_integral(double t) { return 2 / M_PI * (1 - cos(M_PI * t))
 static double stripe_mean(double v, double edge)
 {
     double a = v - edge / 2, b = v + edge / 2;
-    if (edge <= 1e-6)
+    if (edge <= POINT)
         return v < .5 ? 1 : -1; /* 1 is what rounding makes of the numbers below it */
     return (fabs(fraction(a) - .5) - fabs(fraction(b) - .5)) / edge;
 }
@@ -48,8 +52,8 @@ static void stripes(const double *args, int lanes, double *result)
 static void rates(const double *args, int lanes, double *result)
 {
     for (int i = 0; i < lanes; i++) {
-        double v = args[i], edge = fmax(args[lanes + i], 1e-12);
-        result[i] = (stripe(v + edge / 2) - stripe(v - edge / 2)) / edge;
+        double v = args[i], edge = args[lanes + i];
+        result[i] = edge <= POINT ? 0 : (stripe(v + edge / 2) - stripe(v - edge / 2)) / edge;
     }
 }
 
@@ -82,7 +86,7 @@ REFERENCE(sincMean)
 /* Waves that jump: a narrow box is the point, as in GLSL. */
 static double jump_mean(const Periodic *p, double v, double edge)
 {
-    return edge <= 1e-6 ? p->wave(fraction(v)) : box_mean(p, v, edge);
+    return edge <= POINT ? p->wave(fraction(v)) : box_mean(p, v, edge);
 }
 
 REFERENCE(rampMean) { (void)context, result[0] = jump_mean(&(Periodic){ramp, ramp_integral}, args[0], args[1]); }
@@ -96,16 +100,26 @@ REFERENCE(scallopMean)
     (void)context, result[0] = box_mean(&(Periodic){scallop, scallop_integral}, args[0], args[1]);
 }
 
-static double end_rate(Wave *wave, const double *args)
+/* The difference of a wave at a box's ends over its edge; of a box that is the point, the slope there. */
+static double end_rate(Wave *wave, Wave *slope, const double *args, double point)
 {
-    double edge = fmax(args[1], 1. / 256);
-    return (wave(fraction(args[0] + edge / 2)) - wave(fraction(args[0] - edge / 2))) / edge;
+    double t = fraction(args[0]), edge = args[1];
+    return edge <= point ? slope(t) : (wave(fraction(t + edge / 2)) - wave(fraction(t - edge / 2))) / edge;
 }
 
-REFERENCE(rampRate) { (void)context, result[0] = end_rate(ramp, args); }
-REFERENCE(cubicRate) { (void)context, result[0] = end_rate(cubic, args); }
-REFERENCE(triangleRate) { (void)context, result[0] = end_rate(triangle, args); }
-REFERENCE(scallopRate) { (void)context, result[0] = end_rate(scallop, args); }
+static double ramp_slope(double t)
+{
+    (void)t;
+    return 2;
+}
+static double cubic_slope(double t) { return 12 * t * (1 - t); }
+static double triangle_slope(double t) { return t == .25 || t == .75 ? 0 : t < .25 || t > .75 ? 4 : -4; }
+static double scallop_slope(double t) { return 2 * M_PI * cos(M_PI * t); }
+
+REFERENCE(rampRate) { (void)context, result[0] = end_rate(ramp, ramp_slope, args, POINT); }
+REFERENCE(cubicRate) { (void)context, result[0] = end_rate(cubic, cubic_slope, args, POINT); }
+REFERENCE(triangleRate) { (void)context, result[0] = end_rate(triangle, triangle_slope, args, NARROW); }
+REFERENCE(scallopRate) { (void)context, result[0] = end_rate(scallop, scallop_slope, args, NARROW); }
 
 /* Arguments: root, then columns and offset, each as three numbers that are added. */
 static double affine(const double *args, int lane)

@@ -1,10 +1,10 @@
 // needs:
 // Mean of 2 fract(v) - 1 over a box. Below an edge of 1/2 from the distance to the jump, which does not cancel, above from the
-// antiderivative: error 2e-7. A box below 1e-6 is the point.
+// antiderivative: error 2e-7. A box of at most 1e-6 is the point.
 float rampMean(float v, float edge) {
     float t = fract(v);
     float distance = t - step(0.5, t);
-    float near = 2.0 * distance - clamp(2.0 * distance / edge, -1.0, 1.0);
+    float near = 2.0 * distance - clamp(2.0 * distance / max(edge, 1.0e-6), -1.0, 1.0);
     float a = fract(t - 0.5 * edge);
     float b = fract(t + 0.5 * edge);
     float far = (b * (b - 1.0) - a * (a - 1.0)) / max(edge, 0.25);

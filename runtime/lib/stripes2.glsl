@@ -4,5 +4,5 @@
 vec2 stripes2(vec2 q, vec2 edges) {
     vec2 low = abs(fract(q - 0.5 * edges) - 0.5);
     vec2 high = abs(fract(q + 0.5 * edges) - 0.5);
-    return mix(stripesNear2(q, edges), (low - high) / edges, step(0.5, edges));
+    return mix(stripesNear2(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
 }

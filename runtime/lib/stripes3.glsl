@@ -4,5 +4,5 @@
 vec3 stripes3(vec3 q, vec3 edges) {
     vec3 low = abs(fract(q - 0.5 * edges) - 0.5);
     vec3 high = abs(fract(q + 0.5 * edges) - 0.5);
-    return mix(stripesNear3(q, edges), (low - high) / edges, step(0.5, edges));
+    return mix(stripesNear3(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
 }

@@ -1,12 +1,12 @@
 // needs:
 // Mean of the triangle wave (0 at whole v, 1 a quarter after) over a box. Below an edge of 1/2 only the nearest corner counts,
-// which does not cancel; above from the antiderivative: error 3e-7.
+// which does not cancel; above from the antiderivative: error 3e-7. A box without an edge is the point.
 float triangleMean(float v, float edge) {
     float t = fract(fract(v) - 0.25);
     float height = abs(4.0 * t - 2.0) - 1.0;
     float corner = 0.25 * (1.0 - abs(height));
     float over = max(0.5 * edge - corner, 0.0);
-    float near = height - sign(height) * 4.0 * over * over / edge;
+    float near = height - sign(height) * 4.0 * over * (over / max(edge, 1.0e-37));
     float a = fract(t - 0.5 * edge);
     float b = fract(t + 0.5 * edge);
     vec2 q = vec2(a, b);

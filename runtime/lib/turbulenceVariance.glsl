@@ -8,10 +8,10 @@ float turbulenceVariance(int octaves, float frequencyRatio, float noiseRatio, fl
     float sum = 0.0;
     for (int k = 0; k < count; k++) {
         float share = octaveShare(width);
-        float slope = width * noiseGrain;
+        float slope = min(width, 64.0) * noiseGrain;
         sum += strength * max(1.0 - share * share * (1.0 + slope * slope * (4.73 / 12.0)), 0.0);
         strength *= noiseRatio * noiseRatio;
-        width *= abs(frequencyRatio);
+        width = min(width * abs(frequencyRatio), 1.0e18);
     }
     return sum;
 }

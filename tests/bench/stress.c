@@ -1,5 +1,6 @@
 /* matbench stress: any number of random documents, each tried in every way. A fault is shrunk to a small document. */
 #include "matbench.h"
+#include "tests/stress/modes.h"
 #include "tests/stress/stress.h"
 #include <stdlib.h>
 #include <string.h>
@@ -7,14 +8,18 @@
 
 static const char help[] =
     "usage: matbench stress [--count=N] [--seed=S] [--first=N] [--threads=N] [--points=N] [--faults=N]\n"
-    "    [--validate-every=N] [--draw-every=N] [--folder=path] [--aa=box and other choices of matc]\n\n"
+    "    [--validate-every=N] [--draw-every=N] [--folder=path] [--mode=M] [--aa=box and other choices of matc]\n\n"
     "  --count           documents (1000)\n"
     "  --first           number of the first of them (0)\n"
     "  --points          of the surface, for each program (6)\n"
     "  --faults          ends after so many (1)\n"
     "  --validate-every  every Nth is shown to glslang for all targets (100; 0: none)\n"
     "  --draw-every      every Nth is drawn (500; 0: none)\n"
-    "  --folder          where the documents of faults are written\n";
+    "  --folder          where the documents of faults are written\n"
+    "  --mode            a row of tests/stress/modes.def:"
+#define MODE(name, ...) " " #name
+#include "tests/stress/modes.def"
+    "\n";
 
 static bool read_number(StressOptions *o, const char *name, const char *value)
 {
@@ -50,7 +55,10 @@ static bool read_options(StressOptions *o, int argc, char **argv)
         const char *name = argv[i] + 2, *value = equals ? equals + 1 : argv[++i];
         if (equals)
             *equals = 0;
-        if (!strcmp(name, "folder"))
+        const StressMode *mode = strcmp(name, "mode") ? NULL : stress_mode(value);
+        if (mode)
+            stress_mode_set(mode, &o->options);
+        else if (!strcmp(name, "folder"))
             o->folder = value;
         else if (!read_number(o, name, value) && !matc_options_set(&o->options, name, value))
             return false;
@@ -76,6 +84,8 @@ int bench_stress(int argc, char **argv)
            (unsigned long long)options.seed, seconds, (double)n.trees / seconds, faults);
     printf("%ld values of IR in double, %ld spreads; %ld points left the range of values\n", n.values, n.spreads,
            n.beyond);
+    if (n.slopes)
+        printf("%ld slots at points where exact derivatives are known\n", n.slopes);
     printf("%ld programs validated, %ld drawn, %ld of %ld drawn values within the bound itself\n", n.validated,
            n.programs, n.judged, n.drawn_values);
     return faults != 0;

@@ -82,7 +82,7 @@ void main() {
     // ImageMap
     vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
     // BumpMap
-    float bumpMap_1 = 0.24 / max(length(worldNormal), 1e-30);
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // ImageMap
     vec2 image_2 = fract(uvTransform_1);
     // Blend
@@ -94,7 +94,8 @@ void main() {
     // BumpMap
     float bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0;
     float bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0;
-    vec3 bumpMap = cross((blend_1 ? (blend_2 ? 0.0 : mix(0.0, bumpMap_2, blend_3)) : bumpMap_2) * bumpMap_1 * worldNormal + worldTangentU, (blend_1 ? (blend_2 ? 0.0 : mix(0.0, bumpMap_3, blend_3)) : bumpMap_3) * bumpMap_1 * worldNormal + worldTangentV);
+    vec3 bumpMap_4 = cross((blend_1 ? (blend_2 ? 0.0 : mix(0.0, bumpMap_2, blend_3)) : bumpMap_2) * 0.24 * bumpMap_1 + worldTangentU, worldTangentV);
+    vec3 bumpMap = bumpMap_4 + (blend_1 ? (blend_2 ? 0.0 : mix(0.0, bumpMap_3, blend_3)) : bumpMap_3) * 0.24 * cross(worldTangentU, bumpMap_1);
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);

@@ -83,7 +83,7 @@ vec3 smooth3DInput1(vec2 st) {
 
 void main() {
     // BumpMap
-    float bumpMap_1 = 0.24 / max(length(worldNormal), 1e-30);
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // Smooth3D
     vec2 smooth3D_1 = uv - vec2(0.005);
     vec2 smooth3D_2 = uv + vec2(-0.005, 0.0);
@@ -118,9 +118,9 @@ void main() {
     // BumpMap
     float bumpMap_2 = smooth3DInput0(smooth3D_8).x;
     float bumpMap_3 = smooth3DInput1(smooth3D_8).x;
-    float bumpMap_4 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * bumpMap_1;
-    float bumpMap_5 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * bumpMap_1;
-    vec3 bumpMap = cross(bumpMap_4 * worldNormal + worldTangentU, bumpMap_5 * worldNormal + worldTangentV);
+    float bumpMap_4 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * 0.24;
+    float bumpMap_5 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.24;
+    vec3 bumpMap = cross(bumpMap_4 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_5 * cross(worldTangentU, bumpMap_1);
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);

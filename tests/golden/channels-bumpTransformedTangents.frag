@@ -84,15 +84,16 @@ void main() {
     vec3 uvTransform = worldTangentV * 0.06490306 + worldTangentU * 0.15351017;
     vec3 uvTransform2 = worldTangentV * 0.32000095 + worldTangentU * -0.099104084;
     // BumpMap
-    float bumpMap_1 = 0.04 / max(length(worldNormal), 1e-30);
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // ImageMap
     vec2 image_2 = fract(uvTransform_1);
     // surface
     uint surface_1 = rootBits(image_1.x, 8) | rootBits(image_1.y, 8) << 8 | rootBits(image_1.z, 8) << 16;
     // BumpMap
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * bumpMap_1 * worldNormal + uvTransform;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * bumpMap_1 * worldNormal + uvTransform2;
+    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * 0.04 * bumpMap_1 + uvTransform;
+    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * 0.04 * cross(uvTransform, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, uvTransform2) + bumpMap_3;
     // normal
-    vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
 }

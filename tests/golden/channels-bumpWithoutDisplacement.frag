@@ -50,12 +50,12 @@ void main() {
     // Checker
     vec2 checker_1 = fract(uv * vec2(8.0, 4.0));
     // WaveMap
-    float waveMap_1 = 0.04 / max(length(worldNormal), 1e-30);
+    vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 37.699112;
     float waveMap_3 = uv.y * 25.132742;
-    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 37.699112) * waveMap_1 * worldNormal;
-    vec3 waveMap_5 = -(sin(waveMap_3) * 25.132742) * cos(waveMap_2) * waveMap_1 * worldNormal;
-    vec3 waveMap = cross(waveMap_4 + worldTangentU, waveMap_5 + worldTangentV);
+    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 37.699112) * 0.04 * waveMap_1;
+    vec3 waveMap_5 = cross(worldTangentU, waveMap_1) * (-(sin(waveMap_3) * 25.132742) * cos(waveMap_2) * 0.04);
+    vec3 waveMap = cross(waveMap_4 + worldTangentU, worldTangentV) + waveMap_5;
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

@@ -53,12 +53,12 @@ void main() {
     bool waveMap_3 = 0.0 <= waveMap_1 && waveMap_1 <= 0.25 && (0.0 <= waveMap_2 && waveMap_2 <= 0.33333334);
     vec3 waveMap;
     if (waveMap_3) {
-        float waveMap_4 = 0.03 / max(length(worldNormal), 1e-30);
+        vec3 waveMap_4 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
         float waveMap_5 = waveMap_1 * 50.265484;
         float waveMap_6 = waveMap_2 * 37.699112;
-        vec3 waveMap_7 = cos(waveMap_6) * -(sin(waveMap_5) * 50.265484) * waveMap_4 * worldNormal;
-        vec3 waveMap_8 = -(sin(waveMap_6) * 37.699112) * cos(waveMap_5) * waveMap_4 * worldNormal;
-        waveMap = cross(waveMap_7 + worldTangentU, waveMap_8 + worldTangentV);
+        vec3 waveMap_7 = cos(waveMap_6) * -(sin(waveMap_5) * 50.265484) * 0.03 * waveMap_4;
+        vec3 waveMap_8 = cross(worldTangentU, waveMap_4) * (-(sin(waveMap_6) * 37.699112) * cos(waveMap_5) * 0.03);
+        waveMap = cross(waveMap_7 + worldTangentU, worldTangentV) + waveMap_8;
     } else {
         waveMap = worldNormal;
     }

@@ -52,12 +52,12 @@ void main() {
     vec3 uvTransform = worldTangentV * 0.15980852 + worldTangentU * 0.29252753;
     vec3 uvTransform2 = worldTangentV * 0.43879128 + worldTangentU * -0.23971277;
     // WaveMap
-    float waveMap_1 = 0.01 / max(length(worldNormal), 1e-30);
+    vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uvTransform_1.x * 18.849556;
     float waveMap_3 = uvTransform_1.y * 12.566371;
-    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 18.849556) * waveMap_1 * worldNormal;
-    vec3 waveMap_5 = -(sin(waveMap_3) * 12.566371) * cos(waveMap_2) * waveMap_1 * worldNormal;
-    vec3 waveMap = cross(waveMap_4 + uvTransform, waveMap_5 + uvTransform2);
+    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 18.849556) * 0.01 * waveMap_1;
+    vec3 waveMap_5 = cross(uvTransform, waveMap_1) * (-(sin(waveMap_3) * 12.566371) * cos(waveMap_2) * 0.01);
+    vec3 waveMap = cross(waveMap_4 + uvTransform, uvTransform2) + waveMap_5;
     // normal
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2710658678u, 903913889u);

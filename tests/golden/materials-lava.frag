@@ -165,11 +165,12 @@ void main() {
     // Blend
     vec3 blend = mix(vec3(0.015686275, 0.015686275, 0.011764706), vec3(0.06666667, 0.05490196, 0.047058824), clamp((carpenter_1 - 0.2) * 1.4285715, 0.0, 1.0));
     // BumpMap
-    float bumpMap_1 = 0.016 / max(length(worldNormal), 1e-30);
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentU;
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentV;
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.016 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = cross(worldTangentU, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.016);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
     // normal
-    vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // VolumeTurbulence
     float volumeTurbulence_1 = abs(turbulence(localPosition * 1.6, 6, 2.0, 0.55));
     // Blend

@@ -83,11 +83,12 @@ void main() {
     // Blend
     vec3 blend = mix(vec3(0.019607844, 0.101960786, 0.011764706), vec3(0.17254902, 0.41568628, 0.047058824), clamp((carpenter_1 - 0.35) * 2.5, 0.0, 1.0));
     // BumpMap
-    float bumpMap_1 = 0.08 / max(length(worldNormal), 1e-30);
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentU;
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentV;
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.08 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = cross(worldTangentU, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.08);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
     // normal
-    vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface
     uint surface_1 = rootBits(blend.x, 6) | rootBits(blend.y, 6) << 6 | rootBits(blend.z, 6) << 12;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1409286147u, 1752466048u, surface_1 | 1255407616u, 1816823477u);

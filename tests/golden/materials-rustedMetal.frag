@@ -191,14 +191,15 @@ void main() {
     float blend_1 = (volumeTurbulence_1 + 0.05) * 6.6666665;
     vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.078431375, 0.09019608, 0.105882354) : mix(vec3(0.078431375, 0.09019608, 0.105882354), blend, blend_1)) : blend;
     // BumpMap
-    float bumpMap_1 = 0.01 / max(length(worldNormal), 1e-30);
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // Carpenter
     float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     // BumpMap
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentU;
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * bumpMap_1 * worldNormal + worldTangentV;
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.01 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = cross(worldTangentU, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.01);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
     // normal
-    vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface
     uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
     // Blend

@@ -81,7 +81,7 @@ void main() {
     // ImageMap
     vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
     // BumpMap
-    float bumpMap_1 = 0.2 / max(length(worldNormal), 1e-30);
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // ImageMap
     vec2 image_2 = fract(uvTransform_1);
     // surface
@@ -91,10 +91,11 @@ void main() {
     // specular
     uint specular_1 = rootBits(blend, 8);
     // BumpMap
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * bumpMap_1 * worldNormal + worldTangentU;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * bumpMap_1 * worldNormal + worldTangentV;
+    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * 0.2 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * 0.2 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
     // normal
-    vec3 normal = safeNormalize(eyeFromWorld(cross(bumpMap_2, bumpMap_3))) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface
     uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | specular_1 << 24, specular_1 | specular_1 << 8 | 1193279488u);
     fragment0 = surface_2;

@@ -70,22 +70,28 @@ static void close_drawers(Worker *w)
     drawer_close(&w->compat_half);
 }
 
+/* It is drawn too. */
+static void plan_drawing(TrialPlan *plan, Worker *w)
+{
+    plan->core = &w->core;
+    plan->compat = &w->compat;
+    plan->core_half = &w->core_half;
+    plan->compat_half = &w->compat_half;
+}
+
 static TrialPlan plan_of(Worker *w, long index)
 {
     const StressOptions *o = w->run->options;
-    bool draw = w->can_draw && o->draw_every && index % o->draw_every == 0;
     TrialPlan plan = {.options = o->options,
                       .field = w->run->field,
                       .first = (int)(index * 7919 % FIELD_COUNT),
                       .count = o->points,
+                      .pixel = pixel_number(index),
+                      .greatest = GREATEST_VALUE,
                       .validate = o->validate_every && index % o->validate_every == 0};
     plan.oracle = (!o->options.aa || !strcmp(o->options.aa, "none"));
-    if (draw) {
-        plan.core = &w->core;
-        plan.compat = &w->compat;
-        plan.core_half = &w->core_half;
-        plan.compat_half = &w->compat_half;
-    }
+    if (w->can_draw && o->draw_every && index % o->draw_every == 0)
+        plan_drawing(&plan, w);
     return plan;
 }
 
@@ -237,6 +243,36 @@ int stress_run(const StressOptions *options, TrialCount *total)
         show_progress(run), fputc('\n', stderr);
     int faults = atomic_load(&run->faults);
     pthread_mutex_destroy(&run->lock);
+    free(run);
+    return faults;
+}
+
+int stress_document(const StressOptions *options, const char *text, size_t size, TrialCount *total)
+{
+    Run *run = calloc(1, sizeof *run);
+    Worker *w = calloc(1, sizeof *w);
+    if (!run || !w)
+        abort();
+    run->options = options;
+    hostile_points(run->field);
+    w->run = run;
+    int faults = !options->draw_every || open_drawers(w) ? 0 : 1;
+    for (long i = 0; !faults && i < options->count; i++) {
+        TrialFault fault;
+        TrialPlan plan = plan_of(w, options->first + i);
+        if (!options->draw_every || i % options->draw_every)
+            plan.core = NULL;
+        else
+            plan_drawing(&plan, w);
+        plan.only_finite = true;
+        plan.greatest = INFINITY;
+        if (trial_run(&plan, text, size, total, &fault))
+            continue;
+        faults++;
+        fprintf(options->out, "fault: %s, pixel %ld: %s\n", fault_names[fault.kind], options->first + i, fault.text);
+    }
+    close_drawers(w);
+    free(w);
     free(run);
     return faults;
 }

@@ -16,6 +16,8 @@ const char *const fault_names[] = {"none", "document refused", "no IR",  "text o
 /* Evaluations of a spread: few first, many before anything is called a fault. */
 enum { FEW = 12, MANY = 300 };
 static const double double_bound = 1e-9;
+/* Of exact derivatives: differences to either side that are so far apart tell nothing; what those that are not err by, at most. */
+static const double slope_apart = 1e-3, slope_room = 1e-6;
 
 bool trial_fault(Trial *t, FaultKind kind, const char *format, ...)
 {
@@ -51,6 +53,8 @@ static bool open_document(Trial *t, const char *text, size_t size)
     Job job;
     job_of(&t->options, &job);
     t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = noise_for(job.choice[AXIS_noise], job.target)});
+    t->exact = job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic;
+    oracle_exact_derivatives(t->oracle, t->exact);
     t->count->nodes += t->graph->node_count;
     return true;
 }
@@ -107,11 +111,13 @@ typedef struct {
     ReferenceTexture textures[2][EVALUATE_TEXTURES];
     ReferenceContext context[2];
     const char *name;
+    double greatest; /* a value on the way that is beyond this excuses all */
 } Program;
 
 static bool program_make(Trial *t, Program *p, Pass pass, Slot slot)
 {
     p->arena = (Arena){0};
+    p->greatest = pass == PASS_value ? t->plan->greatest : GREATEST_VALUE;
     p->name = pass == PASS_value ? slot_table[slot].name : pass_table[pass].name;
     for (int i = 0; i < 2; i++) {
         p->ir[i] = trial_ir(t, &p->arena, pass, slot, 2 * i);
@@ -146,10 +152,11 @@ static const char *where(const Spot *s)
 }
 
 /* The plane and the eye of the passes that know them are those of the point. */
-static void spot_open(Spot *s, Program *program, const Point *point, bool front)
+static void spot_open(Spot *s, Program *program, Pixel pixel, const Point *point, bool front)
 {
     *s = (Spot){.program = program, .point = point, .front = front};
     evaluate_inputs(point, front, s->inputs);
+    pixel_inputs(pixel, s->inputs);
     memcpy(s->inputs[INPUT_planeU], s->inputs[INPUT_DU], sizeof s->inputs[0]);
     memcpy(s->inputs[INPUT_planeV], s->inputs[INPUT_DV], sizeof s->inputs[0]);
     memcpy(s->inputs[INPUT_eye], s->inputs[INPUT_P], sizeof s->inputs[0]);
@@ -163,14 +170,14 @@ static bool is_finite(Trial *t, Spot *s, bool *beyond)
     Evaluation rounded;
     for (int i = 0; i < 2; i++) {
         evaluate_double(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs, &s->exact[i]);
-        *beyond |= s->exact[i].peak > GREATEST_VALUE;
+        *beyond |= s->exact[i].peak > s->program->greatest;
     }
     t->count->beyond += *beyond;
     for (int i = 0; i < 2 && !*beyond; i++) {
         if (!s->exact[i].finite)
             return trial_fault(t, FAULT_infinite, "-O%d %s", 2 * i, where(s));
         evaluate_float(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs, &rounded);
-        if (!rounded.finite && rounded.peak <= GREATEST_VALUE)
+        if (!rounded.finite && rounded.peak <= s->program->greatest)
             return trial_fault(t, FAULT_float, "-O%d %s", 2 * i, where(s));
     }
     return true;
@@ -194,28 +201,58 @@ static bool agrees(Trial *t, Spot *s, int level, int output, int lane, double wa
                                                "lane %d is %.17g, should be %.17g: %s", lane, got, want, where(s));
 }
 
+/* What the oracle says of a slot, and how far a true slope may be from its differences. */
+typedef struct {
+    SlotValues value, room;
+    bool known;
+} Wanted;
+
+/* Of exact derivatives the differences ahead of the point and behind it: where those are apart, nothing is known. */
+static void ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Wanted *w)
+{
+    Surface surface;
+    SlotValues side[2];
+    memset(&w->room, 0, sizeof w->room);
+    w->known = t->plan->oracle;
+    point_surface(point, front, &surface);
+    oracle_material(t->oracle, t->material, &surface, &w->value);
+    for (int i = 0; t->exact && i < 2; i++) {
+        oracle_slope_side(t->oracle, 2 * i - 1);
+        oracle_material(t->oracle, t->material, &surface, &side[i]);
+    }
+    oracle_slope_side(t->oracle, 0);
+    for (int lane = 0; t->exact && lane < 4; lane++) {
+        double apart = fabs(side[0].lane[slot][lane] - side[1].lane[slot][lane]);
+        double size = fmax(1, fabs(w->value.lane[slot][lane]));
+        w->known = w->known && apart <= slope_apart * size;
+        w->room.lane[slot][lane] = apart == 0 ? 0 : slope_room * size + 4 * apart;
+    }
+}
+
 static bool try_slot(Trial *t, Program *p, Slot slot)
 {
     for (int i = 0; i < t->plan->count; i++) {
         Spot s;
-        Surface surface;
-        SlotValues values;
+        Wanted wanted;
         bool beyond = false, front = (t->plan->first + i) % 4 != 0;
         const Point *point = &t->plan->field[(t->plan->first + i) % FIELD_COUNT];
-        spot_open(&s, p, point, front);
+        spot_open(&s, p, t->plan->pixel, point, front);
         if (!is_finite(t, &s, &beyond))
             return false;
         if (beyond)
             continue;
-        point_surface(point, front, &surface);
-        oracle_material(t->oracle, t->material, &surface, &values);
-        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++)
-            for (int level = 0; level < 2; level++) {
-                double want = t->plan->oracle ? values.lane[slot][lane] : s.exact[0].value[0][lane];
+        ask_oracle(t, point, front, slot, &wanted);
+        for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
+            double written = s.exact[0].value[0][lane], want = wanted.known ? wanted.value.lane[slot][lane] : written;
+            double room = wanted.room.lane[slot][lane];
+            t->count->slopes += wanted.known && room > 0;
+            if (room > 0 && fabs(want - written) <= room)
+                want = written; /* the optimiser is held to what was written */
+            for (int level = 0; level < 2; level++)
                 if (!agrees(t, &s, level, 0, lane, want))
                     return false;
-                t->count->values++;
-            }
+            t->count->values += 2;
+        }
     }
     return true;
 }
@@ -290,7 +327,7 @@ static bool try_pass(Trial *t, Pass pass)
     for (int i = 0; i < t->plan->count && fine; i++) {
         Spot s;
         bool beyond = false;
-        spot_open(&s, &p, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
+        spot_open(&s, &p, t->plan->pixel, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
         fine = is_finite(t, &s, &beyond);
         if (fine && !beyond && pass != PASS_shadow)
             fine = in_range(t, &s, layout);

@@ -3,6 +3,7 @@
 #ifndef MATC_STRESS_TRIAL_H
 #define MATC_STRESS_TRIAL_H
 #include "field.h"
+#include "pixel.h"
 #include "tests/value/documents.h"
 #include "tests/value/draw.h"
 
@@ -35,8 +36,11 @@ typedef struct {
     MatcOptions options;             /* choices, such as aa; what else there is in it is set here */
     const Point *field;              /* FIELD_COUNT points */
     int first, count;                /* of the points that are evaluated */
+    Pixel pixel;                     /* of a program that is averaged over it */
     bool oracle;                     /* it knows the choices */
     bool validate;                   /* by glslang, for all targets */
+    double greatest;                 /* GREATEST_VALUE, or INFINITY: of a slot no value on the way is an excuse */
+    bool only_finite;                /* of what is drawn no more is asked */
     Drawer *core, *compat;           /* with the field in them: the program is drawn; NULL: it is not */
     Drawer *core_half, *compat_half; /* of RGBA16F targets, for the G-buffer */
 } TrialPlan;
@@ -44,6 +48,7 @@ typedef struct {
 /* What was done, for statistics. */
 typedef struct {
     long trees, nodes, values, spreads, validated, programs, drawn_values, judged, beyond;
+    long slopes; /* slots at points where exact derivatives are known */
 } TrialCount;
 
 /* The document, as the parts of a trial share it. */
@@ -56,6 +61,7 @@ typedef struct {
     Graph *graph;
     const Node *material;
     Oracle *oracle;
+    bool exact; /* derivatives */
     TrialFault *fault;
     TrialCount *count;
     bool slots[SLOT_COUNT]; /* those that are looked at */

@@ -91,6 +91,12 @@ static bool make_ir(Drawing *d, int noise)
     return d->ir[noise][0] && d->ir[noise][1];
 }
 
+static void inputs_at(const TrialPlan *plan, int point, double inputs[INPUT_COUNT][4])
+{
+    evaluate_inputs(&plan->field[point], true, inputs);
+    pixel_inputs(plan->pixel, inputs);
+}
+
 static bool drawing_open(Drawing *d)
 {
     Trial *t = d->trial;
@@ -103,7 +109,7 @@ static bool drawing_open(Drawing *d)
         d->oracles[i] = oracle_open(t->graph, &context);
         for (int k = 0; k < FIELD_COUNT; k++) {
             double inputs[INPUT_COUNT][4];
-            evaluate_inputs(&t->plan->field[k], true, inputs);
+            inputs_at(t->plan, k, inputs);
             evaluate_double(d->ir[i][0], &context, (const double(*)[4])inputs, &d->exact[i][k]);
         }
     }
@@ -115,7 +121,7 @@ static bool drawing_open(Drawing *d)
 static double spread_of(Drawing *d, int noise, int optimize, int k, int count, int lane, double want, double got)
 {
     double inputs[INPUT_COUNT][4], miss = INFINITY;
-    evaluate_inputs(&d->trial->plan->field[k], true, inputs);
+    inputs_at(d->trial->plan, k, inputs);
     for (int level = 0; level <= optimize / 2; level++) {
         Spread spread;
         ReferenceContext context = context_of(d, noise, level);
@@ -157,20 +163,20 @@ static bool compare(Drawing *d, const Variant *v)
     Trial *t = d->trial;
     int noise = v->target == TARGET_glsl110;
     for (int k = 0; k < FIELD_COUNT; k++) {
-        if (d->exact[noise][k].peak > GREATEST_VALUE)
+        if (d->exact[noise][k].peak > t->plan->greatest)
             continue;
         for (int lane = 0; lane < 4; lane++)
             if (!isfinite(d->rgba[0][4 * k + lane]))
                 return trial_fault(t, FAULT_drawn_nan, "%s -O%d %s lane %d at point %d", target_table[v->target].name,
                                    v->optimize, slot_table[d->slot].name, lane, k);
     }
-    for (int k = t->plan->first % JUDGED_STEP; k < FIELD_COUNT; k += JUDGED_STEP) {
+    for (int k = t->plan->first % JUDGED_STEP; k < FIELD_COUNT && !t->plan->only_finite; k += JUDGED_STEP) {
         Surface surface;
         SlotValues values;
-        if (d->exact[noise][k].peak > GREATEST_VALUE || point_is_extreme(&t->plan->field[k]))
+        if (d->exact[noise][k].peak > t->plan->greatest || point_is_extreme(&t->plan->field[k]))
             continue;
         point_surface(&t->plan->field[k], true, &surface);
-        if (t->plan->oracle)
+        if (t->plan->oracle && !t->exact)
             oracle_material(d->oracles[noise], t->material, &surface, &values);
         else
             memcpy(values.lane[d->slot], d->exact[noise][k].value[0], sizeof values.lane[0]);
@@ -195,10 +201,12 @@ static bool draw(Drawing *d, const Variant *v, bool half, int targets)
     bool old = v->target == TARGET_glsl110, fine = false;
     Drawer *drawer = old ? (half ? plan->compat_half : plan->compat) : half ? plan->core_half : plan->core;
     if (matc_ok(program)) {
-        Shading shading = {matc_output(program, MATC_FRAGMENT, NULL), NULL, v->target, program, t->graph};
+        char *text = pixel_program(plan->pixel, matc_output(program, MATC_FRAGMENT, NULL));
+        Shading shading = {text, NULL, v->target, program, t->graph};
         GLuint name = drawer_program(drawer, &shading);
         fine = name && drawer_draw(drawer, name, &shading, true, d->rgba, targets);
         drawer->gl->DeleteProgram(name);
+        free(text);
         t->count->programs++;
     }
     if (!fine)

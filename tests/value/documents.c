@@ -35,6 +35,13 @@ DocumentList documents_list(const char *folder)
     return list;
 }
 
+DocumentList documents_in(const char *folder)
+{
+    DocumentList list = {0};
+    add_matches(&list, folder, "*.yaml");
+    return list;
+}
+
 void documents_free(DocumentList *list)
 {
     for (int i = 0; i < list->count; i++)

@@ -12,6 +12,8 @@ typedef struct {
 
 /* Every .yaml and .json below `folder`/examples. */
 DocumentList documents_list(const char *folder);
+/* Every .yaml in the folder itself. */
+DocumentList documents_in(const char *folder);
 void documents_free(DocumentList *list);
 
 typedef struct {

@@ -1,0 +1,63 @@
+/* Documents that once had a fault: as `matbench stress` tries them, in every mode, and with every pixel. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/file.h"
+#include "tests/stress/modes.h"
+#include "tests/stress/stress.h"
+#include "tests/value/documents.h"
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+enum { PIXELS = 10, POINTS = 16 };
+
+/* Documents that once had a fault, in every mode, with every pixel. */
+static void mended_documents_hold(void **state)
+{
+    (void)state;
+    const char *only = getenv("STRESS_ONLY");
+    int faults = 0, tried = 0;
+    DocumentList list = documents_in(SOURCE_FOLDER "/tests/stress/mended");
+    for (int i = 0; i < list.count * stress_mode_count; i++) {
+        const StressMode *mode = &stress_modes[i % stress_mode_count];
+        const char *path = list.paths[i / stress_mode_count];
+        StressOptions options;
+        TrialCount n = {0};
+        if (only && !strstr(path, only))
+            continue;
+        stress_options_init(&options);
+        stress_mode_set(mode, &options.options);
+        options.first = i; /* each mode draws another pixel */
+        options.count = PIXELS;
+        options.draw_every = strcmp(mode->name, "box") && strcmp(mode->name, "analyticAniso") ? 0 : PIXELS;
+        options.validate_every = 0;
+        options.points = POINTS;
+        size_t size;
+        const char *why = NULL;
+        char *text = file_read(path, &size, &why);
+        assert_non_null(text);
+        int found = stress_document(&options, text, size, &n);
+        if (found)
+            print_error("%s in mode %s: %d faults\n", path, mode->name, found);
+        free(text);
+        faults += found;
+        tried++;
+    }
+    documents_free(&list);
+    assert_true(tried > 0);
+    assert_int_equal(faults, 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(mended_documents_hold),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
