@@ -30,6 +30,8 @@ foreach(file ${TESTS})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   matc_test(${name} ${name})
 endforeach()
+matc_test(test_valid_spirv test_valid spirv)
+matc_test(test_gl_egl test_gl egl)
 
 # From outside
 matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
@@ -52,6 +54,15 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot l
   matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})
   matc_test(install_make sh tests/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
   matc_test(subproject sh tests/subproject.sh)
+  foreach(tool ninja make meson)
+    matc_test(build_${tool} sh tests/build_tools.sh ${PROJECT_BINARY_DIR} ${tool})
+  endforeach()
+endif()
+
+# A second judge of what is for WebGL 2: ctest -L browser
+if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # that would judge the same text
+  matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
+  set_tests_properties(browser PROPERTIES LABELS browser)
 endif()
 
 # A first run starts those that take longest first; later ones go by what they took.

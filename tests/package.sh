@@ -54,51 +54,6 @@ check "which it has inside" uses_none archive
 check "and runs" runs archive
 check "says its version" test "$(pkg-config --modversion matc)" = "$("$prefix/bin/matc" --version | cut -d' ' -f2)"
 
-# Other build tools, as docs/build.md has them: built twice, the second time nothing is done
-block() { awk -v "kind=\`\`\`$1" '$0 == kind { inside = 1; next } /^```/ { inside = 0 } inside' "$source/docs/build.md"; }
-PATH=$prefix/bin:$PATH
-mkdir "$work/tools"
-cd "$work/tools" || exit 1
-cp "$source/examples/checker.yaml" rock.yaml
-cp "$source/examples/embed.c" tool.c
-echo '{ "materials": { "metal": { "material": "Phong", "diffuse": { "map": "ImageMap", "image": "a.png" } } } }' >metals.json
-cp "$source/examples/tiles.png" a.png
-printf 'rock.yaml\nmetals.json\n' >materials.txt
-tells() { # tells WORDS COMMAND...
-    words=$1
-    shift
-    "$@" >"$work/told" 2>&1 && grep -q "$words" "$work/told"
-}
-block ninja >build.ninja
-check "ninja builds" ninja
-check "a shader" test -f out/rock.frag
-check "and is done" tells 'no work to do' ninja
-touch a.png
-check "a picture is seen" tells 'matc -d out' ninja -v
-check "and is done" tells 'no work to do' ninja
-rm -rf out out.d materials.stamp
-block make >Makefile
-check "make builds" make
-check "a shader" test -f out/metal.frag
-check "make is done" tells "up to date" make
-sleep 0.01
-touch a.png
-check "a picture is seen" tells 'matc -d out' make
-check "make is done" tells "up to date" make
-if command -v meson >/dev/null; then
-    block meson >meson.build
-    check "meson sets up" meson setup meson
-    check "meson builds" ninja -C meson
-    check "a shader" test -f meson/out/metal.frag
-    check "and is done" tells 'no work to do' ninja -C meson
-    touch a.png
-    check "a picture is seen" tells 'matc' ninja -C meson -v
-    check "and is done" tells 'no work to do' ninja -C meson
-else
-    echo "meson is not installed: what docs/build.md says of it was not tried"
-fi
-cd "$source" || exit 1
-
 # CMake: the kinds of the library
 mkdir "$work/kinds"
 cat >"$work/kinds/CMakeLists.txt" <<EOF

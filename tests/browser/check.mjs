@@ -1,0 +1,57 @@
+// A browser as a second judge of what matc writes for WebGL 2: node check.mjs MATC ROOT FOLDER BROWSER [--all]. FOLDER is scratch.
+// - every program links, draws without an error, and writes finite numbers;
+// - the pass `value` of every slot of every example has the values of `matc --eval`;
+// - what one program packs, another unpacks within the layout's stated errors.
+// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each.
+import {chromium} from 'playwright-core';
+import {Matc, exampleDocuments} from './matc.mjs';
+import {linkAndDraw} from './programs.mjs';
+import {drawValues} from './values.mjs';
+import {roundTrips} from './gbuffer.mjs';
+import path from 'node:path';
+
+const [program, root, folder, executablePath] = process.argv.slice(2, 6).map(p => path.resolve(p));
+const all = process.argv.includes('--all'), atOnce = 64, timeout = 600_000;
+
+// In software, as root too, and without a network.
+const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run', '--disable-background-networking',
+              '--disable-component-update', '--disable-sync', '--host-resolver-rules=MAP * ~NOTFOUND'];
+if (!process.getuid()) args.push('--no-sandbox');
+const browser = await chromium.launch({executablePath, headless: true, args, timeout});
+const page = await browser.newPage();
+page.setDefaultTimeout(timeout);
+await page.setContent('<canvas></canvas>');
+await page.addScriptTag({path: path.join(import.meta.dirname, 'page.js')});
+const {floats, renderer} = await page.evaluate(() => about());
+console.log(`Chromium ${browser.version()}, ${renderer}`);
+if (!floats) {
+  console.log('SKIPPED: this browser draws no floats (EXT_color_buffer_float)');
+  process.exit(77);
+}
+
+const matc = new Matc(program, root, folder), documents = exampleDocuments(root);
+// Runs jobs in the page, many at once; textures are sent when they are first needed.
+async function run(jobs) {
+  const results = [];
+  for (let i = 0; i < jobs.length; i += atOnce) {
+    const some = jobs.slice(i, i + atOnce), keys = some.flatMap(job => job.textures.map(t => t.key));
+    const fresh = [...new Set(keys)].map(key => matc.textures.get(key)).filter(texture => texture && !texture.sent);
+    for (const texture of fresh) texture.sent = true;
+    results.push(...await page.evaluate(async ({fresh, some}) => {
+      for (const texture of fresh) await addTexture(texture);
+      return some.map(run);
+    }, {fresh, some}));
+  }
+  return results;
+}
+
+// Without --all a combination of options is for some of the documents, others than the one before it.
+const SHARE = 6, share = turn => documents.filter((_, i) => i % SHARE === turn % SHARE);
+const faults = [], context = {matc, documents, share, root, run, all, faults};
+for (const part of [linkAndDraw, drawValues, roundTrips].filter(part => !process.env.BROWSER_PART || part.name === process.env.BROWSER_PART)) {
+  const start = Date.now(), found = faults.length, said = await part(context);
+  console.log(`${said}; ${faults.length - found} faults; ${((Date.now() - start) / 1000).toFixed(1)} s`);
+}
+await browser.close();
+for (const fault of faults.slice(0, 30)) console.log(`FAILED: ${fault}`);
+process.exit(faults.length ? 1 : 0);
