@@ -256,5 +256,5 @@ int constants_size(const Ir *ir)
     int size = 0;
     for (size_t i = 0; i < ir->constant_count; i++)
         std140_offset(type_table[ir->constants[i].type].name, &size);
-    return (size + 15) / 16 * 16;
+    return std140_size(size);
 }

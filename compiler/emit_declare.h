@@ -4,7 +4,7 @@
 #include "emit.h"
 
 void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface);
-/* Bindings of targets that have them: one block of plain uniforms for each program, then the textures. */
+/* Bindings of targets that have them: one block of plain uniforms for each program, and the textures where no block is. */
 enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_BLOCK = 17 };
 /* The block of numbers that tell materials of one program apart (constants.h). */
 #define CONSTANT_BLOCK_NAME "Constants"
@@ -12,6 +12,8 @@ enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_
 bool has_locations(Target target);
 /* Offset of a member of that GLSL type in a std140 block that is `size` bytes so far, which grows. */
 int std140_offset(const char *type, int *size);
+/* Bytes of a block whose last member ends there: whole vectors, as drivers want a buffer to have. */
+int std140_size(int end);
 int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const char *name);
 /* The vertex program's attributes and uniforms, as members of a JSON object. vertex.c */
 void describe_vertex(Text *out, const Job *job, const Interface *interface);

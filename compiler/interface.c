@@ -41,14 +41,27 @@ int std140_offset(const char *type, int *size)
     return *size;
 }
 
+int std140_size(int end)
+{
+    enum { VECTOR = 16 };
+    return (end + VECTOR - 1) / VECTOR * VECTOR;
+}
+
+/* Of texture `index` of a program: 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
+static int nth_texture_binding(int index)
+{
+    const int below = DRAW_BLOCK - FIRST_TEXTURE_BINDING;
+    return index < below ? FIRST_TEXTURE_BINDING + index : CONSTANT_BLOCK + 1 + index - below;
+}
+
 int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const char *name)
 {
-    int binding = FIRST_TEXTURE_BINDING;
+    int index = 0;
     for (size_t i = 0; i < ir->texture_count; i++)
         if (interface->textures[i]) {
             if (!strcmp(texture_name(c, ir, (int)i), name))
-                return binding;
-            binding++;
+                return nth_texture_binding(index);
+            index++;
         }
     for (size_t i = 0; i < interface->chunks.count; i++)
         for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
@@ -57,8 +70,8 @@ int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const 
                 continue;
             size_t length = (size_t)(end - sampler) - strlen("sampler2D ");
             if (strlen(name) == length && !strncmp(sampler + strlen("sampler2D "), name, length))
-                return binding;
-            binding++;
+                return nth_texture_binding(index);
+            index++;
         }
     return -1;
 }
@@ -127,29 +140,29 @@ bool uniform_is_int(const Ir *ir, int uniform)
     return false;
 }
 
-static void put_sampler(Text *out, Target target, int *binding, const char *declaration, int size)
+static void put_sampler(Text *out, Target target, int *index, const char *declaration, int size)
 {
     if (has_locations(target))
-        text_format(out, "layout(binding = %d) ", (*binding)++);
+        text_format(out, "layout(binding = %d) ", nth_texture_binding((*index)++));
     text_format(out, "uniform %.*s;\n", size, declaration);
 }
 
 static void put_samplers(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
-    int binding = FIRST_TEXTURE_BINDING;
+    int index = 0;
     for (size_t i = 0; i < ir->texture_count; i++) {
         Text declaration = text_new(c->arena);
         if (!interface->textures[i])
             continue;
         text_format(&declaration, "sampler2D %s", texture_name(c, ir, (int)i));
-        put_sampler(out, job->target, &binding, declaration.at, (int)declaration.size);
+        put_sampler(out, job->target, &index, declaration.at, (int)declaration.size);
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
         for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
             int size = (int)strcspn(line, "\n");
             const char *sampler = strstr(line, "sampler2D");
             if (sampler && sampler < line + size)
-                put_sampler(out, job->target, &binding, line, size);
+                put_sampler(out, job->target, &index, line, size);
         }
 }
 

@@ -106,7 +106,7 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
     close_list(&list);
     if (*size_of_block)
         text_format(out, ",\n  \"block\": {\"name\": \"Material\", \"binding\": %d, \"size\": %d}", MATERIAL_BLOCK,
-                    *size_of_block);
+                    std140_size(*size_of_block));
 }
 
 /* The numbers from a buffer: members of a block of its own. The manifest of a batch has every material's numbers; a program's

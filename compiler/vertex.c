@@ -164,6 +164,7 @@ void describe_vertex(Text *out, const Job *job, const Interface *interface)
         }
     text_put(out, "]");
     if (has_locations(job->target) && size)
-        text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK, size);
+        text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK,
+                    std140_size(size));
     text_put(out, "}");
 }
