@@ -44,6 +44,10 @@ matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
 matc_test(order sh tests/order.sh)
 matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
+add_executable(tree_json tests/suites/tree.c)
+target_link_libraries(tree_json PRIVATE libmatc)
+set_target_properties(tree_json PROPERTIES LINKER_LANGUAGE CXX)
+matc_test(suites sh tests/suites/run.sh $<TARGET_FILE:tree_json> ${PROJECT_BINARY_DIR})
 
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})

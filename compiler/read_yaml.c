@@ -151,15 +151,29 @@ static bool read_list(Reader *r, Tree *list, int depth)
     return true;
 }
 
+/* A key with an anchor is a value, too: `&a key: 1`, `other: *a`. */
+static bool keep_key(Reader *r, const yaml_event_t *event, const Member *member)
+{
+    Tree *tree = build_value(r->b, TREE_scalar, member->span);
+    if (!tree)
+        return false;
+    tree->text = member->key;
+    tree->count = member->size;
+    tree->plain = event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+    keep_anchor(r, event->data.scalar.anchor, tree);
+    return true;
+}
+
 /* A key's event becomes a member without a value; *merge: it is `<<`. Takes the event over. */
 static bool read_key(Reader *r, yaml_event_t *event, Member *member, bool *merge)
 {
     *member = (Member){.span = span_of(r, event)};
-    const bool name = event->type == YAML_SCALAR_EVENT;
+    bool name = event->type == YAML_SCALAR_EVENT;
     if (name) {
         member->key = keep_text(r, event, member->span);
         member->size = (uint32_t)event->data.scalar.length;
         *merge = !strcmp(member->key, "<<") && event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
+        name = !event->data.scalar.anchor || keep_key(r, event, member);
     } else {
         diag_add(r->c, member->span, DIAG_key_not_name);
     }
