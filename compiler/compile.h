@@ -20,6 +20,7 @@ enum {
     LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
     LIMIT_NAME = 64,            /* letters of a name */
     LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
+    LIMIT_PIXELS_MIB = 1024,    /* the pictures of a document, where they are decoded */
     LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
     LIMIT_PARAMS = 4096,        /* uniforms of a document */
     LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
