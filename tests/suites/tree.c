@@ -1,6 +1,7 @@
 /* Reads files by their names, and prints a line of JSON for each: the faults, and the value with everything that a Tree keeps of it,
  * {"faults": ["duplicate_key"], "tree": {"object": [["a", {"plain": "1"}], ["a", [{"text": "1"}]]]}}; refused: "tree": null. */
 #include "compiler/file.h"
+#include "compiler/json_write.h"
 #include "tests/read_text.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,7 +10,7 @@ static void put_value(Text *out, const Tree *tree)
 {
     if (tree->kind == TREE_scalar) {
         text_put(out, tree->plain ? "{\"plain\": " : "{\"text\": ");
-        text_json(out, tree->text, tree->count);
+        json_bytes(out, tree->text, tree->count);
         text_put(out, "}");
         return;
     }
@@ -19,7 +20,7 @@ static void put_value(Text *out, const Tree *tree)
         text_put(out, i ? ", " : "");
         if (!list) {
             text_put(out, "[");
-            text_json(out, tree->members[i].key, tree->members[i].size);
+            json_bytes(out, tree->members[i].key, tree->members[i].size);
             text_put(out, ", ");
         }
         put_value(out, list ? tree->items[i] : tree->members[i].value);
