@@ -12,7 +12,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 folder=${MATC_MUTANTS:-$root/build/mutants}
 table=$here/mutants.txt
-limit=300 # seconds for a test: a mutant may hang
+limit=${MATC_MUTANTS_LIMIT:-600} # seconds for a test: a mutant may hang
 jobs=1
 golden=
 again=
@@ -60,7 +60,7 @@ copy() {
     files | (cd "$root" && tar -cf - -T -) | tar -xpf - -C "$place/source"
     (cd "$place/source" && find . -type f | LC_ALL=C sort | { files >"$place/files" && LC_ALL=C comm -23 - "$place/files"; } |
         while read -r gone; do rm "$gone"; done)
-    [ ! -f "$place/changed" ] || touch "$place/source/$(cat "$place/changed")" # a run was ended in the middle
+    [ ! -f "$place/changed" ] || touch "$place/source/$(cat "$place/changed")" # the last run may have ended in the middle
     [ -f "$place/build/build.ninja" ] && return
     set -- -DCMAKE_BUILD_TYPE=Release -DMATC_REFERENCE=OFF -DMATC_WERROR=OFF
     ! command -v ccache >/dev/null || set -- "$@" -DCMAKE_C_COMPILER_LAUNCHER=ccache
@@ -68,66 +68,66 @@ copy() {
     cmake -G Ninja -S "$place/source" -B "$place/build" "$@" >"$place/log"
 }
 
-# passes PLACE TEST...: the tests pass there; else $killer is the first that does not. 3: they do not build
+# passes PLACE TEST...: the tests pass there, one after the other; else $killer is the first that does not. 3: one does not build
 passes() {
-    place=$1
+    at=$1
     shift
     killer=
-    # shellcheck disable=SC2046
-    CCACHE_BASEDIR=$place cmake --build "$place/build" --target $(targets "$@") >"$place/log" 2>&1 || return 3
-    if ctest --test-dir "$place/build" -R "^($(echo "$*" | tr ' ' '|'))\$" --stop-on-failure --timeout $limit --no-tests=error \
-        >"$place/log" 2>&1; then
-        return 0
-    fi
-    killer=$(sed -n 's/^.*[0-9]* - \([a-z_A-Z0-9]*\) (.*/\1/p' "$place/log" | head -1)
-    return 1
+    for test in "$@"; do
+        # shellcheck disable=SC2046
+        CCACHE_BASEDIR=$at cmake --build "$at/build" --target $(targets "$test") >"$at/log" 2>&1 || return 3
+        ctest --test-dir "$at/build" -R "^$test\$" --timeout "$limit" --no-tests=error >"$at/log" 2>&1 && continue
+        killer=$test
+        return 1
+    done
 }
 
-# verdict PLACE TEST...: what becomes of the mutant that stands there
-verdict() {
-    place=$1
-    code=0
-    passes "$@" || code=$?
-    case $code in
-    3) echo "unbuilt" ;;
-    1) echo "killed by ${killer:-no test: none was found}" ;;
-    0)
-        if [ -n "$golden" ] && ! passes "$place" golden; then
-            echo "golden"
-        else
-            echo "lives"
-        fi
-        ;;
-    esac
+# put PLACE NAME FILE, and lift PLACE FILE: the fault is there, and is not
+put() {
+    echo "$3" >"$1/changed"
+    cp "$1/source/$3" "$1/kept"
+    rows apply "$2" "$1/source" >"$1/faulty"
+    cp "$1/faulty" "$1/source/$3"
 }
+lift() { cp "$1/kept" "$1/source/$2"; }
 
 # try PLACE KEY NAME FILE TEST...
 try() {
     place=$1 key=$2 name=$3 file=$4
     shift 4
-    echo "$file" >"$place/changed"
-    rows apply "$name" "$root" >"$place/source/$file"
-    said=$(verdict "$place" "$@")
-    cp "$root/$file" "$place/source/$file"
+    put "$place" "$name" "$file"
+    code=0
+    passes "$place" "$@" || code=$?
+    case $code in
+    0) said=lives ;;
+    3) said=unbuilt ;;
+    *) said="killed by $killer" ;;
+    esac
+    if [ $code = 0 ] && [ -n "$golden" ]; then
+        killer=golden
+        passes "$place" golden || said=golden code=1
+    fi
+    lift "$place" "$file"
+    [ $code != 1 ] || is_sound "$place" "$killer"
     echo "$key $name $said" >>"$folder/results"
     printf '%-24s %s\n' "$name" "$said"
 }
 
-# baseline PLACE TEST...: without a fault all of them pass, or nothing can be learnt from them
-baseline() {
-    place=$1
-    passes "$@" && return
-    echo "run.sh: without a fault, ${killer:-the build} fails; see $place/log" >&2
-    return 1
+# is_sound PLACE TEST: it passes where there is no fault, or it has killed nothing. Asked once
+is_sound() {
+    grep -qx "$2" "$1/sound" 2>/dev/null && return
+    if ! passes "$1" "$2"; then
+        echo "run.sh: $2 fails where there is no fault; see $1/log" >&2
+        exit 2
+    fi
+    echo "$2" >>"$1/sound"
 }
 
 # work N: every row of its share, from $folder/todo
 work() {
     place=$folder/$1
     copy "$1"
-    tests=$(awk -F '\t' -v n="$1" -v jobs="$jobs" 'NR % jobs == n % jobs { print $4 }' "$folder/todo" | tr ' ' '\n' | sort -u)
-    # shellcheck disable=SC2086
-    [ -z "$tests" ] || baseline "$place" $tests || return 2
+    rm -f "$place/sound"
     awk -v n="$1" -v jobs="$jobs" 'NR % jobs == n % jobs' "$folder/todo" >"$place/share"
     while IFS="$(printf '\t')" read -r key name file tests; do
         # shellcheck disable=SC2086
@@ -192,6 +192,8 @@ check || exit 2
 mkdir -p "$folder"
 touch "$folder/results"
 : >"$folder/asked"
+cp "$table" "$folder/table" # it may change while this runs
+table=$folder/table
 plan "$@" >"$folder/todo"
 failed=
 pids=
