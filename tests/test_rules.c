@@ -240,7 +240,7 @@ static const Case constants[] = {
     {"lt(2, 2)", "false"},
     {"le(2, 2)", "true"},
     {"dot([1, 2, 3], [4, 5, 6])", "32"},
-    {"cross([1, 0, 0], [0, 1, 0])", "[0, 0, 1]"},
+    {"cross([1, 2, 3], [4, 5, 7])", "[-1, 5, -3]"},
     {"length([3, 4, 12])", "13"},
     {"linear([1, 2], [3, 4], [5, 6])", "[13, 16]"},
     {"vec3([1, 2], 3)", "[1, 2, 3]"},
@@ -271,6 +271,9 @@ static const Case selects[] = {
     {"phongExponent(select(front, 1, 1))", "65504"},
 };
 
+#define SQUARE(a) "mul(" a ", " a ")"
+#define POWER_64  SQUARE(SQUARE(SQUARE(SQUARE(SQUARE(SQUARE("x"))))))
+
 static const Case powers[] = {
     {"pow(x, 0)", "1"},
     {"pow(v, 0)", NULL},
@@ -285,6 +288,8 @@ static const Case powers[] = {
     {"pow(v, 0.5)", "sqrt(v)"},
     {"pow(x, -0.5)", NULL},
     {"pow(x, 2.5)", NULL},
+    {"pow(x, 64)", POWER_64},
+    {"pow(x, -64)", "div(1, " POWER_64 ")"},
     {"pow(x, 65)", NULL},
     {"pow(x, -65)", NULL},
     {"pow(x, y)", NULL},
@@ -315,6 +320,8 @@ static const Case ranges[] = {
     {"max(fract(x), 0.001)", NULL},
     {"max(fract(x), 1)", "1"},
     {"max(fract(x), 0.999)", NULL},
+    {"max(fract(x), sub(fract(y), 0.5))", NULL}, /* which may be 0.5 */
+    {"max(fract(x), fract(y))", NULL},
     {"max(fract(x), [0, 0])", NULL},
     {"max(fract(x), [1, 1])", "[1, 1]"},
     {"max(fract(x), add(fract(y), 1))", "add(fract(y), 1)"},
@@ -323,6 +330,9 @@ static const Case ranges[] = {
     {"min(fract(x), 0.999)", NULL},
     {"min(fract(x), 0)", "0"},
     {"min(fract(x), 0.001)", NULL},
+    {"min(fract(x), add(fract(y), 0.5))", NULL}, /* which may be 0.5 */
+    {"min(fract(x), fract(y))", NULL},
+    {"min(fract(x), add(fract(y), 1))", "fract(x)"},
     {"min(fract(x), [1, 1])", NULL},
     {"lt(fract(x), 1.001)", "true"},
     {"lt(fract(x), 1)", NULL},
