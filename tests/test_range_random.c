@@ -164,10 +164,101 @@ static void values_of_random_programs_lie_within_their_intervals(void **state)
     }
 }
 
+/* -- what functions.def and ranges.def say of library functions and maps */
+
+enum { CALLS = 3000, MOST_NUMBERS = 64, TEXELS = 8 };
+
+static double a_lane(Choices *c)
+{
+    double part = choose_part(c);
+    switch (choose(c, 4)) {
+    case 0:
+        return part; /* shares, coordinates of pictures */
+    case 1:
+        return 2 * part - 1;
+    case 2:
+        return numbers[choose(c, NUMBERS)];
+    default:
+        return 200 * part - 100;
+    }
+}
+
+static int vector_argument(Choices *c, int lanes, double *to)
+{
+    double square = 0;
+    bool unit = chance(c, 1, 2);
+    for (int i = 0; i < lanes; i++) {
+        to[i] = a_lane(c);
+        square += to[i] * to[i];
+    }
+    for (int i = 0; unit && square > 0 && i < lanes; i++)
+        to[i] /= sqrt(square);
+    return lanes;
+}
+
+/* One of the letter's type; how many numbers it has. */
+static int an_argument(Choices *c, char letter, double *to)
+{
+    switch (letter) {
+    case 's':
+        to[0] = 0;
+        return 1;
+    case 'i':
+        to[0] = 4 + choose(c, 6); /* bits that every code has */
+        return 1;
+    case 'f':
+        to[0] = a_lane(c);
+        return 1;
+    default:
+        return vector_argument(c, letter - '0', to);
+    }
+}
+
+static Interval claimed_of(Site *s, int function)
+{
+    Ref args[MOST_NUMBERS] = {0};
+    Ref ref = ir_make(s->ir, OP_call, function_row(function)->result, (uint32_t)function, args, 0);
+    Ranges none = {0};
+    return range_computed(&none, s->ir, ref, 0);
+}
+
+static void functions_have_values_within_their_intervals(void **state)
+{
+    (void)state;
+    static const uint8_t texels[TEXELS * TEXELS * 4] = {0, 255, 3, 128, 7, 200, 255, 0, 90};
+    const ReferenceTexture texture = {TEXELS, TEXELS, 4, texels, NULL};
+    const ReferenceContext context = {REFERENCE_LATTICE, &texture};
+    int bounded = 0;
+    Choices choices;
+    choices_random(&choices, 23, 0);
+    for (int function = 0; function < FUNCTION_COUNT; function++) {
+        Site site;
+        site_open(&site);
+        bool known = function_row(function)->name && function != FN_turbulence && function != FN_phongExponent;
+        Interval claimed = known ? claimed_of(&site, function) : (Interval){-INFINITY, INFINITY};
+        bounded += isfinite(claimed.low) || isfinite(claimed.high);
+        for (int n = 0; (isfinite(claimed.low) || isfinite(claimed.high)) && n < CALLS; n++) {
+            double args[MOST_NUMBERS], result[4] = {0};
+            int used = 0;
+            choices.count = 0;
+            for (const char *letter = function_arguments(function); *letter; letter++)
+                used += an_argument(&choices, *letter, &args[used]);
+            function_row(function)->reference(&context, args, result);
+            for (int lane = 0; lane < type_table[function_row(function)->result].lanes; lane++)
+                if (isfinite(result[lane]) && !(result[lane] >= claimed.low && result[lane] <= claimed.high))
+                    fail_msg("%s: %.9g, claimed [%.9g, %.9g]", function_row(function)->name, result[lane], claimed.low,
+                             claimed.high);
+        }
+        site_close(&site);
+    }
+    assert_true(bounded > 40);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_of_random_programs_lie_within_their_intervals),
+        cmocka_unit_test(functions_have_values_within_their_intervals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -19,9 +19,9 @@ again=
 
 rows() { awk -v act="$1" -v row="${2:-}" -v root="${3:-$root}" -f "$here/mutants.awk" "$table"; }
 
-# The project's files, without what is built from them
-files() {
-    cd "$root" && find . \( -name .git -o -name 'build*' -type d -path './build*' \) -prune -o -type f -print | LC_ALL=C sort
+# sums FOLDER: checksum, size and path of every file of the project, without what is built from them
+sums() {
+    (cd "$1" && find . \( -name .git -o -type d -path './build*' \) -prune -o -type f -print0 | xargs -0 -r cksum | LC_ALL=C sort)
 }
 
 # Tests that rows name and ctest does not know
@@ -53,14 +53,13 @@ targets() {
     done | sort -u
 }
 
-# copy N: the sources as they are now, in a build folder that knows what has changed
+# copy N: the sources as they are now. What has changed is new to the build, whatever its time was
 copy() {
     place=$folder/$1
     mkdir -p "$place/source"
-    files | (cd "$root" && tar -cf - -T -) | tar -xpf - -C "$place/source"
-    (cd "$place/source" && find . -type f | LC_ALL=C sort | { files >"$place/files" && LC_ALL=C comm -23 - "$place/files"; } |
-        while read -r gone; do rm "$gone"; done)
-    [ ! -f "$place/changed" ] || touch "$place/source/$(cat "$place/changed")" # the last run may have ended in the middle
+    sums "$place/source" >"$place/before"
+    LC_ALL=C comm -23 "$place/before" "$folder/sums" | cut -d ' ' -f 3- | (cd "$place/source" && tr '\n' '\0' | xargs -0 -r rm)
+    LC_ALL=C comm -13 "$place/before" "$folder/sums" | cut -d ' ' -f 3- | (cd "$root" && tar -cf - -T -) | tar -xmf - -C "$place/source"
     [ -f "$place/build/build.ninja" ] && return
     set -- -DCMAKE_BUILD_TYPE=Release -DMATC_REFERENCE=OFF -DMATC_WERROR=OFF
     ! command -v ccache >/dev/null || set -- "$@" -DCMAKE_C_COMPILER_LAUNCHER=ccache
@@ -84,7 +83,6 @@ passes() {
 
 # put PLACE NAME FILE, and lift PLACE FILE: the fault is there, and is not
 put() {
-    echo "$3" >"$1/changed"
     cp "$1/source/$3" "$1/kept"
     rows apply "$2" "$1/source" >"$1/faulty"
     cp "$1/faulty" "$1/source/$3"
@@ -141,7 +139,7 @@ lived() { awk -v name="$1" '$2 == name { said = $3 } END { exit !(said != "kille
 
 # Rows that are still to be run, with the checksum of the sources and of the row
 plan() {
-    sources=$(cd "$root" && files | grep -v '^./tests/mutants/' | tr '\n' '\0' | xargs -0 cksum | cksum | cut -d ' ' -f 1)
+    sources=$(grep -v ' ./tests/mutants/' "$folder/sums" | cksum | cut -d ' ' -f 1)
     rows list | while IFS="$(printf '\t')" read -r name file tests fault; do
         [ $# = 0 ] || case " $* " in *" $name "*) ;; *) continue ;; esac
         key=$sources-$({ echo "$tests" && rows apply "$name"; } | cksum | cut -d ' ' -f 1)
@@ -194,6 +192,7 @@ touch "$folder/results"
 : >"$folder/asked"
 cp "$table" "$folder/table" # it may change while this runs
 table=$folder/table
+sums "$root" >"$folder/sums"
 plan "$@" >"$folder/todo"
 failed=
 pids=
