@@ -112,6 +112,11 @@ static double odd_share(const Box *box, int lanes, double edge)
 static double mean_checker(const Box *box) { return .1 + .8 * odd_share(box, 2, .5); }
 static double mean_cubes(const Box *box) { return .1 + .8 * odd_share(box, 3, 1); }
 
+/* A filter makes a function of the program: then changes over the screen stand outside of main(). Its mean of z is z. */
+#define SMOOTHED_CHECKER                                                                                               \
+    "{ map: Checker, color1: { map: Smooth3D, input: { map: Gradient, direction: [0, 0, 1] } }, color2: 0.1 }"
+static double mean_smoothed(const Box *box) { return .1 + (box->middle[2] - .1) * odd_share(box, 2, .5); }
+
 /* Of ((sin x + sin y + sin z) / 3)^2, where the lanes are independent: the variances, and the square of the sum of the means. */
 static double mean_leopard(const Box *box)
 {
@@ -159,6 +164,7 @@ static const struct {
 } box_cases[] = {
     {"emissive", "{ map: Checker, color1: 0.9, color2: 0.1 }", mean_checker, 1, 4e-6},
     {"emissive", "{ map: VolumeChecker, color1: 0.9, color2: 0.1 }", mean_cubes, 2, 4e-6},
+    {"emissive", SMOOTHED_CHECKER, mean_smoothed, 1, 4e-6},
     {"emissive", "{ map: Leopard }", mean_leopard, 2 * M_PI, 2e-6},
     {"emissive", BLEND("{ map: Gradient }"), mean_blend, 1, 4e-6},
     {"emissive", BLENDED_CHECKER, mean_blended, 1, 1e-6},

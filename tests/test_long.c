@@ -27,6 +27,8 @@ static const char *const documents[] = {
     CUBES("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}}"),
     CUBES("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, -0.2], scale: [1.3, "
           "0.7, 2.1]}}"),
+    CUBES("{map: XYZTransform, transform: {scale: -1}, input: {map: XYZTransform, transform: {translation: [0.3, 0.1, "
+          "0.7]}}}"),
     CUBES("{map: XYZTransform, transform: {scale: 3.3}, input: {map: XYZTransform, transform: {translation: [0.3, 0.1, "
           "0.7]}}}"),
     CUBES(
