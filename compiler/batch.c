@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static const char manifest_name[] = "manifest.json";
+static const char manifest_name[] = "manifest.json", depfile_name[] = "manifest.d";
 
 Unit *batch_unit(const Batch *b, int document, int material, int turn)
 {
@@ -79,6 +79,13 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
     batch_say(b, document, text.at);
     arena_free(&arena);
     batch_fault(b);
+}
+
+void batch_warn(Batch *b, const char *what, const char *why)
+{
+    char text[LONGEST_PATH + 256];
+    snprintf(text, sizeof text, "matc: warning: %s: %s\n", what, why);
+    batch_say(b, NULL, text);
 }
 
 /* -- the queue's calls: first all materials, then what must be written again */
@@ -234,26 +241,31 @@ static void write_manifest(Batch *b)
 {
     Bytes json = {0};
     manifest_put(b, &json);
-    const char *why = stage_put(b->stage, manifest_name, json.at, json.size);
+    const char *why = stage_put_index(b->stage, manifest_name, json.at, json.size);
     if (why)
         batch_complain(b, NULL, manifest_name, why);
     bytes_free(&json);
+}
+
+/* In the folder, or where -MF says. */
+static const char *put_depfile(Batch *b, const char *text)
+{
+    return b->line->depfile ? outputs_put(&b->folders, b->line->depfile, text, strlen(text))
+                            : stage_put(b->stage, depfile_name, text, strlen(text));
 }
 
 /* The manifest depends on all documents, on what they are made from, and on the lists. */
 static void write_depfile(Batch *b)
 {
     StringSet files = {0};
-    char target[LONGEST_PATH], path[LONGEST_PATH + 8];
+    char target[LONGEST_PATH];
     manifest_path(b, target);
-    snprintf(path, sizeof path, "%s/manifest.d", b->line->folder);
     batch_inputs(b, &files);
-    const char *depfile = b->line->depfile ? b->line->depfile : path;
     const char *bad, *made = b->line->target ? b->line->target : target;
     char *text = depfile_text(made, (const char *const *)files.at, files.count, &bad);
-    const char *why = text ? output_write(depfile, text, strlen(text)) : depfile_why;
+    const char *why = text ? put_depfile(b, text) : depfile_why;
     if (why)
-        batch_complain(b, NULL, text ? depfile : bad, why);
+        batch_complain(b, NULL, !text ? bad : b->line->depfile ? b->line->depfile : depfile_name, why);
     free(text);
     strings_free(&files);
 }
@@ -261,23 +273,16 @@ static void write_depfile(Batch *b)
 /* All is well: the files appear, and those of the last batch that are no longer made go. */
 static void commit(Batch *b)
 {
-    char path[LONGEST_PATH];
     const char *why = NULL;
-    size_t size;
-    manifest_path(b, path);
-    char *old = file_read(path, &size, &why);
-    if (!old && !access(path, F_OK)) { /* what is stale could not be told */
-        batch_complain(b, NULL, path, why);
-        return;
-    }
-    why = b->textures ? stage_commit(b->textures) : NULL;
-    if (!why)
-        why = stage_commit(b->stage);
+    char *old = stage_holds(b->stage, manifest_name) ? stage_read(b->stage, manifest_name, &why) : NULL;
     if (why)
-        batch_complain(b, NULL, b->line->folder, why);
-    else if (old && stage_written(b->stage)) /* else this manifest is that one */
+        batch_complain(b, NULL, manifest_name, why);
+    if (old) /* else this manifest is that one, or the first */
         manifest_remove_stale(b, old);
     free(old);
+    why = b->fault ? NULL : outputs_commit(&b->folders);
+    if (why)
+        batch_complain(b, NULL, b->line->folder, why);
 }
 
 static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
@@ -307,12 +312,13 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
         b->documents[i].path = line->inputs[i];
         pthread_mutex_init(&b->documents[i].mutex, NULL);
     }
-    b->stage = stage_open(line->folder, &why);
-    if (b->stage && line->textures)
-        b->textures = stage_open(line->textures, &why);
-    if (why)
-        batch_complain(b, NULL, b->stage ? line->textures : line->folder, why);
-    return !why && stored_open(b);
+    if (line->textures)
+        b->textures = outputs_open(&b->folders, line->textures, STAGE_new_folder, &why);
+    if (line->textures && !b->textures)
+        batch_complain(b, NULL, line->textures, why);
+    else if (!(b->stage = outputs_open(&b->folders, line->folder, STAGE_new_folder, &why)))
+        batch_complain(b, NULL, line->folder, why);
+    return b->stage && stored_open(b);
 }
 
 /* For --watch: what decided the outcome, with faults, too. */
@@ -347,8 +353,7 @@ static void finish(Batch *b)
     bytes_free(&b->general);
     matc_layout_free(b->layout);
     matc_linked_free(b->linked);
-    stage_close(b->stage);
-    stage_close(b->textures);
+    outputs_close(&b->folders);
     pthread_mutex_destroy(&b->mutex);
 }
 

@@ -4,7 +4,7 @@
 #include "batch.h"
 #include "cache.h"
 #include "sets.h"
-#include "stage.h"
+#include "output.h"
 #include "unit.h"
 #include <pthread.h>
 #include <stdatomic.h>
@@ -65,7 +65,8 @@ typedef struct {
     int program_count;
     MatcRanges ranges;  /* of all documents, with --layout=auto */
     MatcLayout *layout; /* made for the set, or NULL */
-    Stage *stage, *textures;
+    Outputs folders;         /* all that is written */
+    Stage *stage, *textures; /* of the folder, and of --textures, which may be the same; NULL: none */
     MatcLinked *linked;    /* in the options of all */
     Cache *cache;          /* NULL: none */
     pthread_mutex_t mutex; /* of what follows */
@@ -86,6 +87,8 @@ void batch_say_of(Batch *batch, BatchDocument *document, int material, const cha
 void batch_fault(Batch *batch);
 /* Something against the document, which is a fault. */
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
+/* Something to know, of no document, which is no fault. */
+void batch_warn(Batch *batch, const char *what, const char *why);
 Unit *batch_unit(const Batch *batch, int document, int material, int turn);
 /* Of the files of a material's program: its name, and the pass unless that goes without saying. */
 void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
@@ -142,6 +145,6 @@ void store_program(Batch *batch, const BatchDocument *document, const Unit *unit
 void batch_group(Batch *batch);
 /* The manifest as JSON. manifest.c */
 void manifest_put(const Batch *batch, Bytes *to);
-/* Removes files that the old manifest names and this batch did not make. */
-void manifest_remove_stale(const Batch *batch, const char *old);
+/* Files that the old manifest names and this batch does not make are to go. */
+void manifest_remove_stale(Batch *batch, const char *old);
 #endif

@@ -117,6 +117,22 @@ static void put_material(Text *out, const Batch *b, const BatchDocument *documen
     text_put(out, "]}");
 }
 
+/* What the folder has of this run beside the manifest itself, so that the next run knows its own. */
+static void put_folder(Text *out, const Batch *b)
+{
+    int count;
+    char digits[KEY_TEXT];
+    StageFile *list = stage_list(b->stage, &count);
+    text_put(out, ",\n  \"files\": {");
+    for (int i = 0; i < count; i++) {
+        text_put(out, i ? ",\n    " : "\n    ");
+        key_text(list[i].hash, digits);
+        json_member(out, list[i].name, digits);
+    }
+    text_put(out, "\n  }");
+    free(list);
+}
+
 /* What is written so far moves to the bytes: a manifest of many materials is long. */
 static void flush(Text *out, Bytes *to)
 {
@@ -149,33 +165,41 @@ void manifest_put(const Batch *b, Bytes *to)
             flush(&out, to);
             any = true;
         }
-    text_put(&out, "\n  ]\n}\n");
+    text_put(&out, "\n  ]");
+    put_folder(&out, b);
+    text_put(&out, "\n}\n");
     flush(&out, to);
     arena_free(&arena);
 }
 
-/* Only a name such as matc gives: a manifest can be anybody's. */
-static void remove_named(const Batch *b, const cJSON *object, const char *key, const char *suffix)
+/* A name such as matc gives. */
+static bool is_output(const char *name)
 {
-    const char *name = cJSON_GetStringValue(cJSON_GetObjectItemCaseSensitive(object, key));
-    size_t size = name ? strlen(name) : 0, end = strlen(suffix);
-    if (size > end && !strcmp(name + size - end, suffix) && !batch_reads(b, name))
-        stage_remove_stale(b->stage, name);
+    size_t size = strlen(name);
+    for (int emit = 0; emit < EMIT_COUNT; emit++) {
+        size_t end = strlen(emit_table[emit].suffix);
+        if (size > end && !strcmp(name + size - end, emit_table[emit].suffix))
+            return true;
+    }
+    return size > 4 && !strcmp(name + size - 4, ".ktx");
 }
 
-void manifest_remove_stale(const Batch *b, const char *old)
+/* A manifest can be anybody's, and a file can have been edited: what goes has the bytes that a run wrote. */
+void manifest_remove_stale(Batch *b, const char *old)
 {
     cJSON *json = cJSON_Parse(old);
-    const cJSON *program;
-    if (cJSON_IsString(cJSON_GetObjectItemCaseSensitive(json, "matc"))) {
-        cJSON_ArrayForEach(program, cJSON_GetObjectItemCaseSensitive(json, "programs"))
-        {
-            for (int emit = 0; emit < EMIT_COUNT; emit++)
-                if (file_keys[emit])
-                    remove_named(b, program, file_keys[emit], emit_table[emit].suffix);
-        }
-        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "unpack", emit_table[EMIT_unpack].suffix);
-        remove_named(b, cJSON_GetObjectItemCaseSensitive(json, "layout"), "file", emit_table[EMIT_layout].suffix);
+    const cJSON *file;
+    cJSON_ArrayForEach(file, cJSON_GetObjectItemCaseSensitive(json, "files"))
+    {
+        const char *hash = cJSON_GetStringValue(file), *name = file->string;
+        if (!name || !hash || strlen(hash) != KEY_TEXT - 1 || !is_output(name) || batch_reads(b, name))
+            continue;
+        bool stays;
+        const char *why = stage_remove(b->stage, name, key_read(hash), &stays);
+        if (why)
+            batch_complain(b, NULL, name, why);
+        else if (stays)
+            batch_warn(b, name, "it is no longer made, but it is not as matc wrote it, so it stays");
     }
     cJSON_Delete(json);
 }

@@ -1,6 +1,7 @@
-/* Writing files: a temporary name in the same folder, then rename, so that no reader ever sees half a file. */
+/* Writing files, whole or not at all, and what they hold. */
 #include "output.h"
 #include <errno.h>
+#include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,46 +13,80 @@ static const char *write_to(FILE *file, const void *bytes, size_t size)
 {
     if (fwrite(bytes, 1, size, file) != size)
         return strerror(errno ? errno : EIO);
-    return NULL;
+    return fflush(file) ? strerror(errno) : NULL;
 }
 
-/* A device or a pipe cannot be renamed over: it is written as it is. */
+/* It cannot be renamed over, or it must not: as root one could put a file where /dev/stdout was. */
 static bool is_special(const char *path)
 {
+    static const char *const open_files[] = {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"};
     struct stat info;
-    return !stat(path, &info) && !S_ISREG(info.st_mode);
+    for (size_t i = 0; i < sizeof open_files / sizeof *open_files; i++)
+        if (!strncmp(path, open_files[i], strlen(open_files[i])))
+            return true;
+    if (!stat(path, &info) && S_ISDIR(info.st_mode))
+        return true; /* opening it says so */
+    return !lstat(path, &info) && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode);
 }
 
 static const char *write_directly(const char *path, const void *bytes, size_t size)
 {
-    FILE *file = fopen(path, "wb");
-    if (!file)
+    int number = open(path, O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
+    if (number < 0)
         return strerror(errno);
+    FILE *file = fdopen(number, "wb");
+    if (!file)
+        abort();
     const char *why = write_to(file, bytes, size);
     if (fclose(file) && !why)
         why = strerror(errno);
     return why;
 }
 
-const char *output_write(const char *path, const void *bytes, size_t size)
+Stage *outputs_open(Outputs *o, const char *folder, unsigned how, const char **why)
 {
-    if (!strcmp(path, "-")) {
-        const char *why = write_to(stdout, bytes, size);
-        return why ? why : fflush(stdout) ? strerror(errno) : NULL;
-    }
+    *why = "too many folders";
+    Stage *stage = o->count < OUTPUT_FOLDERS ? stage_open(folder, how, why) : NULL;
+    for (int i = 0; i < o->count && stage; i++)
+        if (stage_same(o->stages[i], stage)) {
+            stage_close(stage);
+            return o->stages[i];
+        }
+    if (stage)
+        o->stages[o->count++] = stage;
+    return stage;
+}
+
+const char *outputs_put(Outputs *o, const char *path, const void *bytes, size_t size)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *why = NULL;
+    if (!strcmp(path, "-"))
+        return write_to(stdout, bytes, size);
     if (is_special(path))
         return write_directly(path, bytes, size);
-    size_t length = strlen(path) + 32;
-    char *temporary = malloc(length);
-    if (!temporary)
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    if (!folder)
         return "out of memory";
-    snprintf(temporary, length, "%s.tmp%ld", path, (long)getpid());
-    const char *why = write_directly(temporary, bytes, size);
-    if (!why && rename(temporary, path))
-        why = strerror(errno);
-    if (why)
-        unlink(temporary);
-    free(temporary);
+    Stage *stage = outputs_open(o, folder, STAGE_renew, &why);
+    free(folder);
+    return stage ? stage_put(stage, name, bytes, size) : why;
+}
+
+const char *outputs_commit(Outputs *o) { return stage_commit(o->stages, o->count); }
+
+void outputs_close(Outputs *o)
+{
+    while (o->count)
+        stage_close(o->stages[--o->count]);
+}
+
+const char *output_write(const char *path, const void *bytes, size_t size)
+{
+    Outputs one = {0};
+    const char *why = outputs_put(&one, path, bytes, size);
+    if (!why)
+        why = outputs_commit(&one);
+    outputs_close(&one);
     return why;
 }
 

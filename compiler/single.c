@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *write_textures(const CommandLine *line, MatcProgram *program, char path[SINGLE_PATH])
+static const char *put_textures(Outputs *files, const CommandLine *line, MatcProgram *program, char path[SINGLE_PATH])
 {
     const char *why = NULL;
     for (int i = 0; i < matc_texture_count(program) && !why; i++) {
@@ -18,7 +18,7 @@ static const char *write_textures(const CommandLine *line, MatcProgram *program,
             continue;
         snprintf(path, SINGLE_PATH, "%s/%s.ktx", line->textures, texture->name);
         char *bytes = output_ktx(texture, &size);
-        why = output_write(path, bytes, size);
+        why = outputs_put(files, path, bytes, size);
         free(bytes);
     }
     return why;
@@ -35,8 +35,8 @@ static bool is_written(const CommandLine *line, const char *to, const char *byte
     return same;
 }
 
-static const char *write_output(const CommandLine *line, MatcDocument *document, MatcProgram *program,
-                                char path[SINGLE_PATH])
+static const char *put_output(Outputs *files, const CommandLine *line, MatcDocument *document, MatcProgram *program,
+                              char path[SINGLE_PATH])
 {
     int emit = 0;
     size_t size = 0;
@@ -46,7 +46,7 @@ static const char *write_output(const CommandLine *line, MatcDocument *document,
     const char *text =
         emit == EMIT_tree ? matc_tree_text(document) : matc_output(program, emit_output(&line->compile, emit), &size);
     size = emit == EMIT_tree ? strlen(text) : size;
-    return is_written(line, path, text, size) ? NULL : output_write(path, text, size);
+    return is_written(line, path, text, size) ? NULL : outputs_put(files, path, text, size);
 }
 
 /* Files that the document is made from: standard input is none. */
@@ -74,24 +74,29 @@ static char *make_depfile(const CommandLine *line, const MatcDocument *document,
     return text;
 }
 
-static const char *write_depfile(const CommandLine *line, const char *text, char path[SINGLE_PATH])
+static const char *put_depfile(Outputs *files, const CommandLine *line, const char *text, char path[SINGLE_PATH])
 {
     const char *to = line->output ? line->output : "-";
     snprintf(path, SINGLE_PATH, "%s%s", line->depfile ? line->depfile : to, line->depfile ? "" : ".d");
-    return output_write(path, text, strlen(text));
+    return outputs_put(files, path, text, strlen(text));
 }
 
+/* The output last: standard output cannot be taken back. */
 const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program, char path[SINGLE_PATH])
 {
+    Outputs files = {0};
     bool depend = line->depend && program;
     char *depfile = depend ? make_depfile(line, document, path) : NULL;
     if (depend && !depfile)
         return depfile_why;
-    const char *why = write_output(line, document, program, path);
+    const char *why = depfile ? put_depfile(&files, line, depfile, path) : NULL;
     if (!why && line->textures && program)
-        why = write_textures(line, program, path);
-    if (!why && depfile)
-        why = write_depfile(line, depfile, path);
+        why = put_textures(&files, line, program, path);
+    if (!why)
+        why = put_output(&files, line, document, program, path);
+    if (!why)
+        why = outputs_commit(&files);
+    outputs_close(&files);
     free(depfile);
     return why;
 }

@@ -202,42 +202,8 @@ check "other numbers" status 0 $fast -d "$work/j1" --stats "$work/forty.yaml"
 check "change the manifest" says '1 files written'
 check "but not the program" test "$(ls -i "$work/j1/c0.frag")" = "$(cat "$work/inode")"
 
-echo precious >"$work/precious.frag"
-mkdir -p "$work/foreign/sub"
-echo precious >"$work/foreign/sub/x.frag"
-echo precious >"$work/foreign/plain"
-foreign() { # a manifest's text
-    printf '%s' "$1" >"$work/foreign/manifest.json"
-    check "a foreign manifest" status 0 $fast -d "$work/foreign" examples/checker.yaml
-    check "removes nothing" test -s "$work/precious.frag" -a -s "$work/foreign/sub/x.frag" -a -s "$work/foreign/plain" -a -d "$work/foreign/sub"
-}
-for name in ../precious.frag "$work/precious.frag" sub/x.frag ./../precious.frag plain sub .. . ''; do
-    foreign '{"matc": "0.1.0", "programs": [{"fragment": "'"$name"'", "vertex": "'"$name"'"}], "layout": {"unpack": "'"$name"'"}}'
-done
-foreign 'not JSON {'
-foreign '{"matc": 1, "programs": [{"fragment": "plain"}]}'
-foreign '[[[[]]]]'
-foreign '{"matc": "0.1.0", "programs": {"fragment": 3}, "layout": [1]}'
-foreign ''
-foreign '{"matc": "0.1.0", "programs": [{"fragment": "checker.frag"}]}'
-check "nor what is made again" test -s "$work/foreign/checker.frag"
-mkdir "$work/json" && cp "$work/rock" "$work/json/rock.json"
-printf '{"matc": "0.1.0", "programs": [{"reflection": "rock.json"}]}' >"$work/json/manifest.json"
-check "nor a document" status 0 $fast -d "$work/json" "$work/json/rock.json"
-check "that is read" test -s "$work/json/rock.json"
+# -- being ended in the middle; test_kill does it at every call
 
-# -- being ended in the middle: a lock tells the folder of a process that lives from one that was left behind
-
-mkdir -p "$work/ended/.matc-stage-abcdef" "$work/ended/.matc-stage-inuse0" "$work/ended/.matc-cache"
-echo half >"$work/ended/.matc-stage-abcdef/half.frag"
-echo half >"$work/ended/.matc-stage-inuse0/half.frag"
-exec 9<"$work/ended/.matc-stage-inuse0"
-flock 9
-check "what was left behind" status 0 $fast -d "$work/ended" examples/checker.yaml
-check "is removed, unless it is somebody's" only "$work/ended" .matc-cache .matc-stage-inuse0 checker.frag manifest.json
-exec 9<&-
-check "who is ended in turn" status 0 $fast -d "$work/ended" examples/checker.yaml
-check "has it removed, too" only "$work/ended" .matc-cache checker.frag manifest.json
 snapshot "$work/uniform" >"$work/before"
 for pause in 0.01 0.03 0.05 0.08; do
     timeout -s INT $pause $fast -j2 -d "$work/uniform" --constants=baked "$work/colors.yaml" 2>/dev/null

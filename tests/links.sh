@@ -72,5 +72,70 @@ for kind in $kinds; do
     rm -rf "$work/right"
 done
 
+# -- what a batch writes
+
+$fast -MD -d "$work/right" --emit=glsl,reflect examples/checker.yaml
+sed -i "s#$work/right#$work/made#" "$work/right/manifest.d"
+for file in checker.frag checker.json manifest.json manifest.d; do
+    for kind in $kinds; do
+        [ $file-$kind = manifest.json-pipe ] && continue # special.sh
+        fresh
+        mkdir "$work/made"
+        plant $kind "$work/made/$file"
+        check "$file: a $kind" status 0 timeout 20 $fast -MD -d "$work/made" --emit=glsl,reflect examples/checker.yaml
+        check "$file: harms nobody" unharmed
+        check "$file: is a file" is_file "$work/made/$file"
+        check "$file: of the right bytes" diff -r "$work/right" "$work/made"
+    done
+done
+# Folders where files would wait, or with files of an interrupted run, are links to one outside
+for name in .matc-commit .matc-stage-abcdef; do
+    fresh
+    mkdir "$work/made"
+    echo precious >"$work/outside/0"
+    ln -s "$work/outside" "$work/made/$name"
+    check "$name: a link" status 0 timeout 20 $fast -MD -d "$work/made" --emit=glsl,reflect examples/checker.yaml
+    check "$name: is not followed" test "$(cat "$work/outside/"*)" = precious
+    rm -f "$work/made/$name"
+    check "$name: the batch is right" diff -r "$work/right" "$work/made"
+done
+# A folder that is itself a link was named by its user
+fresh
+mkdir "$work/elsewhere"
+ln -s "$work/elsewhere" "$work/made"
+check "a folder by a link" status 0 $fast -MD -d "$work/made" --emit=glsl,reflect examples/checker.yaml
+check "is that folder" diff -r "$work/right" "$work/elsewhere"
+check "twice" status 0 $fast -MD -d "$work/made" --textures "$work/elsewhere" --emit=glsl,reflect examples/checker.yaml
+check "is one folder" diff -r "$work/right" "$work/elsewhere"
+
+# -- what a single run writes
+
+$fast -MD examples/checker.yaml -o "$work/right/one" -MT one
+for file in one one.d; do
+    for kind in link nowhere name; do
+        fresh
+        mkdir "$work/made"
+        plant $kind "$work/made/$file"
+        check "$file: a $kind" status 0 $fast -MD -MT one examples/checker.yaml -o "$work/made/one"
+        check "$file: harms nobody" unharmed
+        check "$file: is a file" is_file "$work/made/$file"
+        check "$file: of the right bytes" cmp "$work/right/$file" "$work/made/$file"
+    done
+done
+mkdir "$work/folder"
+ln -s folder "$work/named"
+check "a link to a folder" status 1 $fast examples/checker.yaml -o "$work/named"
+check "is not replaced" test -L "$work/named"
+# What stands for an open file is that file, and is no less there afterwards
+$fast examples/checker.yaml -o /dev/stdout >"$work/piped"
+check "standard output by a name" cmp "$work/right/one" "$work/piped"
+check "is still there" test -L /dev/stdout
+mkfifo "$work/fifo"
+cat "$work/fifo" >"$work/piped" &
+check "a pipe" status 0 timeout 20 $fast examples/checker.yaml -o "$work/fifo"
+wait
+check "gets what is written" cmp "$work/right/one" "$work/piped"
+check "and stays one" test -p "$work/fifo"
+
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

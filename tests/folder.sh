@@ -1,0 +1,89 @@
+#!/bin/sh
+# What a batch removes from its folder: what an earlier one made, by its manifest, and what processes left that were ended.
+# folder.sh MATC. Run from the project's root.
+set -u
+matc=$1
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+. tests/check.sh
+unset MATC_CACHE
+fast="$matc --no-validate"
+
+# The second word or more are all that lies in the folder, hidden files included
+only() {
+    folder=$1
+    shift
+    found=$(ls -A "$folder" | tr '\n' ' ')
+    [ "$found" = "$* " ] || echo "$folder has $found" >&2
+    [ "$found" = "$* " ]
+}
+# hash FOLDER FILE: as the manifest has it
+hash() { sed -n 's/.*"'"$2"'": "\([0-9a-f]*\)",*$/\1/p' "$1/manifest.json"; }
+
+# -- what is no longer made
+
+check "all that a batch can make" status 0 $matc -d "$work/all" --emit=glsl,vertex,unpack,reflect,ir,dot,layout,spirv,tree --target=spirv \
+    --textures "$work/all" examples/carpenter.yaml examples/wood.yaml
+check "another batch" status 0 $fast -d "$work/all" examples/checker.yaml
+check "takes away" only "$work/all" checker.frag manifest.json
+
+# Manifests that are anybody's: with the right hash even, nothing goes but a file of the folder that matc gives such a name
+check "a program" status 0 $fast -d "$work/foreign" examples/checker.yaml
+hash=$(hash "$work/foreign" checker.frag)
+mkdir "$work/foreign/sub"
+for file in "$work/precious.frag" "$work/foreign/sub/x.frag" "$work/foreign/plain"; do cp "$work/foreign/checker.frag" "$file"; done
+foreign() { # a manifest's text
+    printf '%s' "$1" >"$work/foreign/manifest.json"
+    check "a foreign manifest" status 0 $fast -d "$work/foreign" examples/checker.yaml
+    check "removes nothing" test -s "$work/precious.frag" -a -s "$work/foreign/sub/x.frag" -a -s "$work/foreign/plain" -a -d "$work/foreign/sub"
+}
+for name in ../precious.frag "$work/precious.frag" sub/x.frag ./../precious.frag plain sub .. . ''; do
+    foreign '{"matc": "0.1.0", "files": {"'"$name"'": "'"$hash"'"}}'
+done
+foreign 'not JSON {'
+foreign '[[[[]]]]'
+foreign '{"matc": 1, "files": ["plain"]}'
+foreign '{"matc": "0.1.0", "programs": {"fragment": 3}, "files": {"plain": 3, "sub": {}}}'
+foreign ''
+foreign '{"matc": "0.1.0", "files": {"checker.frag": "'"$hash"'"}}'
+check "nor what is made again" test -s "$work/foreign/checker.frag"
+
+# A name alone proves nothing: what goes has the bytes that a run wrote
+cp "$work/foreign/checker.frag" "$work/foreign/was.frag"
+cp "$work/foreign/checker.frag" "$work/foreign/edited.frag"
+echo '// mine' >>"$work/foreign/edited.frag"
+echo mine >"$work/foreign/mine.frag"
+ln -s was.frag "$work/foreign/link.frag"
+foreign '{"files": {"mine.frag": "'"$hash"'", "edited.frag": "'"$hash"'", "link.frag": "'"$hash"'", "was.frag": "'"$hash"'", "none.frag": "'"$hash"'"}}'
+check "a program that is no longer made goes" test ! -e "$work/foreign/was.frag"
+check "somebody's file stays" test "$(cat "$work/foreign/mine.frag")" = mine
+check "an edited one, too" test -s "$work/foreign/edited.frag"
+check "and a link" test -L "$work/foreign/link.frag"
+for name in mine edited link; do check "which is said of $name" says "$name.frag: it is no longer made, but it is not as matc wrote it"; done
+check "once" test "$(wc -l <"$work/stderr")" = 3
+
+# A layout is written by one run and read by the next
+check "a layout" status 0 $fast -d "$work/layout" --emit=glsl,layout --layout=compact examples/checker.yaml
+check "is read by a run that makes none" status 0 $fast -d "$work/layout" --layout="$work/layout/compact.layout.yaml" examples/checker.yaml
+check "and stays" test -s "$work/layout/compact.layout.yaml"
+
+# -- what was left behind: a lock tells the folder of a process that lives from one that was left behind
+
+mkdir -p "$work/ended/.matc-stage-abcdef" "$work/ended/.matc-stage-inuse0" "$work/ended/.matc-cache"
+echo half >"$work/ended/.matc-stage-abcdef/half.frag"
+echo half >"$work/ended/.matc-stage-inuse0/half.frag"
+exec 9>"$work/ended/.matc-stage-inuse0/journal"
+flock 9
+check "what was left behind" status 0 $fast -d "$work/ended" examples/checker.yaml
+check "is removed, unless it is somebody's" only "$work/ended" .matc-cache .matc-stage-inuse0 checker.frag manifest.json
+exec 9<&-
+check "who is ended in turn" status 0 $fast -d "$work/ended" examples/checker.yaml
+check "has it removed, too" only "$work/ended" .matc-cache checker.frag manifest.json
+mkdir "$work/ended/.matc-commit"
+echo '{' >"$work/ended/.matc-commit/journal"
+echo half >"$work/ended/.matc-commit/0"
+check "a commit without a journal" status 0 $fast -d "$work/ended" examples/checker.yaml
+check "is removed" only "$work/ended" .matc-cache checker.frag manifest.json
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
