@@ -68,9 +68,12 @@ Ref area_turbulence(Lower *l, const Ref args[4])
 
 Ref area_vector_turbulence(Lower *l, const Ref args[4])
 {
-    /* a lane has the variance 0.26^2, the scalar noise 1/4 */
-    static const Octaves vector = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3, 0.26 * 0.26 * 4};
-    return is_plain(l, args[0]) ? ir_call(l->ir, FN_vectorTurbulence, args, 4) : octaves(l, &vector, args, 4);
+    /* a lane has the variance 0.26^2, the scalar noise 1/4; of simplex noise 0.256^2, 0.232 */
+    static const Octaves lattice = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3, 0.26 * 0.26 / 0.25};
+    static const Octaves simplex = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
+                                    0.256 * 0.256 / 0.232};
+    const Octaves *vector = l->job->choice[AXIS_noise] == CHOICE_noise_simplex ? &simplex : &lattice;
+    return is_plain(l, args[0]) ? ir_call(l->ir, FN_vectorTurbulence, args, 4) : octaves(l, vector, args, 4);
 }
 
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */

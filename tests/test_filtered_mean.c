@@ -176,7 +176,7 @@ static const struct {
     {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
      "simplex",
      .5,
-     {{.0659, .0161, .082}, {.0277, .0033, .029}}},
+     {{.0638, .0117, .081}, {.0282, .0046, .027}}},
     {"{ map: Granite }", "lattice", .25, {{.1132, .0121, .120}, {.0507, .0061, .053}}},
     {"{ map: Granite }", "groimp", .25, {{.0939, .0045, .071}, {.0483, .0019, .029}}},
     {"{ map: Granite }", "simplex", .125, {{.1005, .0150, .112}, {.0486, .0082, .066}}},
@@ -223,20 +223,21 @@ static Sheet wide_sheet(void)
     return sheet;
 }
 
-/* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of what Turbulence moves by. */
+/* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of what Turbulence moves by. GroIMP's own
+ * vectors have a mean of -0.01 a lane, which fades to 0, and lanes that are a little alike. */
 static const struct {
     const char *map;
     double most[3]; /* by noise */
 } wide_cases[] = {
     {"{ map: VolumeTurbulence, octaves: 1 }", {.0009, .0039, .0024}},
     {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7 }", {.0009, .0036, .0024}},
-    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0164}},
-    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0291}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0033}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0063}},
     {"{ map: Granite }", {.0018, .0079, .0070}},
     {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0050}},
     {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, 1, 1], octaves: 1 } "
      "}",
-     {.0048, .0387, .0016}},
+     {.0048, .0387, .0081}},
 };
 static const char *const noises[] = {"lattice", "groimp", "simplex"};
 

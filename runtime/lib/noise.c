@@ -6,7 +6,7 @@ enum { GRANITE_OCTAVES = 6 };
 
 /* What an octave is replaced with where it is finer than the square; measured, the same numbers as noiseStatistics.glsl. */
 typedef struct {
-    double mean, magnitude, grain;
+    double mean, variance, magnitude, grain;
 } Statistics;
 
 static ReferenceNoise noise_of(const void *context) { return ((const ReferenceContext *)context)->noise; }
@@ -15,12 +15,12 @@ static Statistics statistics(const void *context)
 {
     switch (noise_of(context)) {
     case REFERENCE_GROIMP:
-        return (Statistics){-0.0206, 0.412, 1};
+        return (Statistics){-0.0206, 0.25, 0.412, 1};
     case REFERENCE_SIMPLEX:
     case REFERENCE_SIMPLEX_FLOAT:
-        return (Statistics){0, 0.382, 2.06};
+        return (Statistics){0, 0.232, 0.382, 2.06};
     default:
-        return (Statistics){0, 0.412, 1};
+        return (Statistics){0, 0.25, 0.412, 1};
     }
 }
 
@@ -114,10 +114,11 @@ REFERENCE(turbulenceGradient)
 REFERENCE(turbulenceVariance)
 {
     int octaves = args[0] > 1 ? (int)args[0] : 1;
+    const double variance = statistics(context).variance;
     result[0] = 0;
     for (int k = 0; k < octaves; k++) {
         double width = args[3] * fabs(pow(args[1], k));
-        result[0] += .25 * pow(args[2], 2 * k) * left_out(context, octave_share(context, width), width, 4.73);
+        result[0] += variance * pow(args[2], 2 * k) * left_out(context, octave_share(context, width), width, 4.73);
     }
 }
 

@@ -1,5 +1,6 @@
 // needs:
-// Of noise, measured: its mean, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
+// Of noise, measured: its mean and variance, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
 const float noiseMean = -0.0206;
+const float noiseVariance = 0.25;
 const float noiseMagnitude = 0.412;
 const float noiseGrain = 1.0;

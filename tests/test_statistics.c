@@ -1,0 +1,185 @@
+/* What filtered noise is replaced with, against the integrals that define it: means over many points of the noise itself. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/lib/java_random.h"
+#include "runtime/reference.h"
+#include <stdio.h>
+
+REFERENCE(turbulenceFiltered);
+REFERENCE(turbulenceVariance);
+REFERENCE(vectorTurbulenceFiltered);
+REFERENCE(graniteFiltered);
+REFERENCE(graniteVariance);
+
+enum { POINTS = 300000, SQUARES = 3000, SIDE = 8 };
+static const struct {
+    const char *name;
+    ReferenceNoise noise;
+    double left, share; /* how near to the integrals what is left of the variance and the share are */
+} noises[] = {
+    {"lattice", REFERENCE_LATTICE, .004, .004},
+    {"lattice of floats", REFERENCE_LATTICE_FLOAT, .004, .004},
+    {"groimp", REFERENCE_GROIMP, .004, .004},
+    {"simplex", REFERENCE_SIMPLEX, .009, .03},
+    {"simplex of floats", REFERENCE_SIMPLEX_FLOAT, .009, .03},
+};
+enum { NOISES = sizeof noises / sizeof *noises };
+
+static double noise_at(ReferenceNoise noise, const double p[3])
+{
+    return clamp(2 * reference_lattice(noise, p), -1, 1);
+}
+
+static void random_place(uint64_t *random, double p[3])
+{
+    for (int i = 0; i < 3; i++)
+        p[i] = 3000 * (double)java_random_signed(random) + (double)java_random_signed(random);
+}
+
+typedef struct {
+    double mean, variance, magnitude, slope; /* slope: the mean square of its derivative along an axis */
+} Moments;
+
+static Moments measure(ReferenceNoise noise)
+{
+    uint64_t random = java_random(11);
+    Moments m = {0};
+    double square = 0;
+    for (int i = 0; i < POINTS; i++) {
+        double p[3], value[3], slope[3][3];
+        random_place(&random, p);
+        reference_lattice_slope(noise, p, value, slope);
+        double v = clamp(2 * value[0], -1, 1);
+        m.mean += v / POINTS;
+        m.magnitude += fabs(v) / POINTS;
+        square += v * v / POINTS;
+        for (int axis = 0; axis < 3 && fabs(v) < 1; axis++)
+            m.slope += 4 * slope[0][axis] * slope[0][axis] / 3 / POINTS;
+    }
+    m.variance = square - m.mean * m.mean;
+    return m;
+}
+
+static Moments moments[NOISES];
+
+static int set_up(void **state)
+{
+    (void)state;
+    for (int i = 0; i < NOISES; i++)
+        moments[i] = measure(noises[i].noise);
+    return 0;
+}
+
+static const double wide = 1e3;
+
+/* One octave at a place, over a square of an edge. */
+static double filtered(ReferenceNoise noise, const double p[3], double width)
+{
+    const double args[] = {p[0], p[1], p[2], 0, 0, 0, 1, 2, 1, width};
+    double result[4];
+    reference_turbulenceFiltered(&(ReferenceContext){.noise = noise}, args, result);
+    return result[0];
+}
+
+static double variance_left(ReferenceNoise noise, double width)
+{
+    double result[4];
+    reference_turbulenceVariance(&(ReferenceContext){.noise = noise}, (const double[]){1, 2, 1, width}, result);
+    return result[0];
+}
+
+static void near(const char *name, const char *what, double stated, double is, double within)
+{
+    print_message("%-18s %-40s %8.4f, is %8.4f, within %.4f\n", name, what, stated, is, within);
+    if (!(fabs(stated - is) <= within))
+        fail_msg("%s: %s: %g, not %g", name, what, stated, is);
+}
+
+/* (noiseMagnitude - 1/2) (2 - 1/32): six octaves, each half as strong as the one before. */
+static double stated_magnitude(ReferenceNoise noise)
+{
+    double result[4];
+    reference_graniteFiltered(&(ReferenceContext){.noise = noise}, (const double[]){0, 0, 0, 0, 0, 0, wide}, result);
+    return result[0] / (63. / 32) + .5;
+}
+
+/* What one octave keeps over a square, from its value somewhere. */
+static double share(ReferenceNoise noise, double width)
+{
+    const double p[3] = {.3, .2, .6};
+    double mean = filtered(noise, p, wide), plain = filtered(noise, p, 0);
+    return (filtered(noise, p, width) - mean) / (plain - mean);
+}
+
+static void wide_squares_have_the_moments(void **state)
+{
+    (void)state;
+    for (int i = 0; i < NOISES; i++) {
+        ReferenceNoise noise = noises[i].noise;
+        Moments m = moments[i];
+        near(noises[i].name, "mean", filtered(noise, (const double[3]){.1, .2, .3}, wide), m.mean, .002);
+        near(noises[i].name, "mean magnitude", stated_magnitude(noise), m.magnitude, .002);
+        near(noises[i].name, "variance", variance_left(noise, wide), m.variance, .003);
+    }
+}
+
+/* Of a square's variance the slope of its mean shows a part: share^2 slope^2 edge^2 / 12. */
+static void slopes_show_their_part(void **state)
+{
+    (void)state;
+    const double width = .6;
+    for (int i = 0; i < NOISES; i++) {
+        Moments m = moments[i];
+        double kept = share(noises[i].noise, width), left = variance_left(noises[i].noise, width) / m.variance;
+        near(noises[i].name, "left of the variance over 0.6", left,
+             1 - kept * kept * (1 + m.slope / m.variance * width * width / 12), noises[i].left);
+    }
+}
+
+/* The best factor by least squares from the value in the middle of a square to the mean over it. */
+static double best_factor(ReferenceNoise noise, double mean, double width)
+{
+    uint64_t random = java_random(13);
+    double both = 0, square = 0;
+    for (int i = 0; i < SQUARES; i++) {
+        double p[3], sum = 0;
+        random_place(&random, p);
+        double middle = noise_at(noise, p) - mean;
+        for (int k = 0; k < SIDE * SIDE; k++) {
+            const double q[3] = {p[0] + width * ((k % SIDE + .5) / SIDE - .5),
+                                 p[1] + width * ((k / SIDE + .5) / SIDE - .5), p[2]};
+            sum += (noise_at(noise, q) - mean) / (SIDE * SIDE);
+        }
+        both += middle * sum;
+        square += middle * middle;
+    }
+    return both / square;
+}
+
+/* The share is 1.43 times the factor less 0.43, so that it ends. */
+static void shares_are_those_of_least_squares(void **state)
+{
+    (void)state;
+    static const double widths[] = {.3, .8, 1.4};
+    for (int i = 0; i < NOISES; i++)
+        for (int k = 0; k < 3; k++) {
+            double width = widths[k] / (noises[i].noise >= REFERENCE_SIMPLEX ? 2 : 1);
+            double stated = (share(noises[i].noise, width) + .43) / 1.43;
+            char what[64];
+            snprintf(what, sizeof what, "least squares over %g", width);
+            near(noises[i].name, what, stated, best_factor(noises[i].noise, moments[i].mean, width), noises[i].share);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(wide_squares_have_the_moments),
+        cmocka_unit_test(slopes_show_their_part),
+        cmocka_unit_test(shares_are_those_of_least_squares),
+    };
+    return cmocka_run_group_tests(tests, set_up, NULL);
+}
