@@ -1,0 +1,76 @@
+#!/bin/sh
+# What options promise, by what they do: options.sh MATC. Run from the project's root.
+set -u
+matc=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+: >"$work/stderr"
+. tests/check.sh
+fast="$matc --no-validate"
+example=examples/checker.yaml
+
+# -- --layout-error: above 0, at most 0.5
+
+auto="$fast --layout=auto --emit=layout -o $work/layout.yaml $example"
+for error in 0 -0 -0.1 -0.5 0.5000001 0.51 0.6 1 5 inf -inf nan -nan 1e999 1e-999 0.1x x '' 0,1; do
+    rm -f "$work/layout.yaml"
+    check "--layout-error=$error is wrong usage" status 2 $auto --layout-error="$error"
+    check "and it is said" says '--layout-error wants a number above 0, of at most 0.5'
+    check "nothing is written" test ! -e "$work/layout.yaml"
+    check "nor by a batch" status 2 $fast --layout=auto -d "$work/none" --layout-error="$error" $example
+done
+bits() { sed -n 's/.*slot: diffuse.*bits: \([0-9]*\).*/\1/p' "$work/layout.yaml"; }
+last=99
+for error in 1e-9 0.001 0.01 0.1 0.5; do
+    check "--layout-error=$error" status 0 $auto --layout-error=$error
+    check "takes no more bits than a smaller one" test "$(bits)" -le $last
+    last=$(bits)
+done
+check "the greatest takes two" test "$last" = 2
+
+# -- --precision: the same program as with what the manual says it chooses; each choice counts in it
+
+cat >"$work/all.yaml" <<'YAML'
+material: Phong
+diffuse: { map: Wood, waveForm: Sqr, input: { map: XYZTransform, transform: { translation: [1000, 0, 0], scale: 3 } } }
+specular: { map: Granite, input: { map: XYZTransform, transform: { translation: [1000, 0, 0], scale: 3 } } }
+emissive: { map: Gradient, waveForm: Acos }
+YAML
+program() { $fast "$work/all.yaml" "$@" -o - >"$work/$name.frag" 2>"$work/stderr"; }
+same() { cmp -s "$work/$1.frag" "$work/$2.frag"; }
+differ() { test -s "$work/$1.frag" -a -s "$work/$2.frag" && ! same "$1" "$2"; }
+# row NAME NOISE COORDINATES POWERS TRIGONOMETRY
+row() {
+    name=row && program --precision=$1
+    name=named && program --noise=$2 --coordinates=$3 --powers=$4 --trigonometry=$5
+    check "--precision=$1 is $2, $3, $4, $5" same row named
+    name=other && program --precision=$1 --noise=simplex
+    check "of which noise counts" differ row other
+    for choice in coordinates=plain,long powers=squaring,compensated trigonometry=native,bounded; do
+        name=first && program --precision=$1 --${choice%,*}
+        name=second && program --precision=$1 --${choice%=*}=${choice#*,}
+        check "and ${choice%=*}" differ first second
+    done
+}
+row fast lattice plain squaring native
+row balanced lattice long squaring bounded
+row exact groimp long compensated bounded
+name=none && program
+name=fast && program --precision=fast
+check "fast is the default" same none fast
+
+# -- --no-validate: what was not validated is never taken for what was
+
+hits() { "$matc" --cache "$work/cache" --cache-stats | sed -n 's/^hits *//p'; }
+check "a batch that validates nothing" status 0 $fast -d "$work/batch" --cache "$work/cache" $example
+check "finds nothing" test "$(hits)" = 0
+check "one that validates" status 0 "$matc" -d "$work/batch" --cache "$work/cache" $example
+check "takes nothing of it" test "$(hits)" = 0
+check "the same again" status 0 "$matc" -d "$work/batch" --cache "$work/cache" $example
+valid=$(hits)
+check "finds its own" test "$valid" -gt 0
+check "and the first again" status 0 $fast -d "$work/batch" --cache "$work/cache" $example
+check "its own" test "$(hits)" -gt "$valid"
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
