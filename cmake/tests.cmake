@@ -75,8 +75,9 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot l
   endforeach()
 endif()
 
-# A second judge of what is for WebGL 2: ctest -L browser
-if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # that would judge the same text
+# The same text in every build: figures in docs/, and a second judge of what is for WebGL 2, ctest -L browser
+if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
+  matc_test(figures sh tests/figures.sh ${PROJECT_BINARY_DIR})
   matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   set_tests_properties(browser PROPERTIES LABELS browser)
 endif()

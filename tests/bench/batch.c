@@ -5,6 +5,7 @@
 #include "matbench.h"
 #include "compiler/validate.h"
 #include <cjson/cJSON.h>
+#include <math.h>
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -115,11 +116,12 @@ static BatchTimes link_all(Pairs *pairs, int threads)
 
 static void put_times(const char *what, int count, const BatchTimes *times)
 {
-    printf("%-38s %8.2f %10.0f", what, times->seconds, count / times->seconds);
-    if (times->cpu > 0)
-        printf(" %10.1f", times->cpu / count * 1e6);
+    bool timed = !isnan(times->seconds);
+    printf("%-38s %8s %10s", what, NUMBER(2, times->seconds), NUMBER(0, count / times->seconds));
+    if (times->cpu > 0 || !timed)
+        printf(" %10s", NUMBER(1, times->cpu / count * 1e6));
     if (times->memory)
-        printf(" %9.1f", (double)times->memory / 1024);
+        printf(" %9s", NUMBER(1, timed ? (double)times->memory / 1024 : NAN));
     putchar('\n');
     fflush(stdout);
 }
@@ -160,11 +162,19 @@ static bool run_once(const BatchFolder *folder, const Run *row, BatchTimes *time
     return batch_run(folder, "m", "out", arguments, times);
 }
 
-/* The least of some runs: other processes only ever make it longer. Each begins as the first did. */
-static bool run(const BatchFolder *folder, const Run *row, BatchTimes *times)
+static const BatchTimes untimed = {NAN, NAN, 1}, untimed_alone = {NAN, NAN, 0};
+
+/* The least of some runs: other processes only ever make it longer. Each begins as the first did. Untimed: the first row alone is
+ * run, and not validated. */
+static bool run(const BatchFolder *folder, const Run *row, bool timed, BatchTimes *times)
 {
+    static const Run programs = {"", {"out"}, {"-j", "2", "--emit=glsl,vertex", "--no-validate"}};
     const int most = row == &runs[0] ? FEW_RUNS : RUNS;
     BatchTimes once;
+    if (!timed) {
+        *times = untimed;
+        return row != &runs[0] || run_once(folder, &programs, &once);
+    }
     for (int i = 0; i < most; i++) {
         if (!run_once(folder, row, &once))
             return false;
@@ -175,15 +185,15 @@ static bool run(const BatchFolder *folder, const Run *row, BatchTimes *times)
 }
 
 /* The first run is the validated one, and glslang alone is measured next to it. */
-static bool measure_validated(const BatchFolder *folder, int count)
+static bool measure_validated(const BatchFolder *folder, int count, bool timed)
 {
     BatchTimes times;
     Pairs pairs = {0};
-    bool fine = run(folder, &runs[0], &times) && read_pairs(folder, &pairs);
-    BatchTimes one = {0}, several = {0};
-    if (fine)
+    bool fine = run(folder, &runs[0], timed, &times) && read_pairs(folder, &pairs);
+    BatchTimes one = untimed_alone, several = untimed_alone;
+    if (fine && timed)
         one = link_all(&pairs, 1);
-    if (fine)
+    if (fine && timed)
         several = link_all(&pairs, THREADS);
     fine = fine && !pairs.failed;
     if (fine) {
@@ -194,37 +204,40 @@ static bool measure_validated(const BatchFolder *folder, int count)
         put_times(runs[0].what, count, &times);
         put_times("glslang alone, one thread", count, &one);
         put_times("glslang alone, two threads", count, &several);
-        printf("  validated / (glslang by one thread / %d) %.3f; CPU time / glslang's by one thread %.3f, by %d %.3f\n",
-               THREADS, times.seconds / (one.seconds / THREADS), times.cpu / one.cpu, THREADS, times.cpu / several.cpu);
+        printf("  validated / (glslang by one thread / %d) %s; CPU time / glslang's by one thread %s, by %d %s\n",
+               THREADS, NUMBER(3, times.seconds / (one.seconds / THREADS)), NUMBER(3, times.cpu / one.cpu), THREADS,
+               NUMBER(3, times.cpu / several.cpu));
     }
     free_pairs(&pairs);
     return fine;
 }
 
-static bool measure_speed(BatchFolder *folder, int count)
+static bool measure_speed(BatchFolder *folder, int count, bool timed)
 {
     BatchTimes times;
-    if (!batch_folder_fill(folder, "m", count, batch_different) || !measure_validated(folder, count))
+    if (!batch_folder_fill(folder, "m", count, batch_different) || !measure_validated(folder, count, timed))
         return false;
     for (size_t i = 1; i < sizeof runs / sizeof *runs; i++) {
-        if (!run(folder, &runs[i], &times))
+        if (!run(folder, &runs[i], timed, &times))
             return false;
         put_times(runs[i].what, count, &times);
     }
-    if (!batch_folder_fill(folder, "m", count, write_scene) || !run(folder, &scene_run, &times))
+    if (!batch_folder_fill(folder, "m", count, write_scene) || !run(folder, &scene_run, timed, &times))
         return false;
     printf("\nmaterials of a scene, of %.0f bytes, every number in its program\n", (double)folder->bytes / count);
     put_times(scene_run.what, count, &times);
     return true;
 }
 
-static bool measure_memory(BatchFolder *folder, int count)
+static bool measure_memory(BatchFolder *folder, int count, bool timed)
 {
     BatchTimes times;
     printf("\nmemory, not validated\n");
     for (int n = count / 10 ? count / 10 : 1; n <= 4 * count; n = n < count ? count : 4 * n) {
         char what[64];
-        if (!batch_folder_fill(folder, "m", n, batch_different) || !run(folder, &runs[1], &times))
+        if (timed && !batch_folder_fill(folder, "m", n, batch_different))
+            return false;
+        if (!run(folder, &runs[1], timed, &times))
             return false;
         snprintf(what, sizeof what, "%d materials", n);
         put_times(what, n, &times);
@@ -237,9 +250,9 @@ int bench_batch(int argc, char **argv)
     BatchFolder folder;
     const char *matc = MATC_PROGRAM;
     int count = COUNT;
-    bool scene = true, speed = true;
+    bool scene = true, speed = true, timed = !bench_untimed(argc, argv);
     GlKind gl = GL_KIND_osmesa;
-    for (int i = 1; i < argc; i++) {
+    for (int i = timed ? 1 : 2; i < argc; i++) {
         if (!strcmp(argv[i], "--count") && i + 1 < argc)
             count = atoi(argv[++i]);
         else if (!strcmp(argv[i], "--matc") && i + 1 < argc)
@@ -254,15 +267,16 @@ int bench_batch(int argc, char **argv)
             count = 0;
     }
     if (count < 1 || 4 * count > DIFFERENT_DOCUMENTS) {
-        fputs("usage: matbench batch [--count N] [--matc PROGRAM] [--speed | --scene] [--gl=osmesa|egl]\n", stderr);
+        fputs("usage: matbench batch [--untimed] [--count N] [--matc PROGRAM] [--speed | --scene] [--gl=osmesa|egl]\n",
+              stderr);
         return 2;
     }
     if (!batch_folder_make(&folder, matc)) {
         perror(folder.path);
         return 1;
     }
-    bool fine = (!speed || (measure_speed(&folder, count) && measure_memory(&folder, count))) &&
-                (!scene || batch_measure_scene(&folder, gl));
+    bool fine = (!speed || (measure_speed(&folder, count, timed) && measure_memory(&folder, count, timed))) &&
+                (!scene || batch_measure_scene(&folder, gl, timed));
     batch_folder_remove(&folder);
     return !fine;
 }

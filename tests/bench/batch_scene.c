@@ -3,6 +3,8 @@
 #include "batch.h"
 #include "batch_documents.h"
 #include "batch_draw.h"
+#include "matbench.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -119,11 +121,12 @@ static void put_row(const BatchOutput *output, const Setting *setting, double na
     int programs = count_programs(output, "gbuffer", &gbuffer);
     int passes = count_programs(output, NULL, &all) - programs;
     const cJSON *bytes = cJSON_GetObjectItem(cJSON_GetObjectItem(output->manifest, "layout"), "bytes");
-    printf("%-9s%-10s %8d %10zu %12d %10zu %8d %8zu %9.2f\n", setting->layout, setting->constants, programs, gbuffer,
-           passes, all - gbuffer, bytes ? bytes->valueint : 0, unpack_bytes(output), nanoseconds);
+    printf("%-9s%-10s %8d %10zu %12d %10zu %8d %8zu %9s\n", setting->layout, setting->constants, programs, gbuffer,
+           passes, all - gbuffer, bytes ? bytes->valueint : 0, unpack_bytes(output),
+           NUMBER(2, nanoseconds));
 }
 
-bool batch_measure_scene(BatchFolder *folder, GlKind gl)
+bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed)
 {
     BatchOutput outputs[SETTINGS] = {0};
     char names[SETTINGS][32];
@@ -133,7 +136,7 @@ bool batch_measure_scene(BatchFolder *folder, GlKind gl)
         name_of(&settings[i], names[i]);
         fine = compile(folder, &settings[i], names[i]) && batch_output_read(&outputs[i], folder, names[i]);
     }
-    fine = fine && time_outputs(outputs, gl, means);
+    fine = fine && (!timed || time_outputs(outputs, gl, means));
     if (fine)
         printf("\na scene of %d materials\n%-19s %8s %10s %12s %10s %8s %8s %9s\n%-9s%-10s %8s %10s %12s %10s %8s %8s "
                "%9s\n",
@@ -141,7 +144,7 @@ bool batch_measure_scene(BatchFolder *folder, GlKind gl)
                "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL", "a pixel", "unpack", gl == GL_KIND_osmesa ? "(llvmpipe)" : "(GPU)");
     for (int i = 0; i < SETTINGS; i++) {
         if (fine)
-            put_row(&outputs[i], &settings[i], means[i]);
+            put_row(&outputs[i], &settings[i], timed ? means[i] : NAN);
         batch_output_delete(&outputs[i], NULL);
     }
     return fine;

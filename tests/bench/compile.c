@@ -4,6 +4,7 @@
 #include "matc.h"
 #include "pipeline.h"
 #include "validate.h"
+#include <math.h>
 #include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,8 +54,11 @@ static double compile_once(const char *text, size_t size, const MatcOptions *opt
     return ok ? seconds : -1;
 }
 
+/* NAN for no runs. */
 static double compile_median(const char *text, size_t size, bool validate, int runs)
 {
+    if (!runs)
+        return NAN;
     MatcOptions options = options_for(validate);
     double *seconds = calloc((size_t)runs, sizeof *seconds);
     for (int i = -2; i < runs; i++) {
@@ -84,12 +88,12 @@ static void add_time(Stage *stages, int *count, const char *name, double seconds
     stages[i].seconds[run] += seconds;
 }
 
-static void print_stages(void)
+static void print_stages(bool timed)
 {
     static Stage stages[MOST_STAGES];
     int count = 0;
     MatcOptions options = options_for(false);
-    for (int run = 0; run < RUNS; run++) {
+    for (int run = 0; run < (timed ? RUNS : 1); run++) {
         Arena arena = {0};
         Compile c = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
         Source source = {"bench.yaml", peers_document, sizeof peers_document - 1};
@@ -109,7 +113,7 @@ static void print_stages(void)
     printf("stage        microseconds (median of %d)\n", RUNS);
     for (int i = 0; i < count; i++)
         if (strcmp(stages[i].name, "validate") != 0)
-            printf("%-12s %8.2f\n", stages[i].name, bench_median(stages[i].seconds, RUNS) * 1e6);
+            printf("%-12s %8s\n", stages[i].name, NUMBER(2, timed ? bench_median(stages[i].seconds, RUNS) * 1e6 : NAN));
 }
 
 /* A document of about `nodes` values (scalars, lists, objects): a Blend of Checkers under transforms, 16 values an item. */
@@ -131,19 +135,20 @@ static char *ladder_document(int nodes, size_t *size)
     return text;
 }
 
-static void print_ladder(void)
+static void print_ladder(bool timed)
 {
     printf("\nnodes      bytes   microseconds   microseconds a node   fragment bytes\n");
     for (int nodes = 10; nodes <= 100000; nodes *= 10) {
         size_t size;
         char *text = ladder_document(nodes, &size);
-        double seconds = compile_median(text, size, false, LADDER_RUNS);
+        double seconds = compile_median(text, size, false, timed ? LADDER_RUNS : 0);
         MatcOptions options = options_for(false);
         MatcDocument *document = matc_read("bench.yaml", text, size, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         size_t bytes;
         matc_output(program, MATC_FRAGMENT, &bytes);
-        printf("%5d %10zu %14.1f %21.3f %16zu\n", nodes, size, seconds * 1e6, seconds * 1e6 / nodes, bytes);
+        printf("%5d %10zu %14s %21s %16zu\n", nodes, size, NUMBER(1, seconds * 1e6), NUMBER(3, seconds * 1e6 / nodes),
+               bytes);
         matc_program_free(program);
         matc_document_free(document);
         free(text);
@@ -187,6 +192,12 @@ static bool write_files(char *document_path, char *vertex_path, char *fragment_p
     return fine;
 }
 
+static void put_process(double bare, double full, double glslang)
+{
+    printf("\nprocess: without validation %s ms; with validation %s ms, glslang alone %s ms: matc adds %s ms\n",
+           NUMBER(2, bare * 1e3), NUMBER(2, full * 1e3), NUMBER(2, glslang * 1e3), NUMBER(2, (full - glslang) * 1e3));
+}
+
 /* A process of matc beside one that does nothing but glslang's part: parse and link the same two programs. */
 static void print_process(const char *matc)
 {
@@ -200,9 +211,7 @@ static void print_process(const char *matc)
         double bare = process_median((char *[]){(char *)matc, document, "-o", "/dev/null", "--no-validate", NULL});
         double full = process_median((char *[]){(char *)matc, document, "-o", "/dev/null", NULL});
         double glslang = process_median((char *[]){self, "glslang", vertex, fragment, NULL});
-        printf("\nprocess: without validation %.2f ms; with validation %.2f ms, glslang alone %.2f ms: matc adds %.2f "
-               "ms\n",
-               bare * 1e3, full * 1e3, glslang * 1e3, (full - glslang) * 1e3);
+        put_process(bare, full, glslang);
     }
     remove(document);
     remove(vertex);
@@ -239,15 +248,16 @@ int bench_glslang(int argc, char **argv)
 int bench_compile(int argc, char **argv)
 {
     const size_t size = sizeof peers_document - 1;
-    double bare = compile_median(peers_document, size, false, RUNS);
-    double full = compile_median(peers_document, size, true, RUNS / 5);
+    bool timed = !bench_untimed(argc, argv);
+    double bare = compile_median(peers_document, size, false, timed ? RUNS : 0);
+    double full = compile_median(peers_document, size, true, timed ? RUNS / 5 : 0);
     printf("checker mixed with four octaves of noise (%zu bytes of YAML)\n", size);
-    printf("  without validation %.4f ms; with validation %.3f ms; glslang's share %.1f %%\n\n", bare * 1e3, full * 1e3,
-           100 * (full - bare) / full);
-    print_stages();
-    print_ladder();
+    printf("  without validation %s ms; with validation %s ms; glslang's share %s %%\n\n", NUMBER(4, bare * 1e3),
+           NUMBER(3, full * 1e3), NUMBER(1, 100 * (full - bare) / full));
+    print_stages(timed);
+    print_ladder(timed);
     if (argc > 1)
-        print_process(argv[1]);
-    printf("peak memory %ld KiB\n", bench_peak_memory());
+        timed ? print_process(argv[1]) : put_process(NAN, NAN, NAN);
+    printf("peak memory %s KiB\n", NUMBER(0, timed ? (double)bench_peak_memory() : NAN));
     return 0;
 }

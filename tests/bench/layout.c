@@ -3,6 +3,7 @@
 #include "matbench.h"
 #include "compiler/describe.h"
 #include "tests/value/canvas.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,8 +15,11 @@ static const char *const inputs[] = {
     "", "fract(float(index) * 0.618)", "fract(vec2(index, index + 1u) * vec2(0.618, 0.414))",
     "normalize(fract(vec3(index, index + 1u, index + 2u) * vec3(0.618, 0.414, 0.732)) - 0.5)"};
 
+/* NAN without a canvas. */
 static double measure(Canvas *canvas, const char *functions, const char *expression, bool words)
 {
+    if (!canvas)
+        return NAN;
     const Drawing drawing = {.functions = functions, .expression = expression};
     const Framebuffer *target = words ? &canvas->words : &canvas->floats;
     double seconds = canvas_time(canvas, &drawing, target, REPEATS);
@@ -37,6 +41,9 @@ static double measure_call(Canvas *canvas, const char *function, const char *val
     snprintf(text, sizeof text, "%s(%s(%s%s)%s)", words ? "uvec4" : "vec4", function, value, last, fill[lanes]);
     return measure(canvas, function, text, words);
 }
+
+/* What is below the time of the store itself is 0. */
+static double beyond(double all, double nothing) { return isnan(all) ? all : fmax(all - nothing, 0); }
 
 static void put_row(Canvas *canvas, const FieldRow *field)
 {
@@ -63,24 +70,24 @@ static void put_row(Canvas *canvas, const FieldRow *field)
         snprintf(code, sizeof code, packed == 2 ? "vec2(index & 511u, index >> 9)" : "float(index & 65535u) - 32768.0");
     if (field->encoding == ENCODING_spheremap)
         snprintf(code, sizeof code, "%s", inputs[2]);
-    double unpack = 0, nothing = 0;
+    double unpack = canvas ? 0 : NAN, nothing = 0;
     if (*row->unpack) {
         unpack = measure_call(canvas, row->unpack, code, field, bits, row->takes, false);
         snprintf(empty, sizeof empty, "vec4(%s%s)", code, packed == 2 ? ", 0.0, 0.0" : "");
         nothing = measure(canvas, "", empty, false);
     }
-    printf("%-20s %6d  %-14s %8.2f %8.2f %6d\n", name.at, field_size(field) * (row->words ? 1 : 16), error.at,
-           pack > before ? pack - before : 0, unpack > nothing ? unpack - nothing : 0, function_row(row->pack)->cost);
+    printf("%-20s %6d  %-14s %8s %8s %6d\n", name.at, field_size(field) * (row->words ? 1 : 16), error.at,
+           NUMBER(2, beyond(pack, before)), NUMBER(2, beyond(unpack, nothing)), function_row(row->pack)->cost);
     arena_free(&arena);
 }
 
 /* Every encoding that has a function, at the widths that are asked about. */
 int bench_layout(int argc, char **argv)
 {
-    (void)argc, (void)argv;
+    bool timed = !bench_untimed(argc, argv);
     static const int widths[] = {7, 8, 9, 12, 16, 32};
     Canvas canvas;
-    if (!canvas_open(&canvas, SIDE)) {
+    if (timed && !canvas_open(&canvas, SIDE)) {
         fprintf(stderr, "matbench: %s\n", canvas.error);
         return 1;
     }
@@ -90,9 +97,10 @@ int bench_layout(int argc, char **argv)
         for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
             FieldRow field = {.encoding = (Encoding)i, .bits = widths[k], .count = row->takes};
             if (row->pack != FN_none && widths[k] >= row->least && widths[k] <= row->most)
-                put_row(&canvas, &field);
+                put_row(timed ? &canvas : NULL, &field);
         }
     }
-    canvas_close(&canvas);
-    return bench_layout_frame();
+    if (timed)
+        canvas_close(&canvas);
+    return bench_layout_frame(timed);
 }

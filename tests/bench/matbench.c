@@ -1,6 +1,7 @@
 /* matbench: measures what matc promises. Every figure in docs/ comes from one of its subcommands. */
 #include "matbench.h"
 #include "runtime/measure/meter.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +9,14 @@
 
 double bench_now(void) { return meter_now(); }
 double bench_median(double *values, int count) { return meter_median(values, count); }
+
+const char *bench_number(char text[BENCH_NUMBER], int decimals, double value)
+{
+    snprintf(text, BENCH_NUMBER, isnan(value) ? "-" : "%.*f", decimals, value);
+    return text;
+}
+
+bool bench_untimed(int argc, char **argv) { return argc > 1 && !strcmp(argv[1], "--untimed"); }
 
 long bench_peak_memory(void)
 {

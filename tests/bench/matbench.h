@@ -11,20 +11,30 @@ double bench_median(double *values, int count);
 /* Greatest resident memory of the process so far, in KiB. */
 long bench_peak_memory(void);
 
+/* A number of so many decimals, or "-" for NAN: what was not measured. --untimed leaves all times out, so that what is left does not
+ * depend on the machine: tests/figures.sh holds docs/ against it. */
+enum { BENCH_NUMBER = 32 };
+#define NUMBER(decimals, value) bench_number((char[BENCH_NUMBER]){0}, decimals, value)
+const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);
+/* It is the subcommand's first option. */
+bool bench_untimed(int argc, char **argv);
+
 /* One subcommand each; the exit status. */
+/* --untimed, the program matc. */
 int bench_compile(int argc, char **argv);
 /* glslang VERTEX FRAGMENT: only validates; what bench_compile compares a process of matc with. */
 int bench_glslang(int argc, char **argv);
 int bench_instructions(int argc, char **argv);
+/* --untimed. */
 int bench_layout(int argc, char **argv);
 /* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads all of it. */
 typedef struct GlContext GlContext;
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
 /* Its second table: whole passes. */
-int bench_layout_frame(void);
+int bench_layout_frame(bool timed);
 /* Run time against error: --quick --gl=KIND --csv FILE --plot BASENAME --page FILE. */
 int bench_error(int argc, char **argv);
-/* Many materials in one process: --count N --matc PROGRAM --speed --scene. */
+/* Many materials in one process: --untimed --count N --matc PROGRAM --speed --scene. */
 int bench_batch(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
