@@ -19,16 +19,18 @@ void *diag_add(Compile *c, Span span, DiagKind kind, ...)
         return NULL;
     }
     va_list args;
-    Text message = text_new(c->arena);
+    c->message.arena = c->arena;
+    c->message.size = 0;
     va_start(args, kind);
-    text_format_list(&message, diag_table[kind].format, args);
+    diag_message(&c->message, kind, args);
     va_end(args);
     for (size_t i = 0; i < c->diags.count; i++) { /* what is asked for several slots is said once */
         const Diag *said = &c->diags.at[i];
-        if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) && !strcmp(said->message, message.at))
+        if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) && !strcmp(said->message, c->message.at))
             return NULL;
     }
-    Diag diag = {kind, diag_table[kind].severity, span, message.at};
+    const char *message = arena_string(c->arena, c->message.at, c->message.size);
+    Diag diag = {kind, diag_table[kind].severity, span, message};
     ARENA_PUSH(c->arena, c->diags.at, c->diags.count, c->diags.room, diag);
     c->diags.errors += diag.severity == SEVERITY_error;
     return NULL;

@@ -19,6 +19,7 @@ enum {
     LIMIT_IR_NODES = 2000000,   /* nodes of a program */
     LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
     LIMIT_NAME = 64,            /* letters of a name */
+    LIMIT_QUOTE = 256,          /* bytes of a name or text in a message */
     LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
     LIMIT_PIXELS_MIB = 1024,    /* the pictures of a document, where they are decoded */
     LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
@@ -43,6 +44,7 @@ typedef struct Compile {
     const MatcOptions *options;
     Arena *arena; /* lives as long as the result */
     DiagList diags;
+    Text message; /* of the diagnostic that is being added */
     Source *sources;
     size_t source_count, source_room;
     Names depends; /* files read, the document first */

@@ -1,6 +1,8 @@
 /* Diagnostics as text: place, message, source line, caret; or as JSON. */
-#include "diag.h"
+#include "compile.h"
 #include "json_write.h"
+#include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { LONGEST_LINE = 160 };
@@ -11,6 +13,20 @@ const DiagRow diag_table[DIAG_COUNT] = {
 };
 
 static const char *const severity_name[] = {"note", "warning", "error"};
+
+/* "no map is called '%s'%s" -> "no map is called '%.256s'%.256s", since names are as long as a document likes; glslang's log stays. */
+void diag_message(Text *out, DiagKind kind, va_list args)
+{
+    enum { FORMAT_ROOM = 512 };
+    char format[FORMAT_ROOM] = "";
+    const int most = kind == DIAG_not_valid ? INT_MAX : LIMIT_QUOTE;
+    const char *at = diag_table[kind].format;
+    size_t size = 0;
+    for (const char *part; (part = strstr(at, "%s")); at = part + 2)
+        size += (size_t)snprintf(format + size, FORMAT_ROOM - size, "%.*s%%.%ds", (int)(part - at), at, most);
+    snprintf(format + size, FORMAT_ROOM - size, "%s", at);
+    text_format_list(out, format, args);
+}
 
 Place source_place(const Source *source, uint32_t offset)
 {

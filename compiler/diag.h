@@ -39,6 +39,8 @@ typedef struct {
 } DiagRow;
 extern const DiagRow diag_table[DIAG_COUNT];
 
+/* The message of a kind, its format's arguments being these. Of names and texts of the document it has the first LIMIT_QUOTE bytes. */
+void diag_message(Text *out, DiagKind kind, va_list args);
 /* gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
 /* What a program says of a file or an option: "matc: error: what: why". */

@@ -33,6 +33,8 @@ static int distance(const char *a, const char *b, int most)
 const char *suggest(Compile *c, const char *name, const char *(*names)(const void *, int), const void *user, int count)
 {
     const char *best = NULL;
+    if (strnlen(name, LONGEST + 1) > LONGEST)
+        return "";
     int size = (int)strlen(name), best_distance = size < 5 ? 1 : size / 3 + 1;
     for (int i = 0; i < count && !diag_full(c); i++) { /* what is not said needs no suggestion */
         const char *candidate = names(user, i);

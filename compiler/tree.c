@@ -1,5 +1,6 @@
 /* Questions about a Tree, and its text form. */
 #include "tree.h"
+#include "hash.h"
 #include "json_write.h"
 #include <string.h>
 
@@ -24,10 +25,9 @@ const char *tree_describe(Compile *c, const Tree *tree)
         return "an object";
     if (tree_is_null(tree))
         return "nothing";
-    if (tree_number(tree, &number))
-        text_format(&text, "the number %s", tree->text);
-    else
-        text_format(&text, "'%.*s'", LIMIT_NAME, tree->text);
+    if (diag_full(c))
+        return "something";
+    text_format(&text, tree_number(tree, &number) ? "the number %.*s" : "'%.*s'", LIMIT_NAME, tree->text);
     return text.at;
 }
 
@@ -35,10 +35,7 @@ enum { LARGE_OBJECT = 16 }; /* members from which on a hash table pays */
 
 uint32_t tree_hash(const char *key, size_t size)
 {
-    uint32_t hash = 2166136261u;
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ (unsigned char)key[i]) * 16777619u;
-    return hash ^ hash >> 15;
+    return (uint32_t)key_of_bytes(key, size).low;
 }
 
 static bool has_key(const Member *member, const char *key, size_t size)
