@@ -43,6 +43,8 @@ static int length(const uint32_t *at) { return (int)(at[0] >> 16); }
 
 static void note(Module *m, const uint32_t *at)
 {
+    if (at[1] >= m->words[BOUND]) /* no id */
+        return;
     Id *id = &m->ids[at[1]];
     switch (opcode(at)) {
     case OP_NAME:

@@ -158,6 +158,7 @@ bool scene_open(Scene *scene, GlContext *gl, const char *text, const SceneOption
     scene->options.pass = options->pass;
     scene->options.slot = options->slot;
     scene->options.target = options->target;
+    scene->options.aa = options->aa;
     scene->options.layout = "thesis"; /* floats, which are compared as they are */
     scene->options.check = true;
     if (!read_document(scene, text))
