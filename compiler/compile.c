@@ -181,6 +181,10 @@ Ir *compile_ir(Compile *c, const Graph *graph, const Node *material, const Job *
     drop_moot(ir);
     constants_hoist(ir);
     opt_dead(ir);
+    if (ir->function_count && ir_written(ir, LIMIT_IR_NODES) > LIMIT_IR_NODES) {
+        ir_done(ir);
+        return diag_add(c, material ? material->span : NO_SPAN, DIAG_graph_too_large, LIMIT_IR_NODES);
+    }
     return place_members(c, ir, job);
 }
 

@@ -27,9 +27,11 @@ enum {
     LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
     LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
+    LIMIT_BRANCHES = 128,       /* branches within branches of a program; what lies deeper is computed without */
     LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range_guard.c */
     LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
     LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
+    LIMIT_ANSWERS = 10000000,   /* answers of maps that a value of the oracle takes: filters within filters */
     LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
 };
 

@@ -207,19 +207,38 @@ static void put_needed(Scope *e, Text *out, Ref root, int depth)
 
 static Scope new_scope(Compile *c, const Ir *ir, const Job *job, Interface *interface, Arena *scratch)
 {
-    Scope e = {.c = c, .ir = ir, .job = job, .interface = interface, .scratch = scratch, .last_hint = -1};
+    Scope e = {.c = c, .ir = ir, .job = job, .interface = interface, .scratch = scratch};
+    e.s = schedule_new(ir, scratch);
     e.names = ARENA_ARRAY(scratch, const char *, ir->count);
     e.size = ARENA_ARRAY(scratch, uint16_t, ir->count);
     e.done = ARENA_ARRAY(scratch, uint8_t, ir->count);
     return e;
 }
 
-static bool has_kernel(const Ir *ir, int function)
+/* Begins a function, or main, with nothing written yet. */
+static void open_scope(Scope *e, const IrFunction *function, const Ref *roots, int count)
 {
+    e->function = function;
+    e->last_hint = -1;
+    memset(e->heads, 0, sizeof e->heads);
+    memset(e->steps, 0, sizeof e->steps);
+    schedule(&e->s, e->ir, roots, count, e->c->optimize > 0);
+    for (size_t i = 0; i < e->s.nodes.count; i++) {
+        Ref ref = e->s.nodes.at[i];
+        e->names[ref] = NULL;
+        e->size[ref] = 0;
+        e->done[ref] = 0;
+    }
+}
+
+/* Which functions a loop sums. */
+static bool *kernels(const Ir *ir, Arena *scratch)
+{
+    bool *summed = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
     for (Ref ref = 1; ref < ir->count; ref++)
-        if (ir_is(ir, ref, OP_kernel) && ir_at(ir, ref)->payload == (uint32_t)function)
-            return true;
-    return false;
+        if (ir_is(ir, ref, OP_kernel))
+            summed[ir_at(ir, ref)->payload] = true;
+    return summed;
 }
 
 static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
@@ -255,21 +274,28 @@ static void put_kernel(Compile *c, Text *out, const Ir *ir, int number)
     text_put(out, ");\n    return sum;\n}\n\n");
 }
 
-static void put_function(Compile *c, Text *out, const Ir *ir, const Job *job, Interface *interface, int number)
+static void put_function(Scope *e, Text *out, int number)
 {
-    Arena scratch = {0};
+    const Ir *ir = e->ir;
     const IrFunction *function = &ir->functions[number];
-    Scope e = new_scope(c, ir, job, interface, &scratch);
-    e.function = function;
-    e.s = schedule(ir, &function->result, 1, c->optimize > 0, &scratch);
-    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(c, ir, number));
+    open_scope(e, function, &function->result, 1);
+    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(e->c, ir, number));
     put_parameters(out, ir, function);
     text_put(out, ") {\n");
-    put_needed(&e, out, function->result, 1);
+    put_block(e, out, 0, 1);
     text_put(out, "    return ");
-    emit_expression(&e, out, function->result, PRECEDENCE_any);
+    emit_expression(e, out, function->result, PRECEDENCE_any);
     text_put(out, ";\n}\n\n");
-    arena_free(&scratch);
+}
+
+static void put_functions(Scope *e, Text *out)
+{
+    const bool *summed = kernels(e->ir, e->scratch);
+    for (int f = 0; f < (int)e->ir->function_count; f++) {
+        put_function(e, out, f);
+        if (summed[f])
+            put_kernel(e->c, out, e->ir, f);
+    }
 }
 
 static void put_output(Scope *e, Text *out, const IrOutput *output)
@@ -315,35 +341,33 @@ static void declare_changes(Text *out, const Interface *interface)
         text_char(out, '\n');
 }
 
-static void put_main(Compile *c, Text *out, const Ir *ir, const Job *job, Interface *interface)
+static void put_main(Scope *e, Text *out)
 {
-    Arena scratch = {0};
+    const Ir *ir = e->ir;
     Ref roots[MOST_OUTPUTS];
-    Text body = text_new(c->arena);
-    Scope e = new_scope(c, ir, job, interface, &scratch);
+    Text body = text_new(e->c->arena);
     for (int i = 0; i < ir->output_count; i++)
         roots[i] = ir->outputs[i].value;
-    e.s = schedule(ir, roots, ir->output_count, c->optimize > 0, &scratch);
+    open_scope(e, NULL, roots, ir->output_count);
     for (int i = 0; i < ir->output_count; i++)
-        put_output(&e, &body, &ir->outputs[i]);
+        put_output(e, &body, &ir->outputs[i]);
     text_put(out, "void main() {\n");
-    put_changes(out, interface, ir->function_count > 0);
+    put_changes(out, e->interface, ir->function_count > 0);
     text_add(out, body.at, body.size);
     text_put(out, "}\n");
-    arena_free(&scratch);
 }
 
 const char *emit_fragment(Compile *c, const Ir *ir, const Job *job, Interface *interface, size_t *size)
 {
+    Arena scratch = {0};
     *interface = (Interface){.uniforms = ARENA_ARRAY(c->arena, bool, ir->graph->uniform_count),
+                             .counts = ARENA_ARRAY(c->arena, bool, ir->graph->uniform_count),
                              .textures = ARENA_ARRAY(c->arena, bool, ir->texture_count)};
     Text functions = text_new(c->arena), body = text_new(c->arena), out = text_new(c->arena);
-    for (size_t f = 0; f < ir->function_count; f++) {
-        put_function(c, &functions, ir, job, interface, (int)f);
-        if (has_kernel(ir, (int)f))
-            put_kernel(c, &functions, ir, (int)f);
-    }
-    put_main(c, &body, ir, job, interface);
+    Scope e = new_scope(c, ir, job, interface, &scratch);
+    put_functions(&e, &functions);
+    put_main(&e, &body);
+    arena_free(&scratch);
     emit_declarations(c, &out, ir, job, interface);
     interface->declarations = out.size;
     for (size_t i = 0; i < interface->chunks.count; i++) {

@@ -8,6 +8,7 @@
 typedef struct {
     bool inputs[INPUT_COUNT];
     bool *uniforms;      /* by index in the graph */
+    bool *counts;        /* of them: those that are ints */
     bool *textures;      /* by index in the Ir */
     size_t declarations; /* bytes of them, at the beginning of the fragment program */
     Chunks chunks;       /* library functions, and the uniforms they declare */

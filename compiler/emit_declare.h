@@ -14,13 +14,14 @@ bool has_locations(Target target);
 int std140_offset(const char *type, int *size);
 /* Bytes of a block whose last member ends there: whole vectors, as drivers want a buffer to have. */
 int std140_size(int end);
-int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const char *name);
+/* Of the program's texture of that number. */
+int texture_binding(int index);
+/* Of a table of the library's, which comes behind the document's textures; -1: the program has none of that name. */
+int table_binding(const Ir *ir, const Interface *interface, const char *name);
 /* The vertex program's attributes and uniforms, as members of a JSON object. vertex.c */
 void describe_vertex(Text *out, const Job *job, const Interface *interface);
 /* Of a node's hint, as temporaries are called. emit.c */
 const char *hint_name(int hint);
 /* A varying, on either side: `word` is "in" or "out". */
 void emit_varying(Text *out, Target target, Input input, const char *word);
-/* The param stands where an int is wanted. */
-bool uniform_is_int(const Ir *ir, int uniform);
 #endif

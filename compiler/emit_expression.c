@@ -89,6 +89,7 @@ static void put_leaf(Scope *e, Text *out, Ref ref)
         break;
     case OP_uniform:
         e->interface->uniforms[node->payload] = true;
+        e->interface->counts[node->payload] = node->type == TYPE_int;
         text_put(out, e->ir->graph->uniforms[node->payload]->name);
         break;
     case OP_constant:

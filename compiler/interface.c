@@ -47,22 +47,18 @@ int std140_size(int end)
     return (end + VECTOR - 1) / VECTOR * VECTOR;
 }
 
-/* Of texture `index` of a program: 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
-static int nth_texture_binding(int index)
+/* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
+int texture_binding(int index)
 {
     const int below = DRAW_BLOCK - FIRST_TEXTURE_BINDING;
     return index < below ? FIRST_TEXTURE_BINDING + index : CONSTANT_BLOCK + 1 + index - below;
 }
 
-int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const char *name)
+int table_binding(const Ir *ir, const Interface *interface, const char *name)
 {
     int index = 0;
     for (size_t i = 0; i < ir->texture_count; i++)
-        if (interface->textures[i]) {
-            if (!strcmp(texture_name(c, ir, (int)i), name))
-                return nth_texture_binding(index);
-            index++;
-        }
+        index += interface->textures[i];
     for (size_t i = 0; i < interface->chunks.count; i++)
         for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
             const char *end = strchr(line, '\n'), *sampler = strstr(line, "sampler2D ");
@@ -70,7 +66,7 @@ int texture_binding(Compile *c, const Ir *ir, const Interface *interface, const 
                 continue;
             size_t length = (size_t)(end - sampler) - strlen("sampler2D ");
             if (strlen(name) == length && !strncmp(sampler + strlen("sampler2D "), name, length))
-                return nth_texture_binding(index);
+                return texture_binding(index);
             index++;
         }
     return -1;
@@ -119,7 +115,7 @@ static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, con
     for (int i = 0; i < ir->graph->uniform_count; i++) {
         if (!interface->uniforms[i])
             continue;
-        const char *type = uniform_is_int(ir, i) ? "int" : type_table[ir->graph->uniforms[i]->type].name;
+        const char *type = interface->counts[i] ? "int" : type_table[ir->graph->uniforms[i]->type].name;
         text_format(out, "%s%s %s;\n", prefix, type, ir->graph->uniforms[i]->name);
         count++;
     }
@@ -132,18 +128,10 @@ static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, con
     return count;
 }
 
-bool uniform_is_int(const Ir *ir, int uniform)
-{
-    for (Ref ref = 1; ref < ir->count; ref++)
-        if (ir_is(ir, ref, OP_uniform) && ir_at(ir, ref)->payload == (uint32_t)uniform && ir_type(ir, ref) == TYPE_int)
-            return true;
-    return false;
-}
-
 static void put_sampler(Text *out, Target target, int *index, const char *declaration, int size)
 {
     if (has_locations(target))
-        text_format(out, "layout(binding = %d) ", nth_texture_binding((*index)++));
+        text_format(out, "layout(binding = %d) ", texture_binding((*index)++));
     text_format(out, "uniform %.*s;\n", size, declaration);
 }
 

@@ -329,17 +329,12 @@ static double applied_cost(const Ir *ir, Ref ref, const double *cost)
 /* Cost of one run of each function, calls within included; functions come before their callers. */
 static void function_costs(const Ir *ir, Arena *arena, double *cost)
 {
+    IrReach reach = ir_reach_new(ir, arena);
     for (size_t f = 0; f < ir->function_count; f++) {
-        uint8_t *seen = ARENA_ARRAY(arena, uint8_t, ir->count);
-        seen[ir->functions[f].result] = 1;
+        ir_reach(ir, &ir->functions[f].result, 1, &reach);
         cost[f] = 0;
-        for (Ref ref = ir->functions[f].result; ref > 0; ref--) {
-            if (!seen[ref])
-                continue;
-            cost[f] += ir_cost(ir, ref) + applied_cost(ir, ref, cost);
-            for (int i = 0; i < ir_at(ir, ref)->count; i++)
-                seen[ir_arg(ir, ref, i)] = 1;
-        }
+        for (size_t i = 0; i < reach.count; i++)
+            cost[f] += ir_cost(ir, reach.at[i]) + applied_cost(ir, reach.at[i], cost);
     }
 }
 

@@ -208,6 +208,17 @@ void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
 void ir_rehash(Ir *ir);
 /* Marks the nodes that the outputs reach, through functions too: live[ref]. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);
+/* What some roots need, functions that are run left out: users before operands. One is used for many roots in turn. */
+typedef struct {
+    Arena *arena;
+    Ref *at;
+    size_t count, room;
+    uint8_t *inside; /* by Ref */
+} IrReach;
+IrReach ir_reach_new(const Ir *ir, Arena *arena);
+void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *reach);
+/* Nodes of main and of all functions together, each counted in every one that it stands in; at most `limit` + 1. */
+size_t ir_written(const Ir *ir, size_t limit);
 /* Scalar operations of one node. */
 int ir_cost(const Ir *ir, Ref ref);
 /* Nodes alive, and their cost. */

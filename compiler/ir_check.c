@@ -131,35 +131,31 @@ static const char *check_node(const Ir *ir, Ref ref)
 }
 
 /* What a function reads of arguments are its own. */
-static const char *check_function(const Ir *ir, const IrFunction *function, uint8_t *inside)
+static const char *check_function(const Ir *ir, const IrFunction *function, IrReach *reach)
 {
-    memset(inside, 0, function->result + 1);
-    inside[function->result] = 1;
-    for (Ref ref = function->result; ref > 0; ref--) {
-        if (!inside[ref])
-            continue;
+    ir_reach(ir, &function->result, 1, reach);
+    for (size_t k = 0; k < reach->count; k++) {
+        Ref ref = reach->at[k];
         bool own = !ir_is(ir, ref, OP_argument);
         for (int i = 0; !own && i < function->count; i++)
             own = function->arguments[i] == ref;
         if (!own)
             return "a function reads another's argument";
-        for (int i = 0; i < ir_at(ir, ref)->count; i++)
-            inside[ir_arg(ir, ref, i)] = 1;
     }
     return NULL;
 }
 
 static const char *check_functions(const Ir *ir, const uint8_t *live, Arena *scratch)
 {
-    uint8_t *inside = ARENA_ARRAY(scratch, uint8_t, ir->count),
-            *called = ARENA_ARRAY(scratch, uint8_t, ir->function_count + 1);
+    uint8_t *called = ARENA_ARRAY(scratch, uint8_t, ir->function_count + 1);
+    IrReach reach = ir_reach_new(ir, scratch);
     const char *fault = NULL;
     for (Ref ref = 1; ref < ir->count; ref++)
         if (live[ref] && ir_applies(ir, ref) && ir_at(ir, ref)->payload < ir->function_count)
             called[ir_at(ir, ref)->payload] = 1;
     for (size_t f = 0; !fault && f < ir->function_count; f++)
         if (called[f])
-            fault = check_function(ir, &ir->functions[f], inside);
+            fault = check_function(ir, &ir->functions[f], &reach);
     return fault;
 }
 

@@ -75,14 +75,28 @@ static Ref last_of(const IrFunction *function)
     return last;
 }
 
-/* The functions that are complete with this node. */
-static void print_functions(Text *out, const Ir *ir, Ref ref)
+/* Functions by the node that completes them, from 1, 0 for none; then the next of the same node. */
+typedef struct {
+    int *first, *next;
+} Completed;
+
+static Completed completed_functions(const Ir *ir, Arena *scratch)
 {
-    for (size_t f = 0; f < ir->function_count; f++) {
+    Completed by = {ARENA_ARRAY(scratch, int, ir->count), ARENA_ARRAY(scratch, int, ir->function_count + 1)};
+    for (int f = (int)ir->function_count - 1; f >= 0; f--) {
+        Ref last = last_of(&ir->functions[f]);
+        by.next[f] = by.first[last];
+        by.first[last] = f + 1;
+    }
+    return by;
+}
+
+/* The functions that are complete with this node. */
+static void print_functions(Text *out, const Ir *ir, const Completed *by, Ref ref)
+{
+    for (int f = by->first[ref] - 1; f >= 0; f = by->next[f] - 1) {
         const IrFunction *function = &ir->functions[f];
-        if (last_of(function) != ref)
-            continue;
-        text_format(out, "function f%zu = %%%u", f, function->result);
+        text_format(out, "function f%d = %%%u", f, function->result);
         for (int i = 0; i < function->count; i++)
             text_format(out, " %%%u", function->arguments[i]);
         text_char(out, '\n');
@@ -95,6 +109,7 @@ void ir_print(Text *out, const Ir *ir)
 {
     Arena scratch = {0};
     uint8_t *live = ir_live(ir, &scratch);
+    const Completed by = completed_functions(ir, &scratch);
     for (size_t f = 0; f < ir->function_count; f++)
         for (int i = 0; i < ir->functions[f].count; i++)
             live[ir->functions[f].arguments[i]] = 1;
@@ -104,7 +119,7 @@ void ir_print(Text *out, const Ir *ir)
         text_format(out, "%%%u = ", ref);
         print_node(out, ir, ref);
         text_char(out, '\n');
-        print_functions(out, ir, ref);
+        print_functions(out, ir, &by, ref);
     }
     for (int i = 0; i < ir->output_count; i++)
         text_format(out, "out %s %d = %%%u\n", output_names[ir->outputs[i].kind], ir->outputs[i].index,

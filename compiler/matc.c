@@ -109,7 +109,7 @@ static const char *read_point(Surface *surface, const char *point)
     return NULL;
 }
 
-void document_evaluate(const MatcDocument *d, int material, const MatcOptions *options, const Surface *points,
+bool document_evaluate(const MatcDocument *d, int material, const MatcOptions *options, const Surface *points,
                        int count, SlotValues *values)
 {
     Job job;
@@ -117,9 +117,16 @@ void document_evaluate(const MatcDocument *d, int material, const MatcOptions *o
     const ReferenceContext context = {.noise = noise_for(job.choice[AXIS_noise], job.target)};
     Oracle *oracle = oracle_open(d->graph, &context);
     oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
-    for (int i = 0; i < count; i++)
-        oracle_material(oracle, d->graph->materials[material].node, &points[i], &values[i]);
+    bool known = true;
+    for (int i = 0; i < count; i++) {
+        if (oracle_material(oracle, d->graph->materials[material].node, &points[i], &values[i]))
+            continue;
+        known = false;
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            values[i].lane[slot][0] = NAN;
+    }
     oracle_close(oracle);
+    return known;
 }
 
 char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
@@ -135,8 +142,9 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     *fault = job_of(&whole, &job) ? "no such option" : read_point(&surface, point);
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
+    if (!*fault && !document_evaluate(d, material, &whole, &surface, 1, &values))
+        *fault = "the value takes too many answers of maps: filters within filters";
     if (!*fault) {
-        document_evaluate(d, material, &whole, &surface, 1, &values);
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             text_put(&out, slot_table[slot].name);
             for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {

@@ -1,21 +1,37 @@
 /* Functions that do not depend on their arguments become their bodies; arguments that are not read are dropped. */
 #include "opt.h"
 
+enum { MOST_TOLD_APART = 64 }; /* arguments of a program; of any further one every function is taken to read it */
+
+/* Which arguments of the program every value reads: a bit each, by their order. One sweep finds them for all functions. */
+static uint64_t *values_read(const Ir *ir, uint32_t *number, Arena *scratch)
+{
+    uint64_t *read = ARENA_ARRAY(scratch, uint64_t, ir->count);
+    uint32_t arguments = 0;
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        for (int i = 0; i < ir_at(ir, ref)->count; i++)
+            read[ref] |= read[ir_arg(ir, ref, i)];
+        if (!ir_is(ir, ref, OP_argument))
+            continue;
+        number[ref] = arguments++;
+        if (number[ref] < MOST_TOLD_APART)
+            read[ref] = (uint64_t)1 << number[ref];
+    }
+    return read;
+}
+
 /* Which arguments of each function its body reads: a bit each. */
 static uint32_t *arguments_read(const Ir *ir, Arena *scratch)
 {
-    uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1);
-    uint32_t *stamp = ARENA_ARRAY(scratch, uint32_t, ir->count);
+    uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1),
+             *number = ARENA_ARRAY(scratch, uint32_t, ir->count);
+    const uint64_t *values = values_read(ir, number, scratch);
     for (uint32_t f = 0; f < ir->function_count; f++) {
         const IrFunction *function = &ir->functions[f];
-        stamp[function->result] = f + 1;
-        for (Ref ref = function->result; ref > 0; ref--) {
-            if (stamp[ref] != f + 1)
-                continue;
-            for (int i = 0; i < ir_at(ir, ref)->count; i++)
-                stamp[ir_arg(ir, ref, i)] = f + 1;
-            for (int i = 0; ir_is(ir, ref, OP_argument) && i < function->count; i++)
-                read[f] |= (uint32_t)(function->arguments[i] == ref) << i;
+        for (int i = 0; i < function->count; i++) {
+            uint32_t bit = number[function->arguments[i]];
+            bool reads = bit >= MOST_TOLD_APART || values[function->result] >> bit & 1;
+            read[f] |= (uint32_t)reads << i;
         }
     }
     return read;

@@ -5,14 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void *oracle_alloc(size_t count, size_t size)
-{
-    void *memory = calloc(count ? count : 1, size);
-    if (!memory)
-        abort();
-    return memory;
-}
-
 void oracle_surface_default(Surface *surface)
 {
     *surface = (Surface){.front = true, .local_u = {1, 0, 0}, .local_v = {0, 1, 0}};
@@ -44,10 +36,11 @@ bool oracle_surface_set(Surface *surface, const char *name, double value)
 
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
 {
-    Oracle *oracle = oracle_alloc(1, sizeof *oracle);
+    Oracle *oracle = calloc(1, sizeof *oracle);
+    if (!oracle)
+        abort();
     oracle->graph = graph;
     oracle->context = *context;
-    oracle->reliefs = oracle_alloc((size_t)graph->node_count, sizeof *oracle->reliefs);
     return oracle;
 }
 
@@ -58,42 +51,31 @@ void oracle_close(Oracle *oracle)
 {
     if (!oracle)
         return;
-    for (int i = 0; i < oracle->graph->node_count; i++)
-        free(oracle->reliefs[i]);
-    for (int i = 0; i < oracle->memo_count; i++)
-        free(oracle->memos[i]);
-    free(oracle->reliefs);
-    free(oracle->memos);
+    arena_free(&oracle->arena);
     free(oracle);
 }
 
-static void add_memo(Oracle *oracle)
-{
-    Memo **memos = realloc(oracle->memos, ((size_t)oracle->memo_count + 1) * sizeof *memos);
-    if (!memos)
-        abort();
-    oracle->memos = memos;
-    memos[oracle->memo_count++] = oracle_alloc((size_t)oracle->graph->node_count, CHANNEL_ID_COUNT * sizeof(Memo));
-}
-
-/* A new stamp makes every cell stale, so that the memo of a depth need not be cleared between points. */
+/* A new stamp makes every row stale, so that the memo of a depth need not be cleared between points. */
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
 {
-    while (oracle->memo_count <= depth)
-        add_memo(oracle);
-    return (Environment){oracle, surface, oracle->memos[depth], ++oracle->stamp, depth};
+    const Memo none = {0};
+    while (oracle->memo_count <= (size_t)depth)
+        ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_room, none);
+    return (Environment){oracle, surface, ++oracle->stamp, depth};
 }
 
 double oracle_ask(Environment *environment, const Node *map, int channel)
 {
+    double value;
     if (!map)
         return environment->surface->root[channel];
-    Memo *memo = &environment->memo[(size_t)map->index * CHANNEL_ID_COUNT + (size_t)channel];
-    if (memo->stamp == environment->stamp)
-        return memo->value;
-    memo->value = oracle_answer(environment, map, channel);
-    memo->stamp = environment->stamp;
-    return memo->value;
+    if (memo_find(environment, map, channel, &value))
+        return value;
+    if (++environment->oracle->answers > LIMIT_ANSWERS)
+        return 0;
+    value = oracle_answer(environment, map, channel);
+    memo_set(environment, map, channel, value);
+    return value;
 }
 
 /* NULL when the parameter is not there. */
@@ -149,5 +131,6 @@ double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surfac
 {
     assert(channel >= 0 && channel < CHANNEL_ID_COUNT);
     Environment environment = environment_open(oracle, surface, 0);
+    oracle->answers = 0;
     return oracle_ask(&environment, map, channel);
 }

@@ -37,8 +37,9 @@ void oracle_exact_derivatives(Oracle *oracle, bool exact);
 void oracle_slope_side(Oracle *oracle, int side);
 void oracle_close(Oracle *oracle);
 
-/* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. */
-void oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result);
+/* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. False: it takes more
+ * than LIMIT_ANSWERS answers of maps, and is not known. */
+bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result);
 /* One channel of one map at a point. A NULL map is the surface. */
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface);
 #endif

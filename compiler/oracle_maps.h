@@ -1,37 +1,67 @@
 /* What the files of the oracle share: an environment to ask maps in, and the answer of every kind of map. */
 #ifndef MATC_ORACLE_MAPS_H
 #define MATC_ORACLE_MAPS_H
+#include "compile.h"
 #include "oracle.h"
 
-/* One answer, valid when its stamp is that of the environment. */
+/* Numbers of the nodes that were met, in that order. */
+typedef struct {
+    const Node **at;
+    size_t count, room;
+    uint32_t *table; /* hash table of numbers from 1 */
+    uint32_t mask;
+} NodeNumbers;
+/* A node's number, a new one when it is met first. oracle_memo.c */
+size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node);
+
+/* A node's answers, valid when the stamp is that of the environment. */
 typedef struct {
     uint64_t stamp;
-    double value;
+    uint32_t known; /* 1 << channel */
+    double value[CHANNEL_ID_COUNT];
+} MemoRow;
+typedef struct {
+    NodeNumbers nodes;
+    MemoRow *rows; /* by their numbers */
+    size_t room;
 } Memo;
 
+/* What the UVTransforms from a node down its inputs make of slopes by u and v. */
+typedef struct {
+    bool known;
+    double m[2][2];
+} SlopeTurn;
+
 struct Oracle {
+    Arena arena;
     const Graph *graph;
     ReferenceContext context;
-    float **reliefs; /* by node index: a Carpenter's baked texels; NULL until first read */
-    Memo **memos;    /* by depth of environments: node_count * CHANNEL_ID_COUNT cells */
-    int memo_count;  /* depths reached so far */
-    bool exact;      /* derivatives are those of the map, not GroIMP's finite steps */
-    int side;        /* of the point that they are taken on; 0: both */
-    uint64_t stamp;  /* that of the environment opened last; 0 is in no environment */
+    NodeNumbers baked;
+    float **reliefs; /* by number: a Carpenter's texels; NULL until first read */
+    size_t relief_room;
+    NodeNumbers turned;
+    SlopeTurn *turns; /* by number */
+    size_t turn_room;
+    Memo *memos; /* by depth of environments */
+    size_t memo_count, memo_room;
+    bool exact;     /* derivatives are those of the map, not GroIMP's finite steps */
+    int side;       /* of the point that they are taken on; 0: both */
+    uint64_t stamp; /* that of the environment opened last; 0 is in no environment */
+    long answers;   /* of this point; beyond LIMIT_ANSWERS all are 0 */
 };
 
 /* A surface point in which maps are asked. A filter opens further ones, each a depth below its own. */
 typedef struct {
     Oracle *oracle;
     const Surface *surface;
-    Memo *memo;
     uint64_t stamp;
     int depth;
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 
-/* calloc that aborts when there is no memory. */
-void *oracle_alloc(size_t count, size_t size);
+/* What a map has answered in the environment; false: nothing yet. oracle_memo.c */
+bool memo_find(const Environment *environment, const Node *node, int channel, double *value);
+void memo_set(const Environment *environment, const Node *node, int channel, double value);
 
 /* A channel of a map; NULL is the surface. Remembered for the environment. */
 double oracle_ask(Environment *environment, const Node *map, int channel);
@@ -52,6 +82,8 @@ void oracle_call(const Environment *environment, int function, const double *arg
 
 /* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
 void oracle_uv_slopes(const Node *node, double slope[2]);
+/* The same for all UVTransforms from a map down its inputs; NULL is the surface. */
+void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
 
 static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
 static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }

@@ -156,9 +156,10 @@ static const Node *chosen(const Node *material, bool front)
     return material;
 }
 
-void oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
+bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
 {
     Environment environment = environment_open(oracle, surface, 0);
+    oracle->answers = 0;
     set_neutral(&environment, result);
     const Node *shader = chosen(material, surface->front);
     if (!shader)
@@ -171,4 +172,5 @@ void oracle_material(Oracle *oracle, const Node *material, const Surface *surfac
         sky(&environment, shader, result);
     else
         assert(!"a material");
+    return oracle->answers <= LIMIT_ANSWERS;
 }

@@ -77,17 +77,6 @@ static void exact_slopes(Environment *environment, const Node *height, double sl
     slope[1] = by_v / (ahead - behind);
 }
 
-/* The tangents that the slopes are raised along are those of the input: where it turned them, so are the slopes. */
-static void along_tangents(const Node *input, double slope[2])
-{
-    if (!input)
-        return;
-    const Value *below = &input->params[0];
-    along_tangents(below->kind == VALUE_node ? below->node : NULL, slope);
-    if (input->kind == KIND_UVTransform)
-        oracle_uv_slopes(input, slope);
-}
-
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)
 {
     bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
@@ -99,14 +88,20 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     double slope[2];
     if (environment->oracle->exact) {
         exact_slopes(environment, node_param(node, P_BumpMap_displacement)->node, slope);
+        /* the tangents that they are raised along are those of the input: where it turned them, so are the slopes */
         const Value *input = node_param(node, P_BumpMap_input);
-        along_tangents(input->kind == VALUE_node ? input->node : NULL, slope);
+        oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL, slope);
     } else {
         slope[0] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
         slope[1] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
     }
     return raised(&frame, k * slope[0], k * slope[1], channel);
 }
+
+/* Channels side by side. */
+typedef struct {
+    int first, count;
+} Lanes;
 
 /* Where a WaveMap's waves are counted from, and how many of them. */
 typedef struct {
@@ -148,8 +143,10 @@ double oracle_WaveMap(Environment *environment, const Node *node, int channel)
     return raised(&frame, k * slope_u, k * slope_v, channel);
 }
 
-/* The input's answer at a surface point whose local position and texture coordinate lie `shift` beside this one. */
-static double shifted_input(Environment *environment, const Node *node, int channel, const double shift[3])
+/* The input's answers on some lanes of a group, at a surface point whose local position and texture coordinate lie `shift`
+ * beside this one. */
+static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes, const double shift[3],
+                          double result[3])
 {
     Surface surface = *environment->surface;
     for (int i = 0; i < 3; i++)
@@ -157,20 +154,26 @@ static double shifted_input(Environment *environment, const Node *node, int chan
     for (int i = 0; i < 2; i++)
         surface.root[channel_id(GROUP_U, i)] += shift[i];
     Environment shifted = environment_open(environment->oracle, &surface, environment->depth + 1);
-    return oracle_ask_input(&shifted, node, channel);
+    for (int i = 0; i < lanes->count; i++)
+        result[i] = oracle_ask_input(&shifted, node, lanes->first + i);
 }
+
+enum { CENTRE = 13 }; /* of 27 cells */
 
 /* Weights of a 3x3x3 kernel by how many of the three indices differ from the centre's. */
 typedef double Kernel[4];
 
-/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the weights' sum. */
+/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the weights' sum. All lanes
+ * of a group are answered at once, as their points are the same. */
 static double filtered(Environment *environment, const Node *node, int channel, const double size[3],
                        const Kernel kernel)
 {
-    if (lane_of(channel) == 3)
+    const Lanes lanes = {channel_id(group_of(channel), 0), group_of(channel) == GROUP_IOR ? 1 : 3};
+    double centre[3] = {0}, value[3] = {0}, sum[3] = {0}, weights = 0;
+    if (lane_of(channel) >= lanes.count)
         return 1;
-    double centre = shifted_input(environment, node, channel, (double[3]){0}), sum = 0, weights = 0;
-    for (int cell = 0; cell < 27; cell++) {
+    shifted_input(environment, node, &lanes, (double[3]){0}, centre);
+    for (int cell = 0; cell < 27 && environment->oracle->answers <= LIMIT_ANSWERS; cell++) {
         int offset[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
         double weight = kernel[(offset[0] != 0) + (offset[1] != 0) + (offset[2] != 0)];
         if (weight == 0)
@@ -178,10 +181,17 @@ static double filtered(Environment *environment, const Node *node, int channel, 
         double shift[3];
         for (int i = 0; i < 3; i++)
             shift[i] = size[i] * offset[i] / 2;
-        sum += weight * (shifted_input(environment, node, channel, shift) - centre);
         weights += weight;
+        if (cell != CENTRE)
+            shifted_input(environment, node, &lanes, shift, value);
+        for (int i = 0; cell != CENTRE && i < lanes.count; i++)
+            sum[i] += weight * (value[i] - centre[i]);
     }
-    return sum + centre * (fabs(weights) < 1e-12 ? 0 : 1); /* the weights of either kernel sum up to 0 or 1 */
+    for (int i = 0; i < lanes.count; i++) {
+        sum[i] += centre[i] * (fabs(weights) < 1e-12 ? 0 : 1); /* the weights of either kernel sum up to 0 or 1 */
+        memo_set(environment, node, lanes.first + i, sum[i]);
+    }
+    return sum[lane_of(channel)];
 }
 
 double oracle_Smooth3D(Environment *environment, const Node *node, int channel)

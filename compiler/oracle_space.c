@@ -48,6 +48,46 @@ void oracle_uv_slopes(const Node *node, double slope[2])
     slope[1] = u * inverse[0][1] + v * inverse[1][1];
 }
 
+static const Node *input_of(const Node *node)
+{
+    const Value *input = &node->params[0];
+    return input->kind == VALUE_node ? input->node : NULL;
+}
+
+static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
+{
+    size_t number = node_number(&oracle->arena, &oracle->turned, node);
+    oracle->turns = arena_reach(&oracle->arena, oracle->turns, number, &oracle->turn_room, sizeof *oracle->turns);
+    return &oracle->turns[number];
+}
+
+/* Every node keeps its own, so that a chain is walked once. */
+static SlopeTurn turn_of(Oracle *oracle, const Node *node)
+{
+    const Node **chain = NULL;
+    size_t count = 0, room = 0;
+    SlopeTurn turn = {true, {{1, 0}, {0, 1}}};
+    for (; node && !turn_at(oracle, node)->known; node = input_of(node))
+        ARENA_PUSH(&oracle->arena, chain, count, room, node);
+    if (node)
+        turn = *turn_at(oracle, node);
+    while (count--) {
+        if (chain[count]->kind == KIND_UVTransform)
+            for (int i = 0; i < 2; i++) /* what becomes of (1, 0), of (0, 1) */
+                oracle_uv_slopes(chain[count], turn.m[i]);
+        *turn_at(oracle, chain[count]) = turn;
+    }
+    return turn;
+}
+
+void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2])
+{
+    const SlopeTurn turn = turn_of(oracle, input);
+    const double u = slope[0], v = slope[1];
+    slope[0] = u * turn.m[0][0] + v * turn.m[1][0];
+    slope[1] = u * turn.m[0][1] + v * turn.m[1][1];
+}
+
 double oracle_UVTransform(Environment *environment, const Node *node, int channel)
 {
     if (in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV))

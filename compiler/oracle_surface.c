@@ -1,7 +1,6 @@
 /* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker of 2.3). */
 #include "oracle_maps.h"
 #include "runtime/lib/carpenter.h"
-#include <stdlib.h>
 
 /* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum would not. */
 static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
@@ -112,10 +111,13 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
 /* A Carpenter's texels, baked when they are first read. */
 static const float *relief(Oracle *oracle, const Node *node, int width, int height)
 {
-    float **texels = &oracle->reliefs[node->index];
+    size_t number = node_number(&oracle->arena, &oracle->baked, node);
+    oracle->reliefs =
+        arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_room, sizeof *oracle->reliefs);
+    float **texels = &oracle->reliefs[number];
     if (*texels)
         return *texels;
-    *texels = oracle_alloc((size_t)width * (size_t)height, sizeof **texels);
+    *texels = ARENA_ARRAY(&oracle->arena, float, (size_t)width *(size_t)height);
     carpenter_bake(oracle_number(node, P_Carpenter_color), oracle_number(node, P_Carpenter_noise),
                    oracle_number(node, P_Carpenter_roughness), (int64_t)oracle_number(node, P_Carpenter_seed), width,
                    height, *texels);

@@ -81,7 +81,7 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
         const Uniform *uniform = ir->graph->uniforms[i];
         if (!interface->uniforms[i])
             continue;
-        const char *glsl = uniform_is_int(ir, i) ? "int" : type_table[uniform->type].name;
+        const char *glsl = interface->counts[i] ? "int" : type_table[uniform->type].name;
         next(&list);
         put_typed(out, uniform->name, glsl);
         put_offset(out, job, glsl, size_of_block);
@@ -146,7 +146,8 @@ static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, co
         json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
         text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
         if (has_locations(job->target))
-            text_format(out, "\"binding\": %d, ", texture_binding(c, ir, interface, t->name));
+            text_format(out, "\"binding\": %d, ",
+                        made_by[i] >= 0 ? texture_binding(i) : table_binding(ir, interface, t->name));
         if (t->path)
             json_member(out, "file", t->path);
         text_put(out, t->path ? "}" : "\"baked\": true}");

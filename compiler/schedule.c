@@ -40,31 +40,41 @@ static void use_arms(const Ir *ir, Schedule *s, Ref ref)
 
 static double node_cost(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? BRANCH_COST : ir_cost(ir, ref); }
 
-static void place(const Ir *ir, Schedule *s, const Ref *roots, int count, const uint8_t *branch)
+static void clear(Schedule *s)
 {
-    Ref last = 0;
     s->block_count = 0;
     add_block(s, -1);
-    for (Ref ref = 0; ref < ir->count; ref++) {
+    for (size_t i = 0; i < s->nodes.count; i++) {
+        Ref ref = s->nodes.at[i];
         s->block[ref] = -1;
         s->uses[ref] = 0;
         s->arm[ref] = 0;
         s->next[ref] = 0;
     }
-    for (int i = 0; i < count; i++) {
+}
+
+/* A branch that would lie too deep in others is none. */
+static void bound_depth(Schedule *s, Ref ref)
+{
+    if (s->blocks[s->block[ref]].depth >= LIMIT_BRANCHES)
+        s->branch[ref] = 0;
+}
+
+static void place(const Ir *ir, Schedule *s, const Ref *roots, int count)
+{
+    clear(s);
+    for (int i = 0; i < count; i++)
         use(s, roots[i], 0);
-        last = roots[i] > last ? roots[i] : last;
-    }
-    for (Ref ref = last; ref > 0; ref--) {
+    for (size_t k = 0; k < s->nodes.count; k++) {
+        Ref ref = s->nodes.at[k];
         int block = s->block[ref];
-        if (block < 0)
-            continue;
         s->next[ref] = s->blocks[block].first;
         s->blocks[block].first = ref;
         s->blocks[block].cost += node_cost(ir, ref);
-        if (branch[ref])
+        bound_depth(s, ref);
+        if (s->branch[ref])
             use_arms(ir, s, ref);
-        for (int i = 0; !branch[ref] && i < ir_at(ir, ref)->count; i++)
+        for (int i = 0; !s->branch[ref] && i < ir_at(ir, ref)->count; i++)
             use(s, ir_arg(ir, ref, i), block);
     }
     for (size_t b = s->block_count - 1; b > 0; b--)
@@ -72,34 +82,39 @@ static void place(const Ir *ir, Schedule *s, const Ref *roots, int count, const 
 }
 
 /* Keeps as branches the selects with an arm that is worth skipping. */
-static bool demote(const Schedule *s, uint8_t *branch, Ref count)
+static bool demote(Schedule *s)
 {
     bool demoted = false;
-    for (Ref ref = 1; ref < count; ref++) {
-        if (!branch[ref] || s->block[ref] < 0)
+    for (size_t i = 0; i < s->nodes.count; i++) {
+        Ref ref = s->nodes.at[i];
+        if (!s->branch[ref])
             continue;
         const Block *a = &s->blocks[s->arm[ref]], *b = a + 1;
         if (a->cost >= BRANCH_COST || b->cost >= BRANCH_COST)
             continue;
-        branch[ref] = 0;
+        s->branch[ref] = 0;
         demoted = true;
     }
     return demoted;
 }
 
-Schedule schedule(const Ir *ir, const Ref *roots, int count, bool branches, Arena *arena)
+Schedule schedule_new(const Ir *ir, Arena *arena)
 {
-    Ref nodes = (Ref)ir->count;
-    Schedule s = {.arena = arena,
-                  .block = ARENA_ARRAY(arena, int, nodes),
-                  .next = ARENA_ARRAY(arena, Ref, nodes),
-                  .uses = ARENA_ARRAY(arena, uint32_t, nodes),
-                  .arm = ARENA_ARRAY(arena, int, nodes)};
-    uint8_t *branch = ARENA_ARRAY(arena, uint8_t, nodes);
-    for (Ref ref = 1; branches && ref < nodes; ref++)
-        branch[ref] = ir_is(ir, ref, OP_select);
-    place(ir, &s, roots, count, branch);
-    if (demote(&s, branch, nodes))
-        place(ir, &s, roots, count, branch);
-    return s;
+    return (Schedule){.arena = arena,
+                      .nodes = ir_reach_new(ir, arena),
+                      .block = ARENA_ARRAY(arena, int, ir->count),
+                      .next = ARENA_ARRAY(arena, Ref, ir->count),
+                      .uses = ARENA_ARRAY(arena, uint32_t, ir->count),
+                      .arm = ARENA_ARRAY(arena, int, ir->count),
+                      .branch = ARENA_ARRAY(arena, uint8_t, ir->count)};
+}
+
+void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches)
+{
+    ir_reach(ir, roots, count, &s->nodes);
+    for (size_t i = 0; i < s->nodes.count; i++)
+        s->branch[s->nodes.at[i]] = branches && ir_is(ir, s->nodes.at[i], OP_select);
+    place(ir, s, roots, count);
+    if (demote(s))
+        place(ir, s, roots, count);
 }

@@ -11,16 +11,20 @@ typedef struct {
     double cost;       /* of its nodes and the blocks in it */
 } Block;
 
+/* The arrays by Ref serve one scope after the other. */
 typedef struct {
     Arena *arena;
+    IrReach nodes; /* of the scope */
     Block *blocks;
     size_t block_count, block_room;
-    int *block;     /* by Ref: where it lies, -1 outside the scope */
+    int *block;     /* by Ref: where it lies */
     Ref *next;      /* by Ref */
     uint32_t *uses; /* by Ref: in this scope */
     int *arm; /* by Ref of a select written as if/else: its block for true; the one for false is the next; else 0 */
+    uint8_t *branch; /* by Ref: a select that is written as if/else */
 } Schedule;
 
+Schedule schedule_new(const Ir *ir, Arena *arena);
 /* Places what `roots` need. Without `branches` every select is an expression. */
-Schedule schedule(const Ir *ir, const Ref *roots, int count, bool branches, Arena *arena);
+void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches);
 #endif

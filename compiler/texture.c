@@ -17,22 +17,19 @@ static const Table tables[] = {
     {"matc_xor", TABLE_XOR, SIDE, SIDE, 1, false},
 };
 
-/* Its mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10, which takes samples). */
-static bool is_averaged(const Ir *ir, const Interface *interface, int texture)
+/* Those whose mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10, which takes samples). */
+static bool *averaged_textures(Compile *c, const Ir *ir, const Interface *interface)
 {
-    bool from_mipmaps = false;
-    for (size_t i = 0; i < interface->chunks.count; i++)
+    bool from_mipmaps = false, *averaged = ARENA_ARRAY(c->arena, bool, ir->texture_count + 1);
+    for (size_t i = 0; interface && i < interface->chunks.count; i++)
         from_mipmaps |= !strcmp(interface->chunks.at[i]->name, "imageFiltered");
-    if (!from_mipmaps)
-        return false;
-    for (Ref ref = 1; ref < ir->count; ref++)
-        if (ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_imageFiltered &&
-            ir_at(ir, ir_arg(ir, ref, 0))->payload == (uint32_t)texture)
-            return true;
-    return false;
+    for (Ref ref = 1; from_mipmaps && ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_imageFiltered)
+            averaged[ir_at(ir, ir_arg(ir, ref, 0))->payload] = true;
+    return averaged;
 }
 
-static MatcTexture of_document(Compile *c, const Ir *ir, const Interface *interface, int i)
+static MatcTexture of_document(Compile *c, const Ir *ir, int i, bool averaged)
 {
     const IrTexture *t = &ir->textures[i];
     MatcTexture texture = {.name = texture_name(c, ir, i), .width = t->width, .height = t->height, .lanes = 1};
@@ -40,7 +37,7 @@ static MatcTexture of_document(Compile *c, const Ir *ir, const Interface *interf
         texture.path = t->image->path;
         texture.lanes = 4;
         texture.bytes = t->image->bytes;
-        texture.mipmaps = interface && is_averaged(ir, interface, i);
+        texture.mipmaps = averaged;
     }
     return texture;
 }
@@ -57,12 +54,13 @@ int texture_list(Compile *c, const Ir *ir, const Interface *interface, MatcTextu
 {
     enum { TABLE_COUNT = sizeof tables / sizeof *tables };
     int count = 0;
+    const bool *averaged = averaged_textures(c, ir, interface);
     *list = ARENA_ARRAY(c->arena, MatcTexture, ir->texture_count + TABLE_COUNT);
     *made_by = ARENA_ARRAY(c->arena, int, ir->texture_count + TABLE_COUNT);
     for (size_t i = 0; i < ir->texture_count; i++)
         if (!interface || interface->textures[i]) {
             (*made_by)[count] = (int)i;
-            (*list)[count++] = of_document(c, ir, interface, (int)i);
+            (*list)[count++] = of_document(c, ir, (int)i, averaged[i]);
         }
     for (int i = 0; interface && i < TABLE_COUNT; i++)
         if (declares(interface, tables[i].name)) {
