@@ -1,0 +1,307 @@
+/* What a document means where it says nothing: every parameter's default, the presets, the named colours, and the rows of --precision,
+ * each written down here from semantics.md and the published palettes, and not from the tables. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/document.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { NONE = -1 }; /* lanes of a parameter without a default: a map, a wave, a picture */
+
+typedef struct {
+    const char *kind, *param;
+    int lanes;
+    double value[3];
+} Default;
+
+static const Default defaults[] = {
+    {"RGBColor", "r", 1, {.5}},
+    {"RGBColor", "g", 1, {.5}},
+    {"RGBColor", "b", 1, {.5}},
+    {"Graytone", "value", 1, {.5}},
+    {"Checker", "input", NONE, {0}},
+    {"Checker", "color1", 1, {1}},
+    {"Checker", "color2", 1, {0}},
+    {"ImageMap", "input", NONE, {0}},
+    {"ImageMap", "image", NONE, {0}},
+    {"ImageMap", "bilinearFiltering", 1, {1}},
+    {"Carpenter", "input", NONE, {0}},
+    {"Carpenter", "color", 1, {.5}},
+    {"Carpenter", "noise", 1, {1}},
+    {"Carpenter", "roughness", 1, {1}},
+    {"Carpenter", "seed", 1, {0}},
+    {"Carpenter", "width", 1, {256}},
+    {"Carpenter", "height", 1, {256}},
+    {"Gradient", "direction", 3, {1, 0, 0}},
+    {"Mandel", "iterations", 1, {10}},
+    {"Julia", "iterations", 1, {10}},
+    {"Julia", "cx", 1, {.6}},
+    {"Julia", "cy", 1, {.6}},
+    {"VolumeTurbulence", "size", 1, {1}},
+    {"VolumeTurbulence", "octaves", 1, {5}},
+    {"VolumeTurbulence", "noiseRatio", 1, {1}},
+    {"VolumeTurbulence", "frequencyRatio", 1, {2}},
+    {"VolumeChecker", "input", NONE, {0}},
+    {"VolumeChecker", "color1", 1, {1}},
+    {"VolumeChecker", "color2", 1, {0}},
+    {"Blend", "input", NONE, {0}},
+    {"Blend", "blend", NONE, {0}},
+    {"UVTransform", "input", NONE, {0}},
+    {"UVTransform", "offsetU", 1, {0}},
+    {"UVTransform", "offsetV", 1, {0}},
+    {"UVTransform", "scaleU", 1, {1}},
+    {"UVTransform", "scaleV", 1, {1}},
+    {"UVTransform", "angle", 1, {0}},
+    {"UVTransform", "shear", 1, {0}},
+    {"XYZTransform", "input", NONE, {0}},
+    {"XYZTransform", "transform", NONE, {0}},
+    {"XYZTransform", "useGlobal", 1, {0}},
+    {"Turbulence", "input", NONE, {0}},
+    {"Turbulence", "amount", 3, {.2, .2, .2}},
+    {"Turbulence", "octaves", 1, {5}},
+    {"Turbulence", "noiseRatio", 1, {2}},
+    {"Turbulence", "frequencyRatio", 1, {2}},
+    {"BumpMap", "input", NONE, {0}},
+    {"BumpMap", "displacement", NONE, {0}},
+    {"BumpMap", "strength", 1, {1}},
+    {"WaveMap", "input", NONE, {0}},
+    {"WaveMap", "amplitude", 1, {1}},
+    {"WaveMap", "uCount", 1, {10}},
+    {"WaveMap", "vCount", 1, {10}},
+    {"WaveMap", "boxTop", 1, {0}},
+    {"Smooth3D", "input", NONE, {0}},
+    {"Smooth3D", "sx", 1, {1}},
+    {"Smooth3D", "sy", 1, {1}},
+    {"Smooth3D", "sz", 1, {1}},
+    {"Laplace3D", "input", NONE, {0}},
+    {"Laplace3D", "sx", 1, {1}},
+    {"Laplace3D", "sy", 1, {1}},
+    {"Laplace3D", "sz", 1, {1}},
+    {"Phong", "input", NONE, {0}},
+    {"Phong", "diffuse", 3, {.5, .5, .5}},
+    {"Phong", "specular", 1, {0}},
+    {"Phong", "shininess", NONE, {0}},
+    {"Phong", "transparency", 1, {0}},
+    {"Phong", "transparencyShininess", NONE, {0}},
+    {"Phong", "interpolatedTransparency", 1, {1}},
+    {"Phong", "diffuseTransparency", 1, {0}},
+    {"Phong", "ambient", 1, {0}},
+    {"Phong", "emissive", 1, {0}},
+    {"RGBA", "r", 1, {.5}},
+    {"RGBA", "g", 1, {.5}},
+    {"RGBA", "b", 1, {.5}},
+    {"RGBA", "a", 1, {1}},
+    {"SideSwitch", "frontShader", NONE, {0}},
+    {"SideSwitch", "backShader", NONE, {0}},
+    {"AlgorithmSwitch", "guiShader", NONE, {0}},
+    {"AlgorithmSwitch", "raytracerShader", NONE, {0}},
+    {"AlgorithmSwitch", "radiationShader", NONE, {0}},
+    {"SunSkyLight", "sun", 3, {0, 1, .4}},
+    {"SunSkyLight", "turbidity", 1, {6}},
+    {"SunSkyLight", "radianceFactor", 1, {1}},
+    {"SunSkyLight", "disableLight", 1, {0}},
+    {"SunSkyLight", "disableSun", 1, {0}},
+};
+
+/* Those of every volume map but VolumeChecker. */
+static const char *const volumes[] = {"Gradient", "Granite", "Leopard", "Wood", "Mandel", "Julia", "VolumeTurbulence"};
+static const Default volume_defaults[] = {
+    {NULL, "input", NONE, {0}},
+    {NULL, "waveForm", NONE, {0}},
+    {NULL, "frequency", 1, {1}},
+    {NULL, "phase", 1, {0}},
+};
+
+typedef struct {
+    MatcDocument *document;
+    const Node *node; /* the map or material that was asked for */
+} Lone;
+
+/* A document in which a map or material stands with its kind alone. */
+static Lone read_lone(const char *kind, bool material)
+{
+    char text[128];
+    MatcOptions options;
+    matc_options_init(&options);
+    snprintf(text, sizeof text, material ? "material: %s\n" : "material: Phong\ndiffuse: { map: %s }\n", kind);
+    Lone lone = {matc_read("a.yaml", text, strlen(text), &options), NULL};
+    assert_non_null(lone.document->graph);
+    lone.node = lone.document->graph->materials[0].node;
+    if (!material)
+        lone.node = node_param(lone.node, P_Phong_diffuse)->node;
+    return lone;
+}
+
+/* Of a number, of a map that is one, or of none. */
+static void check_value(const char *kind, const Default *row, const Value *value)
+{
+    if (value->kind == VALUE_node)
+        value = &value->node->params[0];
+    const int lanes = value->kind == VALUE_number ? type_table[value->type].lanes : NONE;
+    if (value->kind != VALUE_none && lanes != row->lanes)
+        fail_msg("%s.%s has %d lanes, not %d", kind, row->param, lanes, row->lanes);
+    if (value->kind == VALUE_none && row->lanes != NONE)
+        fail_msg("%s.%s has no default", kind, row->param);
+    for (int i = 0; i < row->lanes; i++)
+        if (value->number[i] != row->value[i])
+            fail_msg("%s.%s is %g, not %g", kind, row->param, value->number[i], row->value[i]);
+}
+
+static const Default *find_default(const KindRow *kind, const char *param)
+{
+    for (size_t i = 0; i < sizeof defaults / sizeof *defaults; i++)
+        if (!strcmp(defaults[i].kind, kind->name) && !strcmp(defaults[i].param, param))
+            return &defaults[i];
+    for (size_t i = 0; i < sizeof volumes / sizeof *volumes; i++)
+        for (size_t k = 0; !strcmp(volumes[i], kind->name) && k < sizeof volume_defaults / sizeof *volume_defaults; k++)
+            if (!strcmp(volume_defaults[k].param, param))
+                return &volume_defaults[k];
+    return NULL;
+}
+
+/* Of every parameter of every kind; one without a row here fails. */
+static void test_every_default(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < KIND_COUNT; kind++) {
+        if (kind == KIND_Constant) /* a bare number, which is always given */
+            continue;
+        const KindRow *row = &kind_table[kind];
+        Lone lone = read_lone(row->name, row->lowering == LOWERING_MATERIAL);
+        assert_int_equal(lone.node->kind, kind);
+        for (int i = 0; i < row->count; i++) {
+            const char *param = param_table[row->first + i].name;
+            const Default *expected = find_default(row, param);
+            if (!expected)
+                fail_msg("%s.%s is not written down here", row->name, param);
+            check_value(row->name, expected, &lone.node->params[i]);
+        }
+        matc_document_free(lone.document);
+    }
+}
+
+/* Wrinkles is a VolumeTurbulence of eleven octaves, each half as strong as the one before. */
+static void test_presets(void **state)
+{
+    (void)state;
+    static const Default wrinkles[] = {
+        {NULL, "size", 1, {1}},           {NULL, "octaves", 1, {11}},  {NULL, "noiseRatio", 1, {.5}},
+        {NULL, "frequencyRatio", 1, {2}}, {NULL, "frequency", 1, {1}}, {NULL, "phase", 1, {0}},
+    };
+    Lone lone = read_lone("Wrinkles", false);
+    assert_int_equal(lone.node->kind, KIND_VolumeTurbulence);
+    const KindRow *row = &kind_table[KIND_VolumeTurbulence];
+    for (size_t k = 0; k < sizeof wrinkles / sizeof *wrinkles; k++)
+        for (int i = 0; i < row->count; i++)
+            if (!strcmp(param_table[row->first + i].name, wrinkles[k].param))
+                check_value("Wrinkles", &wrinkles[k], &lone.node->params[i]);
+    matc_document_free(lone.document);
+}
+
+/* The constants of java.awt.Color, and the sixteen colours of EGA, by their bytes. */
+static const struct {
+    const char *name;
+    uint32_t rgb;
+} colors[] = {
+    {"white", 0xFFFFFF},
+    {"lightGray", 0xC0C0C0},
+    {"gray", 0x808080},
+    {"darkGray", 0x404040},
+    {"black", 0x000000},
+    {"red", 0xFF0000},
+    {"pink", 0xFFAFAF},
+    {"orange", 0xFFC800},
+    {"yellow", 0xFFFF00},
+    {"green", 0x00FF00},
+    {"magenta", 0xFF00FF},
+    {"cyan", 0x00FFFF},
+    {"blue", 0x0000FF},
+    {"egaBlack", 0x000000},
+    {"egaBlue", 0x0000AA},
+    {"egaGreen", 0x00AA00},
+    {"egaCyan", 0x00AAAA},
+    {"egaRed", 0xAA0000},
+    {"egaMagenta", 0xAA00AA},
+    {"egaBrown", 0xAA5500},
+    {"egaLightGray", 0xAAAAAA},
+    {"egaDarkGray", 0x555555},
+    {"egaBrightBlue", 0x5555FF},
+    {"egaBrightGreen", 0x55FF55},
+    {"egaBrightCyan", 0x55FFFF},
+    {"egaBrightRed", 0xFF5555},
+    {"egaBrightMagenta", 0xFF55FF},
+    {"egaBrightYellow", 0xFFFF55},
+    {"egaWhite", 0xFFFFFF},
+};
+
+static void check_color(const char *text, double r, double g, double b)
+{
+    char document_text[64];
+    MatcOptions options;
+    matc_options_init(&options);
+    snprintf(document_text, sizeof document_text, "material: Phong\ndiffuse: '%s'\n", text);
+    MatcDocument *document = matc_read("a.yaml", document_text, strlen(document_text), &options);
+    assert_non_null(document->graph);
+    const Node *diffuse = node_param(document->graph->materials[0].node, P_Phong_diffuse)->node;
+    const Value *value = &diffuse->params[0];
+    if (value->number[0] != r / 255 || value->number[1] != g / 255 || value->number[2] != b / 255)
+        fail_msg("%s is (%g, %g, %g) / 255", text, value->number[0] * 255, value->number[1] * 255,
+                 value->number[2] * 255);
+    matc_document_free(document);
+}
+
+static void test_colors(void **state)
+{
+    (void)state;
+    assert_int_equal(color_count, sizeof colors / sizeof *colors);
+    for (int i = 0; i < color_count; i++)
+        check_color(colors[i].name, colors[i].rgb >> 16, colors[i].rgb >> 8 & 255, colors[i].rgb & 255);
+    check_color("#000", 0, 0, 0);
+    check_color("#fff", 255, 255, 255);
+    check_color("#08F", 0, 0x88, 0xFF);
+    check_color("#01807f", 1, 128, 127);
+    check_color("#0A0b0C80", 10, 11, 12);
+}
+
+/* What `--precision` says of each axis. */
+static void test_precision(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        int noise, coordinates, powers, trigonometry;
+    } rows[] = {
+        {NULL, CHOICE_noise_lattice, CHOICE_coordinates_plain, CHOICE_powers_squaring, CHOICE_trigonometry_native},
+        {"fast", CHOICE_noise_lattice, CHOICE_coordinates_plain, CHOICE_powers_squaring, CHOICE_trigonometry_native},
+        {"balanced", CHOICE_noise_lattice, CHOICE_coordinates_long, CHOICE_powers_squaring,
+         CHOICE_trigonometry_bounded},
+        {"exact", CHOICE_noise_groimp, CHOICE_coordinates_long, CHOICE_powers_compensated, CHOICE_trigonometry_bounded},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        Job job;
+        MatcOptions options;
+        matc_options_init(&options);
+        options.precision = rows[i].name;
+        assert_null(job_of(&options, &job));
+        assert_int_equal(job.choice[AXIS_noise], rows[i].noise);
+        assert_int_equal(job.choice[AXIS_coordinates], rows[i].coordinates);
+        assert_int_equal(job.choice[AXIS_powers], rows[i].powers);
+        assert_int_equal(job.choice[AXIS_trigonometry], rows[i].trigonometry);
+        assert_int_equal(job.choice[AXIS_aa], CHOICE_aa_none);
+        assert_int_equal(job.choice[AXIS_derivatives], CHOICE_derivatives_finite);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_default),
+        cmocka_unit_test(test_presets),
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_precision),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
