@@ -189,6 +189,8 @@ void manifest_remove_stale(Batch *b, const char *old)
 {
     cJSON *json = cJSON_Parse(old);
     const cJSON *file;
+    if (!json) /* cJSON keeps where the fault is, in a text that goes: one without a fault makes it forget */
+        cJSON_Delete(cJSON_Parse("0"));
     cJSON_ArrayForEach(file, cJSON_GetObjectItemCaseSensitive(json, "files"))
     {
         const char *hash = cJSON_GetStringValue(file), *name = file->string;

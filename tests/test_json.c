@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "read_text.h"
+#include "compiler/batch_state.h"
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdlib.h>
@@ -294,7 +295,10 @@ static void test_host(void **state)
     read_text(&r, "a.json", TEXT("[1, 2"));
     read_text_done(&r);
     assert_ptr_equal(cJSON_GetErrorPtr(), fault);
-    assert_null(cJSON_Parse(own));
+
+    static Batch batch; /* its manifest is read by cJSON: nothing of that one's text is kept */
+    manifest_remove_stale(&batch, "{ \"files\": x");
+    assert_null(cJSON_GetErrorPtr());
 }
 
 int main(void)
