@@ -71,21 +71,24 @@ static void join_said(BatchDocument *document)
 
 void batch_fault(Batch *b) { b->fault = true; }
 
-void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
+static void say_of_file(Batch *b, BatchDocument *document, Severity severity, const char *what, const char *why)
 {
     Arena arena = {0};
     Text text = text_new(&arena);
-    diag_complain(&text, what, why);
+    diag_complain(&text, severity, what, why);
     batch_say(b, document, text.at);
     arena_free(&arena);
+}
+
+void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
+{
+    say_of_file(b, document, SEVERITY_error, what, why);
     batch_fault(b);
 }
 
 void batch_warn(Batch *b, const char *what, const char *why)
 {
-    char text[LONGEST_PATH + 256];
-    snprintf(text, sizeof text, "matc: warning: %s: %s\n", what, why);
-    batch_say(b, NULL, text);
+    say_of_file(b, NULL, SEVERITY_warning, what, why);
 }
 
 /* -- the queue's calls: first all materials, then what must be written again */

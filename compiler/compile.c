@@ -117,7 +117,11 @@ const char *path_beside(Compile *c, const char *from, const char *path)
         text_add(&joined, from, (size_t)(slash - from) + 1);
     text_put(&joined, path);
     normalise(joined.at);
-    return joined.at;
+    if (joined.at[0] != '<')
+        return joined.at;
+    Text here = text_new(c->arena); /* what is read from standard input is called <stdin>, and no file is */
+    text_format(&here, "./%s", joined.at);
+    return here.at;
 }
 
 Graph *compile_front(Compile *c, uint32_t source, Tree **tree)

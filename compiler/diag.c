@@ -125,9 +125,9 @@ void diag_print_json(Text *out, const Diag *diag, const Source *sources)
     text_put(out, "}");
 }
 
-void diag_complain(Text *out, const char *what, const char *why)
+void diag_complain(Text *out, Severity severity, const char *what, const char *why)
 {
-    text_put(out, "matc: error: ");
+    text_format(out, "matc: %s: ", severity_name[severity]);
     text_visible(out, what, strlen(what));
     text_format(out, ": %s\n", why);
 }

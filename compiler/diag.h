@@ -44,7 +44,7 @@ void diag_message(Text *out, DiagKind kind, va_list args);
 /* gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
 /* What a program says of a file or an option: "matc: error: what: why". */
-void diag_complain(Text *out, const char *what, const char *why);
+void diag_complain(Text *out, Severity severity, const char *what, const char *why);
 /* One JSON object. */
 void diag_print_json(Text *out, const Diag *diag, const Source *sources);
 #endif

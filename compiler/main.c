@@ -31,7 +31,7 @@ static int complain(const char *what, const char *why)
 {
     Arena arena = {0};
     Text text = text_new(&arena);
-    diag_complain(&text, what, why);
+    diag_complain(&text, SEVERITY_error, what, why);
     fputs(text.at, stderr);
     arena_free(&arena);
     return FAULT;

@@ -64,6 +64,19 @@ check "the manifest is UTF-8" iconv -f UTF-8 -t UTF-16 -o "$work/utf16" "$work/l
 check "and the reflection" iconv -f UTF-8 -t UTF-16 -o "$work/utf16" "$work/latin/blue.json"
 check "with a mark where it is not" grep -q 'gr\\ufffdn/blue.yaml' "$work/latin/manifest.json"
 
+# -- what looks like standard input
+
+mkdir "$work/input"
+printf 'material: Phong\ndiffuse: { ref: wood }\ninclude: "<stdin>"\n' >"$work/input/a.yaml"
+cd "$work/input" || exit 1
+check "no file called <stdin>" status 1 $fast - <a.yaml
+check "is missed" says "<stdin>:3:10: error: cannot read '<stdin>': No such file"
+printf 'defs: { wood: { map: Wood } }\n' >'<stdin>'
+check "one that is there" status 0 $fast - <a.yaml
+check "as a document" status 0 $fast a.yaml --emit=reflect
+check "is the file" grep -q '"./<stdin>"' "$work/stdout"
+cd "$root" || exit 1
+
 # -- terminals
 
 bad="$work/$(printf 'bad\033[31m\037\302\233.yaml')"
@@ -87,6 +100,12 @@ printf 'materials:\n  "\\e[2J": { material: Phong }\n' >"$work/key.yaml"
 check "a name" status 1 $fast "$work/key.yaml"
 check "is shown" says '\\x1b\[2J'
 check "without effect" plain "$work/stderr"
+mkdir "$work/foreign"
+printf '{"matc": "1", "files": {"a\\u001b.frag": "00000000000000000000000000000000"}}' >"$work/foreign/manifest.json"
+echo foreign >"$work/foreign/$(printf 'a\033').frag"
+check "a file that a manifest names" status 0 $fast -d "$work/foreign" examples/checker.yaml
+check "and that matc did not make" says 'warning: a\\x1b.frag: '
+check "is shown" plain "$work/stderr"
 check "a layout that is not there" status 1 $fast --layout="$work/$(printf '\033').yaml" examples/checker.yaml
 check "neither" plain "$work/stderr"
 check "a material that is not there" status 1 $fast --material="$(printf '\033')" examples/checker.yaml

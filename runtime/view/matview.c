@@ -1,5 +1,6 @@
 /* matview's command line: draws pictures of materials. */
 #include "compiler/file.h"
+#include "compiler/text.h"
 #include "picture.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
@@ -44,7 +45,11 @@ static const char help_text[] =
 
 static int complain(const char *what, const char *why)
 {
-    fprintf(stderr, "matview: error: %s: %s\n", what, why);
+    Arena arena = {0};
+    Text shown = text_new(&arena);
+    text_visible(&shown, what, strlen(what));
+    fprintf(stderr, "matview: error: %s: %s\n", shown.size ? shown.at : "", why);
+    arena_free(&arena);
     return FAULT;
 }
 
