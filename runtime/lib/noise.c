@@ -126,16 +126,18 @@ REFERENCE(turbulenceVariance)
 static void vector_turbulence(const void *context, const Octaves *o, const double direction[3], double value[3],
                               double along[3])
 {
+    const double mean = statistics(context).mean / 2; /* of a lane */
     for (int i = 0; i < 3; i++)
         value[i] = along[i] = 0;
     for (int k = 0; k < o->octaves; k++) {
         double scale = pow(o->frequency, k), term[3], slope[3][3], q[3];
-        double strength = pow(o->strength, k) * (o->width > 0 ? octave_share(context, o->width * fabs(scale)) : 1);
+        double whole = pow(o->strength, k);
+        double strength = whole * (o->width > 0 ? octave_share(context, o->width * fabs(scale)) : 1);
         for (int i = 0; i < 3; i++)
             q[i] = scale * (o->p[i] + o->rest[i]);
         reference_lattice_slope(noise_of(context), q, term, slope);
         for (int i = 0; i < 3; i++) {
-            value[i] += strength * term[i];
+            value[i] += strength * term[i] + (whole - strength) * mean;
             for (int axis = 0; axis < 3; axis++)
                 along[i] += strength * scale * slope[i][axis] * direction[axis];
         }
