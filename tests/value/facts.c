@@ -104,8 +104,10 @@ bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex)
     cJSON *root = cJSON_Parse(json);
     const cJSON *row, *stage = cJSON_GetObjectItem(root, "vertex");
     fragment->count = vertex->count = 0;
-    if (!root || !stage)
+    if (!stage) {
+        cJSON_Delete(root);
         return false;
+    }
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "inputs")) take_input(fragment, row);
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "uniforms")) take_uniform(fragment, row, "Material");
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "textures"))
