@@ -77,6 +77,7 @@ endif()
 
 # The same text in every build: figures in docs/, and a second judge of what is for WebGL 2, ctest -L browser
 if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
+  matc_test(pages sh tests/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(figures sh tests/figures.sh ${PROJECT_BINARY_DIR})
   matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   set_tests_properties(browser PROPERTIES LABELS browser)

@@ -1,0 +1,99 @@
+#!/bin/sh
+# What README.md and docs/ show is so: documents compile, programs and messages are what matc writes, excerpts are those of their
+# files, commands run: pages.sh MATC MATVIEW. Run from the project's root.
+set -u
+matc=$(realpath "$1")
+matview=$(realpath "$2")
+root=$(pwd)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+: >"$work/stderr"
+. tests/check.sh
+
+# block PAGE KIND NUMBER: the text of the page's NUMBERth block of that kind
+block() {
+    awk -v "kind=\`\`\`$2" -v "number=$3" '
+        /^```/ { if (open) open = wanted = 0; else { open = 1; wanted = $0 == kind && ++count == number } next }
+        wanted' "$1"
+}
+# blocks PAGE KIND: how many
+blocks() { grep -c "^\`\`\`$2\$" "$1"; }
+without_comments() { grep -v '^#' "$1"; }
+# excerpt PAGE KIND NUMBER FILE: the block stands in the file, line by line
+excerpt() {
+    block "$1" "$2" "$3" >"$work/excerpt"
+    awk 'NR == FNR { lines[++count] = $0; next }
+         { text[FNR] = $0; last = FNR }
+         END { for (start = 0; start + count <= last; start++) {
+                   for (i = 1; i <= count && text[start + i] == lines[i];) i++
+                   if (i > count) exit !count
+               }
+               exit 1 }' "$work/excerpt" "$4"
+}
+# shows PAGE KIND NUMBER FILE: the lines of the block are in the file in that order; "..." leaves any out
+shows() {
+    block "$1" "$2" "$3" >"$work/excerpt"
+    awk 'NR == FNR { if ($0 != "...") lines[++count] = $0; next }
+         at < count && $0 == lines[at + 1] { at++ }
+         END { if (at < count) print "not printed: " lines[at + 1] >"/dev/stderr"; exit at < count || !count }' "$work/excerpt" "$4"
+}
+# same_document PAGE NUMBER FILE: but for comments, of which the block's first names the file
+same_document() {
+    block "$1" yaml "$2" >"$work/block.yaml"
+    [ "$(head -1 "$work/block.yaml")" = "# $3" ] &&
+        [ "$(without_comments "$work/block.yaml")" = "$(without_comments "$3")" ]
+}
+
+# README.md
+check "README's document is the example" same_document README.md 1 examples/checker.yaml
+"$matc" examples/checker.yaml >"$work/checker.frag"
+check "its program is what matc writes" excerpt README.md glsl 1 "$work/checker.frag"
+check "from main() to the end" test "$(block README.md glsl 1)" = "$(sed -n '/^void main/,$p' "$work/checker.frag")"
+mkdir "$work/use" && cd "$work/use" || exit 1
+printf 'material: Phong\ndiffuse:\n  map: Cheker\n' >rock.yaml
+"$matc" rock.yaml 2>said
+sed '/^rock.yaml/!d; N; N' "$root/README.md" >fault
+sed '/^rock.yaml/!d; N; N' "$root/docs/language.md" >fault_of_language
+check "its fault is what matc says" cmp fault said
+check "and so is that of language.md" cmp fault_of_language said
+cp "$root/examples/checker.yaml" rock.yaml
+echo rock.yaml >materials.txt
+mkdir bin && ln -s "$matc" bin/matc && ln -s "$matview" bin/matview
+PATH=$work/use/bin:$PATH
+block "$root/README.md" sh 2 | grep -v -e '--pareto' >commands # which takes long, and which command_line.sh runs
+check "it shows commands" test "$(grep -c '^matc' commands)" -ge 10
+while read -r line; do
+    check "$line" sh -c "$line"
+done <commands
+cd "$root" || exit 1
+
+# docs/language.md
+number=0
+while [ "$number" -lt "$(blocks docs/language.md yaml)" ]; do
+    number=$((number + 1))
+    block docs/language.md yaml "$number" >"$work/document$number.yaml"
+    check "language.md's document $number compiles" "$matc" -d "$work/language" "$work/document$number.yaml"
+    check "without a warning" test ! -s "$work/err"
+done
+check "language.md has documents" test "$number" -ge 7
+
+# docs/add-a-map.md
+check "its first row is Wood's" excerpt docs/add-a-map.md c 1 grammar/maps.def
+check "its second is Julia's" excerpt docs/add-a-map.md c 2 grammar/maps.def
+check "its formula" excerpt docs/add-a-map.md c 3 grammar/formulas.def
+check "its GLSL" excerpt docs/add-a-map.md glsl 1 runtime/maps/wood.glsl
+check "its reference" excerpt docs/add-a-map.md c 4 runtime/maps/wood.c
+check "its example" excerpt docs/add-a-map.md yaml 1 examples/wood.yaml
+
+# docs/layouts.md
+check "its layout is the example" same_document docs/layouts.md 1 examples/layouts/lambert.yaml
+for set in lambert mixed; do
+    "$matc" --no-validate --layout=auto --stats -d "$work/$set" "tests/layouts/$set.yaml" 2>"$work/$set.report"
+done
+check "its first report" shows docs/layouts.md "" 1 "$work/lambert.report"
+check "its second" shows docs/layouts.md "" 2 "$work/mixed.report"
+"$matc" --no-validate --layout=auto --stats -d "$work/all" examples/materials/*.yaml examples/materials/*.json 2>"$work/all.report"
+check "what examples/materials/ take" grep -q '^28 bytes a pixel' "$work/all.report"
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
