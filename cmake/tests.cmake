@@ -60,6 +60,7 @@ add_executable(tree_json tests/suites/tree.c)
 target_link_libraries(tree_json PRIVATE libmatc)
 set_target_properties(tree_json PROPERTIES LINKER_LANGUAGE CXX)
 matc_test(suites sh tests/suites/run.sh $<TARGET_FILE:tree_json> ${PROJECT_BINARY_DIR})
+matc_test(functions matbench functions)
 
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})

@@ -1,16 +1,16 @@
 #!/bin/sh
-# The figures in docs/performance.md that do not depend on the machine, against the commands that print them: figures.sh BUILD_FOLDER
+# The figures in docs/performance.md and docs/stability.md that do not depend on the machine, against the commands that print them: figures.sh BUILD_FOLDER
 # [--update]. A block below `<!-- matbench WORDS -->` is what that command printed; now it is run without its times, for which it
 # prints `-`. Every line of the block must be printed, in this order, with the same words and numbers, and any number where there
 # is a `-`. --update writes the page anew, with its times as they were. Run from the project's root. Status 77: skipped.
 set -u
 build=$1
 update=${2:-}
-page=docs/performance.md
+pages="docs/performance.md docs/stability.md"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 command -v spirv-opt >/dev/null || {
-    echo "SKIPPED: spirv-opt is not installed (Debian: spirv-tools), so no figure of $page was looked at"
+    echo "SKIPPED: spirv-opt is not installed (Debian: spirv-tools), so no figure of $pages was looked at"
     exit 77
 }
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # thousands of small files
@@ -59,8 +59,8 @@ replace_block() { # replace_block COMMAND FILE
 
 failed=0
 blocks=0
-sed -n 's/^<!-- matbench \(.*\) -->$/\1/p' "$page" >"$work/commands"
-while read -r command words; do
+grep -o '^<!-- matbench .* -->$' $pages | sed 's/:<!-- matbench \(.*\) -->$/ \1/' >"$work/commands"
+while read -r page command words; do
     name="$command${words:+ $words}"
     blocks=$((blocks + 1))
     block "$name" >"$work/block"
@@ -76,4 +76,4 @@ while read -r command words; do
     fi
 done <"$work/commands"
 echo "$blocks blocks"
-[ "$failed" = 0 ] && [ "$blocks" -ge 6 ]
+[ "$failed" = 0 ] && [ "$blocks" -ge 7 ]
