@@ -2,7 +2,8 @@
 // - every program links, draws without an error, and writes finite numbers;
 // - the pass `value` of every slot of every example has the values of `matc --eval`;
 // - what one program packs, another unpacks within the layout's stated errors.
-// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each.
+// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each. BROWSER_PART=drawValues in
+// the environment does that part alone.
 import {chromium} from 'playwright-core';
 import {Matc, exampleDocuments} from './matc.mjs';
 import {linkAndDraw} from './programs.mjs';
@@ -48,7 +49,8 @@ async function run(jobs) {
 // Without --all a combination of options is for some of the documents, others than the one before it.
 const SHARE = 6, share = turn => documents.filter((_, i) => i % SHARE === turn % SHARE);
 const faults = [], context = {matc, documents, share, root, run, all, faults};
-for (const part of [linkAndDraw, drawValues, roundTrips].filter(part => !process.env.BROWSER_PART || part.name === process.env.BROWSER_PART)) {
+const only = process.env.BROWSER_PART, parts = [linkAndDraw, drawValues, roundTrips].filter(part => !only || part.name === only);
+for (const part of parts) {
   const start = Date.now(), found = faults.length, said = await part(context);
   console.log(`${said}; ${faults.length - found} faults; ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }

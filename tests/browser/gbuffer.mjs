@@ -36,10 +36,12 @@ function reader(unpack, slots) {
          slots.map((slot, i) => `    if (which == ${i}) color = ${value(slot)};\n`).join('') + '}\n';
 }
 const screen = '#version 300 es\nvoid main() {\n    gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);\n}\n';
-const storedSlots = unpack => [...unpack.matchAll(/^    (float|vec3|vec4) (\w+);/gm)].map(([, type, name]) => ({name, lanes: type === 'float' ? 1 : +type[3]}));
+const members = unpack => [...unpack.matchAll(/^    (float|vec3|vec4) (\w+);/gm)];
+const storedSlots = unpack => members(unpack).map(([, type, name]) => ({name, lanes: type === 'float' ? 1 : +type[3]}));
 
 const angle = (a, b) => {
-  const dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], cross = Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  const dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const cross = Math.hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   return Math.atan2(cross, dot) * 180 / Math.PI;
 };
 // Arithmetic in floats, in front of the encoding; and where a relative error ends: half floats and exponents have a least step.
@@ -55,7 +57,8 @@ function missOf(field, wanted, read, lane) {
 
 function compareSlot(fields, slot, wanted, read) {
   const own = fields.flatMap(field => field.lanes.filter(l => l.slot === slot.name).map(({lane}) => ({field, lane})));
-  const whole = own.flatMap(({field, lane}) => lane === undefined && field.unit !== 'degrees' ? wanted.map((_, i) => ({field, lane: i})) : [{field, lane}]);
+  const isWhole = ({field, lane}) => lane === undefined && field.unit !== 'degrees';
+  const whole = own.flatMap(part => isWhole(part) ? wanted.map((_, lane) => ({field: part.field, lane})) : [part]);
   if (!own.length) return wanted.every((value, lane) => value === read[lane]) ? [] : [`${read} came back, and an absent one is ${wanted}`];
   return whole.map(({field, lane}) => ({field, lane, ...missOf(field, wanted, read, lane)})).filter(({off, bound}) => !(off <= bound))
       .map(({field, lane, off, bound}) => `lane ${lane ?? 'all'} (${field.encoding}): ${wanted} came back as ${read}; ${off} off, ${bound} allowed`);

@@ -46,7 +46,8 @@ export class Matc {
       job: {
         vertex: program.vertexText, fragment: program.fragmentText, formats: colours.map(output => output.format),
         uniforms: reflected.uniforms.filter(u => u.default).map(u => ({name: u.name, type: u.type, value: use.uniforms?.[u.name] ?? u.default})),
-        block: program.constants && {name: program.constants.block, size: program.constants.size, members: members.map((m, i) => ({...m, value: use.constants[i]}))},
+        block: program.constants && {name: program.constants.block, size: program.constants.size,
+                                     members: members.map((m, i) => ({...m, value: use.constants[i]}))},
         textures: reflected.textures.map(t => ({name: t.name, key: this.texture(out, t, use.textures?.[t.name])}))
       }
     };

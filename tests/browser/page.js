@@ -1,8 +1,8 @@
 // What runs in the page: WebGL 2 programs are linked, drawn into targets of their own, and read back. A job is
 //   {vertex, fragment, formats: [...], width, height, points: how many, or 0 for a triangle, attributes: {location: {lanes, values}},
 //    uniforms: [{name, type, value}], block: {name, size, members: [{type, offset, value}]}, textures: [{name, key}], keep: key}
-// run(job) gives {error}, or {pixels: [numbers of each target], offsets: {name: byte}}. With `keep` the targets stay as textures
-// key + number, for other jobs. Programs and textures are remembered. There is always a depth buffer.
+// run(job) gives {error}, or {pixels: [numbers of each target], offsets: {name: byte}, drawn: whether anything is}. With `keep`
+// the targets stay as textures key + number, for other jobs. Programs and textures are remembered. There is always a depth buffer.
 const gl = document.querySelector('canvas').getContext('webgl2', {antialias: false});
 const floats = gl.getExtension('EXT_color_buffer_float');
 const programs = new Map(), textures = new Map(), mostPrograms = 200;
@@ -16,7 +16,7 @@ const formats = {
   RG32UI: [gl.RG32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, Uint32Array, 4],
   RGBA32UI: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, Uint32Array, 4]
 };
-const untouched = 0x7ea5ed00; // as bits: what targets hold before something is drawn
+const untouchedWord = 0x7ea5ed00, untouchedFloat = -4096; // what targets hold before something is drawn
 
 function about() {
   const info = gl && gl.getExtension('WEBGL_debug_renderer_info');
@@ -126,7 +126,7 @@ function setTextures(program, list) {
   gl.activeTexture(gl.TEXTURE0 + 15);
 }
 
-// A framebuffer whose targets are textures, each filled with `untouched`.
+// A framebuffer whose targets are textures, each filled with what nobody draws.
 function makeTargets(job) {
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   const made = job.formats.map((name, i) => {
@@ -143,8 +143,8 @@ function makeTargets(job) {
   gl.clear(gl.DEPTH_BUFFER_BIT);
   gl.drawBuffers(job.formats.map((_, i) => gl.COLOR_ATTACHMENT0 + i));
   job.formats.forEach((name, i) => formats[name][3] === Float32Array
-                                       ? gl.clearBufferfv(gl.COLOR, i, [-12345, -12345, -12345, -12345])
-                                       : gl.clearBufferuiv(gl.COLOR, i, [untouched, untouched, untouched, untouched]));
+                                       ? gl.clearBufferfv(gl.COLOR, i, Array(4).fill(untouchedFloat))
+                                       : gl.clearBufferuiv(gl.COLOR, i, Array(4).fill(untouchedWord)));
   return made;
 }
 function dropTargets(job, made) {
@@ -159,6 +159,12 @@ function readTargets(job) {
     gl.readPixels(0, 0, job.width, job.height, format, type, numbers);
     return [...numbers].map(n => Number.isFinite(n) ? n : String(n)); // JSON has no NaN
   });
+}
+
+// Some pixel of the first target, by its first lane; without targets nobody can tell.
+function isDrawn(job, pixels) {
+  const before = job.formats[0]?.endsWith('UI') ? untouchedWord : untouchedFloat;
+  return !job.formats.length || pixels[0].some((n, i) => i % 4 === 0 && n !== before);
 }
 
 function setAttributes(attributes) {
@@ -186,5 +192,5 @@ function run(job) {
   gl.drawArrays(job.points ? gl.POINTS : gl.TRIANGLES, 0, job.points || 3);
   const pixels = readTargets(job), offsets = offsetsOf(program), fault = gl.getError();
   dropTargets(job, made);
-  return fault ? {error: `WebGL error 0x${fault.toString(16)}`} : {pixels, offsets};
+  return fault ? {error: `WebGL error 0x${fault.toString(16)}`} : {pixels, offsets, drawn: isDrawn(job, pixels)};
 }

@@ -1,7 +1,8 @@
 // Programs: that each links with its own vertex program, draws into its targets without an error, and writes finite numbers.
 const size = 4, corners = [[-1, -1, 0], [3, -1, 0], [-1, 3, 0]];
 const attributes = {
-  0: {lanes: 3, values: corners.flat()}, 1: {lanes: 3, values: [0, 0, 1, 0.3, 0, 1, 0, 0.4, 1]}, 2: {lanes: 2, values: [0.1, 0.2, 2.3, 0.4, 0.5, 2.6]},
+  0: {lanes: 3, values: corners.flat()}, 1: {lanes: 3, values: [0, 0, 1, 0.3, 0, 1, 0, 0.4, 1]},
+  2: {lanes: 2, values: [0.1, 0.2, 2.3, 0.4, 0.5, 2.6]},
   3: {lanes: 3, values: [1, 0, 0, 1, 0, 0, 1, 0, 0]}, 4: {lanes: 3, values: [0, 1, 0, 0, 1, 0, 0, 1, 0]}
 };
 const unit = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], unit3 = [1, 0, 0, 0, 1, 0, 0, 0, 1];
@@ -10,7 +11,8 @@ const uniforms = [
   {name: 'matc_worldFromLocal', type: 'mat4', value: unit}, {name: 'matc_clipFromWorld', type: 'mat4', value: unit},
   {name: 'matc_worldNormalFromLocal', type: 'mat3', value: unit3}, {name: 'matc_eyeNormalFromLocal', type: 'mat3', value: unit3},
   {name: 'matc_worldFromClip', type: 'mat4', value: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, -4.95, 0, 0, -1, 5.05]},
-  {name: 'matc_eyePosition', type: 'vec3', value: [0, 0, 3]}, {name: 'matc_ior', type: 'float', value: [1]}, {name: 'matc_eyeFromWorld', type: 'mat3', value: unit3},
+  {name: 'matc_eyePosition', type: 'vec3', value: [0, 0, 3]}, {name: 'matc_ior', type: 'float', value: [1]},
+  {name: 'matc_eyeFromWorld', type: 'mat3', value: unit3},
   {name: 'matc_planeOrigin', type: 'vec3', value: [0, 0, 0]}, {name: 'matc_planeU', type: 'vec3', value: [1, 0, 0]},
   {name: 'matc_planeV', type: 'vec3', value: [0, 1, 0]}, {name: 'matc_clipZ', type: 'vec4', value: [0, 0, -1.01, 2.83]},
   {name: 'matc_clipW', type: 'vec4', value: [0, 0, -1, 3]}
@@ -42,12 +44,14 @@ export async function linkAndDraw({matc, documents, share, run, all, faults}) {
       seen.add(text);
       return !known;
     });
-    const results = await run(fresh.map(({job}) => ({...job, width: size, height: size, points: 0, attributes, uniforms: [...uniforms, ...job.uniforms]})));
-    results.forEach(({error, pixels, offsets}, i) => {
-      const {what, job} = fresh[i];
+    const whole = job => ({...job, width: size, height: size, points: 0, attributes, uniforms: [...uniforms, ...job.uniforms]});
+    const results = await run(fresh.map(({job}) => whole(job)));
+    results.forEach(({error, pixels, offsets, drawn}, i) => {
+      const {what, job} = fresh[i], member = !error && misplaced(job, offsets);
       if (error) faults.push(`${what}: ${error}`);
+      else if (!drawn) faults.push(`${what}: draws nothing`);
       else if (notFinite(pixels)) faults.push(`${what}: draws a number that is none`);
-      else if (misplaced(job, offsets)) faults.push(`${what}: ${misplaced(job, offsets).name} is at ${offsets[misplaced(job, offsets).name]} in its block`);
+      else if (member) faults.push(`${what}: ${member.name} is at ${offsets[member.name]} in its block, not at ${member.offset}`);
     });
   }
   return `${seen.size} programs link and draw`;

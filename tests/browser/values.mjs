@@ -28,7 +28,8 @@ const attributes = {
 // The same point as --eval takes it.
 function channels({position, normal, texcoord: [u, v]}) {
   const [x, y, z] = position, [rx, ry, rz] = turned(position), [nx, ny, nz] = turned(normal);
-  return {u, v, x, y, z, px: 2 * rx + 0.25, py: 2 * ry - 0.5, pz: 2 * rz + 1, nx, ny, nz, dpxdu: 0, dpydu: 2, dpzdu: 0, dpxdv: -2, dpydv: 0, dpzdv: 0};
+  return {u, v, x, y, z, px: 2 * rx + 0.25, py: 2 * ry - 0.5, pz: 2 * rz + 1, nx, ny, nz,
+          dpxdu: 0, dpydu: 2, dpzdu: 0, dpxdv: -2, dpydv: 0, dpzdv: 0};
 }
 
 // A job that draws every point as a pixel, its varyings by matc's own vertex program.
@@ -75,7 +76,8 @@ export function readBounds(file) {
 const DRIVERS_SINES = {name: "the driver's sines", bound: 4e-4};
 const usesDriversSines = ({reflected, job}) => reflected.choices.trigonometry === 'native' && /\b(sin|cos|tan|asin|acos|atan)\(/.test(job.fragment);
 function boundOf(bounds, draw, slot, root) {
-  const text = draw.reflected.sources.filter(file => /\.(yaml|json)$/.test(file)).map(file => fs.readFileSync(path.resolve(root, file), 'utf8')).join('\n');
+  const documents = draw.reflected.sources.filter(file => /\.(yaml|json)$/.test(file));
+  const text = documents.map(file => fs.readFileSync(path.resolve(root, file), 'utf8')).join('\n');
   const takesPart = ({kind, name}) => !kind || (kind === 'SLOT' ? slot === name : new RegExp(`\\b${name}\\b`).test(text));
   return [...bounds.filter(takesPart), ...usesDriversSines(draw) ? [DRIVERS_SINES] : []].reduce((most, row) => row.bound > most.bound ? row : most);
 }
@@ -100,7 +102,9 @@ export async function compareValues({draw, slot, pixels, options, reference, bou
       }
       const name = bound.name ?? 'DEFAULT';
       if (off > (worst.get(name)?.off ?? -1)) worst.set(name, {off, bound: bound.bound, what: draw.what});
-      if (!(off <= bound.bound)) faults.push(`${draw.what}, point ${i}, lane ${lane}: drawn ${drawn}, --eval says ${value}; ${off.toExponential(1)} off, ${bound.bound} allowed`);
+      if (!(off <= bound.bound))
+        faults.push(`${draw.what}, point ${i}, lane ${lane}: drawn ${drawn}, --eval says ${value}; ` +
+                    `${off.toExponential(1)} off, ${bound.bound} allowed`);
     }
   }
   return {count, faults};
