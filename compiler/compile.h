@@ -15,6 +15,8 @@ enum {
     LIMIT_DOCUMENT_MIB = 64,    /* a source text */
     LIMIT_DEPTH = 256,          /* nesting of a document, and of references met on the way down */
     LIMIT_GRAPH_DEPTH = 2048,   /* maps below one another, through references too */
+    LIMIT_SHALLOW = 64,         /* of them: those for which the caller's stack is taken; stack.h */
+    LIMIT_LEVEL_KIB = 4,        /* of stack for each of the others, eight times what the deepest chain takes */
     LIMIT_TREE_NODES = 4000000, /* values in a document */
     LIMIT_IR_NODES = 2000000,   /* nodes of a program */
     LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */

@@ -2,6 +2,7 @@
 #include "lower.h"
 #include "opt.h"
 #include "slope.h"
+#include "stack.h"
 #include <string.h>
 
 Env surface_env(Lower *l)
@@ -189,9 +190,20 @@ static void write_pass(Lower *l, const Node *material)
     }
 }
 
+typedef struct {
+    Lower *l;
+    const Node *material;
+} Writing;
+
+static void write_on_stack(void *user)
+{
+    const Writing *writing = user;
+    write_pass(writing->l, writing->material);
+}
+
 Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job)
 {
     Lower l = start(c, graph, job, c->optimize);
-    write_pass(&l, material);
+    stack_run(material ? material->depth : 0, write_on_stack, &(Writing){&l, material});
     return l.failed ? NULL : l.ir;
 }

@@ -1,6 +1,7 @@
 /* The shading slots of every material (semantics.md, section 4). */
 #include "oracle.h"
 #include "oracle_maps.h"
+#include "stack.h"
 #include "runtime/lib/sky.h"
 #include <assert.h>
 #include <string.h>
@@ -156,21 +157,38 @@ static const Node *chosen(const Node *material, bool front)
     return material;
 }
 
-bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
+static void answer(Environment *environment, const Node *material, SlotValues *result)
 {
-    Environment environment = environment_open(oracle, surface, 0);
-    oracle->answers = 0;
-    set_neutral(&environment, result);
-    const Node *shader = chosen(material, surface->front);
+    set_neutral(environment, result);
+    const Node *shader = chosen(material, environment->surface->front);
     if (!shader)
         missing(result);
     else if (shader->kind == KIND_Phong)
-        phong(&environment, shader, result);
+        phong(environment, shader, result);
     else if (shader->kind == KIND_RGBA)
         rgba(shader, result);
     else if (shader->kind == KIND_SunSkyLight)
-        sky(&environment, shader, result);
+        sky(environment, shader, result);
     else
         assert(!"a material");
+}
+
+typedef struct {
+    Environment environment;
+    const Node *material;
+    SlotValues *result;
+} Question;
+
+static void answer_on_stack(void *user)
+{
+    Question *question = user;
+    answer(&question->environment, question->material, question->result);
+}
+
+bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
+{
+    Question question = {environment_open(oracle, surface, 0), material, result};
+    oracle->answers = 0;
+    stack_run(material ? material->depth : 0, answer_on_stack, &question);
     return oracle->answers <= LIMIT_ANSWERS;
 }

@@ -30,6 +30,31 @@ $fast - <$example >"$work/d.frag"
 check "standard input" same "$work/a.frag" "$work/d.frag"
 check "validates" status 0 "$matc" $example -o "$work/a.frag"
 
+# A transform and a turbulence over one another: each has three lanes, which all come from three lanes of the one below
+{
+    echo 'defs:'
+    echo '  k0: { map: XYZTransform, transform: { rotation: [0.1, 0.2, 0.3] } }'
+    for i in $(seq 1 60); do
+        [ $((i % 2)) = 1 ] && echo "  k$i: { map: Turbulence, input: { ref: k$((i - 1)) } }" ||
+            echo "  k$i: { map: XYZTransform, transform: { rotation: [0.1, 0.2, 0.3] }, input: { ref: k$((i - 1)) } }"
+    done
+    echo 'material: Phong'
+    echo 'diffuse: { map: Wood, input: { ref: k60 } }'
+} >"$work/chain.yaml"
+check "a chain of 60 ends under --coordinates=long" status 0 timeout 10 $fast --coordinates=long "$work/chain.yaml"
+check "and under --precision=exact" status 0 timeout 10 $fast --precision=exact "$work/chain.yaml"
+# Filters within filters, over maps
+{
+    printf 'material: Phong\ndiffuse: '
+    for i in 1 2 3 4; do printf '{ map: Smooth3D, input: '; done
+    for i in $(seq 1 40); do printf '{ map: Blend, input: '; done
+    printf 0.5
+    for i in $(seq 1 44); do printf ' }'; done
+    echo
+} >"$work/filters.yaml"
+check "--eval is bounded" status 2 timeout 60 "$matc" --eval 'u=0.5' "$work/filters.yaml"
+check "and says so" says 'too many answers of maps'
+
 check "no document is wrong usage" status 2 "$matc"
 check "an unknown option is wrong usage" status 2 "$matc" --frobnicate $example
 check "--layout" status 0 $fast --layout=compact $example

@@ -78,10 +78,10 @@ char *growth_text(const GrowthRow *row, int count, size_t *size)
 
 /* One white pixel. */
 static const unsigned char picture[] = {
-    0x89, 'P',  'N',  'G',  13,  10,  26,  10,   0,    0,    0,    13,   'I',  'H',  'D',  'R',  0,
-    0,    0,    1,    0,    0,   0,   1,   8,    0,    0,    0,    0,    0x3A, 0x7E, 0x9B, 0x55, 0,
-    0,    0,    10,   'I',  'D', 'A', 'T', 0x78, 0x9C, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
-    0x1B, 0xB6, 0xEE, 0x56, 0,   0,   0,   0,    'I',  'E',  'N',  'D',  0xAE, 0x42, 0x60, 0x82};
+    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52, 0x00,
+    0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00,
+    0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
+    0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
 
 static char *read_made(void *user, const char *path, size_t *size, const char **why)
 {
@@ -100,13 +100,15 @@ static char *read_made(void *user, const char *path, size_t *size, const char **
 
 typedef struct {
     MatcOptions options;
-    bool eval, all;
+    bool eval, all, json;
 } Setting;
 
 static void set_option(Setting *s, const char *name, char *value)
 {
     if (!strcmp(name, "eval"))
         s->eval = s->options.pixels = true;
+    else if (!strcmp(name, "json"))
+        s->json = true;
     else if (!strcmp(name, "all"))
         s->all = true;
     else if (!strcmp(name, "measure"))
@@ -181,7 +183,7 @@ GrowthRun growth_run(const GrowthRow *row, int count)
     GrowthRun run = {0};
     char *text = growth_text(row, count, &run.read);
     double start = now();
-    MatcDocument *document = matc_read("growth.yaml", text, run.read, &s.options);
+    MatcDocument *document = matc_read(s.json ? "growth.json" : "growth.yaml", text, run.read, &s.options);
     run.written += strlen(matc_tree_text(document)) + (size_t)matc_depend_count(document);
     run.written += strlen(matc_diagnostics(document, MATC_TEXT)) + strlen(matc_diagnostics(document, MATC_JSON));
     run.errors += matc_error_count(document);

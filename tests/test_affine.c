@@ -1,0 +1,346 @@
+/* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, lanes and signs in any order, comes out
+ * whole and fraction far from the origin. The truth is a matrix and an offset in long double that the test carries along. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/fold.h"
+#include "compiler/footprint.h"
+#include "compiler/opt.h"
+#include "compiler/pipeline.h"
+#include "tests/value/evaluate.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LANES = 3, TRIALS = 3000, MOST_STEPS = 12, LONG_CHAIN = 400, POINTS = 4 };
+
+/* row . root + offset for each lane. */
+typedef struct {
+    long double row[LANES][LANES], offset[LANES];
+} Exact;
+
+typedef struct {
+    Arena arena;
+    MatcOptions options;
+    Compile c;
+    Graph graph;
+    Job job;
+    Lower l;
+    Ref value;
+    Exact exact;
+    uint64_t random;
+} Trial;
+
+static double next(Trial *t)
+{
+    t->random = t->random * 6364136223846793005u + 1442695040888963407u;
+    return (double)(t->random >> 11) * 0x1p-53;
+}
+
+static int choose(Trial *t, int count) { return (int)(next(t) * count); }
+
+/* Of either sign, and about 1, so that long chains neither grow without end nor vanish. */
+static double factor(Trial *t) { return (choose(t, 2) ? 1 : -1) * (0.8 + 0.45 * next(t)); }
+
+static void open_trial(Trial *t, uint64_t seed, bool simplify)
+{
+    *t = (Trial){.random = seed * 0x9E3779B97F4A7C15u + 1};
+    matc_options_init(&t->options);
+    t->options.coordinates = "long";
+    t->options.pass = "value";
+    assert_null(job_of(&t->options, &t->job));
+    t->c = (Compile){.options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
+    t->l = (Lower){.c = &t->c, .graph = &t->graph, .ir = ir_new(&t->c, &t->graph), .job = &t->job};
+    t->l.ir->simplify = simplify ? opt_simplify : NULL;
+    t->value = ir_input(t->l.ir, INPUT_X);
+    for (int i = 0; i < LANES; i++)
+        t->exact.row[i][i] = 1;
+}
+
+static void close_trial(Trial *t)
+{
+    ir_done(t->l.ir);
+    arena_free(&t->arena);
+}
+
+static void step_sum(Trial *t)
+{
+    double shift[LANES] = {factor(t), factor(t), factor(t)};
+    Ref constant = ir_const(t->l.ir, TYPE_vec3, shift);
+    int form = choose(t, 4); /* x + k, k + x, x - k, k - x */
+    Ref a = form % 2 ? constant : t->value, b = form % 2 ? t->value : constant;
+    t->value = ir_make(t->l.ir, form < 2 ? OP_add : OP_sub, TYPE_bool, 0, (Ref[]){a, b}, 2);
+    for (int i = 0; i < LANES; i++) {
+        for (int k = 0; form == 3 && k < LANES; k++)
+            t->exact.row[i][k] *= -1;
+        t->exact.offset[i] = (form == 3 ? -1 : 1) * t->exact.offset[i] + (form == 2 ? -1 : 1) * (long double)shift[i];
+    }
+}
+
+static void scale_lane(Trial *t, int lane, double by)
+{
+    t->exact.offset[lane] *= by;
+    for (int k = 0; k < LANES; k++)
+        t->exact.row[lane][k] *= by;
+}
+
+static void step_product(Trial *t)
+{
+    double by[LANES] = {factor(t), factor(t), factor(t)};
+    bool one = choose(t, 2), first = choose(t, 2);
+    Ref constant = one ? ir_float(t->l.ir, by[0]) : ir_const(t->l.ir, TYPE_vec3, by);
+    t->value =
+        ir_make(t->l.ir, OP_mul, TYPE_bool, 0, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant}, 2);
+    for (int i = 0; i < LANES; i++)
+        scale_lane(t, i, by[one ? 0 : i]);
+}
+
+static void step_sign(Trial *t)
+{
+    t->value = ir_unary(t->l.ir, OP_neg, t->value);
+    for (int i = 0; i < LANES; i++)
+        scale_lane(t, i, -1);
+}
+
+static void step_matrix(Trial *t)
+{
+    double column[LANES][LANES]; /* a rotation, a little off */
+    double angle = 6.28 * next(t), stretch = 0.9 + 0.2 * next(t);
+    int axis = choose(t, 3);
+    memset(column, 0, sizeof column);
+    column[axis][axis] = stretch;
+    int i = (axis + 1) % 3, k = (axis + 2) % 3;
+    column[i][i] = cos(angle);
+    column[k][k] = cos(angle) * stretch;
+    column[i][k] = sin(angle);
+    column[k][i] = -sin(angle);
+    Ref args[] = {t->value, ir_const(t->l.ir, TYPE_vec3, column[0]), ir_const(t->l.ir, TYPE_vec3, column[1]),
+                  ir_const(t->l.ir, TYPE_vec3, column[2])};
+    t->value = ir_make(t->l.ir, OP_linear, TYPE_vec3, 0, args, 4);
+    Exact before = t->exact;
+    for (int row = 0; row < LANES; row++) {
+        t->exact.offset[row] = 0;
+        for (int c = 0; c < LANES; c++) {
+            t->exact.offset[row] += column[c][row] * before.offset[c];
+            t->exact.row[row][c] = 0;
+            for (int j = 0; j < LANES; j++)
+                t->exact.row[row][c] += column[j][row] * before.row[j][c];
+        }
+    }
+}
+
+/* Lanes in another order, one of them now and then taken twice, from a vector or one by one. */
+static void step_lanes(Trial *t)
+{
+    static const char letters[] = "xyz";
+    int from[LANES] = {choose(t, 3), 0, 0};
+    from[1] = (from[0] + 1 + choose(t, 2)) % 3;
+    from[2] = choose(t, 4) ? 3 - from[0] - from[1] : from[0];
+    char all[] = {letters[from[0]], letters[from[1]], letters[from[2]], 0};
+    if (choose(t, 2)) {
+        t->value = ir_swizzle(t->l.ir, t->value, all);
+    } else {
+        Ref pair = ir_swizzle(t->l.ir, t->value, (char[]){all[0], all[1], 0});
+        Ref last = ir_swizzle(t->l.ir, t->value, (char[]){all[2], 0});
+        t->value = ir_vec(t->l.ir, TYPE_vec3, (Ref[]){pair, last}, 2);
+    }
+    Exact before = t->exact;
+    for (int i = 0; i < LANES; i++) {
+        t->exact.offset[i] = before.offset[from[i]];
+        memcpy(t->exact.row[i], before.row[from[i]], sizeof before.row[0]);
+    }
+}
+
+static void step(Trial *t)
+{
+    static void (*const steps[])(Trial * t) = {step_sum, step_product, step_sign, step_matrix, step_lanes};
+    steps[choose(t, sizeof steps / sizeof *steps)](t);
+}
+
+static bool is_power(long double x)
+{
+    int exponent;
+    return fabsl(frexpl(x, &exponent)) == 0.5L;
+}
+
+/* A float of the root comes through as it is: nothing to gain. */
+static bool nothing_rounds(const Exact *exact)
+{
+    for (int i = 0; i < LANES; i++) {
+        int terms = 0;
+        for (int k = 0; k < LANES; k++) {
+            terms += exact->row[i][k] != 0;
+            if (exact->row[i][k] != 0 && !is_power(exact->row[i][k]))
+                return false;
+        }
+        if (terms > 1 || (terms && exact->offset[i] != 0))
+            return false;
+    }
+    return true;
+}
+
+/* The factors that the program multiplies a float's halves with have 12 bits, so that every product is exact. */
+static void check_bits(const Ir *ir, Ref call)
+{
+    for (int i = 1; i < ir_at(ir, call)->count; i++)
+        for (int lane = 0; i % 3 != 0 && lane < LANES; lane++) {
+            int exponent;
+            double bits = ldexp(frexp(ir_numbers(ir, ir_arg(ir, call, i))[lane], &exponent), 12);
+            assert_true(bits == trunc(bits));
+        }
+}
+
+static void check_point(Trial *t, double scale, const double point[LANES])
+{
+    double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
+    for (int i = 0; i < LANES; i++)
+        inputs[INPUT_X][i] = point[i];
+    ir_eval(t->l.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, (const double(*)[4])inputs, result);
+    for (int i = 0; i < LANES; i++) {
+        long double want = t->exact.offset[i], size = fabsl(want);
+        for (int k = 0; k < LANES; k++) {
+            want += t->exact.row[i][k] * point[k];
+            size += fabsl(t->exact.row[i][k] * point[k]);
+        }
+        long double found = (long double)result[0][i] + result[1][i],
+                    allowed = 1e-12L * (1 + size) * (long double)scale;
+        assert_true(result[0][i] == nearbyint(result[0][i]) && fabs(result[1][i]) <= 0.5 + 1e-9);
+        if (fabsl(found - want * scale) > allowed)
+            fail_msg("lane %d: %.17Lg, exactly %.17Lg", i, found, want * (long double)scale);
+    }
+}
+
+static void check(Trial *t, double scale)
+{
+    LongCoordinate parts;
+    bool is_long = long_coordinate(&t->l, t->value, scale, &parts);
+    assert_int_equal(is_long, !nothing_rounds(&t->exact));
+    if (!is_long)
+        return;
+    ir_output(t->l.ir, OUT_color, 0, parts.whole);
+    ir_output(t->l.ir, OUT_color, 1, parts.fraction);
+    assert_null(ir_check(t->l.ir));
+    check_bits(t->l.ir, parts.whole);
+    for (int i = 0; i < POINTS; i++)
+        check_point(t, scale, (double[]){(float)(1e5 * factor(t)), (float)(3e4 * factor(t)), (float)(7e3 * factor(t))});
+}
+
+static void whole_and_fraction_are_exact(void **state)
+{
+    (void)state;
+    for (int i = 0; i < TRIALS; i++) {
+        Trial t;
+        open_trial(&t, (uint64_t)i, i % 2);
+        for (int steps = 1 + choose(&t, MOST_STEPS); steps > 0; steps--)
+            step(&t);
+        check(&t, i % 3 ? 2 : 1);
+        close_trial(&t);
+    }
+}
+
+/* However long the chain is, it is followed to where it starts. */
+static void long_chains_are_followed(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20; i++) {
+        Trial t;
+        open_trial(&t, (uint64_t)(1000000 + i), false);
+        for (int steps = 0; steps < LONG_CHAIN; steps++)
+            step_sum(&t), step_sign(&t), step_lanes(&t);
+        step_matrix(&t);
+        check(&t, 1);
+        close_trial(&t);
+    }
+}
+
+typedef struct {
+    double factor[LANES], offset[LANES];
+    bool gains;
+} Border;
+
+/* By lane, x factor + offset: a power of two alone is exact, with an offset it is not. */
+static void what_is_exact_is_left(void **state)
+{
+    (void)state;
+    static const Border borders[] = {
+        {{1, 1, 1}, {0, 0, 0}, false},     {{2, 4, 0.5}, {0, 0, 0}, false}, {{-2, 1, 1}, {0, 0, 0}, false},
+        {{2, 2, 3}, {0, 0, 0}, true},      {{1, 1, 1}, {0, 0, 1}, true},    {{1, 1, 1}, {0.5, 0, 0}, true},
+        {{1, 1.0625, 1}, {0, 0, 0}, true}, {{0, 2, 2}, {5, 0, 0}, false},   {{0, 2, 2}, {5, 1, 0}, true},
+    };
+    for (size_t i = 0; i < sizeof borders / sizeof *borders; i++) {
+        Trial t;
+        open_trial(&t, i, false);
+        Ref by = ir_const(t.l.ir, TYPE_vec3, borders[i].factor), shift = ir_const(t.l.ir, TYPE_vec3, borders[i].offset);
+        t.value = ir_binary(t.l.ir, OP_add, ir_binary(t.l.ir, OP_mul, t.value, by), shift);
+        for (int lane = 0; lane < LANES; lane++) {
+            scale_lane(&t, lane, borders[i].factor[lane]);
+            t.exact.offset[lane] += borders[i].offset[lane];
+        }
+        assert_int_equal(nothing_rounds(&t.exact), !borders[i].gains);
+        check(&t, 1);
+        close_trial(&t);
+    }
+}
+
+/* Two lanes with a factor of 1 each: their sum rounds. */
+static void sums_of_lanes_round(void **state)
+{
+    (void)state;
+    Trial t;
+    open_trial(&t, 0, false);
+    Ref turned = ir_swizzle(t.l.ir, t.value, "yzx");
+    t.value = ir_binary(t.l.ir, OP_add, t.value, turned);
+    for (int i = 0; i < LANES; i++)
+        t.exact.row[i][(i + 1) % LANES] += 1;
+    check(&t, 1);
+    close_trial(&t);
+}
+
+/* Values of two inputs have no one start; nor has the fourth lane of a vector one that is followed. */
+static void other_starts_are_left(void **state)
+{
+    (void)state;
+    Trial t;
+    LongCoordinate parts;
+    open_trial(&t, 0, false);
+    Ref other = ir_input(t.l.ir, INPUT_P), three = ir_const(t.l.ir, TYPE_vec3, (double[]){3, 3, 3});
+    Ref both = ir_binary(t.l.ir, OP_mul, ir_binary(t.l.ir, OP_add, t.value, other), three);
+    assert_true(long_coordinate(&t.l, both, 1, &parts)); /* of their sum, as it is */
+    assert_int_equal(ir_arg(t.l.ir, parts.whole, 0), ir_arg(t.l.ir, both, 0));
+    Ref four = ir_vec(t.l.ir, TYPE_vec4, (Ref[]){t.value, ir_swizzle(t.l.ir, other, "x")}, 2);
+    Ref root = ir_unary(t.l.ir, OP_fract, four), last = ir_swizzle(t.l.ir, root, "wwx");
+    Ref scaled = ir_binary(t.l.ir, OP_mul, last, three);
+    bool is_long = long_coordinate(&t.l, scaled, 1, &parts);
+    assert_false(is_long && ir_arg(t.l.ir, parts.whole, 0) != last);
+    close_trial(&t);
+}
+
+/* Factors that no float holds are not followed: the rest starts from there. */
+static void overflow_is_not_followed(void **state)
+{
+    (void)state;
+    Trial t;
+    LongCoordinate parts;
+    open_trial(&t, 0, false);
+    for (int i = 0; i < 21; i++)
+        t.value = ir_binary(t.l.ir, OP_mul, t.value, ir_float(t.l.ir, 3e30));
+    assert_true(long_coordinate(&t.l, t.value, 2, &parts));
+    assert_null(ir_check(t.l.ir));
+    for (Ref ref = 1; ref < t.l.ir->count; ref++)
+        for (int i = 0; ir_is(t.l.ir, ref, OP_const) && i < ir_lanes(t.l.ir, ref); i++)
+            assert_true(fabs(ir_numbers(t.l.ir, ref)[i]) <= 3.5e38);
+    close_trial(&t);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whole_and_fraction_are_exact), cmocka_unit_test(long_chains_are_followed),
+        cmocka_unit_test(what_is_exact_is_left),        cmocka_unit_test(sums_of_lanes_round),
+        cmocka_unit_test(other_starts_are_left),        cmocka_unit_test(overflow_is_not_followed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

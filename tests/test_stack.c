@@ -1,0 +1,163 @@
+/* Threads of 256 KiB: whatever is nested to its limit compiles, evaluates and is printed on one (docs/stability.md, Stack). */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/compile.h"
+#include "tests/growth/growth.h"
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+enum { STACK_KIB = 2560 }; /* its frames are several times as large */
+#else
+enum { STACK_KIB = 256 };
+#endif
+enum { DEEPEST = LIMIT_GRAPH_DEPTH - 8, NESTED = LIMIT_DEPTH - 8 };
+
+typedef struct {
+    const GrowthRow *row;
+    int count;
+    GrowthRun run;
+} Work;
+
+static void *work(void *user)
+{
+    Work *w = user;
+    w->run = growth_run(w->row, w->count);
+    return NULL;
+}
+
+/* Errors of a row at that count, on a small stack. */
+static int errors_of(const GrowthRow *row, int count)
+{
+    Work w = {.row = row, .count = count};
+    pthread_t thread;
+    pthread_attr_t attributes;
+    assert_int_equal(pthread_attr_init(&attributes), 0);
+    assert_int_equal(pthread_attr_setstacksize(&attributes, STACK_KIB * 1024), 0);
+    assert_int_equal(pthread_create(&thread, &attributes, work, &w), 0);
+    assert_int_equal(pthread_join(thread, NULL), 0);
+    pthread_attr_destroy(&attributes);
+    assert_true(w.run.written > 0);
+    return w.run.errors;
+}
+
+/* Maps of one part, those within others included. */
+static int maps_in(const char *part)
+{
+    int count = 0;
+    for (const char *at = part; (at = strstr(at, "map: ")); at++)
+        count++;
+    return count;
+}
+
+/* Every kind of map over itself, with the options that ask more of it than its value. */
+static void maps_over_maps(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {
+        "{ map: UVTransform, angle: 0.1, scaleU: 1.01, input: @ }",
+        "{ map: XYZTransform, transform: { rotation: [0.1, 0.2, 0.3] }, input: @ }",
+        "{ map: Turbulence, amount: [0.1, 0.1, 0.1], input: @ }",
+        "{ map: Blend, blend: [{ value: 0, input: 0.5 }, { value: 1, input: @ }] }",
+        "{ map: Blend, input: @ }",
+        "{ map: Checker, color1: @ }",
+        "{ map: VolumeChecker, color2: @ }",
+        "{ map: ImageMap, image: a.png, input: @ }",
+        "{ map: Granite, input: @ }",
+        "{ map: VolumeTurbulence, input: @ }",
+        "{ map: Gradient, input: @ }",
+        "{ map: BumpMap, displacement: 0.5, input: @ }",
+        "{ map: BumpMap, displacement: @ }",
+        "{ map: WaveMap, uCount: 3, input: @ }",
+        "{ map: WaveMap, boxTop: true, input: { map: UVTransform, angle: 0.1, input: @ } }",
+        "{ map: BumpMap, displacement: { map: Granite }, input: { map: UVTransform, angle: 0.1, input: @ } }",
+    };
+    static const char *const options[] = {"",
+                                          "O0",
+                                          "validate aa=box",
+                                          "aa=aniso",
+                                          "derivatives=analytic aa=box",
+                                          "coordinates=long",
+                                          "eval",
+                                          "eval derivatives=analytic",
+                                          "precision=exact"};
+    static const char *const tops[] = {"{ map: Granite, input: @ }", "!{ map: BumpMap, displacement: @, input: @ }"};
+    for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
+        for (size_t o = 0; o < sizeof options / sizeof *options; o++) {
+            if ((p + o) % 3 == 0)
+                continue; /* two thirds of all pairs are enough: each part, each option and each top meets several */
+            const GrowthRow row = {"", options[o], 1, false, true, tops[(p + o) % 3 - 1], parts[p], "", "", ""};
+            int nested = maps_in(parts[p]) > 1 ? 2 : 1, errors = errors_of(&row, DEEPEST / nested);
+            if (errors)
+                fail_msg("%s %s: %d errors", parts[p], options[o], errors);
+        }
+}
+
+/* Deeper is refused, and not tried. */
+static void one_more_is_too_deep(void **state)
+{
+    (void)state;
+    const GrowthRow row = {"", "", 1, false, true, "@", "{ map: UVTransform, input: @ }", "", "", ""};
+    assert_int_equal(errors_of(&row, LIMIT_GRAPH_DEPTH - 2), 0);
+    assert_true(errors_of(&row, LIMIT_GRAPH_DEPTH + 1) > 0);
+}
+
+/* What nests in the text itself. */
+static void nested_text(void **state)
+{
+    (void)state;
+    static const GrowthRow rows[] = {
+        {"", "validate", 1, false, false,
+         "material: Phong\ndiffuse: ", "{ map: UVTransform, input: ", "{ map: Checker }", " }", "\n"},
+        {"", "validate", 1, false, false, "material: Phong\ndiffuse: ", "{ map: Blend, blend: [{ input: ", "0.5",
+         " }] }", "\n"},
+        {"", "", 1, false, false, "material: Phong\ndiffuse: { map: Gradient, waveForm: ",
+         "{ wave: Chain, second: Sin, first: ", "Sin", " }", " }\n"},
+        {"", "", 1, false, false, "materials: { m: ", "{ material: SideSwitch, frontShader: ", "{ material: Phong }",
+         " }", " }\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        assert_int_equal(errors_of(&rows[i], i == 1 ? NESTED / 3 : NESTED), 0);
+    static const GrowthRow lists = {"", "", 1, false, false, "material: Phong\ndiffuse: ", "[", "", "]", "\n"};
+    static const GrowthRow json = {
+        "", "json", 1, false, false, "{\"material\": \"Phong\", \"diffuse\": ", "[", "", "]", "}\n"};
+    assert_true(errors_of(&lists, NESTED) > 0);
+    assert_true(errors_of(&lists, 100 * NESTED) > 0);
+    assert_true(errors_of(&json, NESTED) > 0);
+    assert_true(errors_of(&json, 100 * NESTED) > 0);
+}
+
+/* Blends whose items are tried one after the other, over one another: branches within branches. */
+static void nested_branches(void **state)
+{
+    (void)state;
+    static const GrowthRow row = {
+        "",
+        "validate",
+        1,
+        false,
+        true,
+        "@",
+        "{ map: Blend, blend: [{ value: { param: low, default: 0.5 }, "
+        "input: { map: Granite, frequency: 1.$ } }, { value: { param: high, default: 1 }, input: @ }] }",
+        "",
+        "",
+        ""};
+    assert_int_equal(errors_of(&row, 600), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(maps_over_maps),
+        cmocka_unit_test(one_more_is_too_deep),
+        cmocka_unit_test(nested_text),
+        cmocka_unit_test(nested_branches),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
