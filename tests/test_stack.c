@@ -89,9 +89,9 @@ static void maps_over_maps(void **state)
     static const char *const tops[] = {"{ map: Granite, input: @ }", "!{ map: BumpMap, displacement: @, input: @ }"};
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         for (size_t o = 0; o < sizeof options / sizeof *options; o++) {
-            if ((p + o) % 3 == 0)
-                continue; /* two thirds of all pairs are enough: each part, each option and each top meets several */
-            const GrowthRow row = {"", options[o], 1, false, true, tops[(p + o) % 3 - 1], parts[p], "", "", ""};
+            if ((p + o) % 2)
+                continue; /* half of all pairs: each part meets half of the options, each option half of the parts */
+            const GrowthRow row = {"", options[o], 1, false, true, tops[(p + o) / 2 % 2], parts[p], "", "", ""};
             int nested = maps_in(parts[p]) > 1 ? 2 : 1, errors = errors_of(&row, DEEPEST / nested);
             if (errors)
                 fail_msg("%s %s: %d errors", parts[p], options[o], errors);
