@@ -318,6 +318,8 @@ static void only_what_is_transparent_is_discarded(void **state)
         {true, "{ material: Phong, transparency: " SQUARES("[1, 1, 0]", "[1, 0.4, 0]") " }"},
         {true, "{ material: Phong, diffuse: " SQUARES("\"#ffffff60\"", "\"#ffffffa0\"") ", transparency: 0 }"},
         {true, "{ material: Phong, transparency: 0.6 }"},
+        {true, "{ material: Phong, transparency: 0.5001 }"},
+        {false, "{ material: Phong, transparency: 0.5 }"}, /* not more than half */
         {false, "{ material: Phong, diffuse: " SQUARES("1", "0") " }"},
         {false, "{ material: Phong, transparency: [0.4, 0.6, 0.3] }"},
         {false, "{ material: RGBA, r: 1 }"},
