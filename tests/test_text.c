@@ -109,11 +109,56 @@ static void formats_of_any_length_fit(void **state)
     arena_free(&arena);
 }
 
+/* Well-formed sequences, by the table of the Unicode standard: first and last of every row, and what lies beside. */
+static void only_unicode_is_utf8(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *bytes;
+        int length; /* of the character; 0: none */
+    } cases[] = {
+        {"\x00", 1},
+        {"\x7F", 1},
+        {"\x80", 0},
+        {"\xBF", 0},
+        {"\xC0\x80", 0},
+        {"\xC1\xBF", 0},
+        {"\xC2\x80", 2},
+        {"\xDF\xBF", 2},
+        {"\xC2\x7F", 0},
+        {"\xC2\xC0", 0},
+        {"\xE0\x9F\xBF", 0},
+        {"\xE0\xA0\x80", 3},
+        {"\xEC\xBF\xBF", 3},
+        {"\xED\x9F\xBF", 3},
+        {"\xED\xA0\x80", 0},
+        {"\xED\xBF\xBF", 0},
+        {"\xEE\x80\x80", 3},
+        {"\xEF\xBF\xBF", 3},
+        {"\xF0\x8F\xBF\xBF", 0},
+        {"\xF0\x90\x80\x80", 4},
+        {"\xF3\xBF\xBF\xBF", 4},
+        {"\xF4\x8F\xBF\xBF", 4},
+        {"\xF4\x90\x80\x80", 0},
+        {"\xF5\x80\x80\x80", 0},
+        {"\xFF", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const unsigned char *at = (const unsigned char *)cases[i].bytes;
+        size_t size = cases[i].bytes[0] ? strlen(cases[i].bytes) : 1;
+        if (utf8_length(at, at + size) != cases[i].length)
+            fail_msg("case %d: %d", (int)i, utf8_length(at, at + size));
+        if (size > 1 && cases[i].length)
+            assert_int_equal(utf8_length(at, at + size - 1), 0); /* cut off */
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_short_and_read_back),
         cmocka_unit_test(formats_of_any_length_fit),
+        cmocka_unit_test(only_unicode_is_utf8),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,6 +45,7 @@ targets() {
         test_*)
             echo "$test"
             ! grep -q MATC_PROGRAM "$root/tests/$test.c" || echo matc
+            ! grep -q MATVIEW_PROGRAM "$root/tests/$test.c" || echo matview
             ;;
         fuzz_*_seeds) test=${test#fuzz_} && echo "feed_${test%_seeds}" ;;
         golden) echo golden ;;
