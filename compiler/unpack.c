@@ -130,6 +130,7 @@ static void put_known(Text *out, const LayoutRow *layout, Slot slot, const char 
     text_put(out, ");\n");
 }
 
+/* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits of a half float. */
 static void put_samplers(Text *out, const Job *job)
 {
     const char *highp = target_table[job->target].es ? "highp " : "";
@@ -137,7 +138,7 @@ static void put_samplers(Text *out, const Job *job)
         bool words = format_table[job->layout->formats[i]].words;
         if (job->target == TARGET_glsl450 || job->target == TARGET_spirv)
             text_format(out, "layout(binding = %d) ", i);
-        text_format(out, "uniform %s%ssampler2D matc_gbuffer%d;\n", words ? highp : "", words ? "u" : "", i);
+        text_format(out, "uniform %s%ssampler2D matc_gbuffer%d;\n", highp, words ? "u" : "", i);
     }
     text_char(out, '\n');
 }
@@ -185,7 +186,7 @@ const char *emit_unpack(Compile *c, const Job *job)
     Text out = text_new(c->arena);
     text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
                 job->layout->name);
-    if (target_table[job->target].es && layout_has_words(job->layout))
+    if (target_table[job->target].es)
         text_put(&out, "precision highp float;\nprecision highp int;\n");
     put_samplers(&out, job);
     put_struct(&out, job->layout);
