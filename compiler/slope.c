@@ -63,6 +63,7 @@ static Ref arc(Lower *l, Ref a)
 #define MAX(a, b)     ir_binary(l->ir, OP_max, a, b)
 #define STEP(a, b)    ir_binary(l->ir, OP_step, a, b)
 #define POW(a, b)     ir_binary(l->ir, OP_pow, a, b)
+#define DIV(a, b)     ir_binary(l->ir, OP_div, a, b)
 #define SIGN(a)       ir_unary(l->ir, OP_sign, a)
 #define TWICE(a)      MUL(a, K(2))
 #define SCALED(a, k)  MUL(a, K(k))
@@ -131,16 +132,22 @@ static Ref length_slope(Lower *l, Ref ref, const Ref *slopes)
     return over(l, toward, ir_binary(l->ir, OP_max, ref, number(l, least)));
 }
 
-/* A matrix times a vector: the columns do not change, unless by a param, which does not either. */
+/* A matrix times a vector: the matrix times the vector's change, and the columns' changes times the vector. */
 static Ref linear_slope(Lower *l, Ref ref, const Ref *slopes)
 {
-    Ref args[5];
+    Ref moved[5], turned[5];
     int count = ir_at(l->ir, ref)->count;
-    if (!slopes[0])
-        return 0;
-    for (int i = 0; i < count; i++)
-        args[i] = i ? ir_arg(l->ir, ref, i) : slopes[0];
-    return ir_make(l->ir, OP_linear, ir_type(l->ir, ref), 0, args, count);
+    Type type = ir_type(l->ir, ref);
+    bool turns = false;
+    for (int i = 1; i < count; i++) {
+        moved[i] = ir_arg(l->ir, ref, i);
+        turned[i] = slopes[i] ? slopes[i] : zero_of(l, ir_type(l->ir, moved[i]));
+        turns |= slopes[i] != 0;
+    }
+    moved[0] = slopes[0];
+    turned[0] = ir_arg(l->ir, ref, 0);
+    return plus(l, moved[0] ? ir_make(l->ir, OP_linear, type, 0, moved, count) : 0,
+                turns ? ir_make(l->ir, OP_linear, type, 0, turned, count) : 0);
 }
 
 /* f(a + h d) and f(a - h d), for a library function whose derivative nobody wrote down: error h^2 / 6 of the third one. */
@@ -185,6 +192,12 @@ static Ref power_slope(Lower *l, const Ref *args, Ref d)
     return times(l, ir_binary(l->ir, OP_mul, lower, number(l, n)), d);
 }
 
+static Ref limited_slope(Lower *l, const SlopeRow *row, const Ref *args, Ref d)
+{
+    Ref within = ir_binary(l->ir, OP_step, ir_unary(l->ir, OP_abs, args[0]), number(l, WAVE_EXP_LIMIT));
+    return ir_binary(l->ir, OP_mul, call_sibling(l, row, args, 1, 0), times(l, within, d));
+}
+
 static Ref call_slope(Lower *l, Ref ref, const Ref *slopes)
 {
     const IrNode node = *ir_at(l->ir, ref);
@@ -202,6 +215,8 @@ static Ref call_slope(Lower *l, Ref ref, const Ref *slopes)
         return ir_binary(l->ir, OP_dot, ir_swizzle(l->ir, call_sibling(l, row, args, node.count, 0), "xyz"), d);
     case SLOPE_along:
         return d ? call_sibling(l, row, args, node.count, d) : 0;
+    case SLOPE_limited:
+        return d ? limited_slope(l, row, args, d) : 0;
     case SLOPE_factor:
         return d ? ir_binary(l->ir, OP_mul, call_sibling(l, row, args, node.count, 0), d) : 0;
     case SLOPE_power:

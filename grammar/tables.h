@@ -178,7 +178,7 @@ const FunctionRow *function_row(int function);
 const char *function_arguments(int function);
 
 /* How a function is differentiated. */
-typedef enum { SLOPE_difference, SLOPE_flat, SLOPE_gradient, SLOPE_along, SLOPE_factor, SLOPE_power } SlopeKind;
+typedef enum { SLOPE_difference, SLOPE_flat, SLOPE_gradient, SLOPE_along, SLOPE_factor, SLOPE_limited, SLOPE_power } SlopeKind;
 typedef struct {
     SlopeKind kind;
     int argument;          /* by which */

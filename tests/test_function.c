@@ -7,7 +7,7 @@
 #include "compiler/ir.h"
 #include "compiler/pipeline.h"
 #include "runtime/lib/java_random.h"
-#include "tests/value/tuple.h"
+#include "tests/value/cases.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,87 +20,9 @@ enum {
 };
 static const double least_relative = 1e-30; /* below, errors count as if the value were this: floats end at 1e-38 */
 
-typedef enum {
-    UNIT_ABSOLUTE,
-    UNIT_RELATIVE,
-    UNIT_VECTOR,
-    UNIT_MIXED,
-    UNIT_ULP,
-    UNIT_STRENGTH,
-    UNIT_SLOPE,
-    UNIT_TURN,
-    UNIT_CODE
-} Unit;
-
-typedef struct {
-    const char *function;
-    double bound;
-    Unit unit;
-    double reach;
-    Argument arguments[CALL_ARGUMENTS];
-} Case;
-
-#define PLACE(size, far)                                                                                               \
-    {                                                                                                                  \
-        FORM_place, size, far                                                                                          \
-    }
-#define RANGE(low, high)                                                                                               \
-    {                                                                                                                  \
-        FORM_range, low, high                                                                                          \
-    }
-#define WIDTH(least, most)                                                                                             \
-    {                                                                                                                  \
-        FORM_width, least, most                                                                                        \
-    }
-#define WIDE(least, most)                                                                                              \
-    {                                                                                                                  \
-        FORM_wide, least, most                                                                                         \
-    }
-#define WHOLE(low, high)                                                                                               \
-    {                                                                                                                  \
-        FORM_whole, low, high                                                                                          \
-    }
-#define RATIO                                                                                                          \
-    {                                                                                                                  \
-        FORM_ratio, 0, 0                                                                                               \
-    }
-#define UNIT                                                                                                           \
-    {                                                                                                                  \
-        FORM_unit, 0, 0                                                                                                \
-    }
-#define REST                                                                                                           \
-    {                                                                                                                  \
-        FORM_rest, 0, 0                                                                                                \
-    }
-#define PICTURE                                                                                                        \
-    {                                                                                                                  \
-        FORM_texture, 0, 0                                                                                             \
-    }
-#define RELIEF                                                                                                         \
-    {                                                                                                                  \
-        FORM_texture, 1, 0                                                                                             \
-    }
-#define SIZE                                                                                                           \
-    {                                                                                                                  \
-        FORM_size, 0, 0                                                                                                \
-    }
-#define AFFINE                                                                                                         \
-    {                                                                                                                  \
-        FORM_affine, 0, 0                                                                                              \
-    }
-#define SKY                                                                                                            \
-    {                                                                                                                  \
-        FORM_sky, 0, 0                                                                                                 \
-    }
-static const Case cases[] = {
-#define CASE(function, bound, unit, reach, ...) {#function, bound, UNIT_##unit, reach, {__VA_ARGS__}},
-#include "functions.def"
-};
-enum { CASE_COUNT = sizeof cases / sizeof *cases };
-
 typedef struct {
     Caller caller;
-    const Case *row;
+    const FunctionCase *row;
     int function, tuples, moved, faults;
     double worst;
     ReferenceContext context;
@@ -108,14 +30,6 @@ typedef struct {
     Tuple tuple[CALL_COUNT];
     double result[CALL_COUNT][CALL_LANES];
 } Test;
-
-static int function_find(const char *name)
-{
-    for (int i = 0; i < FUNCTION_COUNT; i++)
-        if (function_row(i)->name && !strcmp(function_row(i)->name, name))
-            return i;
-    return FN_none;
-}
 
 static double ulp(double v) { return ldexp(1, ilogb(fmax(fabs(v), 1e-20)) - 23); }
 
@@ -231,7 +145,7 @@ static void compare(Test *t)
 
 static void call(Test *t)
 {
-    uint64_t state = java_random(t->row - cases);
+    uint64_t state = java_random(t->row - function_cases);
     for (int i = 0; i < CALL_COUNT; i++)
         tuple_draw(t->row->arguments, function_arguments(t->function), &state, t->tuple[i]);
     if (!call_draw(&t->caller, t->function, t->tuple, t->result))
@@ -282,8 +196,8 @@ static int check_target(Test *t, Target target, const char *only)
     if (!caller_open(&t->caller, target))
         fail_msg("%s", t->caller.error);
     print_message("%-26s %9s %9s %7s %s\n", target_table[target].name, "bound", "worst", "tuples", "by neighbours");
-    for (int i = 0; i < CASE_COUNT; i++) {
-        t->row = &cases[i];
+    for (int i = 0; i < case_count; i++) {
+        t->row = &function_cases[i];
         t->function = function_find(t->row->function);
         if (t->function == FN_none)
             fail_msg("functions.def: there is no %s", t->row->function);
@@ -314,8 +228,8 @@ static void every_function_has_a_case(void **state)
     (void)state;
     for (int i = 0; i < FUNCTION_COUNT; i++) {
         bool found = !function_row(i)->name;
-        for (int k = 0; k < CASE_COUNT && !found; k++)
-            found = !strcmp(cases[k].function, function_row(i)->name);
+        for (int k = 0; k < case_count && !found; k++)
+            found = !strcmp(function_cases[k].function, function_row(i)->name);
         if (!found)
             fail_msg("tests/functions.def has no case for %s", function_row(i)->name);
     }

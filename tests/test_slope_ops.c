@@ -1,0 +1,290 @@
+/* The slope of every operation by every operand, and of every library function of slopes.def, against differences of what the fold or the
+ * reference makes of them in double precision. Operands vary alone and together. At a jump or a crease nothing is asked. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/fold.h"
+#include "compiler/pipeline.h"
+#include "compiler/slope.h"
+#include "runtime/lib/java_random.h"
+#include "tests/value/cases.h"
+#include <string.h>
+
+enum { TRIES = 40, OPERANDS = 5, CALLS = 200 };
+
+typedef struct {
+    Arena arena;
+    Compile c;
+    Job job;
+    Lower l;
+    uint64_t random;
+    double bound, step; /* of a slope; of the differences */
+    int compared, skipped;
+} Test;
+
+static double uniform(Test *t, double low, double high)
+{
+    return low + (high - low) * (.5 + .5 * (double)java_random_signed(&t->random));
+}
+
+static void begin(Test *t)
+{
+    static const Graph none;
+    t->arena = (Arena){0};
+    t->c = (Compile){.arena = &t->arena};
+    assert_null(job_of(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &t->job));
+    t->l = (Lower){.c = &t->c, .graph = &none, .ir = ir_new(&t->c, &none), .job = &t->job};
+}
+
+static void end(Test *t)
+{
+    ir_done(t->l.ir);
+    arena_free(&t->arena);
+}
+
+/* base + rate u + other v. */
+static Ref moving(Lower *l, Type type, const double base[4], const double rate[4], const double other[4])
+{
+    Ref uv = ir_input(l->ir, INPUT_U), u = ir_swizzle(l->ir, uv, "x"), v = ir_swizzle(l->ir, uv, "y");
+    Ref at = ir_const(l->ir, type, base);
+    at = add(l, at, mul(l, ir_const(l->ir, type, rate), u));
+    return add(l, at, mul(l, ir_const(l->ir, type, other), v));
+}
+
+static void evaluate(Test *t, double u, double v, double result[MOST_OUTPUTS][4])
+{
+    const ReferenceContext context = {REFERENCE_LATTICE, call_textures};
+    double inputs[INPUT_COUNT][4] = {{0}};
+    inputs[INPUT_U][0] = u;
+    inputs[INPUT_U][1] = v;
+    ir_eval(t->l.ir, &context, (const double(*)[4])inputs, result);
+}
+
+/* The slope over steps h, and how far both sides are apart. */
+static double over_steps(Test *t, int axis, int lane, double h, double *apart)
+{
+    double at[5][MOST_OUTPUTS][4];
+    for (int i = -2; i <= 2; i++)
+        evaluate(t, axis ? 0 : i * h, axis ? i * h : 0, at[i + 2]);
+    double behind = at[2][0][lane] - at[1][0][lane], ahead = at[3][0][lane] - at[2][0][lane];
+    *apart = (ahead - behind) / h;
+    return (8 * (ahead + behind) - (at[4][0][lane] - at[0][0][lane])) / (12 * h);
+}
+
+/* False: at a jump or a crease, or where doubles do not tell. Of a smooth value both sides are apart in proportion to the step. */
+static bool difference(Test *t, int axis, int lane, double h, double *slope)
+{
+    const double wider = 2.7;
+    double near, far, other = over_steps(t, axis, lane, wider * h, &far);
+    *slope = over_steps(t, axis, lane, h, &near);
+    double room = .2 * t->bound * fmax(1, fabs(*slope)), crease = (wider * near - far) / (wider - 1);
+    return fabs(crease) <= room && fabs(other - *slope) <= room;
+}
+
+/* By the differences over either of two steps: cells of fine octaves may begin within the one. */
+static void judge(Test *t, const char *name, int varying, int axis, int lane, double got)
+{
+    double expected = 0;
+    for (int i = 0; i < 2; i++) {
+        if (!difference(t, axis, lane, i ? t->step / 20 : t->step, &expected)) {
+            t->skipped++;
+            return;
+        }
+        if (fabs(got - expected) <= t->bound * fmax(1, fabs(expected))) {
+            t->compared++;
+            return;
+        }
+    }
+    fail_msg("%s, operands %x vary: d/d%c of lane %d is %.12g, by differences %.12g", name, (unsigned)varying,
+             axis ? 'v' : 'u', lane, got, expected);
+}
+
+/* Of the value, by u and by v. */
+static void compare(Test *t, Ref value, const char *name, int varying)
+{
+    Type type = ir_type(t->l.ir, value);
+    double result[MOST_OUTPUTS][4];
+    ir_output(t->l.ir, OUT_color, 0, value);
+    for (int d = 0; d < 2; d++) {
+        Ref slope = slope_of(&t->l, value, d ? DIRECTION_v : DIRECTION_u);
+        ir_output(t->l.ir, OUT_color, 1 + d, slope ? slope : ir_const(t->l.ir, type, (double[4]){0}));
+    }
+    assert_null(ir_check(t->l.ir));
+    evaluate(t, 0, 0, result);
+    for (int d = 0; d < 2; d++)
+        for (int lane = 0; lane < type_table[type].lanes; lane++)
+            judge(t, name, varying, d, lane, result[1 + d][lane]);
+}
+
+/* Where an operand may lie. */
+static void operand_range(Op op, int operand, double *low, double *high)
+{
+    static const struct {
+        Op op;
+        int operand;
+        double low, high;
+    } ranges[] = {{OP_sqrt, 0, .1, 3},    {OP_log, 0, .1, 3},    {OP_asin, 0, -.9, .9}, {OP_acos, 0, -.9, .9},
+                  {OP_tan, 0, -1.2, 1.2}, {OP_div, 1, .5, 2},    {OP_mod, 1, .3, 1},    {OP_pow, 0, .2, 2},
+                  {OP_clamp, 1, -1.5, 0}, {OP_clamp, 2, .1, 1.5}};
+    *low = -2;
+    *high = 2;
+    for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
+        if (ranges[i].op == op && ranges[i].operand == operand) {
+            *low = ranges[i].low;
+            *high = ranges[i].high;
+        }
+}
+
+static Ref random_operand(Test *t, Op op, int operand, Type type, bool varies)
+{
+    double low, high, base[4], rate[4] = {0}, other[4] = {0};
+    operand_range(op, operand, &low, &high);
+    for (int lane = 0; lane < 4; lane++) {
+        base[lane] = uniform(t, low, high);
+        rate[lane] = varies ? uniform(t, -1, 1) : 0;
+        other[lane] = varies ? uniform(t, -1, 1) : 0;
+    }
+    return moving(&t->l, type, base, rate, other);
+}
+
+/* An operation on operands of these types, of which those in `varying` vary. */
+static void check_operation(Test *t, Op op, Type type, const Type *types, int count, uint32_t payload, int varying)
+{
+    Ref args[OPERANDS];
+    begin(t);
+    for (int i = 0; i < count; i++) {
+        args[i] = random_operand(t, op, i, types[i], varying >> i & 1);
+        if (op == OP_select && i == 0)
+            args[i] = ir_binary(t->l.ir, OP_lt, args[i], number(&t->l, 0));
+    }
+    compare(t, ir_make(t->l.ir, op, type, payload, args, count), op_table[op].name, varying);
+    end(t);
+}
+
+static void check_subsets(Test *t, Op op, Type type, const Type *types, int count, uint32_t payload)
+{
+    for (int varying = 1; varying < 1 << count; varying++)
+        for (int i = 0; i < TRIES; i++)
+            check_operation(t, op, type, types, count, payload, varying);
+}
+
+/* By lane: numbers, vectors, and numbers with a vector. */
+static void check_lanes(Test *t, Op op)
+{
+    int count = op_table[op].arity;
+    for (int vectors = 0; vectors < 1 << count; vectors++) {
+        Type types[OPERANDS];
+        for (int i = 0; i < count; i++)
+            types[i] = vectors >> i & 1 ? TYPE_vec3 : TYPE_float;
+        if (vectors && op_table[op].shape == SHAPE_call && count > 1 && vectors != (1 << count) - 1)
+            continue; /* GLSL has few of these forms, and lowering makes none */
+        check_subsets(t, op, vectors ? TYPE_vec3 : TYPE_float, types, count, 0);
+    }
+}
+
+/* What is not by lane; false: it has no slope of its own, or is a leaf. */
+static bool check_special(Test *t, Op op)
+{
+    static const Type vectors[OPERANDS] = {TYPE_vec3, TYPE_vec3, TYPE_vec3, TYPE_vec3, TYPE_vec3};
+    static const Type numbers[OPERANDS] = {TYPE_float, TYPE_float, TYPE_float, TYPE_float, TYPE_float};
+    switch (op) {
+    case OP_dot:
+        return check_subsets(t, op, TYPE_float, vectors, 2, 0), true;
+    case OP_cross:
+        return check_subsets(t, op, TYPE_vec3, vectors, 2, 0), true;
+    case OP_length:
+        return check_subsets(t, op, TYPE_float, vectors, 1, 0), true;
+    case OP_linear:
+        return check_subsets(t, op, TYPE_vec3, vectors, 4, 0), true;
+    case OP_vec:
+        return check_subsets(t, op, TYPE_vec3, numbers, 3, 0), true;
+    case OP_swizzle: /* .zx */
+        return check_subsets(t, op, TYPE_vec2, vectors, 1, 2), true;
+    case OP_select:
+        return check_subsets(t, op, TYPE_float, numbers, 3, 0), true;
+    default:
+        return false;
+    }
+}
+
+static void operations_have_the_slopes_of_all_operands(void **state)
+{
+    (void)state;
+    Test t = {.random = java_random(14), .bound = 1e-7, .step = 1e-5};
+    int checked = 0;
+    for (int op = 0; op < OP_COUNT; op++) {
+        bool by_lane = op_table[op].rule == RULE_widest;
+        if (by_lane)
+            check_lanes(&t, (Op)op);
+        checked += by_lane || check_special(&t, (Op)op);
+    }
+    print_message("%d operations, %d slopes, %d at jumps and creases\n", checked, t.compared, t.skipped);
+    assert_true(t.compared > 50 * t.skipped);
+}
+
+/* An argument of a call: the row's own varies, one of any size in proportion to that, and the others do not. */
+static Ref argument(Test *t, char letter, const float lanes[4], const Argument *form, bool varies)
+{
+    static const Type types[] = {['f'] = TYPE_float, ['2'] = TYPE_vec2, ['3'] = TYPE_vec3, ['4'] = TYPE_vec4};
+    double base[4], rate[4] = {0}, other[4] = {0}, size = 1;
+    for (int i = 0; i < 4; i++) {
+        base[i] = (double)lanes[i];
+        size = form->form == FORM_wide ? fmax(size, fabs(base[i])) : 1;
+    }
+    for (int i = 0; i < 4; i++) {
+        rate[i] = varies ? uniform(t, -size, size) : 0;
+        other[i] = varies ? uniform(t, -size, size) : 0;
+    }
+    if (letter == 's')
+        return ir_make(t->l.ir, OP_texture, TYPE_sampler, (uint32_t)base[0], NULL, 0);
+    if (letter == 'i')
+        return ir_int(t->l.ir, base[0]);
+    Type type = types[(int)letter];
+    return varies ? moving(&t->l, type, base, rate, other) : ir_const(t->l.ir, type, base);
+}
+
+static void check_call(Test *t, const FunctionCase *row, int function, const SlopeRow *slope)
+{
+    const char *letters = function_arguments(function);
+    for (int i = 0; i < CALLS; i++) {
+        Tuple tuple;
+        Ref args[CALL_ARGUMENTS];
+        int count = (int)strlen(letters);
+        tuple_draw(row->arguments, letters, &t->random, tuple);
+        begin(t);
+        t->l.ir->texture_count = CALL_TEXTURES;
+        t->l.ir->textures = ARENA_ARRAY(&t->arena, IrTexture, CALL_TEXTURES);
+        for (int k = 0; k < count; k++)
+            args[k] = argument(t, letters[k], tuple[k], &row->arguments[k], k == slope->argument);
+        compare(t, ir_call(t->l.ir, function, args, count), row->function, 1 << slope->argument);
+        end(t);
+    }
+}
+
+/* Those of slopes.def: the others are differences of themselves. */
+static void functions_have_the_slopes_of_their_rows(void **state)
+{
+    (void)state;
+    for (int i = 0; i < case_count; i++) {
+        const FunctionCase *row = &function_cases[i];
+        Test t = {.random = java_random(i), .bound = 3e-5, .step = 1e-7};
+        int function = function_find(row->function);
+        const SlopeRow *slope = slope_row(function);
+        if (slope->kind == SLOPE_difference || function == FN_imageFiltered) /* that of the picture as it is */
+            continue;
+        check_call(&t, row, function, slope);
+        print_message("%s: %d slopes, %d at jumps and creases\n", row->function, t.compared, t.skipped);
+        assert_true(t.compared > CALLS / 4 || slope->kind == SLOPE_flat);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(operations_have_the_slopes_of_all_operands),
+        cmocka_unit_test(functions_have_the_slopes_of_their_rows),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
