@@ -39,13 +39,19 @@ typedef struct {
 #define REFERENCE(name) void reference_##name(const void *context, const double *args, double *result)
 
 static inline double clamp(double v, double low, double high) { return v < low ? low : v > high ? high : v; }
+/* The whole number towards 0, taken to [low, high]; low for what is no number. Text of the IR may have any number as a count. */
+static inline int whole_between(double v, int low, int high) { return !(v >= low) ? low : v > high ? high : (int)v; }
 static inline double fraction(double v) { return v - floor(v); }
 
-/* Limits of the waves: exp stays below the greatest float, log above the least normal one. */
-#define WAVE_EXP_LIMIT  88.0
-#define WAVE_EXP2_LIMIT 127.0
-#define WAVE_LEAST      1.17549435e-38
-#define WAVE_PHI        1.61803398874989484820
+/* Limits of the waves: exp stays below the greatest float, log above the least normal one. Limits of counts: beyond what any
+ * document has. */
+#define WAVE_EXP_LIMIT    88.0
+#define WAVE_EXP2_LIMIT   127.0
+#define WAVE_LEAST        1.17549435e-38
+#define REFERENCE_BITS    16 /* of one code, at most */
+#define REFERENCE_OCTAVES 64
+#define REFERENCE_STEPS   65536
+#define WAVE_PHI          1.61803398874989484820
 
 /* L_0 of semantics.md 3.1 with table offset 0, and (L_0, L_8, L_16): value-plus-gradient lattice noise. */
 double reference_lattice(ReferenceNoise noise, const double p[3]);

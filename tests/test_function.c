@@ -143,14 +143,34 @@ static void compare(Test *t)
     }
 }
 
-static void call(Test *t)
+/* Of a row, by its name: what another row is or where it stands changes nothing. */
+static uint64_t random_of(const FunctionCase *row, int seed)
 {
-    uint64_t state = java_random(t->row - function_cases);
+    int64_t number = seed;
+    for (const char *letter = row->function; *letter; letter++)
+        number = number * 131 + *letter;
+    return java_random(number);
+}
+
+static void call_seed(Test *t, int seed)
+{
+    uint64_t state = random_of(t->row, seed);
     for (int i = 0; i < CALL_COUNT; i++)
         tuple_draw(t->row->arguments, function_arguments(t->function), &state, t->tuple[i]);
     if (!call_draw(&t->caller, t->function, t->tuple, t->result))
         fail_msg("%s: %s", t->row->function, t->caller.error);
     compare(t);
+}
+
+/* FUNCTION_SEEDS of them; ctest draws one. */
+static void call(Test *t)
+{
+    const char *seeds = getenv("FUNCTION_SEEDS");
+    const size_t size = strlen(t->caller.text); /* a call puts its main() behind it */
+    for (int seed = 0; seed == 0 || (seeds && seed < atoi(seeds)); seed++) {
+        t->caller.text[size] = 0;
+        call_seed(t, seed);
+    }
 }
 
 /* Every text that the choices of noise and trigonometry make, once. */

@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include "compiler/ir.h"
 #include "runtime/lib/carpenter.h"
 #include "runtime/lib/sky.h"
 #include "runtime/reference.h"
@@ -434,6 +435,30 @@ static void sky_is_a_sky(void **state)
     assert_true(toward[1] > away[1]);
 }
 
+/* Text of the IR may give a function any number as a count of bits, octaves or steps: what comes out is a number, at once, and a
+ * word has 32 bits. */
+static void any_number_may_be_a_count(void **state)
+{
+    (void)state;
+    static const double counts[] = {670, -5, 0, 31, 64, 2e9, -2e9, 1e300, -1e300};
+    const ReferenceContext context = {REFERENCE_LATTICE, NULL};
+    for (int function = 0; function < FUNCTION_COUNT; function++) {
+        const char *letters = function_row(function)->name ? function_arguments(function) : "";
+        for (size_t i = 0; strchr(letters, 'i') && i < sizeof counts / sizeof *counts; i++) {
+            double args[64], result[4] = {0};
+            int used = 0;
+            for (const char *letter = letters; *letter; letter++)
+                for (int lane = 0; lane < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1); lane++)
+                    args[used++] = *letter == 'i' ? counts[i] : 1;
+            function_row(function)->reference(&context, args, result);
+            bool word = function_row(function)->result == TYPE_uint;
+            for (int lane = 0; lane < 4; lane++)
+                if (!isfinite(result[lane]) || (word && !(result[lane] >= 0 && result[lane] < 4294967296.)))
+                    fail_msg("%s of a count of %g: %g", function_row(function)->name, counts[i], result[lane]);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -452,6 +477,7 @@ int main(void)
         cmocka_unit_test(reliefs),
         cmocka_unit_test(sky_is_finite),
         cmocka_unit_test(sky_is_a_sky),
+        cmocka_unit_test(any_number_may_be_a_count),
     };
     return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
 }

@@ -69,7 +69,7 @@ typedef struct {
 /* Arguments after p: from `args` on. */
 static Octaves octaves_of(const double *p, const double *rest, const double *args, double width)
 {
-    return (Octaves){p, rest, args[0] > 1 ? (int)args[0] : 1, args[1], args[2], width};
+    return (Octaves){p, rest, whole_between(args[0], 1, REFERENCE_OCTAVES), args[1], args[2], width};
 }
 
 /* Gradient and value. */
@@ -113,7 +113,7 @@ REFERENCE(turbulenceGradient)
 
 REFERENCE(turbulenceVariance)
 {
-    int octaves = args[0] > 1 ? (int)args[0] : 1;
+    int octaves = whole_between(args[0], 1, REFERENCE_OCTAVES);
     const double variance = statistics(context).variance;
     result[0] = 0;
     for (int k = 0; k < octaves; k++) {

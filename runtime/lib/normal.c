@@ -24,7 +24,9 @@ void octahedral_unmap(const double e[2], double n[3])
     n[2] = z / length;
 }
 
-static int nearest(double v, int levels) { return (int)floor(clamp(v, 0, 1) * (levels - 1) + .5); }
+static int nearest(double v, int levels) { return whole_between(clamp(v, 0, 1) * (levels - 1) + .5, 0, levels - 1); }
+
+static int bits_of(double v) { return whole_between(v, 1, REFERENCE_BITS); }
 
 void octahedral_encode(const double n[3], int levels, int code[2])
 {
@@ -40,8 +42,8 @@ void octahedral_encode_precise(const double n[3], int levels, int code[2])
     octahedral_map(n, e);
     for (int i = 0; i < 4; i++) {
         double decoded[3];
-        int tried[2] = {(int)floor((e[0] / 2 + .5) * (levels - 1)) + i % 2,
-                        (int)floor((e[1] / 2 + .5) * (levels - 1)) + i / 2};
+        int tried[2] = {whole_between((e[0] / 2 + .5) * (levels - 1), 0, levels) + i % 2,
+                        whole_between((e[1] / 2 + .5) * (levels - 1), 0, levels) + i / 2};
         if (tried[0] >= levels || tried[1] >= levels)
             continue;
         octahedral_decode(tried, levels, decoded);
@@ -118,7 +120,7 @@ REFERENCE(decodeSpheremap)
 REFERENCE(octahedralWhole)
 {
     (void)context;
-    int levels = octahedral_levels((int)args[3]), code[2];
+    int levels = octahedral_levels(bits_of(args[3])), code[2];
     octahedral_encode(args, levels, code);
     for (int i = 0; i < 2; i++)
         result[i] = code[i] - levels / 2;
@@ -135,7 +137,7 @@ REFERENCE(octahedralRadix)
 REFERENCE(octahedralBits)
 {
     (void)context;
-    int bits = (int)args[3], code[2];
+    int bits = bits_of(args[3]), code[2];
     octahedral_encode(args, octahedral_levels(bits), code);
     result[0] = code[0] + ldexp(code[1], bits);
 }
@@ -143,7 +145,7 @@ REFERENCE(octahedralBits)
 REFERENCE(spheremapBits)
 {
     (void)context;
-    int bits = (int)args[3], code[2];
+    int bits = bits_of(args[3]), code[2];
     spheremap_encode(args, 1 << bits, code);
     result[0] = code[0] + ldexp(code[1], bits);
 }

@@ -10,6 +10,7 @@
 #define LOGARITHM_LEAST  ldexp(1, -4)
 #define LOGARITHM_SPAN   log2(HALF_MOST / LOGARITHM_LEAST)
 #define EXPONENT_BIAS    15
+#define SHARED_BITS      9    /* of a lane, at most */
 #define EXPONENTS_OF_ONE 1024 /* half floats of an exponent */
 
 double half_from_code(int code)
@@ -51,7 +52,9 @@ REFERENCE(unpackPair)
     result[1] = 128 * fraction(m) / PAIR_SCALE;
 }
 
-static int nearest(double v, int levels) { return (int)floor(clamp(v, 0, 1) * (levels - 1) + .5); }
+static int nearest(double v, int levels) { return whole_between(clamp(v, 0, 1) * (levels - 1) + .5, 0, levels - 1); }
+
+static int bits_of(double v) { return whole_between(v, 1, REFERENCE_BITS); }
 
 REFERENCE(packRadix)
 {
@@ -68,19 +71,19 @@ REFERENCE(plainHalf)
 REFERENCE(unormBits)
 {
     (void)context;
-    result[0] = nearest(args[0], 1 << (int)args[1]);
+    result[0] = nearest(args[0], 1 << bits_of(args[1]));
 }
 
 REFERENCE(rootBits)
 {
     (void)context;
-    result[0] = nearest(sqrt(clamp(args[0], 0, 1)), 1 << (int)args[1]);
+    result[0] = nearest(sqrt(clamp(args[0], 0, 1)), 1 << bits_of(args[1]));
 }
 
 REFERENCE(logarithmBits)
 {
     (void)context;
-    int steps = (1 << (int)args[1]) - 2;
+    int steps = (1 << bits_of(args[1])) - 2;
     double place = log2(fmax(args[0], LOGARITHM_LEAST) / LOGARITHM_LEAST) * steps / LOGARITHM_SPAN;
     result[0] = args[0] < LOGARITHM_LEAST / 2 ? 0 : fmin(floor(place + .5), steps) + 1;
 }
@@ -105,7 +108,7 @@ REFERENCE(floatBits)
 REFERENCE(sharedExponentBits)
 {
     (void)context;
-    int bits = (int)args[3];
+    int bits = whole_between(args[3], 1, SHARED_BITS);
     double most = ldexp(ldexp(1, bits) - 1, 16 - bits), greatest = 0, code = 0;
     for (int i = 0; i < 3; i++)
         greatest = fmax(greatest, clamp(args[i], 0, most));

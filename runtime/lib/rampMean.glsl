@@ -3,7 +3,7 @@
 // antiderivative: error 2e-7. A box of at most 1e-6 is the point.
 float rampMean(float v, float edge) {
     float t = fract(v);
-    float distance = t - step(0.5, t);
+    float distance = v - floor(v + 0.5); // fract() rounds just below a whole number
     float near = 2.0 * distance - clamp(2.0 * distance / max(edge, 1.0e-6), -1.0, 1.0);
     float a = fract(t - 0.5 * edge);
     float b = fract(t + 0.5 * edge);

@@ -1,6 +1,6 @@
 // needs: sincMean
 // Mean of 2 |sin(pi v)| - 1 over a box. Below an edge of 1/2 that of the sine and, of the part `over` that reaches across the cusp,
-// twice the sine; above from the antiderivative. Neither cancels: error 1e-6. A box without an edge is the point.
+// twice the sine; above from the antiderivative. Neither cancels: error 1.2e-6. A box without an edge is the point.
 float scallopMean(float v, float edge) {
     float t = fract(v);
     float over = max(0.5 * edge - min(t, 1.0 - t), 0.0);
