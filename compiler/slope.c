@@ -36,8 +36,9 @@ static Ref times(Lower *l, Ref factor, Ref a) { return a ? ir_binary(l->ir, OP_m
 static Ref negated(Lower *l, Ref a) { return a ? ir_unary(l->ir, OP_neg, a) : 0; }
 
 /* a where the mask is 1, b where it is 0. */
-static Ref pick(Lower *l, Ref mask, Ref a, Ref b)
+static Ref pick(Lower *l, const Ref x[3])
 {
+    Ref mask = x[0], a = x[1], b = x[2];
     if (!a && !b)
         return 0;
     return plus(l, times(l, mask, a), times(l, ir_binary(l->ir, OP_sub, number(l, 1), mask), b));
@@ -57,7 +58,7 @@ static Ref arc(Lower *l, Ref a)
 #define PLUS(a, b)    plus(l, a, b)
 #define TIMES(a, b)   times(l, a, b)
 #define OVER(a, b)    over(l, a, b)
-#define PICK(m, a, b) pick(l, m, a, b)
+#define PICK(m, a, b) pick(l, REFS(l->ir, m, a, b))
 #define MUL(a, b)     ir_binary(l->ir, OP_mul, a, b)
 #define SUB(a, b)     ir_binary(l->ir, OP_sub, a, b)
 #define MAX(a, b)     ir_binary(l->ir, OP_max, a, b)
