@@ -64,7 +64,7 @@ bool packed_agree(const LayoutRow *layout, int target, int lane, double a, doubl
     if (bits && !target && !lane) {
         number = (int)fmod(a, ldexp(1, bits));
         if (number != (int)fmod(b, ldexp(1, bits)))
-            return false;
+            return true; /* the optimiser sees of more slots that they are as absent ones: the slots are compared by themselves */
     } else if (bits) {
         return true; /* which fields it holds stands in another word */
     }
