@@ -296,7 +296,7 @@ static bool check_tags(const TreeBuilder *b, const Source *source)
         if (!memcmp(at, tag, size) && ++count > LIMIT_TAGS)
             return diag_add(b->c, (Span){offset, offset + (uint32_t)size, b->file}, DIAG_too_many_tags, LIMIT_TAGS);
         at = memchr(at, '\n', (size_t)(end - at));
-        at += at != NULL;
+        at = at ? at + 1 : NULL;
     }
     return true;
 }

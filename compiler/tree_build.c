@@ -84,10 +84,16 @@ static void check_duplicates(TreeBuilder *b, const Tree *object)
     }
 }
 
+static void set_members(TreeBuilder *b, Tree *object, size_t from)
+{
+    const size_t count = b->member_count - from;
+    tree_set_members(b->c, object, count ? b->members + from : NULL, count);
+    b->member_count = from;
+}
+
 void build_object(TreeBuilder *b, Tree *object, size_t from)
 {
-    tree_set_members(b->c, object, b->members + from, b->member_count - from);
-    b->member_count = from;
+    set_members(b, object, from);
     check_duplicates(b, object);
 }
 
@@ -100,7 +106,7 @@ static void drop_later(TreeBuilder *b, Tree *object, uint32_t own, size_t from)
             build_member(b, *member);
     }
     if (b->member_count - from < object->count)
-        tree_set_members(b->c, object, b->members + from, b->member_count - from);
+        set_members(b, object, from);
     b->member_count = from;
 }
 
@@ -120,8 +126,7 @@ bool build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count)
             if (!tree_find_bytes(object, bases[k]->members[i].key, bases[k]->members[i].size))
                 build_member(b, bases[k]->members[i]);
     }
-    tree_set_members(b->c, object, b->members + from, b->member_count - from);
-    b->member_count = from;
+    set_members(b, object, from);
     drop_later(b, object, own, from);
     return true;
 }
