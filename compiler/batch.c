@@ -156,6 +156,7 @@ static void work_again(void *user, int number, int part)
 static void close_again(void *user, int number)
 {
     Batch *b = user;
+    store_document(b, &b->documents[number]);
     batch_close(&b->documents[number]);
 }
 

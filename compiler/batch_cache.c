@@ -1,6 +1,7 @@
-/* What a batch keeps for the next one. A document's entry says which files it was made from, with their contents, and what its
- * materials are; a program's holds its files. Keys are of the text, the options and the compiler itself: no entry is ever taken
- * for another input. */
+/* What a batch keeps for the next one. A document's entry says which files it was made from, with their contents, what its materials
+ * are, and where the programs are that were written for them; its key is of the text, the options and the compiler itself, so that no
+ * entry is ever taken for another input. A program's entry holds its files under the hash of their bytes: however many documents
+ * come to the same text, in however many sets, it is kept once. */
 #include "batch_state.h"
 #include "build.h"
 #include "choice.h"
@@ -9,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 1 };
+enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 2 };
 
 /* The contents of a file as this batch first read it. Materials of two states would be half a set. */
 static void note_file(Batch *b, const char *path, Key key)
@@ -216,10 +217,20 @@ bool stored_document(Batch *b, BatchDocument *document)
     return document->stored;
 }
 
-void store_document(Batch *b, const BatchDocument *document)
+/* Files were written for it that its entry does not know. */
+static bool has_changed(const BatchDocument *document, int turns)
+{
+    for (int i = 0; i < document->material_count * turns; i++)
+        if (document->units[i].changed)
+            return true;
+    return false;
+}
+
+void store_document(Batch *b, BatchDocument *document)
 {
     Bytes to = {0};
-    if (!b->cache || document->stored || document->said.size || b->fault)
+    document->spoke |= document->said.size > 0;
+    if (!b->cache || document->spoke || b->fault || (document->stored && !has_changed(document, b->turn_count)))
         return;
     if (!put_files(b, document->depends, document->depend_count, &to)) {
         bytes_free(&to);
@@ -230,36 +241,27 @@ void store_document(Batch *b, const BatchDocument *document)
     for (int m = 0; m < document->material_count; m++) {
         bytes_text(&to, document->materials[m].name);
         bytes_text(&to, document->materials[m].opacity);
-        for (int t = 0; t < b->turn_count; t++)
+        for (int t = 0; t < b->turn_count; t++) {
             unit_store(&to, &document->materials[m].units[t]);
+            document->materials[m].units[t].changed = false;
+        }
     }
     cache_put(b->cache, document->key, to.at, to.size);
+    document->stored = true;
     bytes_free(&to);
 }
 
-/* A program is the document's material in a pass, made of the files that the document is made of, with these members. */
-static Key program_key(Batch *b, const BatchDocument *document, const Unit *unit, const int *members)
+/* A place for each number: of no member where none comes from a buffer. */
+static Key members_key(const Unit *unit, const int *members)
 {
-    Bytes bytes = {0};
-    bytes_add(&bytes, &document->key, sizeof document->key);
-    for (int i = 1; i < document->depend_count; i++) {
-        Key key = {0};
-        known_file(b, document->depends[i], &key);
-        bytes_add(&bytes, &key, sizeof key);
-    }
-    bytes_number(&bytes, (uint32_t)unit->material);
-    bytes_number(&bytes, (uint32_t)unit->turn);
-    bytes_number(&bytes, members != NULL);
-    bytes_block(&bytes, members, members ? (size_t)unit->count * sizeof *members : 0);
-    Key key = key_of_bytes(bytes.at, bytes.size);
-    bytes_free(&bytes);
-    return key;
+    return members ? key_of_bytes(members, (size_t)unit->count * sizeof *members) : (Key){0};
 }
 
 bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, const char *base)
 {
     size_t size;
-    char *entry = b->cache ? cache_get(b->cache, program_key(b, document, unit, members), &size) : NULL;
+    const Key *key = b->cache ? unit_find_files(unit, members_key(unit, members)) : NULL;
+    char *entry = key ? cache_get(b->cache, *key, &size) : NULL;
     if (!entry)
         return false;
     BytesReader from = {entry, entry + size, false};
@@ -281,10 +283,10 @@ bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *me
     return written != NULL;
 }
 
-void store_program(Batch *b, const BatchDocument *document, const Unit *unit, const int *members, MatcProgram *program)
+void store_program(Batch *b, Unit *unit, const int *members, MatcProgram *program)
 {
     Bytes to = {0};
-    if (!b->cache || document->materials[unit->material].said.size || b->fault)
+    if (!b->cache || b->fault)
         return;
     written_store(&to, unit->written);
     for (int emit = 0; emit < EMIT_COUNT; emit++) {
@@ -294,6 +296,8 @@ void store_program(Batch *b, const BatchDocument *document, const Unit *unit, co
         const char *text = matc_output(program, emit_output(&b->options, emit), &size);
         bytes_block(&to, text, size);
     }
-    cache_put(b->cache, program_key(b, document, unit, members), to.at, to.size);
+    Key key = key_of_bytes(to.at, to.size);
+    cache_keep(b->cache, key, to.at, to.size);
+    unit_add_files(unit, members_key(unit, members), key);
     bytes_free(&to);
 }

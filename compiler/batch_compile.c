@@ -34,7 +34,7 @@ static void write_program(Batch *b, BatchDocument *document, Unit *unit, const i
     }
     written_free(unit->written);
     unit->written = unit_written(program, b->numbers == NUMBERS_uniform);
-    store_program(b, document, unit, members, program);
+    store_program(b, unit, members, program);
 }
 
 /* True for whoever asks first. */

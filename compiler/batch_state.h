@@ -35,7 +35,8 @@ typedef struct {
     char **depends; /* files that it was made from, itself first */
     int depend_count;
     MatcRanges *ranges; /* with --layout=auto, while it is open */
-    bool stored;        /* the cache had it */
+    bool stored;        /* the cache has it */
+    bool spoke;         /* something was said of it, so that it is not kept: the next run would be silent */
     bool unreadable;    /* which is said */
     bool once;          /* a pipe, which can be read but once: its text is kept */
     Bytes said;         /* diagnostics */
@@ -63,20 +64,20 @@ typedef struct {
     int document_count;
     BatchProgram *programs;
     int program_count;
-    MatcRanges ranges;  /* of all documents, with --layout=auto */
-    MatcLayout *layout; /* made for the set, or NULL */
+    MatcRanges ranges;       /* of all documents, with --layout=auto */
+    MatcLayout *layout;      /* made for the set, or NULL */
     Outputs folders;         /* all that is written */
     Stage *stage, *textures; /* of the folder, and of --textures, which may be the same; NULL: none */
-    MatcLinked *linked;    /* in the options of all */
-    Cache *cache;          /* NULL: none */
-    pthread_mutex_t mutex; /* of what follows */
-    StringSet within;      /* files that the batch reads and that lie in its folder, by their names there */
-    KeySet seen;           /* programs that someone writes already */
-    StringSet files;       /* what documents are made from, as it was read */
-    Key *file_keys;        /* its contents */
-    int closed, said;      /* documents whose diagnostics are complete; and were said, from the first on */
-    Bytes general;         /* diagnostics of no document */
-    atomic_bool fault;     /* any thread reads it */
+    MatcLinked *linked;      /* in the options of all */
+    Cache *cache;            /* NULL: none */
+    pthread_mutex_t mutex;   /* of what follows */
+    StringSet within;        /* files that the batch reads and that lie in its folder, by their names there */
+    KeySet seen;             /* programs that someone writes already */
+    StringSet files;         /* what documents are made from, as it was read */
+    Key *file_keys;          /* its contents */
+    int closed, said;        /* documents whose diagnostics are complete; and were said, from the first on */
+    Bytes general;           /* diagnostics of no document */
+    atomic_bool fault;       /* any thread reads it */
 } Batch;
 
 /* -- batch.c */
@@ -132,13 +133,13 @@ bool is_of_program(int emit);
 bool stored_open(Batch *batch);
 void stored_key(const Batch *batch, BatchDocument *document);
 bool stored_document(Batch *batch, BatchDocument *document);
-void store_document(Batch *batch, const BatchDocument *document);
+/* Writes its entry, unless it is there as it would be. No thread works on the document. */
+void store_document(Batch *batch, BatchDocument *document);
 bool stored_ranges(Batch *batch, BatchDocument *document);
 void store_ranges(Batch *batch, const BatchDocument *document);
 /* Writes the program's files. */
 bool stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
-void store_program(Batch *batch, const BatchDocument *document, const Unit *unit, const int *members,
-                   MatcProgram *program);
+void store_program(Batch *batch, Unit *unit, const int *members, MatcProgram *program);
 
 /* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
  * must be written again. batch_group.c */

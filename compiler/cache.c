@@ -93,13 +93,12 @@ Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
     return cache;
 }
 
-/* Marks an entry as used now. */
-static void touch(int file, const struct stat *info)
+/* An entry that was last used so long ago that it is to be marked as used now. */
+static bool is_stale(const struct stat *info)
 {
     struct timespec now;
     clock_gettime(CLOCK_REALTIME_COARSE, &now);
-    if (llabs((long long)now.tv_sec - (long long)info->st_mtime) > CACHE_FRESH)
-        futimens(file, NULL);
+    return llabs((long long)now.tv_sec - (long long)info->st_mtime) > CACHE_FRESH;
 }
 
 /* The blob of an open entry; NULL if it is not as it should be. */
@@ -119,7 +118,8 @@ static char *read_entry(int file, Key key, size_t *size)
     if (got == (ssize_t)info.st_size) {
         const Header wanted = header_of(key, bytes, length);
         if (!memcmp(&header, &wanted, sizeof header)) {
-            touch(file, &info);
+            if (is_stale(&info))
+                futimens(file, NULL);
             bytes[length] = 0;
             *size = length;
             return bytes;
@@ -258,6 +258,21 @@ void cache_put(Cache *cache, Key key, const void *bytes, size_t size)
     cache->written += whole;
     cache->total += whole;
     settle_if_large(cache);
+}
+
+void cache_keep(Cache *cache, Key key, const void *bytes, size_t size)
+{
+    char name[CACHE_NAME];
+    struct stat info;
+    if (!cache)
+        return;
+    cache_name(key, name);
+    bool there = !fstatat(cache->folder, name, &info, AT_SYMLINK_NOFOLLOW) && S_ISREG(info.st_mode) &&
+                 info.st_size == (off_t)(sizeof(Header) + size);
+    if (!there)
+        cache_put(cache, key, bytes, size);
+    else if (is_stale(&info))
+        utimensat(cache->folder, name, NULL, AT_SYMLINK_NOFOLLOW);
 }
 
 const char *cache_trouble(const Cache *cache)

@@ -143,6 +143,7 @@ void unit_free(Unit *unit)
     free(unit->lanes);
     free(unit->bits);
     free(unit->own);
+    free(unit->files);
     written_free(unit->written);
 }
 
@@ -156,6 +157,28 @@ int *unit_offsets(const Unit *unit)
     return offsets;
 }
 
+const Key *unit_find_files(const Unit *unit, Key members)
+{
+    for (int i = 0; i < unit->file_count; i++)
+        if (key_equal(unit->files[i].members, members))
+            return &unit->files[i].files;
+    return NULL;
+}
+
+void unit_add_files(Unit *unit, Key members, Key files)
+{
+    const Key *known = unit_find_files(unit, members);
+    if (known && key_equal(*known, files))
+        return;
+    if (!unit->files)
+        unit->files = sets_resize(NULL, MOST_UNIT_FILES * sizeof *unit->files);
+    if (unit->file_count == MOST_UNIT_FILES) /* the oldest goes */
+        unit->file_count--;
+    memmove(unit->files + 1, unit->files, (size_t)unit->file_count++ * sizeof *unit->files);
+    unit->files[0] = (UnitFiles){members, files};
+    unit->changed = true;
+}
+
 void unit_store(Bytes *to, const Unit *unit)
 {
     bytes_add(to, &unit->key, sizeof unit->key);
@@ -164,6 +187,7 @@ void unit_store(Bytes *to, const Unit *unit)
     bytes_block(to, unit->lanes, (size_t)unit->count);
     bytes_block(to, unit->bits, (size_t)unit->bit_count * sizeof *unit->bits);
     bytes_text(to, unit->own);
+    bytes_block(to, unit->files ? (const char *)unit->files : "", (size_t)unit->file_count * sizeof *unit->files);
 }
 
 static void *copy(const void *from, size_t size)
@@ -173,15 +197,17 @@ static void *copy(const void *from, size_t size)
 
 bool unit_load(BytesReader *from, Unit *unit)
 {
-    size_t count, size;
+    size_t count, size, files_size;
     const void *key = bytes_take(from, sizeof unit->key), *shape = bytes_take(from, sizeof unit->shape);
     uint32_t pass = bytes_take_number(from);
     const char *lanes = bytes_take_block(from, &count), *bits = bytes_take_block(from, &size),
                *own = bytes_take_text(from);
+    const char *files = bytes_take_block(from, &files_size);
     size_t wanted = 0;
     for (size_t i = 0; !from->broken && i < count; i++)
         wanted += (size_t)(lanes[i] > UNIT_WORDS ? lanes[i] - UNIT_WORDS : lanes[i]);
-    if (from->broken || pass >= PASS_COUNT || size != wanted * sizeof *unit->bits)
+    if (from->broken || pass >= PASS_COUNT || size != wanted * sizeof *unit->bits ||
+        files_size > MOST_UNIT_FILES * sizeof *unit->files || files_size % sizeof *unit->files)
         return false;
     memcpy(&unit->key, key, sizeof unit->key);
     memcpy(&unit->shape, shape, sizeof unit->shape);
@@ -191,6 +217,11 @@ bool unit_load(BytesReader *from, Unit *unit)
     unit->lanes = copy(lanes, count);
     unit->bits = copy(bits, size);
     unit->own = sets_copy(own);
+    unit->file_count = (int)(files_size / sizeof *unit->files);
+    if (files_size) {
+        unit->files = sets_resize(NULL, MOST_UNIT_FILES * sizeof *unit->files);
+        memcpy(unit->files, files, files_size);
+    }
     return true;
 }
 

@@ -12,7 +12,12 @@ typedef struct {
     int member_count;
 } Written;
 
-enum { UNIT_WORDS = 4 };
+/* Where the cache has the files of a program that was written for the unit: by the members that it was written with. */
+typedef struct {
+    Key members, files;
+} UnitFiles;
+
+enum { UNIT_WORDS = 4, MOST_UNIT_FILES = 4 /* the newest first */ };
 
 typedef struct Unit {
     Key key, shape; /* of the program: matc_key and matc_shape */
@@ -21,7 +26,10 @@ typedef struct Unit {
     uint8_t *lanes; /* of each: 1 to 4 of floats; UNIT_WORDS more for words */
     uint32_t *bits; /* all lanes, one after the other: of floats, or words */
     int bit_count;
-    char *own;                    /* members of the manifest's JSON: uniforms and textures, each with ", " before it */
+    char *own;        /* members of the manifest's JSON: uniforms and textures, each with ", " before it */
+    UnitFiles *files; /* NULL: none */
+    int file_count;
+    bool changed;                 /* the cache does not know the last of them */
     Written *written;             /* NULL: its program was not written for this material */
     struct Unit *next;            /* of the same program, in the order of the inputs */
     int program;                  /* index, in the end */
@@ -44,6 +52,10 @@ void unit_free(Unit *unit);
 void written_free(Written *written);
 /* The first lane of each number, in `bits`; from malloc. */
 int *unit_offsets(const Unit *unit);
+
+/* The key of its files with these members; NULL: none is known. */
+const Key *unit_find_files(const Unit *unit, Key members);
+void unit_add_files(Unit *unit, Key members, Key files);
 
 /* As bytes and back; false: they are none. */
 void unit_store(Bytes *to, const Unit *unit);

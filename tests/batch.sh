@@ -340,6 +340,16 @@ cached "a layout of another name" "--layout=$work/docs/other.yaml" --emit=glsl,u
 mkdir "$work/elsewhere" && cp "$work/docs/image.yaml" "$work/elsewhere" && cp "$work/docs/tiles.png" "$work/elsewhere"
 cached "the same document elsewhere" "$work/elsewhere/image.yaml"
 
+# A program is kept once, whichever documents come to it: each alone, all together, in the other order, with other numbers in the buffer
+entries() { "$matc" --cache-stats --cache "$work/$1" | sed -n 's/^entries *//p'; }
+mkdir "$work/equal" && sed -n '2,41p' "$work/colors.yaml" | awk -v to="$work/equal" '{ print "materials:" > (to "/d" NR ".yaml"); print > (to "/d" NR ".yaml") }'
+for document in "$work"/equal/*; do $fast -d "$work/alone" --constants=uniform --cache "$work/once" "$document"; done
+check "forty documents of one program" test "$(entries once)" = 41
+check "together" status 0 $fast -d "$work/alone" --constants=uniform --cache "$work/once" "$work"/equal/*
+check "in the other order" status 0 $fast -d "$work/alone" --constants=uniform --cache "$work/once" $(ls -r "$work"/equal/*)
+check "are no more entries" test "$(entries once)" = 41
+check "nor misses" test "$("$matc" --cache-stats --cache "$work/once" | sed -n 's/^misses *//p')" = 40
+
 # Every entry damaged, one way after the other
 for way in 'truncate -s -1 "$file"' ': >"$file"' 'printf X | dd of="$file" bs=1 seek=70 conv=notrunc 2>/dev/null' 'printf XX | dd of="$file" bs=1 conv=notrunc 2>/dev/null' \
     'echo more >>"$file"' 'head -c 300 /dev/zero >"$file"'; do

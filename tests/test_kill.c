@@ -226,8 +226,14 @@ static void become_matc(const World *w, const char *const *arguments, long at, c
     snprintf(number, sizeof number, "%ld", at);
     setenv("STRIKE_AT", number, 1);
     setenv("STRIKE_HOW", how ? how : "", 1);
-    if (how)
+    if (how) {
+        const char *options =
+            getenv("ASAN_OPTIONS"); /* a sanitizer wants to be the first that is loaded, but need not be */
+        char more[PATH_ROOM];
+        snprintf(more, sizeof more, "%s:verify_asan_link_order=0", options ? options : "");
+        setenv("ASAN_OPTIONS", more, 1);
         setenv("LD_PRELOAD", STRIKE_LIBRARY, 1);
+    }
     in_root(w, "now", path);
     if (!chdir(path))
         execv(MATC_PROGRAM, (char *const *)all);

@@ -13,7 +13,7 @@
 #include <string.h>
 #include <sys/resource.h>
 
-enum { COUNT = 10000, THREADS = 2, RUNS = 5, FEW_RUNS = 2 };
+enum { COUNT = 10000, THREADS = 2, RUNS = 5, FEW_RUNS = 2, PARTS = 10 };
 
 /* The texts of a batch's programs. */
 typedef struct {
@@ -150,7 +150,7 @@ static void write_scene(int index, Text *out)
     batch_scene(index, out, &family);
 }
 
-static bool run_once(const BatchFolder *folder, const Run *row, BatchTimes *times)
+static bool run_list(const BatchFolder *folder, const char *list, const Run *row, BatchTimes *times)
 {
     char cache[BATCH_PATH];
     const char *arguments[sizeof row->arguments / sizeof *row->arguments + 1] = {NULL};
@@ -159,7 +159,7 @@ static bool run_once(const BatchFolder *folder, const Run *row, BatchTimes *time
         arguments[i] = strcmp(row->arguments[i], "--cache") ? row->arguments[i] : cache;
     for (int i = 0; i < 2 && row->clear[i]; i++)
         batch_clear(folder, row->clear[i]);
-    return batch_run(folder, "m", "out", arguments, times);
+    return batch_run(folder, list, "out", arguments, times);
 }
 
 static const BatchTimes untimed = {NAN, NAN, 1}, untimed_alone = {NAN, NAN, 0};
@@ -173,10 +173,10 @@ static bool run(const BatchFolder *folder, const Run *row, bool timed, BatchTime
     BatchTimes once;
     if (!timed) {
         *times = untimed;
-        return row != &runs[0] || run_once(folder, &programs, &once);
+        return row != &runs[0] || run_list(folder, "m", &programs, &once);
     }
     for (int i = 0; i < most; i++) {
-        if (!run_once(folder, row, &once))
+        if (!run_list(folder, "m", row, &once))
             return false;
         if (!i || once.seconds < times->seconds)
             *times = once;
@@ -212,6 +212,37 @@ static bool measure_validated(const BatchFolder *folder, int count, bool timed)
     return fine;
 }
 
+/* Parts of a set, each a batch of its own, then all of it in both orders, share a cache: what it holds then, and how fast it is. */
+static bool measure_cache(BatchFolder *folder, int count)
+{
+    static const Run shared = {
+        "from the cache of all these", {"out"}, {"-j", "2", "--no-validate", "--constants=uniform", "--cache"}};
+    BatchTimes times;
+    char name[32];
+    batch_clear(folder, "cache");
+    for (int part = 0; part < PARTS; part++) {
+        snprintf(name, sizeof name, "part%d", part);
+        if (!batch_folder_list(folder, name, part * count / PARTS, (part + 1) * count / PARTS, false) ||
+            !run_list(folder, name, &shared, &times))
+            return false;
+    }
+    if (!batch_folder_list(folder, "back", 0, count, true) || !run_list(folder, "m", &shared, &times) ||
+        !run_list(folder, "back", &shared, &times) || !run(folder, &shared, true, &times))
+        return false;
+    char *manifest = batch_read(folder, "out", "manifest.json");
+    cJSON *json = manifest ? cJSON_Parse(manifest) : NULL;
+    BatchCache cache = batch_cache(folder);
+    printf("\nmaterials of a scene, their numbers in buffers: a cache that %d parts of the set, the set and the set in "
+           "the other order share\n",
+           PARTS);
+    printf("%d documents, %d programs: %ld entries of %.1f MiB\n", count,
+           cJSON_GetArraySize(cJSON_GetObjectItem(json, "programs")), cache.entries, (double)cache.bytes / (1 << 20));
+    put_times(shared.what, count, &times);
+    cJSON_Delete(json);
+    free(manifest);
+    return true;
+}
+
 static bool measure_speed(BatchFolder *folder, int count, bool timed)
 {
     BatchTimes times;
@@ -226,7 +257,7 @@ static bool measure_speed(BatchFolder *folder, int count, bool timed)
         return false;
     printf("\nmaterials of a scene, of %.0f bytes, every number in its program\n", (double)folder->bytes / count);
     put_times(scene_run.what, count, &times);
-    return true;
+    return !timed || measure_cache(folder, count);
 }
 
 static bool measure_memory(BatchFolder *folder, int count, bool timed)
@@ -250,7 +281,7 @@ int bench_batch(int argc, char **argv)
     BatchFolder folder;
     const char *matc = MATC_PROGRAM;
     int count = COUNT;
-    bool scene = true, speed = true, timed = !bench_untimed(argc, argv);
+    bool scene = true, speed = true, cache = false, timed = !bench_untimed(argc, argv);
     GlKind gl = GL_KIND_osmesa;
     for (int i = timed ? 1 : 2; i < argc; i++) {
         if (!strcmp(argv[i], "--count") && i + 1 < argc)
@@ -263,11 +294,14 @@ int bench_batch(int argc, char **argv)
             speed = false;
         else if (!strcmp(argv[i], "--speed"))
             scene = false;
+        else if (!strcmp(argv[i], "--cache"))
+            scene = speed = !(cache = true);
         else
             count = 0;
     }
     if (count < 1 || 4 * count > DIFFERENT_DOCUMENTS) {
-        fputs("usage: matbench batch [--untimed] [--count N] [--matc PROGRAM] [--speed | --scene] [--gl=osmesa|egl]\n",
+        fputs("usage: matbench batch [--untimed] [--count N] [--matc PROGRAM] [--speed | --scene | --cache] "
+              "[--gl=osmesa|egl]\n",
               stderr);
         return 2;
     }
@@ -276,6 +310,7 @@ int bench_batch(int argc, char **argv)
         return 1;
     }
     bool fine = (!speed || (measure_speed(&folder, count, timed) && measure_memory(&folder, count, timed))) &&
+                (!cache || (batch_folder_fill(&folder, "m", count, write_scene) && measure_cache(&folder, count))) &&
                 (!scene || batch_measure_scene(&folder, gl, timed));
     batch_folder_remove(&folder);
     return !fine;

@@ -102,6 +102,30 @@ bool batch_folder_fill(BatchFolder *folder, const char *name, int count, void (*
     return fine;
 }
 
+bool batch_folder_list(const BatchFolder *folder, const char *name, int first, int end, bool back)
+{
+    char path[BATCH_PATH];
+    snprintf(path, sizeof path, "%s/%s.txt", folder->path, name);
+    FILE *list = fopen(path, "w");
+    for (int i = first; i < end && list; i++)
+        fprintf(list, "%s/m%05d.yaml\n", folder->path, back ? first + end - 1 - i : i);
+    return list && !fclose(list);
+}
+
+BatchCache batch_cache(const BatchFolder *folder)
+{
+    BatchCache held = {0};
+    char command[2 * BATCH_PATH], line[128];
+    snprintf(command, sizeof command, "%s --cache-stats --cache=%s/cache", folder->matc, folder->path);
+    FILE *said = popen(command, "r");
+    while (said && fgets(line, sizeof line, said))
+        if (sscanf(line, "entries %ld", &held.entries) != 1 && sscanf(line, "bytes %ld", &held.bytes) != 1)
+            continue;
+    if (said)
+        pclose(said);
+    return held;
+}
+
 static void show(const char *path)
 {
     size_t size;
