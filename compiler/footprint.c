@@ -123,7 +123,13 @@ void split_set(Lower *l, Ref value, Split split)
     l->splits[value] = split;
 }
 
-Split split_of(const Lower *l, Ref value) { return value < l->split_room ? l->splits[value] : (Split){0, 0, 0}; }
+Split split_of(Lower *l, Ref value)
+{
+    for (; value; value = settled_operand(l, value))
+        if (value < l->split_room && l->splits[value].share)
+            return l->splits[value];
+    return (Split){0, 0, 0};
+}
 
 #define sum(l, a, b) sum_of(l, REFS((l)->ir, a, b))
 static Ref sum_of(Lower *l, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0] : add(l, x[0], x[1]); }
@@ -175,8 +181,11 @@ static Ref vec_variance(Lower *l, Ref ref, const IrNode *node)
 static Ref derive(Lower *l, Ref ref)
 {
     const IrNode node = *ir_at(l->ir, ref);
+    Ref settled = settled_operand(l, ref);
     if (!node.count)
         return 0;
+    if (settled)
+        return variance_of(l, settled);
     if (node.op == OP_linear)
         return linear_variance(l, ref, &node);
     if (node.op == OP_vec)
@@ -210,6 +219,15 @@ static int varying_operands(const IrNode *node)
                                         : MOST_VARYING;
 }
 
+static void push_operands(Lower *l, Ref ref)
+{
+    Ref settled = settled_operand(l, ref);
+    if (settled)
+        push_unknown(l, settled);
+    for (int i = varying_operands(ir_at(l->ir, ref)) - 1; i >= 0 && !settled; i--)
+        push_unknown(l, ir_arg(l->ir, ref, i));
+}
+
 /* Operands first, the left one before the right, on a stack of its own. */
 Ref variance_of(Lower *l, Ref value)
 {
@@ -218,8 +236,8 @@ Ref variance_of(Lower *l, Ref value)
     while (l->to_vary_count > before) {
         Ref ref = l->to_vary[l->to_vary_count - 1];
         size_t now = l->to_vary_count;
-        for (int i = varying_operands(ir_at(l->ir, ref)) - 1; i >= 0 && !known_variance(l, ref); i--)
-            push_unknown(l, ir_arg(l->ir, ref, i));
+        if (!known_variance(l, ref))
+            push_operands(l, ref);
         if (l->to_vary_count > now)
             continue;
         l->to_vary_count--;

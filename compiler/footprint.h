@@ -33,7 +33,9 @@ void variance_set(Lower *l, Ref value, Ref variance);
 Ref variance_of(Lower *l, Ref value);
 /* Notes that a value is the mean of two within the pixel: what is not linear has to be asked of both. */
 void split_set(Lower *l, Ref value, Split split);
-Split split_of(const Lower *l, Ref value);
+Split split_of(Lower *l, Ref value);
+/* The operand that a select or a mix is, because constants decide it; 0: they do not. settled.c */
+Ref settled_operand(Lower *l, Ref ref);
 /* `scale` times a coordinate that constants scaled, turned and moved, as a whole number and a fraction in [-1/2, 1/2], for
  * --coordinates=long. False: it is exact as it is, or not of that kind. affine.c */
 typedef struct {

@@ -56,6 +56,9 @@ typedef struct {
     size_t to_vary_count, to_vary_room;
     Split *splits; /* by Ref; footprint.c */
     size_t split_room;
+    Ref *settled; /* by Ref: the constant that it is; settled.c */
+    size_t settled_room;
+    Ref settled_count;
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
     Affine affine;        /* affine.c */
