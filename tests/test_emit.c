@@ -243,6 +243,7 @@ static void numbers_lanes_and_vectors_are_written(void **state)
                                         "neg(linear(u, [1, 2], [3, 4]))",
                                         "select(front, v, w)",
                                         "select(front, select(lt(x, y), x, y), z)",
+                                        "select(select(front, lt(x, y), lt(y, z)), x, y)",
                                         "select(lt(x, y), select(front, x, y), z)",
                                         "sub(select(front, x, y), select(lt(x, y), y, x))",
                                         "phongExponent(mul(x, y))",

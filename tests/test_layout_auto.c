@@ -138,6 +138,19 @@ static void ranges_make_fields(void **state)
     set_close(&set);
 }
 
+/* What passes 1 keeps its upper end; a colour whose red never changes is stored for its green. */
+static void ends_and_lanes_are_kept(void **state)
+{
+    (void)state;
+    static const char *const bright[] = {"tests/layouts/bright.yaml"};
+    Set set;
+    set_open(&set, bright, 1, 0);
+    const FieldRow *emissive = field_of(&set, SLOT_emissive), *diffuse = field_of(&set, SLOT_diffuse);
+    assert_true(emissive && field_high(emissive) >= 3);
+    assert_true(diffuse && field_high(diffuse) >= 0.9 && !diffuse->gray);
+    set_close(&set);
+}
+
 static int all_bits(const Set *set)
 {
     int bits = 0;
@@ -455,6 +468,7 @@ int main(void)
         cmocka_unit_test(diffuse_colors_take_eight_bytes),
         cmocka_unit_test(ratios_of_the_draw_are_no_constants),
         cmocka_unit_test(ranges_make_fields),
+        cmocka_unit_test(ends_and_lanes_are_kept),
         cmocka_unit_test(smaller_errors_take_more_bits),
         cmocka_unit_test(joining_has_no_order),
         cmocka_unit_test(mixed_sets_have_cases),

@@ -94,6 +94,30 @@ static void all_of_a_file_reads_back(void **state)
     matc_layout_free(layout);
 }
 
+/* Of 1023 steps over [0.2, 0.7]: 0.2 is none, 0.7 all, 0.45 half of them, rounded up. Beyond the ends, the nearer one. */
+static void a_range_is_counted_from_its_lower_end(void **state)
+{
+    (void)state;
+    static const char material[] = "{ material: Phong, diffuse: [0.2, 0.45, 0.7], specular: [0.1, 0.7, 0.9] }\n";
+    MatcOptions options;
+    matc_options_init(&options);
+    MatcLayout *layout = read_text("layout: range\ntargets: [RG32UI]\nfields:\n"
+                                   "  - { slot: diffuse, encoding: unorm, bits: 10, range: [0.2, 0.7] }\n"
+                                   "  - { slot: specular, encoding: unorm, bits: 10, range: [0.2, 0.7] }\n");
+    options.custom = layout;
+    MatcDocument *document = matc_read("test.yaml", material, sizeof material - 1, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    char words[64];
+    snprintf(words, sizeof words, "uvec4(%uu, %uu, 0u, 0u)", 0u | 512u << 10 | 1023u << 20,
+             0u | 1023u << 10 | 1023u << 20);
+    assert_true(matc_ok(program));
+    if (!strstr(matc_output(program, MATC_FRAGMENT, NULL), words))
+        fail_msg("no %s in\n%s", words, matc_output(program, MATC_FRAGMENT, NULL));
+    matc_program_free(program);
+    matc_document_free(document);
+    matc_layout_free(layout);
+}
+
 /* JSON is read as documents are, and a layout's faults are none of a document's. */
 static void json_is_read_too(void **state)
 {
@@ -202,6 +226,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_written_reads_back),
         cmocka_unit_test(all_of_a_file_reads_back),
+        cmocka_unit_test(a_range_is_counted_from_its_lower_end),
         cmocka_unit_test(json_is_read_too),
         cmocka_unit_test(another_constant_is_told),
         cmocka_unit_test(examples_keep_what_they_promise),

@@ -260,6 +260,19 @@ static void a_write_that_does_not_show_is_seen(void **state)
     watch_close(watch);
 }
 
+/* As copies that keep times have it: only the size is another. */
+static void another_size_at_the_same_time_is_seen(void **state)
+{
+    const Fixture *f = *state;
+    struct stat before;
+    Watch *watch = open_watch(f, FILES);
+    assert_int_equal(stat(f->paths[0], &before), 0);
+    put(f->paths[0], "longer");
+    assert_int_equal(utimensat(AT_FDCWD, f->paths[0], (const struct timespec[]){before.st_atim, before.st_mtim}, 0), 0);
+    assert_change(watch, 0);
+    watch_close(watch);
+}
+
 static void *save_later(void *data)
 {
     sleep_ms(100);
@@ -294,6 +307,7 @@ int main(void)
         BOTH(a_row_of_changes_is_one),
         BOTH(nothing_is_missed_between_two_waits),
         BOTH(a_wait_ends_in_time),
+        BOTH(another_size_at_the_same_time_is_seen),
 #ifdef __linux__
         NOTICES(a_write_that_does_not_show_is_seen),
         NOTICES(a_notice_is_quick),
