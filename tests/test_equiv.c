@@ -158,9 +158,43 @@ static void ir_means_what_the_oracle_says(void **state)
     assert_int_equal(test.faults, 0);
 }
 
+/* At an item's value that item holds, the last one of several with the same: points beside it do not tell. */
+static void a_blend_at_an_items_value_is_that_item(void **state)
+{
+    (void)state;
+    static const struct {
+        double at, value;
+    } cases[] = {{-1, 0.2}, {0, 0.2}, {0.125, 0.6}, {0.25, 0.125}, {0.5, 0.375}, {0.75, 0.625}, {2, 0.625}};
+    Document d;
+    if (!document_open_text(
+            &d,
+            "{ material: Phong, emissive: { map: Blend, blend: [{ value: 0, input: 0.2 }, { value: 0.25, input: 1 },\n"
+            "  { value: 0.25, input: 0.125 }, { value: 0.75, input: 0.625 }] } }\n"))
+        fail_msg("%s", document_fault(&d));
+    for (int level = 0; level <= 2; level += 2) {
+        Arena arena = {0};
+        Compile c = {.options = &d.options, .arena = &arena, .optimize = level, .check = true};
+        Job job;
+        job_of(&(MatcOptions){.pass = "value"}, &job);
+        job.slot = SLOT_emissive;
+        const Ir *ir = compile_ir(&c, d.graph, d.graph->materials[0].node, &job);
+        ReferenceContext context = {.noise = ir->noise};
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
+            inputs[INPUT_X][0] = cases[i].at;
+            ir_eval(ir, &context, (const double(*)[4])inputs, result);
+            if (!(fabs(result[0][0] - cases[i].value) <= bound))
+                fail_msg("-O%d at %g: %.17g instead of %g", level, cases[i].at, result[0][0], cases[i].value);
+        }
+        arena_free(&arena);
+    }
+    document_close(&d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_blend_at_an_items_value_is_that_item),
         cmocka_unit_test(ir_means_what_the_oracle_says),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
