@@ -300,7 +300,7 @@ uint8_t *ir_live(const Ir *ir, Arena *arena)
             continue;
         for (int i = 0; i < node->count; i++)
             live[ir->args[node->first + (uint32_t)i]] = 1;
-        if (ir_applies(ir, ref))
+        if (ir_applies(ir, ref) && node->payload < ir->function_count) /* ir_check asks before it knows */
             live[ir->functions[node->payload].result] = 1;
     }
     live[0] = 0;

@@ -146,10 +146,10 @@ static void compare(Test *t)
 /* Of a row, by its name: what another row is or where it stands changes nothing. */
 static uint64_t random_of(const FunctionCase *row, int seed)
 {
-    int64_t number = seed;
+    uint64_t number = (uint64_t)seed;
     for (const char *letter = row->function; *letter; letter++)
-        number = number * 131 + *letter;
-    return java_random(number);
+        number = number * 131 + (unsigned char)*letter;
+    return java_random((int64_t)number);
 }
 
 static void call_seed(Test *t, int seed)
