@@ -53,11 +53,15 @@ static Ref float_step(Program *p)
     static const Op one[] = {OP_neg, OP_abs, OP_floor, OP_ceil, OP_fract, OP_sign, OP_sin, OP_cos, OP_atan};
     static const Op two[] = {OP_add, OP_sub, OP_mul, OP_min, OP_max, OP_step, OP_atan2};
     Ir *ir = p->site.ir;
+    Op operation;
+    Ref vector;
     switch (choose(&p->choices, 10)) {
     case 0:
-        return ir_unary(ir, one[choose(&p->choices, sizeof one / sizeof *one)], a_float(p));
+        operation = one[choose(&p->choices, sizeof one / sizeof *one)];
+        return ir_unary(ir, operation, a_float(p));
     case 1:
-        return ir_binary(ir, two[choose(&p->choices, sizeof two / sizeof *two)], a_float(p), a_float(p));
+        operation = two[choose(&p->choices, sizeof two / sizeof *two)];
+        return ir_binary(ir, operation, a_float(p), a_float(p));
     case 2:
         return ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, -1), ir_float(ir, 2));
     case 3:
@@ -73,7 +77,8 @@ static Ref float_step(Program *p)
     case 7:
         return ir_unary(ir, OP_length, a_vector(p));
     case 8:
-        return ir_swizzle_lanes(ir, a_vector(p), choose(&p->choices, 3), 1);
+        vector = a_vector(p);
+        return ir_swizzle_lanes(ir, vector, choose(&p->choices, 3), 1);
     default:
         return guarded(p);
     }
@@ -106,11 +111,14 @@ static void program_make(Program *p, int number)
         p->floats[p->float_count++] = expression_read(p->site.ir, first[i]);
     p->vectors[p->vector_count++] = expression_read(p->site.ir, "clamp(v, -2, 2)");
     p->vectors[p->vector_count++] = expression_read(p->site.ir, "fract(w)");
-    for (int i = 0; i < STEPS; i++)
-        if (chance(&p->choices, 1, 4))
-            p->vectors[p->vector_count++] = vector_step(p);
+    for (int i = 0; i < STEPS; i++) {
+        bool vector = chance(&p->choices, 1, 4);
+        Ref made = vector ? vector_step(p) : float_step(p); /* before it counts */
+        if (vector)
+            p->vectors[p->vector_count++] = made;
         else
-            p->floats[p->float_count++] = float_step(p);
+            p->floats[p->float_count++] = made;
+    }
 }
 
 static void check_node(Program *p, const Ranges ranges[2], Ref ref, const double *value)
