@@ -176,7 +176,11 @@ const char *waiting_put(int file, const void *bytes, size_t size)
 
 const char *waiting_write(const Waiting *w, const char *name, const void *bytes, size_t size)
 {
-    int file = openat(w->at, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, READABLE);
+    const int how = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+    int file = openat(w->at, name, how, READABLE);
+    if (file < 0 && errno == EEXIST &&
+        !unlinkat(w->at, name, 0)) /* another thread's, of the same name: the later one stays */
+        file = openat(w->at, name, how, READABLE);
     if (file < 0)
         return strerror(errno);
     const char *why = waiting_put(file, bytes, size);

@@ -85,5 +85,18 @@ echo half >"$work/ended/.matc-commit/0"
 check "a commit without a journal" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "is removed" only "$work/ended" .matc-cache checker.frag manifest.json
 
+# -- one name from several threads: every material of a noise has the same tables
+
+tables() {
+    for run in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+        rm -rf "$work/tables"
+        $fast -j 8 -d "$work/tables" --textures "$work/tables" --noise=groimp --pass=value --slot=diffuse \
+            examples/granite.yaml examples/turbulence.yaml examples/volumeTurbulence.yaml examples/wrinkles.yaml || return 1
+    done
+}
+check "tables that several threads write" tables
+check "are there once" only "$work/tables" granite.frag manifest.json matc_permutation.ktx matc_random.ktx turbulence.frag \
+    volumeTurbulence.frag wrinkles.frag
+
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]
