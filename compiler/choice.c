@@ -1,8 +1,8 @@
 /* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
-#include "choice.h"
-#include "custom.h"
-#include "json_write.h"
-#include "pipeline.h"
+#include "compiler/choice.h"
+#include "compiler/layout/custom.h"
+#include "compiler/base/json_write.h"
+#include "compiler/pipeline.h"
 #include <stddef.h>
 #include <string.h>
 

@@ -1,9 +1,9 @@
 /* What a program is written with: the choices of a job as text. choice.c also has job_of (pipeline.h). */
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
-#include "bytes.h"
-#include "compile.h"
-#include "text.h"
+#include "compiler/base/bytes.h"
+#include "compiler/base/compile.h"
+#include "compiler/base/text.h"
 
 /* All that decides what a program is, as bytes. */
 void options_store(Bytes *to, const MatcOptions *options);

@@ -1,13 +1,13 @@
 /* The pipeline, as a list of stages, and what every stage shares: diagnostics, files, statistics. */
-#include "compile.h"
-#include "emit.h"
-#include "file.h"
-#include "key.h"
-#include "lower.h"
-#include "opt.h"
-#include "pipeline.h"
-#include "resolve.h"
-#include "validate.h"
+#include "compiler/base/compile.h"
+#include "compiler/emit/emit.h"
+#include "compiler/base/file.h"
+#include "compiler/ir/key.h"
+#include "compiler/lower/lower.h"
+#include "compiler/opt/opt.h"
+#include "compiler/pipeline.h"
+#include "compiler/front/resolve.h"
+#include "compiler/emit/validate.h"
 #include <string.h>
 
 bool diag_full(const Compile *c) { return c->diags.count >= MOST_DIAGS; }

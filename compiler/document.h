@@ -1,7 +1,7 @@
 /* A document as the library's surface holds it. Private to matc.c, program.c, layout_api.c, auto_*.c. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
-#include "pipeline.h"
+#include "compiler/pipeline.h"
 #include <locale.h>
 
 struct MatcDocument {

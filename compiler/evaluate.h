@@ -1,8 +1,8 @@
 /* The oracle by a document's handle, for who measures programs against it. matc.c */
 #ifndef MATC_EVALUATE_H
 #define MATC_EVALUATE_H
-#include "matc.h"
-#include "oracle.h"
+#include "compiler/matc.h"
+#include "compiler/oracle/oracle.h"
 
 /* The slots of a material at `count` points, in double, as the options compute them (their noise and derivatives). The material exists, and
  * the options name what exists. Pictures are 0.5 where the document was read without `pixels`. False: one takes

@@ -1,9 +1,9 @@
 /* The library's surface: layouts from files. auto_layout.c makes them from ranges. */
-#include "describe.h"
-#include "layout_read.h"
-#include "choice.h"
-#include "custom.h"
-#include "document.h"
+#include "compiler/describe/describe.h"
+#include "compiler/layout/layout_read.h"
+#include "compiler/choice.h"
+#include "compiler/layout/custom.h"
+#include "compiler/document.h"
 #include <stdlib.h>
 #include <string.h>
 

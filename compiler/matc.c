@@ -1,8 +1,8 @@
 /* The library's surface: documents and questions. program.c has the programs. */
-#include "choice.h"
-#include "document.h"
-#include "evaluate.h"
-#include "oracle.h"
+#include "compiler/choice.h"
+#include "compiler/document.h"
+#include "compiler/evaluate.h"
+#include "compiler/oracle/oracle.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* The stages of compile.c, for the library's surface (matc.c) and the tests. */
 #ifndef MATC_PIPELINE_H
 #define MATC_PIPELINE_H
-#include "emit.h"
-#include "tree.h"
+#include "compiler/emit/emit.h"
+#include "compiler/front/tree.h"
 
 typedef struct {
     Interface interface;

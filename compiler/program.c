@@ -1,11 +1,11 @@
 /* Programs: a material's IR, what is written of it, and what it needs. */
-#include "choice.h"
-#include "document.h"
-#include "key.h"
-#include "layout.h"
-#include "layout_read.h"
-#include "texture.h"
-#include "validate.h"
+#include "compiler/choice.h"
+#include "compiler/document.h"
+#include "compiler/ir/key.h"
+#include "compiler/layout/layout.h"
+#include "compiler/layout/layout_read.h"
+#include "compiler/emit/texture.h"
+#include "compiler/emit/validate.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -10,7 +10,7 @@
 #include <mpfr.h>
 #include <stdlib.h>
 #include <string.h>
-#include "compiler/oracle.h"
+#include "compiler/oracle/oracle.h"
 #include "compiler/pipeline.h"
 
 enum { EXACT_BITS = 200, EXACT_ROOM = 1 << 18 };

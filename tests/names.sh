@@ -11,7 +11,7 @@ fast="$matc --no-validate"
 # Only tabs, ends of lines and characters that can be seen; by the bytes, so that U+0080 to U+009F count
 plain() { ! LC_ALL=C grep -q "$(printf '[\001-\010\013-\037\177]\|\302[\200-\237]')" "$1"; }
 
-check "nothing writes strings of JSON but json_write.c" test -z "$(grep -ln 'json_write.h' compiler/*.c | grep -v describe_ |
+check "nothing writes strings of JSON but json_write.c" test -z "$(grep -ln 'json_write.h' compiler/*.c compiler/*/*.c | grep -v describe_ |
     xargs grep -n '\\"%[.*]*s\|%[.*]*s\\"' /dev/null)"
 
 # -- JSON

@@ -2,7 +2,7 @@
 #ifndef MATC_ORACLE_FIXTURE_H
 #define MATC_ORACLE_FIXTURE_H
 #include "graph_builder.h"
-#include "compiler/oracle.h"
+#include "compiler/oracle/oracle.h"
 #include <stdarg.h>
 #include <setjmp.h>
 #include <cmocka.h>

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Finds expressions that make IR nodes in an order that C leaves open: two arguments of a call, two members of an
 # initialiser, or both operands of an operator that call functions which take an `Ir *` or a `Lower *`. What only reads
-# takes a `const Ir *`. REFS (compiler/ir.h) or a variable of its own gives each an order.
+# takes a `const Ir *`. REFS (compiler/ir/ir.h) or a variable of its own gives each an order.
 # order.sh [FILE...]. Run from the project's root. Status 77: skipped.
 set -eu
 command -v clang-query >/dev/null || {
@@ -38,7 +38,7 @@ pairs() {
     echo "match binaryOperator($here, unless(hasAnyOperatorName(\"&&\", \"||\", \",\")), hasLHS(maker), hasRHS(maker))"
 } >"$work/query"
 
-[ $# -gt 0 ] || set -- compiler/*.c
+[ $# -gt 0 ] || set -- compiler/*.c compiler/*/*.c
 for file in "$@"; do
     clang-query -f "$work/query" "$file" -- -std=c11 -D_GNU_SOURCE -I. -Icompiler -I/usr/include/cjson >"$work/out" 2>&1
     grep -A1 -E '"root" binds here|error:' "$work/out" >>"$work/found" || :

@@ -3,9 +3,9 @@
  * the diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass
  * makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
  * difference before you commit it. Under CI it does not update. */
-#include "matc.h"
-#include "opt.h"
-#include "output.h"
+#include "compiler/matc.h"
+#include "compiler/opt/opt.h"
+#include "compiler/tool/output.h"
 #include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/fold.h"
-#include "compiler/footprint.h"
-#include "compiler/opt.h"
+#include "compiler/ir/fold.h"
+#include "compiler/lower/footprint.h"
+#include "compiler/opt/opt.h"
 #include "compiler/pipeline.h"
 #include "tests/value/evaluate.h"
 #include <math.h>

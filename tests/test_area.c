@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/pipeline.h"
-#include "runtime/lib/java_random.h"
+#include "runtime/library/java_random.h"
 #include "tests/stress/generate.h"
 #include "tests/value/evaluate.h"
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/cache.h"
+#include "compiler/tool/cache.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

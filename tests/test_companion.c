@@ -5,11 +5,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/custom.h"
-#include "compiler/emit.h"
-#include "compiler/file.h"
-#include "compiler/layout.h"
-#include "compiler/validate.h"
+#include "compiler/layout/custom.h"
+#include "compiler/emit/emit.h"
+#include "compiler/base/file.h"
+#include "compiler/layout/layout.h"
+#include "compiler/emit/validate.h"
 #include "tests/value/documents.h"
 #include <glob.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/lib/java_random.h"
+#include "runtime/library/java_random.h"
 #include "tests/value/apart.h"
 #include "tests/value/sheet.h"
 #include <stdio.h>

@@ -4,9 +4,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/ir.h"
+#include "compiler/ir/ir.h"
 #include "compiler/pipeline.h"
-#include "runtime/lib/java_random.h"
+#include "runtime/library/java_random.h"
 #include "tests/value/cases.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/compile.h"
+#include "compiler/base/compile.h"
 #include "tests/growth/growth.h"
 #include <math.h>
 #include <stdio.h>

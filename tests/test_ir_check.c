@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/ir.h"
+#include "compiler/ir/ir.h"
 #include <string.h>
 
 /* What the text cannot say is spoilt in the node that the output names. */

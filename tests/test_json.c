@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "read_text.h"
-#include "compiler/batch_state.h"
+#include "compiler/tool/batch_state.h"
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/json_write.h"
+#include "compiler/base/json_write.h"
 #include "compiler/matc.h"
 #include <cjson/cJSON.h>
 #include <locale.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/bytes.h"
+#include "compiler/base/bytes.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>

@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/layout.h"
-#include "compiler/oracle.h"
-#include "runtime/lib/normal.h"
+#include "compiler/layout/layout.h"
+#include "compiler/oracle/oracle.h"
+#include "runtime/library/normal.h"
 #include "tests/value/documents.h"
 #include "tests/value/gbuffer.h"
 #include "tests/value/half.h"

@@ -4,9 +4,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/auto_layout.h"
-#include "compiler/layout.h"
-#include "compiler/custom.h"
+#include "compiler/layout/auto_layout.h"
+#include "compiler/layout/layout.h"
+#include "compiler/layout/custom.h"
 #include "compiler/document.h"
 #include "tests/stress/generate.h"
 #include "tests/value/kept.h"

@@ -4,8 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/auto_layout.h"
-#include "compiler/custom.h"
+#include "compiler/layout/auto_layout.h"
+#include "compiler/layout/custom.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -4,8 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/layout_read.h"
-#include "compiler/custom.h"
+#include "compiler/layout/layout_read.h"
+#include "compiler/layout/custom.h"
 #include "tests/value/kept.h"
 #include <stdio.h>
 #include <stdlib.h>

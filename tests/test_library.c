@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "matc.h"
+#include "compiler/matc.h"
 #include <cjson/cJSON.h>
 #include <locale.h>
 #include <pthread.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/text.h"
+#include "compiler/base/text.h"
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

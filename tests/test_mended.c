@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/file.h"
+#include "compiler/base/file.h"
 #include "tests/stress/modes.h"
 #include "tests/stress/stress.h"
 #include "tests/value/documents.h"

@@ -55,7 +55,7 @@ static int tear_down(void **state)
 static void read_chunk(const char *name, char text[4096])
 {
     char path[512];
-    snprintf(path, sizeof path, "%s/runtime/lib/%s.glsl", SOURCE_FOLDER, name);
+    snprintf(path, sizeof path, "%s/runtime/library/%s.glsl", SOURCE_FOLDER, name);
     FILE *file = fopen(path, "rb");
     if (!file)
         fail_msg("no %s", path);

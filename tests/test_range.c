@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/range.h"
+#include "compiler/ir/range.h"
 #include "tests/stress/choices.h"
 #include "tests/value/expression.h"
 #include "tests/value/ir_site.h"

@@ -7,10 +7,10 @@
 
 #include <cmocka.h>
 
-#include "compiler/ir.h"
-#include "runtime/lib/carpenter.h"
-#include "runtime/lib/sky.h"
-#include "runtime/reference.h"
+#include "compiler/ir/ir.h"
+#include "runtime/library/carpenter.h"
+#include "runtime/library/sky.h"
+#include "runtime/library/reference.h"
 #include <string.h>
 
 REFERENCE(carpenterRelief);

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/file.h"
+#include "compiler/base/file.h"
 #include "compiler/matc.h"
 #include "tests/value/documents.h"
 #include <ctype.h>

@@ -5,8 +5,8 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/fold.h"
-#include "compiler/opt.h"
+#include "compiler/ir/fold.h"
+#include "compiler/opt/opt.h"
 #include "tests/stress/choices.h"
 #include "tests/value/expression.h"
 #include "tests/value/ir_site.h"

@@ -5,12 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/batch.h"
-#include "compiler/layout.h"
+#include "compiler/tool/batch.h"
+#include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
 #include "runtime/gl/block.h"
 #include "runtime/gl/program.h"
-#include "runtime/lib/normal.h"
+#include "runtime/library/normal.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/packed.h"
 #include "tests/value/batch_set.h"

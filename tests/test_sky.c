@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "matc.h"
+#include "compiler/matc.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,9 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/fold.h"
-#include "compiler/opt.h"
-#include "compiler/slope.h"
+#include "compiler/ir/fold.h"
+#include "compiler/opt/opt.h"
+#include "compiler/lower/slope.h"
 #include "tests/value/documents.h"
 #include "tests/value/points.h"
 #include "tests/value/evaluate.h"

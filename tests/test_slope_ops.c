@@ -5,10 +5,10 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/fold.h"
+#include "compiler/ir/fold.h"
 #include "compiler/pipeline.h"
-#include "compiler/slope.h"
-#include "runtime/lib/java_random.h"
+#include "compiler/lower/slope.h"
+#include "runtime/library/java_random.h"
 #include "tests/value/cases.h"
 #include <string.h>
 

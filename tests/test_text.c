@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/text.h"
+#include "compiler/base/text.h"
 #include <float.h>
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/validate.h"
+#include "compiler/emit/validate.h"
 #include "tests/value/documents.h"
 #include <pthread.h>
 #include <spawn.h>

@@ -1,5 +1,5 @@
 /* Writes the words of documents and of the IR's text as a dictionary for libFuzzer and AFL++: dictionary FILE. */
-#include "compiler/ir.h"
+#include "compiler/ir/ir.h"
 #include <stdio.h>
 
 static void word(FILE *out, const char *text)

@@ -1,8 +1,8 @@
 /* Host program: the tables and the examples -> reference.md and diagnostics.md. docs OUTPUT_FOLDER EXAMPLES_FOLDER
  * Pictures are referred to as pictures/<stem of the example>.png; matview makes them. */
-#include "compiler/describe.h"
+#include "compiler/describe/describe.h"
 #include "compiler/matc.h"
-#include "runtime/reference.h"
+#include "runtime/library/reference.h"
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

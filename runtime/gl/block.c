@@ -1,5 +1,5 @@
 /* Uniform buffers. */
-#include "block.h"
+#include "runtime/gl/block.h"
 
 GLuint block_make(const GlContext *gl, GLuint program, const char *name, GLuint binding, const void *bytes, size_t size)
 {

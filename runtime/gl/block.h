@@ -1,7 +1,7 @@
 /* A uniform block's buffer. */
 #ifndef MATC_GL_BLOCK_H
 #define MATC_GL_BLOCK_H
-#include "context.h"
+#include "runtime/gl/context.h"
 
 /* Makes a buffer of the bytes, gives the program's block that binding point, and binds the buffer there. 0 where the program
  * has no such block, as a driver drops one that nothing reads, and where the driver knows no blocks. */

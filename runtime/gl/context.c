@@ -1,7 +1,7 @@
 /* A kind of context in, a current context with its functions loaded out. */
-#include "context.h"
-#include "backend.h"
-#include "message.h"
+#include "runtime/gl/context.h"
+#include "runtime/gl/backend.h"
+#include "runtime/gl/message.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

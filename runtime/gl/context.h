@@ -2,7 +2,7 @@
  * A context belongs to one thread at a time and draws into framebuffers only; it has no window worth speaking of. */
 #ifndef MATC_GL_CONTEXT_H
 #define MATC_GL_CONTEXT_H
-#include "functions.h"
+#include "runtime/gl/functions.h"
 #include <GL/glcorearb.h>
 #include <stdbool.h>
 #include <stddef.h>

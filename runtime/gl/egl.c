@@ -1,7 +1,7 @@
 /* Contexts of EGL without a window or a surface: a GPU where there is one, else whatever EGL has. The library is loaded at run
  * time. Displays are the process', not ours: they are never terminated, since others may have contexts on them. */
-#include "backend.h"
-#include "message.h"
+#include "runtime/gl/backend.h"
+#include "runtime/gl/message.h"
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <dlfcn.h>

@@ -1,5 +1,5 @@
 /* Makes, binds and reads framebuffers. */
-#include "framebuffer.h"
+#include "runtime/gl/framebuffer.h"
 #include <string.h>
 
 static bool check_spec(GlContext *gl, const FramebufferSpec *spec)

@@ -1,7 +1,7 @@
 /* Framebuffers: colour textures, of floats or of whole numbers, with or without depth. */
 #ifndef MATC_GL_FRAMEBUFFER_H
 #define MATC_GL_FRAMEBUFFER_H
-#include "context.h"
+#include "runtime/gl/context.h"
 
 enum { FRAMEBUFFER_COLORS = 8 };
 

@@ -1,5 +1,5 @@
 /* Products, inverses and the two camera matrices; sums are made in double. */
-#include "matrix.h"
+#include "runtime/gl/matrix.h"
 #include <math.h>
 
 Mat4 mat4_identity(void) { return (Mat4){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; }

@@ -1,5 +1,5 @@
 /* Uploads a shape and draws it. */
-#include "mesh.h"
+#include "runtime/gl/mesh.h"
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* A shape on the driver's side: one interleaved vertex buffer, one index buffer, one vertex array. */
 #ifndef MATC_GL_MESH_H
 #define MATC_GL_MESH_H
-#include "context.h"
-#include "shape.h"
+#include "runtime/gl/context.h"
+#include "runtime/gl/shape.h"
 
 /* Attribute locations, as matc's vertex programs declare them. */
 enum {

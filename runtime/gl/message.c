@@ -1,5 +1,5 @@
 /* Format and arguments in, a cut message and false out. */
-#include "message.h"
+#include "runtime/gl/message.h"
 #include <stdarg.h>
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* Contexts of Mesa's offscreen software renderer. The library is loaded at run time: a program that never draws
  * runs without it, and nothing links to it. */
-#include "backend.h"
-#include "message.h"
+#include "runtime/gl/backend.h"
+#include "runtime/gl/message.h"
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* PNG files: written by libpng's simple interface, read by its full one, which leaves the numbers alone. */
-#include "png_write.h"
-#include "message.h"
+#include "runtime/gl/png_write.h"
+#include "runtime/gl/message.h"
 #include <errno.h>
 #include <png.h>
 #include <stdio.h>

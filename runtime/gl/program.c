@@ -1,6 +1,6 @@
 /* Compiles, links, sets uniforms. */
-#include "program.h"
-#include "mesh.h"
+#include "runtime/gl/program.h"
+#include "runtime/gl/mesh.h"
 #include <string.h>
 
 /* Puts "<stage>: <log>" into gl->error. */

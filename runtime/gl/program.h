@@ -1,7 +1,7 @@
 /* GLSL texts in, a linked program out; uniforms set by name. */
 #ifndef MATC_GL_PROGRAM_H
 #define MATC_GL_PROGRAM_H
-#include "context.h"
+#include "runtime/gl/context.h"
 
 enum { PROGRAM_PIECES = 6 }; /* texts that one stage may be put together from */
 

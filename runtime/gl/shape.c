@@ -1,5 +1,5 @@
 /* A shape is a list of patches; a patch is a grid over a surface P(u, v). */
-#include "shape.h"
+#include "runtime/gl/shape.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Texels in, a texture out. */
-#include "texture.h"
+#include "runtime/gl/texture.h"
 
 static bool check_spec(GlContext *gl, const TextureSpec *spec)
 {

@@ -1,7 +1,7 @@
 /* Two-dimensional textures of bytes or floats. */
 #ifndef MATC_GL_TEXTURE_H
 #define MATC_GL_TEXTURE_H
-#include "context.h"
+#include "runtime/gl/context.h"
 #include <stdint.h>
 
 /* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. Either bytes or floats are set. */

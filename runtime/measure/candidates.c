@@ -1,5 +1,5 @@
 /* Compiles every variant; equal programs are kept once. */
-#include "candidates.h"
+#include "runtime/measure/candidates.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* The different programs that a request's variants come out as. */
 #ifndef MATC_MEASURE_CANDIDATES_H
 #define MATC_MEASURE_CANDIDATES_H
-#include "measure.h"
+#include "runtime/measure/measure.h"
 
 /* A program of pass gbuffer, with its unpacking. */
 typedef struct {

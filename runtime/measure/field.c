@@ -1,5 +1,5 @@
 /* Points, planes, and the vertex program that passes them through. */
-#include "field.h"
+#include "runtime/measure/field.h"
 #include <stdio.h>
 #include <string.h>
 

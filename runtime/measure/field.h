@@ -2,7 +2,7 @@
  * its horizon. Both are vertices that carry all varyings, so that any fragment program can be drawn with them. */
 #ifndef MATC_MEASURE_FIELD_H
 #define MATC_MEASURE_FIELD_H
-#include "compiler/oracle.h"
+#include "compiler/oracle/oracle.h"
 #include "runtime/gl/context.h"
 
 enum { FIELD_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */

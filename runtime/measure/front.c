@@ -1,5 +1,5 @@
 /* The Pareto front, and the choice from a list. */
-#include "measure.h"
+#include "runtime/measure/measure.h"
 #include <math.h>
 
 /* Who is a hundredth more exact at greater cost has gained nothing. */

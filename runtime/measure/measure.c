@@ -1,5 +1,5 @@
 /* Measures variants one after the other: errors first, then all times together. */
-#include "candidates.h"
+#include "runtime/measure/candidates.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdlib.h>

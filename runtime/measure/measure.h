@@ -2,8 +2,8 @@
  * numbers are from the C reference and from a supersampled picture. Prints nothing. */
 #ifndef MATC_MEASURE_H
 #define MATC_MEASURE_H
-#include "meter.h"
-#include "variant.h"
+#include "runtime/measure/meter.h"
+#include "runtime/measure/variant.h"
 
 /* Distances are taken in units of max(1, |what it should be|), both sides kept to the slot's range: of a colour it is the
  * plain difference, of an exponent the relative one. A NaN is infinitely far. */

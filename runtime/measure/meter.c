@@ -1,6 +1,6 @@
 /* Contexts, targets, points, unpacking, means. */
-#include "meter.h"
-#include "compiler/layout.h"
+#include "runtime/measure/meter.h"
+#include "compiler/layout/layout.h"
 #include "runtime/gl/message.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"

@@ -1,10 +1,10 @@
 /* A context to measure in: draws points and views, times draws, reads G-buffers back. For one thread. */
 #ifndef MATC_MEASURE_METER_H
 #define MATC_MEASURE_METER_H
-#include "field.h"
+#include "runtime/measure/field.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
-#include "shader.h"
+#include "runtime/measure/shader.h"
 
 enum { SLOT_FLOATS = 4 * SLOT_COUNT, READ_TARGETS = (SLOT_FLOATS + 3) / 4 };
 

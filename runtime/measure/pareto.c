@@ -1,7 +1,7 @@
 /* Tables, plots and choices. */
-#include "pareto.h"
-#include "compiler/output.h"
-#include "plot.h"
+#include "runtime/measure/pareto.h"
+#include "compiler/tool/output.h"
+#include "runtime/measure/plot.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdio.h>

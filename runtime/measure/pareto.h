@@ -1,7 +1,7 @@
 /* What matc's --pareto and --max-error do: measure, and put what was found into words and pictures. Prints nothing. */
 #ifndef MATC_MEASURE_PARETO_H
 #define MATC_MEASURE_PARETO_H
-#include "measure.h"
+#include "runtime/measure/measure.h"
 
 typedef struct {
     const MatcDocument *document; /* read with `pixels` */

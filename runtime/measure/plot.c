@@ -1,5 +1,5 @@
 /* Writes SVG by hand. */
-#include "plot.h"
+#include "runtime/measure/plot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

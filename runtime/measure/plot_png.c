@@ -1,5 +1,5 @@
 /* SVG to PNG by librsvg: the same picture twice. The library is loaded here, so that nothing links to it. */
-#include "plot.h"
+#include "runtime/measure/plot.h"
 #include "runtime/gl/message.h"
 #include <dlfcn.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* What the numbers should be, and how far they are from that. */
 #include "compiler/evaluate.h"
-#include "measure.h"
+#include "runtime/measure/measure.h"
 #include <math.h>
 #include <stdlib.h>
 

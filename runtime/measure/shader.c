@@ -1,6 +1,6 @@
 /* Compiles, links, sets textures and uniforms. */
-#include "shader.h"
-#include "field.h"
+#include "runtime/measure/shader.h"
+#include "runtime/measure/field.h"
 #include "runtime/gl/block.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"

@@ -1,5 +1,5 @@
 /* Lists of what was measured as CSV and as a table. */
-#include "measure.h"
+#include "runtime/measure/measure.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

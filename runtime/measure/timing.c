@@ -1,5 +1,5 @@
 /* How long draws last. */
-#include "meter.h"
+#include "runtime/measure/meter.h"
 #include "runtime/gl/message.h"
 #include <stdlib.h>
 #include <time.h>

@@ -1,5 +1,5 @@
 /* Variants as options and as names; all combinations. */
-#include "variant.h"
+#include "runtime/measure/variant.h"
 #include "compiler/pipeline.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* A shape and a picture's size in, the camera's matrices out. */
-#include "camera.h"
+#include "runtime/view/camera.h"
 #include <math.h>
 
 #define RADIANS (3.14159265358979323846 / 180)

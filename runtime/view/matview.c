@@ -1,7 +1,7 @@
 /* matview's command line: draws pictures of materials. */
-#include "compiler/file.h"
-#include "compiler/text.h"
-#include "picture.h"
+#include "compiler/base/file.h"
+#include "compiler/base/text.h"
+#include "runtime/view/picture.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
 #include <stdio.h>

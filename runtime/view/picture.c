@@ -1,5 +1,5 @@
 /* A compiled material as the view wants it: its texts, textures and uniforms' defaults. */
-#include "picture.h"
+#include "runtime/view/picture.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/message.h"
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef MATC_VIEW_PICTURE_H
 #define MATC_VIEW_PICTURE_H
 #include "compiler/matc.h"
-#include "view.h"
+#include "runtime/view/view.h"
 
 typedef struct {
     MatcOptions compile; /* of target glsl330; the pass is gbuffer or sky */

@@ -1,5 +1,5 @@
 /* Box filter and sRGB encoding. The mean is taken of linear values: of encoded ones, edges would come out too dark. */
-#include "resolve.h"
+#include "runtime/view/resolve.h"
 #include <math.h>
 
 unsigned char resolve_encode(double linear)

@@ -1,7 +1,7 @@
 /* Draws a material: its G-buffer on a shape, then light on the G-buffer, then the mean of the samples. A sky is one pass. */
-#include "view.h"
-#include "camera.h"
-#include "resolve.h"
+#include "runtime/view/view.h"
+#include "runtime/view/camera.h"
+#include "runtime/view/resolve.h"
 #include "runtime/gl/block.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"

@@ -3,7 +3,7 @@
 #include "batch.h"
 #include "batch_documents.h"
 #include "matbench.h"
-#include "compiler/validate.h"
+#include "compiler/emit/validate.h"
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <pthread.h>

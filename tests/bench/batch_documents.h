@@ -1,7 +1,7 @@
 /* Documents for the benchmarks of batches. */
 #ifndef BATCH_DOCUMENTS_H
 #define BATCH_DOCUMENTS_H
-#include "compiler/text.h"
+#include "compiler/base/text.h"
 
 enum { DIFFERENT_DOCUMENTS = 8 * 8 * 6 * 12 * 4 * 4 * 3, SCENE_PICTURES = 8 };
 

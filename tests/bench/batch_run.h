@@ -1,7 +1,7 @@
 /* A folder of documents, and processes of matc that compile them. */
 #ifndef BATCH_RUN_H
 #define BATCH_RUN_H
-#include "compiler/text.h"
+#include "compiler/base/text.h"
 #include <stdbool.h>
 
 enum { BATCH_PATH = 1024, BATCH_ARGUMENTS = 16 };

@@ -1,9 +1,9 @@
 /* matbench compile: how long each stage takes (median of many runs in one process), how the time grows with the document,
  * how long a process takes, and what share of all that is glslang's. */
 #include "matbench.h"
-#include "matc.h"
-#include "pipeline.h"
-#include "validate.h"
+#include "compiler/matc.h"
+#include "compiler/pipeline.h"
+#include "compiler/emit/validate.h"
 #include <math.h>
 #include <spawn.h>
 #include <stdio.h>

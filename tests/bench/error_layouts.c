@@ -1,9 +1,9 @@
 /* Every built-in layout: what comes back of each slot, over a sweep of its values, and what packing and reading back cost. */
 #include "error.h"
-#include "compiler/describe.h"
+#include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
 #include "matbench.h"
-#include "runtime/lib/normal.h"
+#include "runtime/library/normal.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* matbench instructions: our shader and one written by hand for the same material, both through glslang and spirv-opt -O,
  * counted in SPIR-V instructions within functions. The documents and the shaders lie in tests/bench/. */
 #include "matbench.h"
-#include "compile.h"
-#include "matc.h"
-#include "validate.h"
+#include "compiler/base/compile.h"
+#include "compiler/matc.h"
+#include "compiler/emit/validate.h"
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

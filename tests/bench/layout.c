@@ -1,7 +1,7 @@
 /* What encodings cost: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their bits and their errors. The
  * same square with nothing to do is taken off. */
 #include "matbench.h"
-#include "compiler/describe.h"
+#include "compiler/describe/describe.h"
 #include "tests/value/canvas.h"
 #include <math.h>
 #include <stdio.h>

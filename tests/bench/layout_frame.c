@@ -1,7 +1,7 @@
 /* What a layout costs a frame: the G-buffer pass of a material whose every slot is a uniform, so that nothing is packed
  * beforehand, and a pass that reads all slots back. Both fill a square; the least of several draws counts. */
 #include "matbench.h"
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 #include "compiler/matc.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"

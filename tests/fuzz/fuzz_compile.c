@@ -1,7 +1,7 @@
 /* libFuzzer's entry for the whole compiler, glslang aside: any bytes as a document, compiled for the G-buffer and as IR, with the
  * IR checked after every pass. */
 #include "fuzz.h"
-#include "matc.h"
+#include "compiler/matc.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* libFuzzer's entry for layouts: any bytes as a layout file; one that is fine reads back from its own text, and packs a material. */
 #include "fuzz.h"
-#include "matc.h"
+#include "compiler/matc.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* libFuzzer's entry for lowering and optimiser: the bytes are choices of the generator of valid documents (tests/stress), so that
  * nothing is spent on text that does not parse. The first two choose the target and the pass. */
 #include "fuzz.h"
-#include "matc.h"
+#include "compiler/matc.h"
 #include "grammar/tables.h"
 #include "tests/stress/generate.h"
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* libFuzzer's entry for the reader: any bytes as a YAML or JSON document, read, resolved, printed as a tree and as diagnostics. */
 #include "fuzz.h"
-#include "matc.h"
+#include "compiler/matc.h"
 #include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)

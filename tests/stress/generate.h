@@ -2,7 +2,7 @@
 #ifndef MATC_STRESS_GENERATE_H
 #define MATC_STRESS_GENERATE_H
 #include "choices.h"
-#include "compiler/text.h"
+#include "compiler/base/text.h"
 
 enum { LARGEST_TREE = 50 }; /* maps of a document */
 

@@ -1,7 +1,7 @@
 /* What a G-buffer program writes: within the range of its targets, and the same at every level of optimisation. */
 #ifndef MATC_STRESS_PACKED_H
 #define MATC_STRESS_PACKED_H
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 
 /* A lane of a target: a finite half float, or a whole number of its bits. */
 bool packed_in_range(double value, const FormatRow *format);

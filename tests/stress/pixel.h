@@ -1,7 +1,7 @@
 /* How much surface a pixel covers, for --aa. */
 #ifndef MATC_STRESS_PIXEL_H
 #define MATC_STRESS_PIXEL_H
-#include "compiler/ir.h"
+#include "compiler/ir/ir.h"
 
 /* What every varying changes by towards the next pixel on the right and upward, as a multiple of itself: a program whose dFdx and dFdy
  * are such products sees the same as its IR does, at whatever point. */

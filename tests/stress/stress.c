@@ -1,5 +1,5 @@
 /* Threads that take one tree after another; a fault is shrunk and told at once. */
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 #include "stress.h"
 #include "generate.h"
 #include "shrink.h"

@@ -1,11 +1,11 @@
 /* Everything that needs no GL. */
 #include "trial.h"
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 #include "generate.h"
 #include "packed.h"
 #include "spread.h"
 #include "tests/value/bounds.h"
-#include "compiler/lower.h"
+#include "compiler/lower/lower.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -1,10 +1,10 @@
 /* What glslang says to a program, and what it draws. */
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 #include "generate.h"
 #include "spread.h"
 #include "trial.h"
 #include "tests/value/bounds.h"
-#include "compiler/lower.h"
+#include "compiler/lower/lower.h"
 #include "compiler/pipeline.h"
 #include <stdlib.h>
 #include <string.h>

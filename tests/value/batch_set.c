@@ -1,6 +1,6 @@
 /* Writes documents, runs matc, reads what it wrote. */
 #include "batch_set.h"
-#include "compiler/file.h"
+#include "compiler/base/file.h"
 #include "compiler/matc.h"
 #include <ctype.h>
 #include <glob.h>

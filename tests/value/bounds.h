@@ -1,7 +1,7 @@
 /* How far a shader may be from the oracle: tests/bounds.def, by the kinds, waves and slots that a value is made of. */
 #ifndef MATC_VALUE_BOUNDS_H
 #define MATC_VALUE_BOUNDS_H
-#include "compiler/graph.h"
+#include "compiler/front/graph.h"
 
 /* A subject of the table is a kind, a wave or a slot, or none of them. */
 enum {

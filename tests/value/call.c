@@ -1,6 +1,6 @@
 /* A program a function: its chunks, and a main that reads the arguments. */
 #include "call.h"
-#include "compiler/chunks.h"
+#include "compiler/emit/chunks.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* Calls a library function of GLSL with many tuples of arguments at once: one fragment a tuple, the arguments from a texture. */
 #ifndef MATC_VALUE_CALL_H
 #define MATC_VALUE_CALL_H
-#include "compiler/compile.h"
+#include "compiler/base/compile.h"
 #include "runtime/gl/framebuffer.h"
-#include "runtime/reference.h"
+#include "runtime/library/reference.h"
 
 enum {
     CALL_SIDE = 32,

@@ -1,6 +1,6 @@
 /* One program a drawing: its functions as chunks.c gathers them, and a line of main. */
 #include "canvas.h"
-#include "compiler/chunks.h"
+#include "compiler/emit/chunks.h"
 #include "runtime/gl/program.h"
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Draws expressions of matc's library functions over a square: what a GLSL function makes of every code there is. */
 #ifndef MATC_VALUE_CANVAS_H
 #define MATC_VALUE_CANVAS_H
-#include "compiler/arena.h"
+#include "compiler/base/arena.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/texture.h"

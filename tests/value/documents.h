@@ -1,7 +1,7 @@
 /* The example documents, read twice: through the library's surface for its shaders, and as a Graph for the oracle. */
 #ifndef MATC_VALUE_DOCUMENTS_H
 #define MATC_VALUE_DOCUMENTS_H
-#include "compiler/graph.h"
+#include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"
 

@@ -1,7 +1,7 @@
 /* Draws emitted fragment programs at given points: one fragment a point, its inputs the very floats of the point. */
 #ifndef MATC_VALUE_DRAW_H
 #define MATC_VALUE_DRAW_H
-#include "compiler/graph.h"
+#include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "points.h"
 #include "runtime/gl/context.h"

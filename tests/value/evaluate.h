@@ -1,7 +1,7 @@
 /* Evaluates an Ir at the points that tests shade. */
 #ifndef MATC_VALUE_EVALUATE_H
 #define MATC_VALUE_EVALUATE_H
-#include "compiler/fold.h"
+#include "compiler/ir/fold.h"
 #include "points.h"
 
 enum { EVALUATE_TEXTURES = 64 };

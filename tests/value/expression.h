@@ -8,7 +8,7 @@
  * `-x` is not read: neg(x) is what stands in the IR. */
 #ifndef MATC_VALUE_EXPRESSION_H
 #define MATC_VALUE_EXPRESSION_H
-#include "compiler/ir.h"
+#include "compiler/ir/ir.h"
 
 /* The node; 0 where the text is none of these. */
 Ref expression_read(Ir *ir, const char *text);

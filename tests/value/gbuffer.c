@@ -1,6 +1,6 @@
 /* Programs that write and read a layout, in the GLSL of any target. */
 #include "gbuffer.h"
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"

@@ -1,7 +1,7 @@
 /* An IR of its own for a test, with its memory. */
 #ifndef MATC_VALUE_IR_SITE_H
 #define MATC_VALUE_IR_SITE_H
-#include "compiler/ir.h"
+#include "compiler/ir/ir.h"
 
 typedef struct {
     Arena arena;

@@ -1,6 +1,6 @@
 /* Values before and after a G-buffer. */
 #include "kept.h"
-#include "compiler/layout.h"
+#include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* Surface points that tests shade, every number a float, and what the oracle says about them and their neighbourhood. */
 #ifndef MATC_VALUE_POINTS_H
 #define MATC_VALUE_POINTS_H
-#include "compiler/oracle.h"
+#include "compiler/oracle/oracle.h"
 
 enum { POINT_VARYINGS = INPUT_front }; /* inputs.def lists the varyings first */
 _Static_assert(GROUP_DU == GROUP_N + 1 && GROUP_DV == GROUP_N + 2, "normal and tangents side by side");

@@ -2,7 +2,7 @@
 #ifndef MATC_VALUE_SCENE_H
 #define MATC_VALUE_SCENE_H
 #include "compiler/matc.h"
-#include "compiler/oracle.h"
+#include "compiler/oracle/oracle.h"
 #include "runtime/gl/context.h"
 #include "runtime/gl/matrix.h"
 

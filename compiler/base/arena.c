@@ -1,0 +1,111 @@
+/* Bump allocation in blocks that double in size. */
+#include "compiler/base/arena.h"
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_BLOCK = 16 * 1024, LARGEST_BLOCK = 4 * 1024 * 1024, ALIGNMENT = 16 };
+
+struct ArenaBlock {
+    ArenaBlock *older;
+    size_t size;
+};
+
+static size_t aligned(size_t size) { return (size + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1); }
+
+static void add_block(Arena *arena, size_t least)
+{
+    size_t size = arena->block ? arena->block->size * 2 : FIRST_BLOCK;
+    if (size > LARGEST_BLOCK)
+        size = LARGEST_BLOCK;
+    if (size < least)
+        size = least;
+    if (size > SIZE_MAX - 2 * sizeof(ArenaBlock))
+        abort();
+    ArenaBlock *block = malloc(aligned(sizeof *block) + size);
+    if (!block)
+        abort();
+    block->older = arena->block;
+    block->size = size;
+    arena->block = block;
+    arena->next = (char *)block + aligned(sizeof *block);
+    arena->end = arena->next + size;
+}
+
+void *arena_alloc(Arena *arena, size_t size)
+{
+    if (size > SIZE_MAX / 2)
+        abort();
+    size = aligned(size ? size : 1);
+    if ((size_t)(arena->end - arena->next) < size)
+        add_block(arena, size);
+    void *result = arena->next;
+    arena->next += size;
+    arena->used += size;
+    return result;
+}
+
+void *arena_zero(Arena *arena, size_t size) { return memset(arena_alloc(arena, size), 0, size); }
+
+char *arena_string(Arena *arena, const char *text, size_t size)
+{
+    char *copy = arena_alloc(arena, size + 1);
+    if (size)
+        memcpy(copy, text, size);
+    copy[size] = 0;
+    return copy;
+}
+
+void *arena_grow(Arena *arena, void *array, size_t count, size_t *room, size_t size)
+{
+    if (count < *room)
+        return array;
+    size_t wanted = *room ? *room * 2 : 8;
+    /* the newest allocation grows where it lies */
+    size_t old = aligned(*room * size), more = aligned(wanted * size) - old;
+    if (array && (char *)array + old == arena->next && (size_t)(arena->end - arena->next) >= more) {
+        arena->next += more;
+        arena->used += more;
+        *room = wanted;
+        return array;
+    }
+    void *moved = arena_alloc(arena, wanted * size);
+    if (count)
+        memcpy(moved, array, count * size);
+    *room = wanted;
+    return moved;
+}
+
+void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t size)
+{
+    if (index < *room)
+        return array;
+    size_t wanted = 2 * index + 64;
+    void *moved = arena_zero(arena, wanted * size);
+    if (*room)
+        memcpy(moved, array, *room * size);
+    *room = wanted;
+    return moved;
+}
+
+void arena_reset(Arena *arena)
+{
+    ArenaBlock *kept = arena->block;
+    if (!kept)
+        return;
+    for (ArenaBlock *block = kept->older, *older; block; block = older) {
+        older = block->older;
+        free(block);
+    }
+    kept->older = NULL;
+    arena->next = (char *)kept + aligned(sizeof *kept);
+}
+
+void arena_free(Arena *arena)
+{
+    for (ArenaBlock *block = arena->block, *older; block; block = older) {
+        older = block->older;
+        free(block);
+    }
+    *arena = (Arena){0};
+}

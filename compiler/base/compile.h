@@ -1,0 +1,88 @@
+/* One compilation's state: options, memory, sources, diagnostics. Every stage gets it as its first argument. */
+#ifndef MATC_COMPILE_H
+#define MATC_COMPILE_H
+#include "compiler/base/arena.h"
+#include "compiler/base/diag.h"
+#include "grammar/tables.h"
+#include "compiler/front/graph.h"
+#include "compiler/matc.h"
+#include "compiler/base/names.h"
+#include "compiler/base/source.h"
+#include <time.h>
+
+/* Every limit of the compiler. */
+enum {
+    LIMIT_DOCUMENT_MIB = 64,    /* a source text */
+    LIMIT_DEPTH = 256,          /* nesting of a document, and of references met on the way down */
+    LIMIT_GRAPH_DEPTH = 2048,   /* maps below one another, through references too */
+    LIMIT_SHALLOW = 64,         /* of them: those for which the caller's stack is taken; stack.h */
+    LIMIT_LEVEL_KIB = 4,        /* of stack for each of the others, eight times what the deepest chain takes */
+    LIMIT_TREE_NODES = 4000000, /* values in a document */
+    LIMIT_IR_NODES = 2000000,   /* nodes of a program */
+    LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
+    LIMIT_NAME = 64,            /* letters of a name */
+    LIMIT_QUOTE = 256,          /* bytes of a name or text in a message */
+    LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
+    LIMIT_PIXELS_MIB = 1024,    /* the pictures of a document, where they are decoded */
+    LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
+    LIMIT_PARAMS = 4096,        /* uniforms of a document */
+    LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
+    LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
+    LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
+    LIMIT_BRANCHES = 128,       /* branches within branches of a program; what lies deeper is computed without */
+    LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range_guard.c */
+    LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
+    LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
+    LIMIT_ANSWERS = 10000000,   /* answers of maps that a value of the oracle takes: filters within filters */
+    LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
+};
+
+typedef struct {
+    const char *name; /* "read", "lower", an optimiser pass ... */
+    double seconds;   /* wall time */
+    int nodes;        /* IR nodes that are alive after it; 0 before there is IR */
+    int cost;         /* their cost in scalar operations */
+} StageStats;
+
+typedef struct Compile {
+    const MatcOptions *options;
+    Arena *arena; /* lives as long as the result */
+    DiagList diags;
+    Text message; /* of the diagnostic that is being added */
+    Source *sources;
+    size_t source_count, source_room;
+    Names depends; /* files read, the document first */
+    StageStats *stats;
+    size_t stat_count, stat_room;
+    double stage_start;
+    int optimize; /* level of -O */
+    bool check;   /* ir_check after every pass */
+    bool measure; /* keep statistics of every stage */
+} Compile;
+
+/* What a program is written for. */
+typedef struct {
+    Target target;
+    Pass pass;
+    const LayoutRow *layout;
+    Slot slot;
+    bool all_slots; /* of the pass value: each slot is an output of that number */
+    Choice choice[AXIS_COUNT];
+    bool from_buffer; /* numbers of the document come from a buffer */
+} Job;
+
+/* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
+void *diag_add(Compile *c, Span span, DiagKind kind, ...);
+/* Further ones are only counted. */
+bool diag_full(const Compile *c);
+/* All diagnostics so far, as text or as a JSON array; in the arena. */
+const char *diag_all(Compile *c, MatcForm form);
+/* Marks the end of a stage for --stats. */
+void stage_done(Compile *c, const char *name, int nodes, int cost);
+/* Reads a file through the options' reader; NULL and a message when it cannot. The text is zero-terminated. */
+char *read_file(Compile *c, const char *path, size_t *size, const char **why);
+/* Adds a file to the list of what the result depends on, once. */
+void depend_on(Compile *c, const char *path);
+/* `path` as seen from the file `from`: relative paths are relative to its folder. */
+const char *path_beside(Compile *c, const char *from, const char *path);
+#endif

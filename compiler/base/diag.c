@@ -1,0 +1,133 @@
+/* Diagnostics as text: place, message, source line, caret; or as JSON. */
+#include "compiler/base/compile.h"
+#include "compiler/base/json_write.h"
+#include <limits.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { LONGEST_LINE = 160 };
+
+const DiagRow diag_table[DIAG_COUNT] = {
+#define DIAG(name, severity, format, doc) {#name, SEVERITY_##severity, format, doc},
+#include "grammar/diags.def"
+};
+
+static const char *const severity_name[] = {"note", "warning", "error"};
+
+/* "no map is called '%s'%s" -> "no map is called '%.256s'%.256s", since names are as long as a document likes; glslang's log stays. */
+void diag_message(Text *out, DiagKind kind, va_list args)
+{
+    enum { FORMAT_ROOM = 512 };
+    char format[FORMAT_ROOM] = "";
+    const int most = kind == DIAG_not_valid ? INT_MAX : LIMIT_QUOTE;
+    const char *at = diag_table[kind].format;
+    size_t size = 0;
+    for (const char *part; (part = strstr(at, "%s")); at = part + 2)
+        size += (size_t)snprintf(format + size, FORMAT_ROOM - size, "%.*s%%.%ds", (int)(part - at), at, most);
+    snprintf(format + size, FORMAT_ROOM - size, "%s", at);
+    text_format_list(out, format, args);
+}
+
+Place source_place(const Source *source, uint32_t offset)
+{
+    if (offset > source->size)
+        offset = (uint32_t)source->size;
+    Place place = {1, 1, source->text, 0};
+    const char *at = source->text + offset;
+    for (const char *c = source->text; (c = memchr(c, '\n', (size_t)(at - c))); c++) {
+        place.line++;
+        place.line_start = c + 1;
+    }
+    place.column = (int)(at - place.line_start) + 1;
+    size_t rest = source->size - (size_t)(place.line_start - source->text);
+    const char *end = memchr(place.line_start, '\n', rest);
+    place.line_length = (int)(end ? end - place.line_start : (ptrdiff_t)rest);
+    if (place.line_length > 0 && place.line_start[place.line_length - 1] == '\r')
+        place.line_length--;
+    return place;
+}
+
+static bool continues_character(char c) { return ((unsigned char)c & 0xC0) == 0x80; }
+
+/* As many columns as the text takes when it is shown. */
+static void put_columns(Text *out, const char *text, size_t size, char mark)
+{
+    Text shown = text_new(out->arena);
+    text_visible(&shown, text, size);
+    for (size_t i = 0; i < shown.size; i++)
+        if (!continues_character(shown.at[i]))
+            text_char(out, mark == ' ' && shown.at[i] == '\t' ? '\t' : mark);
+}
+
+/* The line under the source line: a caret at the span's start, tildes to its end. */
+static void put_caret(Text *out, const Place *place, uint32_t length)
+{
+    const size_t line = (size_t)place->line_length, column = (size_t)place->column - 1,
+                 from = column < line ? column : line;
+    size_t to = length < line - from ? from + length : line;
+    while (to > from && to < line && continues_character(place->line_start[to]))
+        to++;
+    text_put(out, "      | ");
+    put_columns(out, place->line_start, from, ' ');
+    Text marks = text_new(out->arena);
+    put_columns(&marks, place->line_start + from, to - from, '~');
+    text_char(out, '^');
+    if (marks.size)
+        text_add(out, marks.at + 1, marks.size - 1);
+    text_char(out, '\n');
+}
+
+/* In one line; but what glslang says are several. */
+static void put_message(Text *out, const Diag *diag)
+{
+    const char *at = diag->message;
+    for (size_t size; diag->kind == DIAG_not_valid && at[size = strcspn(at, "\n")]; at += size + 1) {
+        text_visible(out, at, size);
+        text_char(out, '\n');
+    }
+    text_visible(out, at, strlen(at));
+    text_char(out, '\n');
+}
+
+void diag_print(Text *out, const Diag *diag, const Source *sources)
+{
+    if (diag->span.file == NO_FILE) {
+        text_format(out, "matc: %s: ", severity_name[diag->severity]);
+        put_message(out, diag);
+        return;
+    }
+    const Source *source = &sources[diag->span.file];
+    Place place = source_place(source, diag->span.start);
+    text_visible(out, source->name, strlen(source->name));
+    text_format(out, ":%d:%d: %s: ", place.line, place.column, severity_name[diag->severity]);
+    put_message(out, diag);
+    if (!source->size || place.line_length > LONGEST_LINE)
+        return;
+    text_format(out, "%5d | ", place.line);
+    text_visible(out, place.line_start, (size_t)place.line_length);
+    text_char(out, '\n');
+    put_caret(out, &place, diag->span.end - diag->span.start);
+}
+
+void diag_print_json(Text *out, const Diag *diag, const Source *sources)
+{
+    text_put(out, "{");
+    json_member(out, "severity", severity_name[diag->severity]);
+    json_next(out, "kind", diag_table[diag->kind].name);
+    json_next(out, "message", diag->message);
+    if (diag->span.file != NO_FILE) {
+        const Source *source = &sources[diag->span.file];
+        Place start = source_place(source, diag->span.start), end = source_place(source, diag->span.end);
+        json_next(out, "file", source->name);
+        text_format(out, ", \"line\": %d, \"column\": %d, \"endLine\": %d, \"endColumn\": %d", start.line, start.column,
+                    end.line, end.column);
+    }
+    text_put(out, "}");
+}
+
+void diag_complain(Text *out, Severity severity, const char *what, const char *why)
+{
+    text_format(out, "matc: %s: ", severity_name[severity]);
+    text_visible(out, what, strlen(what));
+    text_format(out, ": %s\n", why);
+}

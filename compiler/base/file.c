@@ -1,0 +1,118 @@
+/* Reading whole files. */
+#include "compiler/base/file.h"
+#include "compiler/base/compile.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum {
+    ROOM = 1 << 14,
+    FOR_EVER = -1,
+    FIRST_BYTE_MS = 1000 /* for a pipe into which nobody writes yet */
+};
+
+static char *resized(char *text, size_t room)
+{
+    char *more = realloc(text, room);
+    if (!more)
+        abort();
+    return more;
+}
+
+/* Until there are some, nobody is left who could write them, or the time is over. */
+static void wait_for_bytes(int descriptor, int milliseconds)
+{
+    struct pollfd wanted = {.fd = descriptor, .events = POLLIN};
+    while (poll(&wanted, 1, milliseconds) < 0 && errno == EINTR)
+        continue;
+}
+
+char *file_read_from(int descriptor, size_t *size, const char **why)
+{
+    const size_t most = ((size_t)LIMIT_DOCUMENT_MIB << 20) + ROOM;
+    struct stat info;
+    bool sized = !fstat(descriptor, &info) && S_ISREG(info.st_mode) && (size_t)info.st_size < most;
+    size_t room = sized ? (size_t)info.st_size + 2 : ROOM, used = 0; /* one more than it has, to see its end */
+    char *text = resized(NULL, room);
+    for (;;) {
+        ssize_t got = read(descriptor, text + used, room - 1 - used);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0 && errno == EAGAIN) {
+            wait_for_bytes(descriptor, FOR_EVER);
+            continue;
+        }
+        if (got < 0 || used > most) {
+            *why = got < 0 ? strerror(errno) : "it is too large";
+            free(text);
+            return NULL;
+        }
+        used += (size_t)got;
+        if (!got)
+            break;
+        if (used == room - 1)
+            text = resized(text, room *= 2);
+    }
+    text[used] = 0;
+    *size = used;
+    return text;
+}
+
+/* Why the descriptor is no file; NULL: it is one. */
+static const char *no_file(int descriptor)
+{
+    struct stat info;
+    if (fstat(descriptor, &info))
+        return strerror(errno);
+    if (S_ISREG(info.st_mode))
+        return NULL;
+    return S_ISDIR(info.st_mode) ? strerror(EISDIR) : S_ISFIFO(info.st_mode) ? "it is a pipe" : "it is a device";
+}
+
+/* An open file, -1: *why. Without waiting: a pipe's other end may never be opened. */
+static int open_at_once(const char *path, const char **why)
+{
+    int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor < 0)
+        *why = strerror(errno);
+    return descriptor;
+}
+
+char *file_read(const char *path, size_t *size, const char **why)
+{
+    int descriptor = open_at_once(path, why);
+    if (descriptor < 0)
+        return NULL;
+    *why = no_file(descriptor);
+    char *text = *why ? NULL : file_read_from(descriptor, size, why);
+    close(descriptor);
+    return text;
+}
+
+static char *read_pipe(int descriptor, size_t *size, const char **why)
+{
+    wait_for_bytes(descriptor, FIRST_BYTE_MS);
+    char *text = file_read_from(descriptor, size, why);
+    if (!text || *size)
+        return text;
+    *why = "nothing comes out of this pipe";
+    free(text);
+    return NULL;
+}
+
+char *file_read_named(const char *path, size_t *size, const char **why)
+{
+    struct stat info;
+    int descriptor = open_at_once(path, why);
+    if (descriptor < 0)
+        return NULL;
+    bool pipe = !fstat(descriptor, &info) && S_ISFIFO(info.st_mode);
+    *why = pipe || isatty(descriptor) ? NULL : no_file(descriptor);
+    char *text = *why ? NULL : pipe ? read_pipe(descriptor, size, why) : file_read_from(descriptor, size, why);
+    close(descriptor);
+    return text;
+}

@@ -1,0 +1,19 @@
+/* A list of names in the order in which they came, each once, that is searched by hashing. */
+#ifndef MATC_NAMES_H
+#define MATC_NAMES_H
+#include "compiler/base/arena.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    const char **at;
+    size_t count, room;
+    uint32_t *table; /* numbers of names from 1, 0 where there is none; open addressing */
+    uint32_t mask;   /* its size less one */
+} Names;
+
+/* The name's index, or -1. */
+int names_find(const Names *names, const char *name);
+/* The same; a name that is not there comes last. The text is not copied. */
+int names_add(Arena *arena, Names *names, const char *name);
+#endif

@@ -1,0 +1,33 @@
+/* Strings and keys, each once, numbered in the order in which they came. Memory is from malloc. */
+#ifndef MATC_SETS_H
+#define MATC_SETS_H
+#include "compiler/ir/key.h"
+
+typedef struct {
+    char **at;
+    int count, room;
+    int *table; /* numbers from 1 */
+    uint32_t mask;
+} StringSet;
+
+/* Its number; *added tells whether it is new (NULL: nobody asks). The string is copied. */
+int strings_add(StringSet *set, const char *string, bool *added);
+/* Its number, or -1. */
+int strings_find(const StringSet *set, const char *string);
+void strings_free(StringSet *set);
+
+typedef struct {
+    Key *at;
+    int count, room;
+    int *table;
+    uint32_t mask;
+} KeySet;
+
+int keys_add(KeySet *set, Key key, bool *added);
+int keys_find(const KeySet *set, Key key);
+void keys_free(KeySet *set);
+
+/* malloc, realloc and strdup that end the process where there is no memory. */
+void *sets_resize(void *memory, size_t size);
+char *sets_copy(const char *text);
+#endif

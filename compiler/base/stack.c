@@ -1,0 +1,50 @@
+/* A thread as a stack: nothing runs beside it. */
+#include "compiler/base/stack.h"
+#include "compiler/base/compile.h"
+#include <locale.h>
+#include <pthread.h>
+#include <signal.h>
+#include <stdlib.h>
+
+enum { LEAST_KIB = 256 }; /* for what does not recurse */
+
+typedef struct {
+    void (*run)(void *user);
+    void *user;
+    locale_t locale;
+} Call;
+
+static void *run_call(void *user)
+{
+    const Call *call = user;
+    uselocale(call->locale);
+    call->run(call->user);
+    return NULL;
+}
+
+static bool start(pthread_t *thread, Call *call, size_t size)
+{
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes))
+        return false;
+    bool made = !pthread_attr_setstacksize(&attributes, size) && !pthread_create(thread, &attributes, run_call, call);
+    pthread_attr_destroy(&attributes);
+    return made;
+}
+
+void stack_run(int depth, void (*run)(void *user), void *user)
+{
+    if (depth <= LIMIT_SHALLOW) {
+        run(user);
+        return;
+    }
+    Call call = {run, user, uselocale((locale_t)0)};
+    pthread_t thread;
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* the thread inherits it */
+    if (!start(&thread, &call, (LEAST_KIB + (size_t)depth * LIMIT_LEVEL_KIB) * 1024))
+        abort();
+    pthread_join(thread, NULL);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+}

@@ -1,0 +1,223 @@
+/* Growing texts and locale-free numbers. The caller has the "C" locale in force (compile.c sees to it). */
+#include "compiler/base/text.h"
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MOST_PLACES = 11 };
+
+Text text_new(Arena *arena) { return (Text){arena, NULL, 0, 0}; }
+
+static void reserve(Text *text, size_t more)
+{
+    size_t need = text->size + more + 1;
+    if (need <= text->room)
+        return;
+    size_t room = text->room ? text->room * 2 : 256;
+    while (room < need)
+        room *= 2;
+    char *moved = arena_alloc(text->arena, room);
+    if (text->size)
+        memcpy(moved, text->at, text->size);
+    text->at = moved;
+    text->room = room;
+}
+
+void text_add(Text *text, const char *bytes, size_t size)
+{
+    reserve(text, size);
+    if (size)
+        memcpy(text->at + text->size, bytes, size);
+    text->size += size;
+    text->at[text->size] = 0;
+}
+
+void text_put(Text *text, const char *string) { text_add(text, string, strlen(string)); }
+
+void text_char(Text *text, char c)
+{
+    reserve(text, 1);
+    text->at[text->size++] = c;
+    text->at[text->size] = 0;
+}
+
+void text_int(Text *text, long value)
+{
+    char digits[NUMBER_ROOM], *end = digits + sizeof digits, *at = end;
+    unsigned long rest = value < 0 ? 0ul - (unsigned long)value : (unsigned long)value;
+    do
+        *--at = (char)('0' + rest % 10);
+    while (rest /= 10);
+    if (value < 0)
+        *--at = '-';
+    text_add(text, at, (size_t)(end - at));
+}
+
+void text_format_list(Text *text, const char *format, va_list args)
+{
+    va_list again;
+    va_copy(again, args);
+    reserve(text, FORMAT_ROOM);
+    size_t room = text->room - text->size;
+    int size = vsnprintf(text->at + text->size, room, format, args);
+    if (size > 0 && (size_t)size >= room) {
+        reserve(text, (size_t)size);
+        vsnprintf(text->at + text->size, (size_t)size + 1, format, again);
+    }
+    if (size > 0)
+        text->size += (size_t)size;
+    text->at[text->size] = 0;
+    va_end(again);
+}
+
+void text_format(Text *text, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    text_format_list(text, format, args);
+    va_end(args);
+}
+
+/* whole / 10^places */
+static void put_decimal(Text *text, bool negative, uint64_t whole, int places)
+{
+    char digits[NUMBER_ROOM], *end = digits + sizeof digits, *at = end;
+    if (places == 0)
+        *--at = '0'; /* "2.0" */
+    for (int i = 0; i < places; i++, whole /= 10)
+        *--at = (char)('0' + whole % 10);
+    *--at = '.';
+    do
+        *--at = (char)('0' + whole % 10);
+    while (whole /= 10);
+    if (negative)
+        *--at = '-';
+    text_add(text, at, (size_t)(end - at));
+}
+
+/* Whole numbers and short decimals, most constants of a document, without printf: value = whole / 10^places. */
+static bool short_decimal(Text *text, double value, bool is_float)
+{
+    static const double power[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+    double size = fabs(value);
+    if (size >= 1e6 || (value == 0 && signbit(value)))
+        return false;
+    for (int places = 0; places <= 6; places++) {
+        double whole = nearbyint(size * power[places]);
+        double back = whole / power[places];
+        if (whole > 9e6 || (is_float ? (float)back != (float)size : back != size))
+            continue;
+        put_decimal(text, value < 0, (uint64_t)whole, places);
+        return true;
+    }
+    return false;
+}
+
+/* Other floats of ordinary size: the shortest decimal that reads back, in whole numbers, which is exact. The float is m 2^q, and a
+ * decimal reads back if it is less than half of 2^q away, or just half and m is even. All is counted in 2^(q - 1) / 10^places. */
+static bool ordinary_float(Text *text, double value)
+{
+    static const uint64_t power[MOST_PLACES + 1] = {
+        1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000, 10000000000, 100000000000};
+    int q;
+    const double size = fabs(value);
+    const uint64_t m = (uint64_t)ldexp(frexp(size, &q), FLT_MANT_DIG);
+    if (!(size >= 1e-3 && size < 1e6) || m == 1 << (FLT_MANT_DIG - 1)) /* the gap below a power of two is narrower */
+        return false;
+    const int shift = FLT_MANT_DIG + 1 - q; /* 1 << shift is 1 / 10^places */
+    for (int places = 0; places <= MOST_PLACES; places++) {
+        uint64_t scaled = 2 * m * power[places], whole = scaled >> shift, rest = scaled - (whole << shift);
+        uint64_t half = (uint64_t)1 << (shift - 1);
+        whole += rest > half || (rest == half && whole & 1);
+        uint64_t back = whole << shift, off = back > scaled ? back - scaled : scaled - back;
+        if (off < power[places] || (off == power[places] && m % 2 == 0)) {
+            put_decimal(text, value < 0, whole, places);
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Any number, by printf. So many digits as always come back from a number are the `least`: with fewer it would be the same decimal;
+ * subnormal numbers, and those that would not get an exponent, begin at 1. */
+static void shortest(Text *text, double value, int least, bool is_float)
+{
+    char digits[NUMBER_ROOM];
+    const int most = is_float ? FLT_DECIMAL_DIG : DBL_DECIMAL_DIG;
+    for (int precision = least; precision <= most; precision++) {
+        snprintf(digits, sizeof digits, "%.*g", precision, value);
+        if (is_float ? strtof(digits, NULL) == (float)value : strtod(digits, NULL) == value)
+            break;
+    }
+    text_put(text, digits);
+    if (!strpbrk(digits, ".en"))
+        text_put(text, ".0");
+}
+
+void text_float(Text *text, double value)
+{
+    if (fabs(value) > FLT_MAX)
+        value = copysign(FLT_MAX, value);
+    value = (float)value;
+    if (!short_decimal(text, value, true) && !ordinary_float(text, value))
+        shortest(text, value, fabs(value) < FLT_MIN ? 1 : FLT_DIG, true);
+}
+
+void text_double(Text *text, double value)
+{
+    if (!short_decimal(text, value, false))
+        shortest(text, value, fabs(value) < DBL_MIN || fabs(value) >= 1e6 ? 1 : DBL_DIG, false);
+}
+
+bool text_is_control(const char *at, int size)
+{
+    const unsigned char first = (unsigned char)at[0];
+    if (size == 1)
+        return first < 0x20 || first == 0x7F;
+    return size == 2 && first == 0xC2 && (unsigned char)at[1] < 0xA0;
+}
+
+bool text_number(const char *string, size_t size, double *value)
+{
+    char *end;
+    if (!size || !strchr("+-.0123456789", string[0]))
+        return false;
+    for (size_t i = 0; i < size; i++)
+        if (!strchr("+-.eE0123456789", string[i]) || !string[i])
+            return false; /* no hexadecimal, no "inf" */
+    *value = strtod(string, &end);
+    return end == string + size;
+}
+
+int utf8_length(const unsigned char *at, const unsigned char *end)
+{
+    if (at[0] < 0x80)
+        return 1;
+    int length = at[0] >= 0xF0 ? 4 : at[0] >= 0xE0 ? 3 : 2;
+    if (at[0] < 0xC2 || at[0] > 0xF4 || end - at < length)
+        return 0;
+    for (int i = 1; i < length; i++)
+        if ((at[i] & 0xC0) != 0x80)
+            return 0;
+    if ((at[0] == 0xE0 && at[1] < 0xA0) || (at[0] == 0xED && at[1] > 0x9F) || (at[0] == 0xF0 && at[1] < 0x90) ||
+        (at[0] == 0xF4 && at[1] > 0x8F))
+        return 0;
+    return length;
+}
+
+void text_visible(Text *text, const char *string, size_t size)
+{
+    for (const char *end = string + size; string < end;) {
+        int length = utf8_length((const unsigned char *)string, (const unsigned char *)end);
+        bool shown = length && (!text_is_control(string, length) || *string == '\t');
+        const char *next = string + (length ? length : 1);
+        if (shown)
+            text_add(text, string, (size_t)length);
+        for (; !shown && string < next; string++)
+            text_format(text, "\\x%02x", (unsigned char)*string);
+        string = next;
+    }
+}

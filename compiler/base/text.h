@@ -1,0 +1,35 @@
+/* A text that grows, and numbers as text: shortest form that reads back exactly, the same in every locale. */
+#ifndef MATC_TEXT_H
+#define MATC_TEXT_H
+#include "compiler/base/arena.h"
+#include <stdarg.h>
+#include <stdbool.h>
+
+typedef struct {
+    Arena *arena;
+    char *at; /* zero-terminated once something was added */
+    size_t size, room;
+} Text;
+
+Text text_new(Arena *arena);
+void text_add(Text *text, const char *bytes, size_t size);
+void text_put(Text *text, const char *string);
+void text_char(Text *text, char c);
+void text_int(Text *text, long value);
+/* printf of whole numbers and strings; numbers with a fraction go through text_float and text_double. */
+void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void text_format_list(Text *text, const char *format, va_list args);
+/* A float literal of GLSL: always with a point or an exponent; a number beyond a float is taken to the greatest. */
+void text_float(Text *text, double value);
+/* A double that reads back exactly. */
+void text_double(Text *text, double value);
+/* Reads a decimal number that takes up all of the string, rounded to nearest; one that is too large is infinite. What stands behind
+ * the string's end does not continue a number: a zero, a space. */
+bool text_number(const char *string, size_t size, double *value);
+/* Length of the UTF-8 sequence at `at`, 0 if it is none: overlong forms, surrogates and numbers past U+10FFFF are none. */
+int utf8_length(const unsigned char *at, const unsigned char *end);
+/* Whether a character of UTF-8 is a control character, below U+0020 or U+007F to U+009F: terminals may obey both kinds. */
+bool text_is_control(const char *at, int size);
+/* Text of a document as it can be shown: control characters but tabs, and what is not UTF-8, become \x and two digits a byte. */
+void text_visible(Text *text, const char *string, size_t size);
+#endif

@@ -1,0 +1,207 @@
+/* Rows of the tables as text. */
+#include "compiler/describe/describe.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const severity_names[] = {"note", "warning", "error"};
+
+void describe_number(Text *out, double value)
+{
+    if (value == trunc(value) && fabs(value) < 1e9)
+        text_int(out, (long)value);
+    else
+        text_double(out, value);
+}
+
+const char *describe_type(const ParamRow *param)
+{
+    static const char *const names[] = {
+        [PARAM_Map] = "map",     [PARAM_Material] = "material",   [PARAM_Float] = "number", [PARAM_Int] = "whole",
+        [PARAM_Bool] = "bool",   [PARAM_Vec3] = "3 numbers",      [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
+        [PARAM_Items] = "items", [PARAM_Transform] = "transform",
+    };
+    return param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
+}
+
+static double initial(const ParamRow *param, int lane, const char *preset)
+{
+    for (int i = 0; preset && i < preset_count; i++)
+        if (!strcmp(preset_table[i].name, preset) && &param_table[preset_table[i].param] == param)
+            return preset_table[i].init;
+    return param->init[lane];
+}
+
+void describe_default(Text *out, const ParamRow *param, const char *preset)
+{
+    if (!param->lanes) {
+        text_put(out, "none");
+    } else if (param->type == PARAM_Bool) {
+        text_put(out, initial(param, 0, preset) != 0 ? "true" : "false");
+    } else if (param->lanes == 1) {
+        describe_number(out, initial(param, 0, preset));
+    } else {
+        for (int i = 0; i < param->lanes; i++) {
+            text_put(out, i ? ", " : "[");
+            describe_number(out, initial(param, i, preset));
+        }
+        text_char(out, ']');
+    }
+}
+
+void describe_range(Text *out, const ParamRow *param)
+{
+    if (!isfinite(param->low))
+        return;
+    describe_number(out, param->low);
+    text_put(out, " to ");
+    describe_number(out, param->high);
+}
+
+/* Something to begin with, where a parameter has no default. NULL: better left out. */
+static const char *sample_value(const ParamRow *param)
+{
+    switch (param->type) {
+    case PARAM_Map:
+        return strcmp(param->name, "displacement") != 0 ? NULL : "{ map: Carpenter }";
+    case PARAM_Material:
+        return "{ material: RGBA }";
+    case PARAM_Wave:
+        return "Id";
+    case PARAM_Transform:
+        return "{ scale: 2 }";
+    case PARAM_Items:
+        return "[{ value: 0, input: black }, { value: 1, input: white }]";
+    default:
+        return NULL;
+    }
+}
+
+void describe_example(Text *out, Kind kind, const char *name)
+{
+    const KindRow *row = &kind_table[kind];
+    bool material = row->lowering == LOWERING_MATERIAL;
+    const char *indent = material ? "" : "  ";
+    text_format(out, material ? "material: %s\n" : "material: Phong\n", name);
+    if (!material)
+        text_format(out, "%s:\n  map: %s\n", section_of(kind) == SECTION_normal ? "input" : "diffuse", name);
+    for (int i = row->first; i < row->first + row->count; i++) {
+        const ParamRow *param = &param_table[i];
+        const char *sample = sample_value(param);
+        if (!param->lanes && !sample)
+            continue;
+        text_format(out, "%s%s: ", indent, param->name);
+        if (param->lanes)
+            describe_default(out, param, name);
+        else
+            text_put(out, sample);
+        text_char(out, '\n');
+    }
+}
+
+static void put_slot(Text *out, Slot slot, int from, int count)
+{
+    const int lanes = type_table[slot_table[slot].type].lanes;
+    text_put(out, slot_table[slot].name);
+    if (lanes == 1 || count == lanes)
+        return;
+    text_char(out, '.');
+    for (int i = 0; i < count; i++)
+        text_char(out, "rgba"[from + i]);
+}
+
+void describe_piece(Text *out, const Piece *piece)
+{
+    const SlotLane *source = &piece->field->source[piece->first];
+    if (piece->field->gray) {
+        text_format(out, "%s, all lanes alike", slot_table[source->slot].name);
+        return;
+    }
+    for (int i = 0, run; i < piece->count; i += run) {
+        run = 1;
+        while (i + run < piece->count && source[i + run].slot == source[i].slot &&
+               source[i + run].lane == source[i].lane + run)
+            run++;
+        text_put(out, i ? ", " : "");
+        put_slot(out, source[i].slot, source[i].lane, run);
+    }
+}
+
+void describe_place(Text *out, const LayoutRow *layout, const Piece *piece)
+{
+    const char *letter = &"rgba"[piece->lane];
+    int last = piece->shift + piece->size - 1;
+    if (!format_table[layout->formats[piece->target]].words)
+        text_format(out, "%d.%.*s", piece->target, piece->size, letter);
+    else if (last > piece->shift)
+        text_format(out, "%d.%c %d-%d", piece->target, *letter, piece->shift, last);
+    else
+        text_format(out, "%d.%c %d", piece->target, *letter, last);
+}
+
+void describe_encoding(Text *out, const FieldRow *field)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    text_put(out, encoding->name);
+    if (encoding->least != encoding->most)
+        text_format(out, " %d", field->bits);
+}
+
+/* To a figure that is easily read: three digits. */
+static void put_rounded(Text *out, double value) { text_format(out, "%.3g", value); }
+
+void describe_stored_range(Text *out, const FieldRow *field)
+{
+    text_format(out, "%.6g to %.6g", field_low(field), field_high(field));
+}
+
+void describe_error(Text *out, const FieldRow *field)
+{
+    double error = field_error(field);
+    switch (encoding_table[field->encoding].unit) {
+    case UNIT_degrees:
+        put_rounded(out, error);
+        text_put(out, " degrees");
+        break;
+    case UNIT_relative:
+        put_rounded(out, 100 * error);
+        text_put(out, error == 0 ? "" : " %");
+        break;
+    case UNIT_absolute:
+        put_rounded(out, error);
+    }
+}
+
+/* A "%s" right behind a word or a closing quote is a hint that is mostly empty. */
+static bool is_hint(const char *format, const char *at)
+{
+    if (at == format || strchr(" \n", at[-1]))
+        return false;
+    return at[-1] != '\'' || (at - 1 != format && at[-2] != ' ');
+}
+
+void describe_message(Text *out, const DiagRow *diag)
+{
+    const char *format = diag->format;
+    for (const char *at = format; *at; at++) {
+        if (*at == '\n')
+            text_char(out, ' ');
+        else if (*at != '%')
+            text_char(out, *at);
+        else if (*++at == '%')
+            text_char(out, '%');
+        else if (!is_hint(format, at - 1))
+            text_put(out, "...");
+    }
+}
+
+bool is_preset_head(int row) { return !row || strcmp(preset_table[row].name, preset_table[row - 1].name) != 0; }
+
+char *describe_finish(Text *text)
+{
+    char *copy = strdup(text->at ? text->at : "");
+    if (!copy)
+        abort();
+    arena_free(text->arena);
+    return copy;
+}

@@ -1,0 +1,39 @@
+/* The tables as text for people: what --list, --explain and the reference pages share. */
+#ifndef MATC_DESCRIBE_H
+#define MATC_DESCRIBE_H
+#include "compiler/base/diag.h"
+#include "grammar/tables.h"
+#include "compiler/layout/layout.h"
+#include "compiler/base/text.h"
+
+#define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
+
+/* JSON Schema of a file of files.def, "manifest", ...; from malloc, NULL if there is none of that name. describe_files.c */
+char *describe_file(const char *name);
+/* "0.5", "12", "1000000" */
+void describe_number(Text *out, double value);
+/* What a document writes in a parameter's place: "map", "number", ... */
+const char *describe_type(const ParamRow *param);
+/* "0.5", "[1, 0, 0]", "true", "none". With a preset, its default. */
+void describe_default(Text *out, const ParamRow *param, const char *preset);
+/* "0 to 16"; nothing for every number. */
+void describe_range(Text *out, const ParamRow *param);
+/* A smallest document: the kind (by that name of it) with its defaults written out. */
+void describe_example(Text *out, Kind kind, const char *name);
+/* Of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "unorm 8"; "0 to 1"; "0.00196". */
+void describe_piece(Text *out, const Piece *piece);
+void describe_place(Text *out, const LayoutRow *layout, const Piece *piece);
+void describe_encoding(Text *out, const FieldRow *field);
+void describe_stored_range(Text *out, const FieldRow *field);
+void describe_error(Text *out, const FieldRow *field);
+/* The page of a layout. describe_layout.c */
+void describe_layout(Text *out, const LayoutRow *layout);
+/* A diagnostic's format with "..." where it has arguments. */
+void describe_message(Text *out, const DiagRow *diag);
+
+extern const char *const severity_names[];
+/* Is the row the first of its preset? A preset has one row a parameter. */
+bool is_preset_head(int row);
+/* The text in memory from malloc; the arena is freed. */
+char *describe_finish(Text *text);
+#endif

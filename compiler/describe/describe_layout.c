@@ -1,0 +1,52 @@
+/* A layout as a page: its targets, then every field of every case with its place, bits, range and error. */
+#include "compiler/describe/describe.h"
+
+static void put_pieces(Text *out, const LayoutRow *layout, int number)
+{
+    Placement placement;
+    layout_place(layout, number, &placement); /* it was checked: every row fits */
+    if (number)
+        text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
+    text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored", "error at most");
+    for (int i = 0; i < placement.count; i++) {
+        const Piece *piece = &placement.pieces[i];
+        Text cells[5];
+        for (int k = 0; k < 5; k++)
+            cells[k] = text_new(out->arena);
+        describe_place(&cells[0], layout, piece);
+        describe_piece(&cells[1], piece);
+        describe_encoding(&cells[2], piece->field);
+        describe_stored_range(&cells[3], piece->field);
+        describe_error(&cells[4], piece->field);
+        text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at, cells[3].at,
+                    cells[4].at);
+    }
+}
+
+static void put_constants(Text *out, const LayoutRow *layout)
+{
+    for (int i = 0; i < layout->fixed_count; i++) {
+        const FixedRow *fixed = &layout->fixed[i];
+        text_format(out, "%s  %-9s  %-42s ", i ? "" : "\n", "constant", slot_table[fixed->slot].name);
+        for (int lane = 0; lane < type_table[slot_table[fixed->slot].type].lanes; lane++) {
+            text_format(out, " %.6g", fixed->value[lane]);
+        }
+        text_char(out, '\n');
+    }
+}
+
+void describe_layout(Text *out, const LayoutRow *layout)
+{
+    text_format(out, "%s (layout, %d bytes a pixel)\n", layout->name, layout_bytes(layout));
+    if (*layout->doc)
+        text_format(out, "%s\n", layout->doc);
+    text_put(out, "Targets:");
+    for (int target = 0; target < layout_targets(layout); target++)
+        text_format(out, " %d %s%s", target, format_table[layout->formats[target]].name,
+                    target + 1 < layout_targets(layout) ? "," : ".\n\n");
+    for (int number = 0; number < layout->case_count; number++)
+        put_pieces(out, layout, number);
+    put_constants(out, layout);
+    if (!layout_is_whole(layout))
+        text_put(out, "\nNo case stores all slots: a material that has more than each of them is refused.\n");
+}

@@ -1,0 +1,321 @@
+/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what it
+ * refuses, matc refuses too. describe_files.c has the schemas of other files. */
+#include "compiler/base/compile.h"
+#include "compiler/describe/describe.h"
+#include "compiler/base/json_write.h"
+#include "compiler/matc.h"
+#include <math.h>
+#include <string.h>
+
+#define NUMBERS "{\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}"
+
+/* Definitions that no table speaks of. */
+static const char fixed_definitions[] =
+    "    \"ref\": {\n"
+    "      \"description\": \"A map or material of `defs:`.\",\n"
+    "      \"type\": \"object\", \"required\": [\"ref\"], \"additionalProperties\": false,\n"
+    "      \"properties\": {\"ref\": {\"type\": \"string\"}}\n"
+    "    },\n"
+    "    \"param\": {\n"
+    "      \"description\": \"A value that is set at run time: a uniform.\",\n"
+    "      \"type\": \"object\", \"required\": [\"param\", \"default\"], \"additionalProperties\": false,\n"
+    "      \"properties\": {\n"
+    "        \"param\": {\"type\": \"string\", \"pattern\": \"^[A-Za-z][A-Za-z0-9_]*$\", \"maxLength\": %d},\n"
+    "        \"default\": {\"$ref\": \"#/$defs/constant\"}\n"
+    "      }\n"
+    "    },\n"
+    "    \"list\": {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 2, \"maxItems\": 4},\n"
+    "    \"constant\": {\"anyOf\": [{\"type\": \"number\"}, {\"$ref\": \"#/$defs/color\"}, {\"$ref\": "
+    "\"#/$defs/list\"}]},\n"
+    "    \"numberParam\": {\"$ref\": \"#/$defs/param\", \"properties\": {\"default\": {\"type\": \"number\"}}},\n"
+    "    \"number\": {\"anyOf\": [{\"type\": [\"number\", \"null\"]}, {\"$ref\": \"#/$defs/numberParam\"}]},\n"
+    "    \"whole\": {\n"
+    "      \"anyOf\": [\n"
+    "        {\"type\": [\"integer\", \"null\"], \"minimum\": -2147483647, \"maximum\": 2147483647},\n"
+    "        {\"$ref\": \"#/$defs/numberParam\"}\n"
+    "      ]\n"
+    "    },\n"
+    "    \"bool\": {\"type\": [\"boolean\", \"null\"]},\n"
+    "    \"file\": {\"type\": [\"string\", \"null\"]},\n"
+    "    \"vector\": {\n"
+    "      \"anyOf\": [\n"
+    "        {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 3, \"maxItems\": 3},\n"
+    "        {\"type\": [\"number\", \"null\"]},\n"
+    "        {\"$ref\": \"#/$defs/color\"},\n"
+    "        {\"$ref\": \"#/$defs/param\"}\n"
+    "      ]\n"
+    "    },\n"
+    "    \"items\": {\n"
+    "      \"type\": [\"array\", \"null\"],\n"
+    "      \"items\": {\n"
+    "        \"type\": \"object\", \"additionalProperties\": false,\n"
+    "        \"properties\": {\n"
+    "          \"value\": {\"description\": \"Where the item stands.\", \"$ref\": \"#/$defs/number\", \"default\": "
+    "0},\n"
+    "          \"input\": {\"description\": \"The map there.\", \"$ref\": \"#/$defs/map\"}\n"
+    "        }\n"
+    "      }\n"
+    "    },\n"
+    "    \"transform\": {\n"
+    "      \"anyOf\": [\n"
+    "        {\"type\": \"null\"},\n"
+    "        {\n"
+    "          \"type\": \"object\", \"required\": [\"matrix\"], \"additionalProperties\": false,\n"
+    "          \"properties\": {\n"
+    "            \"matrix\": {\n"
+    "              \"description\": \"16 numbers, by rows; the last row is 0, 0, 0, 1.\",\n"
+    "              \"type\": \"array\", \"minItems\": 16, \"maxItems\": 16,\n"
+    "              \"prefixItems\": [\n"
+    "                " NUMBERS ", " NUMBERS ", " NUMBERS ",\n"
+    "                {\"const\": 0}, {\"const\": 0}, {\"const\": 0}, {\"const\": 1}\n"
+    "              ]\n"
+    "            }\n"
+    "          }\n"
+    "        },\n"
+    "        {\n"
+    "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": false,\n"
+    "          \"properties\": {\n"
+    "            \"translation\": {\"$ref\": \"#/$defs/vector\"},\n"
+    "            \"rotation\": {\"description\": \"Radians about x, then y, then z.\", \"$ref\": \"#/$defs/vector\"},\n"
+    "            \"scale\": {\"$ref\": \"#/$defs/vector\"},\n"
+    "            \"shear\": {\"$ref\": \"#/$defs/vector\"}\n"
+    "          }\n"
+    "        }\n"
+    "      ]\n"
+    "    },\n"
+    "    \"wave\": {\n"
+    "      \"anyOf\": [\n"
+    "        {\"type\": \"null\"},\n"
+    "        {\"$ref\": \"#/$defs/waveName\"},\n"
+    "        {\n"
+    "          \"type\": \"object\", \"required\": [\"wave\"], \"additionalProperties\": false,\n"
+    "          \"properties\": {\"wave\": {\"$ref\": \"#/$defs/waveName\"}}\n"
+    "        },\n"
+    "        {\n"
+    "          \"type\": \"object\", \"required\": [\"wave\"], \"additionalProperties\": false,\n"
+    "          \"properties\": {\n"
+    "            \"wave\": {\"const\": \"Chain\"},\n"
+    "            \"first\": {\"$ref\": \"#/$defs/wave\"},\n"
+    "            \"factor\": {\"$ref\": \"#/$defs/number\", \"default\": 1},\n"
+    "            \"shift\": {\"$ref\": \"#/$defs/number\", \"default\": 0},\n"
+    "            \"second\": {\"$ref\": \"#/$defs/wave\"}\n"
+    "          }\n"
+    "        }\n"
+    "      ]\n"
+    "    },\n";
+
+/* A member of a list of names: comma, then the name. */
+static void put_name(Text *out, const char *name, int *count)
+{
+    text_put(out, (*count)++ ? ", " : "");
+    json_string(out, name);
+}
+
+static void put_color(Text *out)
+{
+    int count = 0;
+    text_put(out, "    \"color\": {\n      \"description\": \"#rgb, #rrggbb, #rrggbbaa, or a name.\",\n"
+                  "      \"anyOf\": [\n        {\"enum\": [");
+    for (int i = 0; i < color_count; i++)
+        put_name(out, color_table[i].name, &count);
+    text_put(out, "]},\n        {\"type\": \"string\","
+                  " \"pattern\": \"^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})$\"}\n      ]\n    },\n");
+}
+
+/* One alternative a name, as only so a name can have its own description. */
+static void put_waves(Text *out)
+{
+    text_put(out, "    \"waveName\": {\n      \"oneOf\": [\n");
+    for (int i = 0; i < WAVE_COUNT; i++) {
+        text_format(out, "        {\"const\": \"%s\", \"description\": ", wave_table[i].name);
+        json_string(out, wave_table[i].doc);
+        text_put(out, "},\n");
+    }
+    text_put(out, "        {\"const\": \"Chain\", \"description\": ");
+    json_string(out, CHAIN_DOC);
+    text_put(out, "}\n      ]\n    },\n");
+}
+
+static bool has_preset(Kind kind)
+{
+    for (int i = 0; i < preset_count; i++)
+        if (preset_table[i].kind == kind)
+            return true;
+    return false;
+}
+
+/* "map": { all names of the kind } */
+static void put_kind_names(Text *out, Kind kind)
+{
+    int count = 0;
+    bool material = kind_table[kind].lowering == LOWERING_MATERIAL, more = has_preset(kind);
+    for (int i = 0; i < alias_count; i++)
+        more |= alias_table[i].kind == kind;
+    text_format(out, "        \"%s\": {\"%s", material ? "material" : "map", more ? "enum\": [" : "const\": ");
+    put_name(out, kind_table[kind].name, &count);
+    for (int i = 0; i < alias_count; i++)
+        if (alias_table[i].kind == kind)
+            put_name(out, alias_table[i].alias, &count);
+    for (int i = 0; i < preset_count; i++)
+        if (preset_table[i].kind == kind && is_preset_head(i))
+            put_name(out, preset_table[i].name, &count);
+    text_put(out, more ? "], \"description\": " : ", \"description\": ");
+    json_string(out, kind_table[kind].doc);
+    text_char(out, '}');
+}
+
+static const char *definition_of(const ParamRow *param)
+{
+    static const char *const names[] = {
+        [PARAM_Map] = "map",     [PARAM_Material] = "anyMaterial", [PARAM_Float] = "number", [PARAM_Int] = "whole",
+        [PARAM_Bool] = "bool",   [PARAM_Vec3] = "vector",          [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
+        [PARAM_Items] = "items", [PARAM_Transform] = "transform",
+    };
+    return param->kind == KIND_Constant ? "constantOrParam" : names[param->type];
+}
+
+static void put_limits(Text *out, const ParamRow *param)
+{
+    text_put(out, ", \"minimum\": ");
+    describe_number(out, param->low);
+    text_put(out, ", \"maximum\": ");
+    describe_number(out, param->high);
+}
+
+static void put_param(Text *out, const ParamRow *param)
+{
+    text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s\"", param->name, definition_of(param));
+    if (isfinite(param->low)) {
+        put_limits(out, param);
+        text_put(out, ", \"properties\": {\"default\": {\"type\": \"number\"");
+        put_limits(out, param);
+        text_put(out, "}}");
+    }
+    if (param->lanes) {
+        text_put(out, ", \"default\": ");
+        describe_default(out, param, NULL);
+    }
+    text_put(out, ", \"description\": ");
+    json_string(out, param->doc);
+    text_char(out, '}');
+}
+
+static void open_kind(Text *out, Kind kind, const char *suffix)
+{
+    bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
+    text_format(out, "    \"%s%s\": {\n      \"description\": ", kind_table[kind].name, suffix);
+    json_string(out, kind_table[kind].doc);
+    text_format(out,
+                ",\n      \"type\": \"object\", \"required\": [\"%s\"], \"additionalProperties\": false,\n"
+                "      \"properties\": {\n",
+                material ? "material" : "map");
+    put_kind_names(out, kind);
+}
+
+static void put_kind(Text *out, Kind kind)
+{
+    const KindRow *row = &kind_table[kind];
+    open_kind(out, kind, "");
+    for (int i = row->first; i < row->first + row->count; i++)
+        put_param(out, &param_table[i]);
+    text_put(out, "\n      }\n    },\n");
+}
+
+/* A material as the outermost level: its parameters, and what stands beside them there. */
+static void put_document(Text *out, Kind kind)
+{
+    const KindRow *row = &kind_table[kind];
+    open_kind(out, kind, "Document");
+    for (int i = row->first; i < row->first + row->count; i++)
+        text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s/properties/%s\"}", param_table[i].name, row->name,
+                    param_table[i].name);
+    text_put(out, ",\n        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+                  "        \"include\": {\"$ref\": \"#/$defs/include\"}\n      }\n    },\n");
+}
+
+/* "name": any of the kinds of one sort, or a reference to one; `more` are further alternatives. */
+static void put_choice(Text *out, const char *name, bool material, const char *more)
+{
+    text_format(out,
+                "    \"%s\": {\n      \"anyOf\": [\n%s        {\"$ref\": \"#/$defs/ref\"},\n"
+                "        {\"type\": \"object\", \"required\": [\"%s\"], \"oneOf\": [",
+                name, more, material ? "material" : "map");
+    const char *comma = "";
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if ((kind_table[kind].lowering == LOWERING_MATERIAL) == material) {
+            text_format(out, "%s\n          {\"$ref\": \"#/$defs/%s\"}", comma, kind_table[kind].name);
+            comma = ",";
+        }
+    text_put(out, "\n        ]}\n      ]\n    },\n");
+}
+
+static void put_top(Text *out)
+{
+    text_put(out, "  \"anyOf\": [\n    {\"$ref\": \"#/$defs/materialsDocument\"}");
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if (kind_table[kind].lowering == LOWERING_MATERIAL)
+            text_format(out, ",\n    {\"$ref\": \"#/$defs/%sDocument\"}", kind_table[kind].name);
+    text_put(out, "\n  ],\n");
+}
+
+static void put_outermost(Text *out)
+{
+    text_format(
+        out,
+        "    \"defs\": {\n"
+        "      \"description\": \"Maps and materials to refer to by `ref:`.\",\n"
+        "      \"type\": [\"object\", \"null\"],\n"
+        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}]}\n"
+        "    },\n"
+        "    \"include\": {\n"
+        "      \"description\": \"Files whose `defs:` count here too.\",\n"
+        "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n"
+        "    },\n"
+        "    \"materialsDocument\": {\n"
+        "      \"description\": \"Several materials in a file.\",\n"
+        "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
+        "      \"properties\": {\n"
+        "        \"materials\": {\n"
+        "          \"description\": \"A material a name.\",\n"
+        "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": {\"$ref\": "
+        "\"#/$defs/material\"},\n"
+        "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
+        "        },\n"
+        "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+        "        \"include\": {\"$ref\": \"#/$defs/include\"}\n"
+        "      }\n"
+        "    }\n",
+        LIMIT_NAME);
+}
+
+static char *document_schema(void)
+{
+    static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
+                                    "{\"$ref\": \"#/$defs/param\"},\n";
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    text_put(&out, "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n"
+                   "  \"title\": \"matc " MATC_VERSION " document\",\n"
+                   "  \"description\": \"Materials for matc, in YAML or JSON.\",\n");
+    put_top(&out);
+    text_put(&out, "  \"$defs\": {\n");
+    text_format(&out, fixed_definitions, LIMIT_NAME);
+    text_put(
+        &out,
+        "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, {\"$ref\": \"#/$defs/param\"}]},\n");
+    put_color(&out);
+    put_waves(&out);
+    put_choice(&out, "map", false, any_value);
+    put_choice(&out, "material", true, "");
+    put_choice(&out, "anyMaterial", true, "        {\"type\": \"null\"},\n");
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        put_kind(&out, (Kind)kind);
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if (kind_table[kind].lowering == LOWERING_MATERIAL)
+            put_document(&out, (Kind)kind);
+    put_outermost(&out);
+    text_put(&out, "  }\n}\n");
+    return describe_finish(&out);
+}
+
+char *matc_schema(const char *of) { return !of || !strcmp(of, "document") ? document_schema() : describe_file(of); }

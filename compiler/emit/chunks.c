@@ -1,0 +1,89 @@
+/* Chunks by name and variant: name.<choice>.110, name.110, name.<choice>, name; the first that exists. */
+#include "compiler/emit/chunks.h"
+#include <string.h>
+
+/* A chunk and its variants, which stand together in the table. */
+typedef struct {
+    const Chunk *first;
+    int count, length; /* of the name before the variants' points */
+} Variants;
+
+static bool is_variant(const Chunk *chunk, const char *name, int length)
+{
+    return !strncmp(chunk->name, name, (size_t)length) && (!chunk->name[length] || chunk->name[length] == '.');
+}
+
+static Variants variants_of(const char *name, int length)
+{
+    int low = 0, high = chunk_count;
+    while (low < high) { /* the first that does not come before the name */
+        int middle = (low + high) / 2;
+        if (strncmp(chunk_table[middle].name, name, (size_t)length) < 0)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    Variants variants = {&chunk_table[low], 0, length};
+    while (low + variants.count < chunk_count && is_variant(variants.first + variants.count, name, length))
+        variants.count++;
+    return variants;
+}
+
+static const Chunk *find(const Variants *variants, const char *choice, bool of_110)
+{
+    const size_t size = strlen(choice);
+    for (int i = 0; i < variants->count; i++) {
+        const char *rest = variants->first[i].name + variants->length;
+        if (size && (*rest++ != '.' || strncmp(rest, choice, size)))
+            continue;
+        if (!strcmp(rest + size, of_110 ? ".110" : ""))
+            return &variants->first[i];
+    }
+    return NULL;
+}
+
+/* name.<choice> of any axis, or for GLSL 1.10 name.<choice>.110. */
+static const Chunk *of_choice(const Variants *variants, const Job *job, bool of_110)
+{
+    const Chunk *chunk = NULL;
+    for (int axis = 0; axis < AXIS_COUNT && !chunk; axis++)
+        if (axis_table[axis].chunks)
+            chunk = find(variants, choice_table[job->choice[axis]].name, of_110);
+    return chunk;
+}
+
+static const Chunk *variant(const char *name, int length, const Job *job)
+{
+    const Variants variants = variants_of(name, length);
+    bool old = job->target == TARGET_glsl110;
+    const Chunk *chunk = old ? of_choice(&variants, job, true) : NULL;
+    if (!chunk && old)
+        chunk = find(&variants, "", true);
+    if (!chunk)
+        chunk = of_choice(&variants, job, false);
+    return chunk ? chunk : find(&variants, "", false);
+}
+
+static bool add(Compile *c, Chunks *chunks, const char *name, int length, const Job *job)
+{
+    const Chunk *chunk = variant(name, length, job);
+    if (!chunk)
+        return false;
+    for (size_t i = 0; i < chunks->count; i++)
+        if (chunks->at[i] == chunk)
+            return true;
+    for (const char *need = chunk->needs; *need;) {
+        int size = (int)strcspn(need, " ");
+        if (!add(c, chunks, need, size, job))
+            return false;
+        need += size;
+        need += strspn(need, " ");
+    }
+    ARENA_PUSH(c->arena, chunks->at, chunks->count, chunks->room, chunk);
+    return true;
+}
+
+bool chunks_add(Compile *c, Chunks *chunks, const char *name, const Job *job)
+{
+    return add(c, chunks, name, (int)strlen(name), job);
+}

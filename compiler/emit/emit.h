@@ -1,0 +1,33 @@
+/* Ir -> GLSL. */
+#ifndef MATC_EMIT_H
+#define MATC_EMIT_H
+#include "compiler/ir/ir.h"
+#include "compiler/emit/chunks.h"
+
+/* What the fragment program declares; the vertex program and the reflection go by it. */
+typedef struct {
+    bool inputs[INPUT_COUNT];
+    bool *uniforms;      /* by index in the graph */
+    bool *counts;        /* of them: those that are ints */
+    bool *textures;      /* by index in the Ir */
+    size_t declarations; /* bytes of them, at the beginning of the fragment program */
+    Chunks chunks;       /* library functions, and the uniforms they declare */
+} Interface;
+
+/* The fragment program. */
+const char *emit_fragment(Compile *c, const Ir *ir, const Job *job, Interface *interface, size_t *size);
+/* The vertex program that feeds it: only the varyings in use. */
+const char *emit_vertex(Compile *c, const Job *job, const Interface *interface);
+/* GLSL that reads the layout back: struct Surface and unpackSurface(). */
+const char *emit_unpack(Compile *c, const Job *job);
+/* JSON: inputs, uniforms with defaults, textures, outputs, opacity class, source files, content hash. */
+const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Interface *interface, const char *material,
+                            const char *opacity, const char *fragment);
+
+/* Names in the shader. */
+const char *texture_name(Compile *c, const Ir *ir, int texture);
+/* Of a varying's location, the same in both programs. */
+int input_location(Input input);
+/* "version" and, for ES, precisions. */
+void emit_version(Text *out, Target target);
+#endif

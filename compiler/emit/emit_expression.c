@@ -1,0 +1,316 @@
+/* Expressions: one switch over the shape of an operation, not over operations. */
+#include "compiler/emit/emit_scope.h"
+#include <string.h>
+
+bool is_leaf(const Ir *ir, Ref ref)
+{
+    switch (ir_at(ir, ref)->op) {
+    case OP_const:
+    case OP_input:
+    case OP_uniform:
+    case OP_constant:
+    case OP_argument:
+    case OP_texture:
+    case OP_swizzle:
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void put_number(Text *out, Type type, double value)
+{
+    if (type == TYPE_bool)
+        text_put(out, value != 0 ? "true" : "false");
+    else if (type == TYPE_int)
+        text_int(out, (long)value);
+    else if (type == TYPE_uint || type == TYPE_uvec4)
+        text_format(out, "%luu", (unsigned long)value);
+    else
+        text_float(out, value);
+}
+
+void emit_constant(Text *out, const Ir *ir, Ref ref)
+{
+    Type type = ir_type(ir, ref);
+    const double *lane = ir_numbers(ir, ref);
+    int lanes = ir_lanes(ir, ref);
+    if (lanes == 1) {
+        put_number(out, type, lane[0]);
+        return;
+    }
+    bool equal = true;
+    for (int i = 1; i < lanes; i++)
+        equal &= lane[i] == lane[0];
+    text_put(out, type_table[type].name);
+    text_char(out, '(');
+    for (int i = 0; i < (equal ? 1 : lanes); i++) {
+        text_put(out, i ? ", " : "");
+        put_number(out, type, lane[i]);
+    }
+    text_char(out, ')');
+}
+
+const char *function_name(Compile *c, const Ir *ir, int function)
+{
+    Text name = text_new(c->arena);
+    uint8_t hint = ir->functions[function].hint;
+    const char *kind = hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
+    text_format(&name, "%sInput%d", kind, function);
+    return name.at;
+}
+
+static void put_argument_name(Scope *e, Text *out, Ref ref)
+{
+    for (int i = 0; i < e->function->count; i++)
+        if (e->function->arguments[i] == ref)
+            text_put(out, ir_type(e->ir, ref) == TYPE_vec3 ? "p" : "st");
+}
+
+/* A change needs what changes. */
+static void use_input(Scope *e, Input input)
+{
+    e->interface->inputs[input] = true;
+    for (int i = 0; i < change_count; i++)
+        if (change_table[i].input == input)
+            e->interface->inputs[change_table[i].of] = true;
+}
+
+static void put_leaf(Scope *e, Text *out, Ref ref)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    switch (node->op) {
+    case OP_const:
+        emit_constant(out, e->ir, ref);
+        break;
+    case OP_input:
+        use_input(e, (Input)node->payload);
+        text_put(out, input_table[node->payload].glsl);
+        break;
+    case OP_uniform:
+        e->interface->uniforms[node->payload] = true;
+        e->interface->counts[node->payload] = node->type == TYPE_int;
+        text_put(out, e->ir->graph->uniforms[node->payload]->name);
+        break;
+    case OP_constant:
+        text_put(out, e->ir->constants[node->payload].name);
+        break;
+    case OP_texture:
+        e->interface->textures[node->payload] = true;
+        text_put(out, texture_name(e->c, e->ir, (int)node->payload));
+        break;
+    case OP_argument:
+        put_argument_name(e, out, ref);
+        break;
+    default:
+        break;
+    }
+}
+
+static void put_list(Scope *e, Text *out, Ref ref)
+{
+    text_char(out, '(');
+    for (int i = 0; i < ir_at(e->ir, ref)->count; i++) {
+        text_put(out, i ? ", " : "");
+        emit_expression(e, out, ir_arg(e->ir, ref, i), PRECEDENCE_any);
+    }
+    text_char(out, ')');
+}
+
+/* GLSL lets a float stand for a vector in some operands of some functions; elsewhere it is written out. */
+static bool may_be_float(const IrNode *node, int i, bool both_bounds)
+{
+    switch (node->op) {
+    case OP_min:
+    case OP_max:
+    case OP_mod:
+        return i == 1;
+    case OP_mix:
+        return i == 2;
+    case OP_step:
+        return i == 0;
+    case OP_clamp:
+        return i > 0 && both_bounds;
+    default:
+        return false;
+    }
+}
+
+static void put_call(Scope *e, Text *out, Ref ref)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    bool by_lane = op_table[node->op].rule == RULE_widest;
+    bool bounds =
+        node->count == 3 && ir_lanes(e->ir, ir_arg(e->ir, ref, 1)) == 1 && ir_lanes(e->ir, ir_arg(e->ir, ref, 2)) == 1;
+    text_put(out, op_table[node->op].glsl);
+    text_char(out, '(');
+    for (int i = 0; i < node->count; i++) {
+        Ref arg = ir_arg(e->ir, ref, i);
+        bool widen = by_lane && ir_lanes(e->ir, arg) < ir_lanes(e->ir, ref) && !may_be_float(node, i, bounds);
+        text_put(out, i ? ", " : "");
+        if (widen) {
+            text_put(out, type_table[node->type].name);
+            text_char(out, '(');
+        }
+        emit_expression(e, out, arg, PRECEDENCE_any);
+        if (widen)
+            text_char(out, ')');
+    }
+    text_char(out, ')');
+}
+
+/* vec3(a) for three equal parts; vec4(vec3(a), b) where only the first three are. */
+static void put_vec(Scope *e, Text *out, Ref ref)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    int lanes = type_table[node->type].lanes, equal = 1;
+    while (equal < node->count && ir_arg(e->ir, ref, equal) == ir_arg(e->ir, ref, 0))
+        equal++;
+    bool all = equal == node->count && node->count == lanes, three = equal == 3 && lanes == 4 && node->count == 4;
+    text_put(out, type_table[node->type].name);
+    text_char(out, '(');
+    for (int i = all || three ? equal - 1 : 0; i < node->count; i++) {
+        text_put(out, i > (all || three ? equal - 1 : 0) ? ", " : "");
+        text_put(out, three && i == 2 ? "vec3(" : "");
+        emit_expression(e, out, ir_arg(e->ir, ref, i), PRECEDENCE_any);
+        text_put(out, three && i == 2 ? ")" : "");
+    }
+    text_char(out, ')');
+}
+
+/* mat3(column, column, column) * vector */
+static void put_linear(Scope *e, Text *out, Ref ref)
+{
+    text_format(out, "mat%d(", ir_lanes(e->ir, ref));
+    for (int i = 1; i < ir_at(e->ir, ref)->count; i++) {
+        text_put(out, i > 1 ? ", " : "");
+        emit_expression(e, out, ir_arg(e->ir, ref, i), PRECEDENCE_any);
+    }
+    text_put(out, ") * ");
+    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_prefix);
+}
+
+static int precedence_of(const IrNode *node)
+{
+    switch (node->op) {
+    case OP_select:
+        return PRECEDENCE_select;
+    case OP_or:
+        return PRECEDENCE_or;
+    case OP_and:
+        return PRECEDENCE_and;
+    case OP_join:
+        return PRECEDENCE_join;
+    case OP_shift:
+        return PRECEDENCE_shift;
+    case OP_eq:
+    case OP_ne:
+        return PRECEDENCE_equal;
+    case OP_lt:
+    case OP_le:
+        return PRECEDENCE_less;
+    case OP_add:
+    case OP_sub:
+        return PRECEDENCE_add;
+    case OP_mul:
+    case OP_div:
+    case OP_linear:
+        return PRECEDENCE_mul;
+    case OP_neg:
+    case OP_not:
+        return PRECEDENCE_prefix;
+    default:
+        return PRECEDENCE_postfix;
+    }
+}
+
+static void put_special(Scope *e, Text *out, Ref ref)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    switch (node->op) {
+    case OP_select:
+        emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_or);
+        text_put(out, " ? ");
+        emit_expression(e, out, ir_arg(e->ir, ref, 1), PRECEDENCE_or);
+        text_put(out, " : ");
+        emit_expression(e, out, ir_arg(e->ir, ref, 2), PRECEDENCE_select);
+        break;
+    case OP_vec:
+        put_vec(e, out, ref);
+        break;
+    case OP_linear:
+        put_linear(e, out, ref);
+        break;
+    case OP_swizzle:
+        emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);
+        text_char(out, '.');
+        for (int i = 0; i < type_table[node->type].lanes; i++)
+            text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
+        break;
+    case OP_call:
+        chunks_add(e->c, &e->interface->chunks, function_row((int)node->payload)->name, e->job);
+        text_put(out, function_row((int)node->payload)->name);
+        put_list(e, out, ref);
+        break;
+    case OP_apply:
+    case OP_kernel:
+        text_put(out, function_name(e->c, e->ir, (int)node->payload));
+        text_put(out, node->op == OP_kernel ? "Sum" : "");
+        put_list(e, out, ref);
+        break;
+    default:
+        put_leaf(e, out, ref);
+        break;
+    }
+}
+
+static void put_infix(Scope *e, Text *out, Ref ref, int own)
+{
+    bool mixed = own == PRECEDENCE_equal; /* a < b != c < d is legal, and unreadable */
+    emit_expression(e, out, ir_arg(e->ir, ref, 0), mixed ? PRECEDENCE_add : own);
+    text_char(out, ' ');
+    text_put(out, op_table[ir_at(e->ir, ref)->op].glsl);
+    text_char(out, ' ');
+    /* left to right: the right operand must bind more tightly */
+    emit_expression(e, out, ir_arg(e->ir, ref, 1), mixed ? PRECEDENCE_add : own + 1);
+}
+
+static bool is_negative(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_const) && ir_lanes(ir, ref) == 1 && ir_numbers(ir, ref)[0] < 0;
+}
+
+static void put_operation(Scope *e, Text *out, Ref ref, int own)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    switch (op_table[node->op].shape) {
+    case SHAPE_infix:
+        put_infix(e, out, ref, own);
+        break;
+    case SHAPE_prefix:
+        text_put(out, op_table[node->op].glsl);
+        emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix); /* not --x */
+        break;
+    case SHAPE_call:
+        put_call(e, out, ref);
+        break;
+    default:
+        put_special(e, out, ref);
+        break;
+    }
+}
+
+void emit_expression(Scope *e, Text *out, Ref ref, int precedence)
+{
+    if (e->names[ref]) {
+        text_put(out, e->names[ref]);
+        return;
+    }
+    int own = is_negative(e->ir, ref) ? PRECEDENCE_prefix : precedence_of(ir_at(e->ir, ref));
+    bool parentheses = own < precedence;
+    if (parentheses)
+        text_char(out, '(');
+    put_operation(e, out, ref, own);
+    if (parentheses)
+        text_char(out, ')');
+}

@@ -1,0 +1,188 @@
+/* What a program declares, per target: version, inputs, uniforms, textures, outputs. */
+#include "compiler/choice.h"
+#include "compiler/emit/emit.h"
+#include "compiler/emit/emit_declare.h"
+#include <string.h>
+
+void emit_version(Text *out, Target target)
+{
+    text_format(out, "#version %s\n", target_table[target].version);
+    if (target == TARGET_glsl110)
+        text_put(out, "#extension GL_ARB_draw_buffers : enable\n");
+    if (target_table[target].es)
+        text_put(out, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+}
+
+int input_location(Input input)
+{
+    int location = 0;
+    for (int i = 0; i < (int)input; i++)
+        location += input_table[i].source == SOURCE_varying;
+    return location;
+}
+
+bool has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
+
+int std140_offset(const char *type, int *size)
+{
+    static const struct {
+        const char *name;
+        int align, size;
+    } rows[] = {{"int", 4, 4},    {"uint", 4, 4},   {"uvec4", 16, 16}, {"float", 4, 4}, {"vec2", 8, 8},
+                {"vec3", 16, 12}, {"vec4", 16, 16}, {"mat3", 16, 48},  {"mat4", 16, 64}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        size_t length = strlen(rows[i].name);
+        if (strncmp(type, rows[i].name, length) != 0 || (type[length] && type[length] != ' '))
+            continue;
+        int offset = (*size + rows[i].align - 1) / rows[i].align * rows[i].align;
+        *size = offset + rows[i].size;
+        return offset;
+    }
+    return *size;
+}
+
+int std140_size(int end)
+{
+    enum { VECTOR = 16 };
+    return (end + VECTOR - 1) / VECTOR * VECTOR;
+}
+
+/* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
+int texture_binding(int index)
+{
+    const int below = DRAW_BLOCK - FIRST_TEXTURE_BINDING;
+    return index < below ? FIRST_TEXTURE_BINDING + index : CONSTANT_BLOCK + 1 + index - below;
+}
+
+int table_binding(const Ir *ir, const Interface *interface, const char *name)
+{
+    int index = 0;
+    for (size_t i = 0; i < ir->texture_count; i++)
+        index += interface->textures[i];
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
+            const char *end = strchr(line, '\n'), *sampler = strstr(line, "sampler2D ");
+            if (!sampler || sampler > end)
+                continue;
+            size_t length = (size_t)(end - sampler) - strlen("sampler2D ");
+            if (strlen(name) == length && !strncmp(sampler + strlen("sampler2D "), name, length))
+                return texture_binding(index);
+            index++;
+        }
+    return -1;
+}
+
+const char *texture_name(Compile *c, const Ir *ir, int texture)
+{
+    Text name = text_new(c->arena);
+    text_format(&name, "%sTexture%d", ir->textures[texture].kind == TEXTURE_image ? "image" : "carpenter", texture);
+    return name.at;
+}
+
+void emit_varying(Text *out, Target target, Input input, const char *word)
+{
+    const InputRow *row = &input_table[input];
+    if (has_locations(target))
+        text_format(out, "layout(location = %d) ", input_location(input));
+    text_format(out, "%s %s %s;\n", target == TARGET_glsl110 ? "varying" : word, type_table[row->type].name, row->glsl);
+}
+
+/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole: its offsets are promised. */
+static void put_constants(Text *out, const Ir *ir, Target target)
+{
+    bool block = target != TARGET_glsl110;
+    if (!ir->constant_count)
+        return;
+    if (has_locations(target))
+        text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n", CONSTANT_BLOCK);
+    else if (block)
+        text_put(out, "layout(std140) uniform " CONSTANT_BLOCK_NAME " {\n");
+    for (size_t i = 0; i < ir->constant_count; i++)
+        text_format(out, "%s%s %s;\n", block ? "    " : "uniform ", type_table[ir->constants[i].type].name,
+                    ir->constants[i].name);
+    text_put(out, block ? "};\n" : "");
+}
+
+/* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns how many. */
+static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, const char *prefix)
+{
+    int count = 0;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (interface->inputs[i] && input_table[i].source == SOURCE_draw) {
+            text_format(out, "%s%s %s;\n", prefix, type_table[input_table[i].type].name, input_table[i].glsl);
+            count++;
+        }
+    for (int i = 0; i < ir->graph->uniform_count; i++) {
+        if (!interface->uniforms[i])
+            continue;
+        const char *type = interface->counts[i] ? "int" : type_table[ir->graph->uniforms[i]->type].name;
+        text_format(out, "%s%s %s;\n", prefix, type, ir->graph->uniforms[i]->name);
+        count++;
+    }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1)
+            if (!strstr(line, "sampler") || strstr(line, "sampler") > strchr(line, '\n')) {
+                text_format(out, "%s%.*s;\n", prefix, (int)strcspn(line, "\n"), line);
+                count++;
+            }
+    return count;
+}
+
+static void put_sampler(Text *out, Target target, int *index, const char *declaration, int size)
+{
+    if (has_locations(target))
+        text_format(out, "layout(binding = %d) ", texture_binding((*index)++));
+    text_format(out, "uniform %.*s;\n", size, declaration);
+}
+
+static void put_samplers(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+{
+    int index = 0;
+    for (size_t i = 0; i < ir->texture_count; i++) {
+        Text declaration = text_new(c->arena);
+        if (!interface->textures[i])
+            continue;
+        text_format(&declaration, "sampler2D %s", texture_name(c, ir, (int)i));
+        put_sampler(out, job->target, &index, declaration.at, (int)declaration.size);
+    }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
+            int size = (int)strcspn(line, "\n");
+            const char *sampler = strstr(line, "sampler2D");
+            if (sampler && sampler < line + size)
+                put_sampler(out, job->target, &index, line, size);
+        }
+}
+
+void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+{
+    emit_version(out, job->target);
+    text_format(out, "// matc " MATC_VERSION ": pass %s", pass_table[job->pass].name);
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        text_format(out, ", layout %s", job->layout->name);
+    if (job->pass == PASS_value)
+        text_format(out, ", slot %s", slot_table[job->slot].name);
+    text_put(out, "\n");
+    choices_comment(out, job);
+    text_put(out, "\n");
+    size_t before = out->size;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
+            emit_varying(out, job->target, (Input)i, "in");
+    Text uniforms = text_new(c->arena);
+    bool block = has_locations(job->target);
+    if (put_uniforms(&uniforms, ir, interface, block ? "    " : "uniform ")) {
+        if (block)
+            text_format(out, "layout(std140, binding = %d) uniform Material {\n", MATERIAL_BLOCK);
+        text_put(out, uniforms.at);
+        text_put(out, block ? "};\n" : "");
+    }
+    put_constants(out, ir, job->target);
+    put_samplers(c, out, ir, job, interface);
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind == OUT_color && job->target != TARGET_glsl110)
+            text_format(out, "layout(location = %d) out %s fragment%d;\n", ir->outputs[i].index,
+                        type_table[ir_type(ir, ir->outputs[i].value)].name, ir->outputs[i].index);
+    if (out->size > before)
+        text_char(out, '\n');
+}

@@ -1,0 +1,211 @@
+/* What a program needs and gives, as JSON. */
+#include "compiler/choice.h"
+#include "compiler/ir/constants.h"
+#include "compiler/emit/emit.h"
+#include "compiler/emit/emit_declare.h"
+#include "compiler/base/json_write.h"
+#include "compiler/emit/texture.h"
+#include <string.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+static const char *const sources[] = {"varying", "system", "draw", "change"};
+
+typedef struct {
+    Text *out;
+    bool first; /* no member of the list is written yet */
+} List;
+
+static List open_list(Text *out, const char *name)
+{
+    text_put(out, ",\n  ");
+    json_key(out, name);
+    text_put(out, "[");
+    return (List){out, true};
+}
+
+static void next(List *list)
+{
+    text_put(list->out, list->first ? "\n    " : ",\n    ");
+    list->first = false;
+}
+
+/* An object's beginning. */
+static void put_typed(Text *out, const char *name, const char *type)
+{
+    text_put(out, "{");
+    json_member(out, "name", name);
+    json_next(out, "type", type);
+}
+
+/* A member of the outermost object, on its own line. */
+static void put_line(Text *out, const char *key, const char *value)
+{
+    text_put(out, ",\n  ");
+    json_member(out, key, value);
+}
+
+static void close_list(List *list) { text_put(list->out, list->first ? "]" : "\n  ]"); }
+
+/* Where a plain uniform lies in the block, for targets that have one. */
+static void put_offset(Text *out, const Job *job, const char *type, int *size)
+{
+    if (has_locations(job->target))
+        text_format(out, ", \"offset\": %d", std140_offset(type, size));
+}
+
+/* `size` is that of the uniform block so far. */
+static void put_inputs(Text *out, const Job *job, const Interface *interface, int *size)
+{
+    List list = open_list(out, "inputs");
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        const InputRow *row = &input_table[i];
+        if (!interface->inputs[i] || row->source == SOURCE_change)
+            continue;
+        next(&list);
+        put_typed(out, row->glsl, type_table[row->type].name);
+        json_next(out, "source", sources[row->source]);
+        if (row->source == SOURCE_varying && has_locations(job->target))
+            text_format(out, ", \"location\": %d", input_location((Input)i));
+        if (row->source == SOURCE_draw)
+            put_offset(out, job, type_table[row->type].name, size);
+        text_put(out, "}");
+    }
+    close_list(&list);
+}
+
+static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interface *interface, int *size_of_block)
+{
+    List list = open_list(out, "uniforms");
+    for (int i = 0; i < ir->graph->uniform_count; i++) {
+        const Uniform *uniform = ir->graph->uniforms[i];
+        if (!interface->uniforms[i])
+            continue;
+        const char *glsl = interface->counts[i] ? "int" : type_table[uniform->type].name;
+        next(&list);
+        put_typed(out, uniform->name, glsl);
+        put_offset(out, job, glsl, size_of_block);
+        text_put(out, ", \"default\": [");
+        for (int lane = 0; lane < type_table[uniform->type].lanes; lane++) {
+            text_put(out, lane ? ", " : "");
+            text_double(out, uniform->initial[lane]);
+        }
+        text_put(out, "]}");
+    }
+    for (size_t i = 0; i < interface->chunks.count; i++)
+        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
+            int type = (int)strcspn(line, " "), size = (int)strcspn(line, "\n");
+            if (!strncmp(line, "highp", 5) || !strncmp(line, "sampler", 7))
+                continue;
+            next(&list);
+            put_typed(out, arena_string(out->arena, line + type + 1, (size_t)(size - type - 1)),
+                      arena_string(out->arena, line, (size_t)type));
+            put_offset(out, job, line, size_of_block);
+            text_char(out, '}');
+        }
+    close_list(&list);
+    if (*size_of_block)
+        text_format(out, ",\n  \"block\": {\"name\": \"Material\", \"binding\": %d, \"size\": %d}", MATERIAL_BLOCK,
+                    std140_size(*size_of_block));
+}
+
+/* The numbers from a buffer: members of a block of its own. The manifest of a batch has every material's numbers; a program's
+ * reflection does not change with them. */
+static void put_constants(Text *out, const Ir *ir, const Job *job)
+{
+    if (!ir->constant_count)
+        return;
+    text_format(out, ",\n  \"constants\": {\"block\": \"" CONSTANT_BLOCK_NAME "\", \"size\": %d", constants_size(ir));
+    if (has_locations(job->target))
+        text_format(out, ", \"binding\": %d", CONSTANT_BLOCK);
+    List list = {out, true};
+    text_put(out, ", \"members\": [");
+    for (size_t i = 0; i < ir->constant_count; i++) {
+        const IrConstant *own = &ir->constants[i];
+        next(&list);
+        put_typed(out, own->name, type_table[own->type].name);
+        text_format(out, ", \"offset\": %d}", own->offset);
+    }
+    close_list(&list);
+    text_put(out, "}");
+}
+
+static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+{
+    MatcTexture *textures;
+    int *made_by, count = texture_list(c, ir, interface, &textures, &made_by);
+    List list = open_list(out, "textures");
+    for (int i = 0; i < count; i++) {
+        const MatcTexture *t = &textures[i];
+        bool bytes = made_by[i] >= 0 ? t->path != NULL : !strcmp(t->name, "matc_xor");
+        next(&list);
+        text_put(out, "{");
+        json_member(out, "name", t->name);
+        text_format(out, ", \"width\": %d, \"height\": %d", t->width, t->height);
+        json_next(out, "format", t->lanes == 4 ? bytes ? "RGBA8" : "RGBA32F" : bytes ? "R8" : "R32F");
+        json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
+        text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
+        if (has_locations(job->target))
+            text_format(out, "\"binding\": %d, ",
+                        made_by[i] >= 0 ? texture_binding(i) : table_binding(ir, interface, t->name));
+        if (t->path)
+            json_member(out, "file", t->path);
+        text_put(out, t->path ? "}" : "\"baked\": true}");
+    }
+    close_list(&list);
+}
+
+static void put_outputs(Text *out, const Ir *ir, const Job *job)
+{
+    List list = open_list(out, "outputs");
+    bool layout = job->pass == PASS_gbuffer || job->pass == PASS_plane;
+    for (int i = 0; i < ir->output_count; i++) {
+        const IrOutput *output = &ir->outputs[i];
+        bool color = output->kind == OUT_color;
+        next(&list);
+        text_put(out, "{");
+        json_member(out, "kind", color ? "color" : output->kind == OUT_depth ? "depth" : "discard");
+        if (color) {
+            text_format(out, ", \"location\": %d", output->index);
+            json_next(out, "format", layout ? format_table[job->layout->formats[output->index]].name : "float");
+        }
+        text_put(out, "}");
+    }
+    close_list(&list);
+}
+
+const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Interface *interface, const char *material,
+                            const char *opacity, const char *fragment)
+{
+    Text text = text_new(c->arena), *out = &text;
+    XXH128_hash_t hash = XXH3_128bits(fragment, strlen(fragment));
+    text_put(out, "{\n  ");
+    json_member(out, "matc", MATC_VERSION);
+    put_line(out, "material", material);
+    put_line(out, "target", target_table[job->target].name);
+    put_line(out, "pass", pass_table[job->pass].name);
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+        put_line(out, "layout", job->layout->name);
+    if (job->pass == PASS_value)
+        put_line(out, "slot", slot_table[job->slot].name);
+    put_line(out, "noise", choice_table[job->choice[AXIS_noise]].name);
+    put_line(out, "opacity", opacity);
+    text_put(out, ",\n  \"choices\": ");
+    choices_json(out, job);
+    int block = 0;
+    put_inputs(out, job, interface, &block);
+    put_uniforms(out, ir, job, interface, &block);
+    put_constants(out, ir, job);
+    put_textures(c, out, ir, job, interface);
+    put_outputs(out, ir, job);
+    describe_vertex(out, job, interface);
+    List files = open_list(out, "sources");
+    for (size_t i = 0; i < c->depends.count; i++) {
+        next(&files);
+        json_string(out, c->depends.at[i]);
+    }
+    close_list(&files);
+    text_format(out, ",\n  \"hash\": \"%016llx%016llx\"\n}\n", (unsigned long long)hash.high64,
+                (unsigned long long)hash.low64);
+    return out->at;
+}

@@ -1,0 +1,30 @@
+/* Where each node of a scope (main or one function) is computed: in the scope itself, or in one arm of a select that is
+ * written as if/else because its arms are costly. A node lies in the innermost block that holds all of its uses, so nothing
+ * is set in one branch and read in another. */
+#ifndef MATC_SCHEDULE_H
+#define MATC_SCHEDULE_H
+#include "compiler/ir/ir.h"
+
+typedef struct {
+    int parent, depth; /* block 0 is the scope itself */
+    Ref first;         /* its nodes in order, linked by Schedule.next */
+    double cost;       /* of its nodes and the blocks in it */
+} Block;
+
+/* The arrays by Ref serve one scope after the other. */
+typedef struct {
+    Arena *arena;
+    IrReach nodes; /* of the scope */
+    Block *blocks;
+    size_t block_count, block_room;
+    int *block;     /* by Ref: where it lies */
+    Ref *next;      /* by Ref */
+    uint32_t *uses; /* by Ref: in this scope */
+    int *arm; /* by Ref of a select written as if/else: its block for true; the one for false is the next; else 0 */
+    uint8_t *branch; /* by Ref: a select that is written as if/else */
+} Schedule;
+
+Schedule schedule_new(const Ir *ir, Arena *arena);
+/* Places what `roots` need. Without `branches` every select is an expression. */
+void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches);
+#endif

@@ -1,0 +1,201 @@
+/* The other side of a layout: GLSL that reads the render targets back into a Surface. Made from the layout's rows. */
+#include "compiler/emit/emit.h"
+#include "compiler/layout/layout.h"
+#include <string.h>
+
+/* The chunks that decode the layout's fields, each once. */
+static void put_chunks(Compile *c, Text *out, const Job *job)
+{
+    Chunks chunks = {0};
+    for (int i = 0; i < job->layout->case_count; i++)
+        for (int k = 0; k < job->layout->cases[i].field_count; k++) {
+            const char *name = encoding_table[job->layout->cases[i].fields[k].encoding].unpack;
+            if (*name)
+                chunks_add(c, &chunks, name, job);
+        }
+    for (size_t i = 0; i < chunks.count; i++) {
+        text_put(out, chunks.at[i]->body);
+        text_char(out, '\n');
+    }
+}
+
+/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member. */
+static void put_struct(Text *out, const LayoutRow *layout)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(layout, (Slot)slot))
+            text_format(out, "#define SURFACE_HAS_%s\n", slot_table[slot].name);
+    text_put(out, "struct Surface {\n");
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(layout, (Slot)slot))
+            text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name, slot_table[slot].name,
+                        slot == SLOT_normal ? "Shading normal in eye space, unit length." : slot_table[slot].doc);
+    text_put(out, "};\n\n");
+}
+
+static void put_lanes(Text *out, int from, int count)
+{
+    text_char(out, '.');
+    for (int i = 0; i < count; i++)
+        text_char(out, "xyzw"[from + i]);
+}
+
+/* What the piece takes of its target: lanes, or bits: "target0.x >> 8 & 255u". */
+static void put_code(Text *out, const LayoutRow *layout, const Piece *piece)
+{
+    const FormatRow *format = &format_table[layout->formats[piece->target]];
+    text_format(out, "target%d", piece->target);
+    put_lanes(out, piece->lane, format->words ? 1 : piece->size);
+    if (piece->shift)
+        text_format(out, " >> %d", piece->shift);
+    if (format->words && piece->shift + piece->size < format->bits)
+        text_format(out, " & %luu", (1ul << piece->size) - 1);
+}
+
+/* The numbers of a piece; of a range, from where it begins: "0.2 + unormFromBits(...) * 0.5". */
+static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
+{
+    const FieldRow *field = piece->field;
+    const char *unpack = encoding_table[field->encoding].unpack;
+    if (field->low != 0) {
+        text_float(out, field->low);
+        text_put(out, " + ");
+    }
+    text_put(out, unpack);
+    text_put(out, *unpack ? "(" : "");
+    put_code(out, layout, piece);
+    if (piece_takes_bits(piece))
+        text_format(out, ", %d", piece->field->bits);
+    text_put(out, *unpack ? ")" : "");
+    if (field_has_range(field) && field->high - field->low != 1) {
+        text_put(out, " * ");
+        text_float(out, field->high - field->low);
+    }
+}
+
+/* surface.slot, and the lane if the slot has more than one. */
+static void put_destination(Text *out, SlotLane to)
+{
+    text_format(out, "surface.%s", slot_table[to.slot].name);
+    if (type_table[slot_table[to.slot].type].lanes > 1)
+        put_lanes(out, to.lane, 1);
+    text_put(out, " = ");
+}
+
+/* The number of a piece whose lanes belong to several slots is kept, then dealt out. */
+static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent, int index)
+{
+    static const char *const types[] = {"float", "float", "vec2", "vec3", "vec4"};
+    text_format(out, "%s%s group%d = ", indent, types[piece->count], index);
+    put_value(out, layout, piece);
+    text_put(out, ";\n");
+    for (int i = 0; i < piece->count; i++) {
+        text_put(out, indent);
+        put_destination(out, piece->field->source[piece->first + i]);
+        text_format(out, "group%d", index);
+        put_lanes(out, i, 1);
+        text_put(out, ";\n");
+    }
+}
+
+static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent, int index)
+{
+    const SlotLane *source = &piece->field->source[piece->first];
+    if (piece->count > 1 && !piece_is_slot(piece)) {
+        put_dealt(out, layout, piece, indent, index);
+        return;
+    }
+    const SlotRow *slot = &slot_table[source->slot];
+    text_put(out, indent);
+    if (piece->count == 1 && !piece->field->gray)
+        put_destination(out, *source);
+    else
+        text_format(out, "surface.%s = ", slot->name);
+    if (piece->field->gray)
+        text_format(out, "%s(", type_table[slot->type].name);
+    put_value(out, layout, piece);
+    text_put(out, piece->field->gray ? ");\n" : ";\n");
+}
+
+/* A slot that is not stored: the same for all, or as absent ones are. */
+static void put_known(Text *out, const LayoutRow *layout, Slot slot, const char *indent)
+{
+    const FixedRow *fixed = layout_fixed(layout, slot);
+    const char *type = type_table[slot_table[slot].type].name;
+    text_format(out, "%ssurface.%s = %s(", indent, slot_table[slot].name, type);
+    for (int lane = 0; lane < (fixed ? type_table[slot_table[slot].type].lanes : 1); lane++) {
+        text_put(out, lane ? ", " : "");
+        text_float(out, fixed ? fixed->value[lane] : slot_table[slot].absent);
+    }
+    text_put(out, ");\n");
+}
+
+/* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits of a half float. */
+static void put_samplers(Text *out, const Job *job)
+{
+    const char *highp = target_table[job->target].es ? "highp " : "";
+    for (int i = 0; i < layout_targets(job->layout); i++) {
+        bool words = format_table[job->layout->formats[i]].words;
+        if (job->target == TARGET_glsl450 || job->target == TARGET_spirv)
+            text_format(out, "layout(binding = %d) ", i);
+        text_format(out, "uniform %s%ssampler2D matc_gbuffer%d;\n", highp, words ? "u" : "", i);
+    }
+    text_char(out, '\n');
+}
+
+static void put_fetches(Text *out, const Job *job)
+{
+    bool old = job->target == TARGET_glsl110;
+    for (int i = 0; i < layout_targets(job->layout); i++)
+        text_format(out,
+                    old ? "    %s target%d = texture2D(matc_gbuffer%d, coordinate);\n"
+                        : "    %s target%d = texelFetch(matc_gbuffer%d, pixel, 0);\n",
+                    format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i, i);
+}
+
+/* The pieces of a case, then the slots that it leaves out. */
+static void put_case(Text *out, const LayoutRow *layout, int number, const char *indent)
+{
+    Placement placement;
+    layout_place(layout, number, &placement); /* lowering has told what does not fit */
+    for (int i = 0; i < placement.count; i++)
+        put_piece(out, layout, &placement.pieces[i], indent, i);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(layout, (Slot)slot) && !case_has_slot(&layout->cases[number], (Slot)slot))
+            put_known(out, layout, (Slot)slot, indent);
+}
+
+static void put_cases(Text *out, const LayoutRow *layout)
+{
+    if (layout->case_count == 1) {
+        put_case(out, layout, 0, "    ");
+        return;
+    }
+    text_format(out, "    uint number = target0.x & %uu;\n    ", (1u << layout_case_bits(layout)) - 1);
+    for (int i = 0; i < layout->case_count; i++) {
+        if (i + 1 < layout->case_count)
+            text_format(out, "if (number == %du) ", i);
+        text_put(out, "{\n");
+        put_case(out, layout, i, "        ");
+        text_put(out, i + 1 < layout->case_count ? "    } else " : "    }\n");
+    }
+}
+
+const char *emit_unpack(Compile *c, const Job *job)
+{
+    Text out = text_new(c->arena);
+    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
+                job->layout->name);
+    if (target_table[job->target].es)
+        text_put(&out, "precision highp float;\nprecision highp int;\n");
+    put_samplers(&out, job);
+    put_struct(&out, job->layout);
+    put_chunks(c, &out, job);
+    text_format(&out, "Surface unpackSurface(%s) {\n",
+                job->target == TARGET_glsl110 ? "vec2 coordinate" : "ivec2 pixel");
+    put_fetches(&out, job);
+    text_put(&out, "    Surface surface;\n");
+    put_cases(&out, job->layout);
+    text_put(&out, "    return surface;\n}\n");
+    return out.at;
+}

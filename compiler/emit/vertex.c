@@ -1,0 +1,170 @@
+/* The vertex program that goes with a fragment program: it computes the varyings in use and nothing else. */
+#include "compiler/emit/emit.h"
+#include "compiler/emit/emit_declare.h"
+#include "compiler/base/json_write.h"
+#include <string.h>
+
+/* How a varying comes about: attributes and uniforms it reads, and its expression. */
+typedef struct {
+    Input input;
+    const char *attribute; /* declaration, NULL for none */
+    const char *uniform;
+    const char *expression;
+} Feed;
+
+static const Feed feeds[] = {
+    {INPUT_P, "vec3 position", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
+    {INPUT_N, "vec3 normal", "mat3 matc_worldNormalFromLocal", "matc_worldNormalFromLocal * normal"},
+    {INPUT_DU, "vec3 tangentU", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentU, 0.0)).xyz"},
+    {INPUT_DV, "vec3 tangentV", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentV, 0.0)).xyz"},
+    {INPUT_U, "vec2 texcoord", NULL, "texcoord"},
+    {INPUT_X, "vec3 position", NULL, "position"},
+    {INPUT_XU, "vec3 tangentU", NULL, "tangentU"},
+    {INPUT_XV, "vec3 tangentV", NULL, "tangentV"},
+    {INPUT_eyeN, "vec3 normal", "mat3 matc_eyeNormalFromLocal", "matc_eyeNormalFromLocal * normal"},
+};
+enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
+
+/* Attribute locations are fixed: an engine binds a mesh once for all programs. */
+static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 texcoord", "vec3 tangentU",
+                                         "vec3 tangentV"};
+static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
+                                       "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
+static const char *const screen_uniforms[] = {"mat4 matc_worldFromClip"};
+enum { ATTRIBUTE_COUNT = 5, UNIFORM_COUNT = 4 };
+
+static void put_attributes(Text *out, Target target, const bool *used)
+{
+    for (int i = 0; i < ATTRIBUTE_COUNT; i++)
+        if (used[i] && target == TARGET_glsl110)
+            text_format(out, "attribute %s;\n", attributes[i]);
+        else if (used[i])
+            text_format(out, "layout(location = %d) in %s;\n", i, attributes[i]);
+}
+
+static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names, int count)
+{
+    bool block = has_locations(target);
+    if (block)
+        text_format(out, "layout(std140, binding = %d) uniform Draw {\n", DRAW_BLOCK);
+    for (int i = 0; i < count; i++)
+        if (used[i])
+            text_format(out, "%s%s;\n", block ? "    " : "uniform ", names[i]);
+    if (block)
+        text_put(out, "};\n");
+}
+
+static void mark(const char *const *list, int count, const char *name, bool *used)
+{
+    for (int i = 0; name && i < count; i++)
+        used[i] |= !strcmp(list[i], name);
+}
+
+/* Which attributes and uniforms the varyings in use read; the position is always one. */
+static void mark_used(const Interface *interface, bool *attribute, bool *uniform)
+{
+    attribute[0] = uniform[0] = uniform[1] = true;
+    for (int i = 0; i < FEED_COUNT; i++) {
+        if (!interface->inputs[feeds[i].input])
+            continue;
+        mark(attributes, ATTRIBUTE_COUNT, feeds[i].attribute, attribute);
+        mark(uniforms, UNIFORM_COUNT, feeds[i].uniform, uniform);
+    }
+}
+
+static void rasterised(Text *out, const Job *job, const Interface *interface)
+{
+    bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
+    mark_used(interface, attribute, uniform);
+    put_attributes(out, job->target, attribute);
+    put_uniforms(out, job->target, uniform, uniforms, UNIFORM_COUNT);
+    for (int i = 0; i < FEED_COUNT; i++)
+        if (interface->inputs[feeds[i].input])
+            emit_varying(out, job->target, feeds[i].input, "out");
+    text_put(out, "\nvoid main() {\n");
+    for (int i = 0; i < FEED_COUNT; i++)
+        if (interface->inputs[feeds[i].input])
+            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, feeds[i].expression);
+    text_put(out, "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
+}
+
+/* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes
+ * it linear over the screen even where the near plane is oblique; it leads away from the eye whichever way z runs. */
+static void full_screen(Text *out, const Job *job, const Interface *interface)
+{
+    bool old = job->target == TARGET_glsl110, ray = interface->inputs[INPUT_ray];
+    if (old)
+        text_put(out, "attribute vec3 position;\n");
+    if (ray) {
+        put_uniforms(out, job->target, (bool[]){true}, screen_uniforms, 1);
+        emit_varying(out, job->target, INPUT_ray, "out");
+    }
+    text_put(out, "\nvoid main() {\n");
+    const char *index = job->target == TARGET_spirv ? "gl_VertexIndex" : "gl_VertexID";
+    if (old)
+        text_put(out, "    vec2 corner = position.xy;\n");
+    else
+        text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n", index, index);
+    if (ray)
+        text_put(out, "    vec4 point = matc_worldFromClip * vec4(corner, 0.0, 1.0);\n"
+                      "    vec4 ahead = matc_worldFromClip[2];\n"
+                      "    worldRay = (ahead.xyz * point.w - point.xyz * ahead.w) * (ahead.w > 0.0 ? -1.0 : 1.0);\n");
+    text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
+}
+
+const char *emit_vertex(Compile *c, const Job *job, const Interface *interface)
+{
+    Text out = text_new(c->arena);
+    emit_version(&out, job->target);
+    text_format(&out, "// matc " MATC_VERSION ": vertex program of pass %s\n\n", pass_table[job->pass].name);
+    if (job->pass == PASS_plane || job->pass == PASS_sky)
+        full_screen(&out, job, interface);
+    else
+        rasterised(&out, job, interface);
+    return out.at;
+}
+
+/* "vec3 position" as {"name": "position", "type": "vec3", key: value}. */
+static void describe(Text *out, const char *declaration, const char *key, int value)
+{
+    int type = (int)strcspn(declaration, " ");
+    text_put(out, "{");
+    json_member(out, "name", declaration + type + 1);
+    json_next(out, "type", arena_string(out->arena, declaration, (size_t)type));
+    if (value >= 0) {
+        text_put(out, ", ");
+        json_key(out, key);
+        text_int(out, value);
+    }
+    text_char(out, '}');
+}
+
+void describe_vertex(Text *out, const Job *job, const Interface *interface)
+{
+    bool screen = job->pass == PASS_plane || job->pass == PASS_sky, old = job->target == TARGET_glsl110;
+    bool attribute[ATTRIBUTE_COUNT] = {screen && old},
+         uniform[UNIFORM_COUNT] = {screen && interface->inputs[INPUT_ray]};
+    const char *const *names = screen ? screen_uniforms : uniforms;
+    int size = 0;
+    if (!screen)
+        mark_used(interface, attribute, uniform);
+    text_put(out, ",\n  \"vertex\": {\"attributes\": [");
+    for (int i = 0, first = 1; i < ATTRIBUTE_COUNT; i++)
+        if (attribute[i]) {
+            text_put(out, first ? "" : ", ");
+            describe(out, attributes[i], "location", old ? -1 : i);
+            first = 0;
+        }
+    text_put(out, "], \"uniforms\": [");
+    for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
+        if (uniform[i]) {
+            text_put(out, first ? "" : ", ");
+            describe(out, names[i], "offset", has_locations(job->target) ? std140_offset(names[i], &size) : -1);
+            first = 0;
+        }
+    text_put(out, "]");
+    if (has_locations(job->target) && size)
+        text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK,
+                    std140_size(size));
+    text_put(out, "}");
+}

@@ -1,0 +1,25 @@
+/* Numbers of a Graph and the conversion table. */
+#include "compiler/front/graph.h"
+#include <string.h>
+
+/* Narrowing to one lane takes the mean, to more the first lanes; widening copies one lane, else fills with 0, alpha with 1. */
+void convert_lanes(int from_lanes, const double *from, int to_lanes, double *to)
+{
+    double result[4] = {0, 0, 0, 1};
+    if (to_lanes == 1 && from_lanes > 1) {
+        double sum = 0;
+        for (int i = 0; i < from_lanes; i++)
+            sum += from[i];
+        result[0] = sum / from_lanes;
+    } else {
+        for (int i = 0; i < (from_lanes == 1 && to_lanes < 4 ? to_lanes : from_lanes == 1 ? 3 : from_lanes); i++)
+            result[i] = from[from_lanes == 1 ? 0 : i];
+    }
+    memcpy(to, result, sizeof(double) * (size_t)to_lanes);
+}
+
+void value_number(const Value *value, Type want, double result[4])
+{
+    const double *from = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    convert_lanes(type_table[value->type].lanes, from, type_table[want].lanes, result);
+}

@@ -1,0 +1,122 @@
+/* The document as typed values: every name resolved, every parameter present (given or defaulted), no cycles.
+ * resolve() makes it from a Tree; lower() makes IR of it; the oracle evaluates it. */
+#ifndef MATC_GRAPH_H
+#define MATC_GRAPH_H
+#include "grammar/tables.h"
+#include "compiler/base/names.h"
+#include "compiler/base/source.h"
+#include <stddef.h>
+
+typedef struct Node Node;
+typedef struct Wave Wave;
+
+typedef enum {
+    VALUE_none,      /* not there */
+    VALUE_number,    /* number, of `type` */
+    VALUE_uniform,   /* uniform, of `type`; number holds its default */
+    VALUE_node,      /* node: a map or a material */
+    VALUE_wave,      /* wave */
+    VALUE_transform, /* transform */
+    VALUE_image,     /* image */
+    VALUE_items,     /* items */
+} ValueKind;
+
+/* A named value that is set at run time. Equal names of one document are one uniform. */
+typedef struct {
+    const char *name;
+    Type type;         /* of its default, as written; the slot it stands in may make it an int */
+    double initial[4]; /* the default */
+    Span span;
+    int index; /* in the document's list of uniforms */
+} Uniform;
+
+typedef struct {
+    const char *path; /* as written, joined to the document's folder */
+    int width, height;
+    const uint8_t *bytes; /* RGBA, row 0 is the bottom row */
+    bool opaque;          /* the file has no alpha: it is 1 everywhere */
+    int index;            /* in the document's list of images */
+} Image;
+
+typedef struct Value {
+    ValueKind kind;
+    Type type;  /* of a number or uniform, before any conversion */
+    bool given; /* stands in the document; false: the default */
+    Span span;
+    union {
+        double number[4]; /* lanes of the type; bool and int too */
+        const Uniform *uniform;
+        const Node *node;
+        const Wave *wave;
+        const struct Transform *transform;
+        const Image *image;
+        const struct Items *items;
+    };
+} Value;
+
+/* A map or a material. params[i] belongs to param_table[kind_table[kind].first + i]. */
+struct Node {
+    Kind kind;
+    int index; /* in the document's list of nodes: dense, inputs before users */
+    Span span;
+    const Value *params;
+    int depth;   /* of the graph below it, 0 for a node without inputs; bounded */
+    int filters; /* most filters on a way down from here, this one included; bounded */
+};
+
+typedef struct {
+    Value value;       /* Float */
+    const Node *input; /* NULL reads the surface */
+    Span span;
+} Item;
+typedef struct Items {
+    int count;
+    const Item *item;
+} Items;
+
+/* v -> second(factor * first(v) + shift) for a Chain; otherwise one of waves.def. */
+struct Wave {
+    WaveKind kind;
+    const Wave *first, *second; /* Chain only; NULL is the identity */
+    Value factor, shift;        /* Chain only; Float */
+    int length;                 /* waves that v is sent through, one after the other; bounded */
+};
+
+typedef enum { TRANSFORM_scale, TRANSFORM_translation, TRANSFORM_matrix, TRANSFORM_components } TransformKind;
+/* q -> M q. scale: uniform; translation; matrix: 16 numbers by rows, the last row is (0, 0, 0, 1);
+ * components: M = T Rz Ry Rx S H, angles in radians, H unit upper triangular with H01, H02, H12 = shear. */
+typedef struct Transform {
+    TransformKind kind;
+    Value scale;       /* Float for TRANSFORM_scale, Vec3 for components */
+    Value translation; /* Vec3 */
+    Value rotation;    /* Vec3 */
+    Value shear;       /* Vec3 */
+    double matrix[16];
+} Transform;
+
+typedef struct {
+    const char *name; /* under `materials:`, or the file's stem */
+    const Node *node;
+} NamedMaterial;
+
+typedef struct {
+    const NamedMaterial *materials;
+    int material_count;
+    int node_count;
+    const Uniform *const *uniforms;
+    int uniform_count;
+    Names uniform_names; /* theirs, in the same order */
+    const Image *const *images;
+    int image_count;
+} Graph;
+
+/* The parameter that P_<kind>_<name> of tables.h names. */
+static inline const Value *node_param(const Node *node, int param)
+{
+    return &node->params[param - kind_table[node->kind].first];
+}
+/* A number's or uniform's (default) lanes, converted to `want` by the conversion table. */
+void value_number(const Value *value, Type want, double result[4]);
+/* The conversion table on numbers: `lanes_from` numbers to `lanes_to`. */
+void convert_lanes(int lanes_from, const double *from, int lanes_to, double *to);
+#endif

@@ -1,0 +1,41 @@
+/* Text -> Tree: what is asked of any text, then the reader that its name calls for. */
+#include "compiler/front/read.h"
+#include <string.h>
+
+static bool is_json_name(const char *name)
+{
+    size_t size = strlen(name);
+    return size > 5 && !strcmp(name + size - 5, ".json");
+}
+
+static bool check_utf8(const TreeBuilder *b, const Source *source)
+{
+    const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size;
+    for (const unsigned char *at = text + b->start; at < end;) {
+        int length = utf8_length(at, end);
+        if (!length) {
+            uint32_t offset = (uint32_t)(at - text);
+            diag_add(b->c, (Span){offset, offset + 1, b->file}, DIAG_bad_utf8);
+            return false;
+        }
+        at += length;
+    }
+    return true;
+}
+
+Tree *read_document(Compile *c, uint32_t file)
+{
+    const Source *source = &c->sources[file];
+    if (source->size > (size_t)LIMIT_DOCUMENT_MIB << 20)
+        return diag_add(c, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
+    TreeBuilder builder = {.c = c, .file = file};
+    if (source->size >= 3 && !memcmp(source->text, "\xEF\xBB\xBF", 3))
+        builder.start = 3;
+    if (!check_utf8(&builder, source))
+        return NULL;
+    Tree *tree = is_json_name(source->name) ? read_json(&builder) : read_yaml(&builder);
+    build_done(&builder);
+    if (tree && builder.zero.end)
+        diag_add(c, builder.zero, DIAG_zero_byte);
+    return tree;
+}

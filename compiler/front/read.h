@@ -1,0 +1,9 @@
+/* The readers: Text -> Tree. Each gets a text that is UTF-8, from b->start on; NULL: see the diagnostics. */
+#ifndef MATC_READ_H
+#define MATC_READ_H
+#include "compiler/front/tree_build.h"
+
+Tree *read_yaml(TreeBuilder *b);
+/* Strict JSON, RFC 8259. */
+Tree *read_json(TreeBuilder *b);
+#endif

@@ -1,0 +1,432 @@
+/* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
+ * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
+#include "compiler/front/resolve.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool is_material(Kind kind) { return kind_table[kind].lowering == LOWERING_MATERIAL; }
+
+/* Names of kinds, then aliases, then presets: one list for look-up and for suggestions. */
+static int kind_name_count(void) { return KIND_COUNT + alias_count + preset_count; }
+
+static const char *kind_name(int i, Kind *kind)
+{
+    if (i < KIND_COUNT) {
+        *kind = (Kind)i;
+        return kind_table[i].name;
+    }
+    i -= KIND_COUNT;
+    *kind = i < alias_count ? alias_table[i].kind : preset_table[i - alias_count].kind;
+    return i < alias_count ? alias_table[i].alias : preset_table[i - alias_count].name;
+}
+
+static const char *name_of_group(const void *material, int i)
+{
+    Kind kind;
+    const char *name = kind_name(i, &kind);
+    return is_material(kind) == *(const bool *)material ? name : NULL;
+}
+
+/* The kind a name stands for; *preset is the name if it is one. */
+static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, const char **preset)
+{
+    *preset = NULL;
+    if (name->kind != TREE_scalar) {
+        diag_add(r->c, name->span, DIAG_wrong_type, material ? "`material:`" : "`map:`", "a name",
+                 tree_describe(r->c, name));
+        return false;
+    }
+    for (int i = 0; i < kind_name_count(); i++) {
+        if (strcmp(kind_name(i, kind), name->text) != 0)
+            continue;
+        if (i >= KIND_COUNT + alias_count)
+            *preset = name->text;
+        if (is_material(*kind) == material)
+            return true;
+        diag_add(r->c, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
+        return false;
+    }
+    const char *near = suggest(r->c, name->text, name_of_group, &material, kind_name_count());
+    diag_add(r->c, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
+    return false;
+}
+
+Value default_value(Resolver *r, const ParamRow *row)
+{
+    static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
+    Value value = {.kind = VALUE_none};
+    if (!row->lanes)
+        return value;
+    value.kind = VALUE_number;
+    value.type = type_of_lanes[row->lanes];
+    memcpy(value.number, row->init, sizeof row->init);
+    if (row->type != PARAM_Map)
+        return value;
+    Value *constant = ARENA_NEW(r->c->arena, Value);
+    *constant = value;
+    Node *node = ARENA_NEW(r->c->arena, Node);
+    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant};
+    return (Value){.kind = VALUE_node, .node = node};
+}
+
+static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
+
+static void put_number(Text *out, const ParamRow *row, double value)
+{
+    if (row->type == PARAM_Int)
+        text_int(out, (long)value);
+    else
+        text_double(out, value);
+}
+
+static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
+{
+    const double *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    for (int i = 0; i < type_table[value->type].lanes; i++) {
+        if (lanes[i] >= row->low && lanes[i] <= row->high)
+            continue;
+        Text is = text_new(r->c->arena), low = text_new(r->c->arena), high = text_new(r->c->arena);
+        put_number(&is, row, lanes[i]);
+        put_number(&low, row, row->low);
+        put_number(&high, row, row->high);
+        diag_add(r->c, tree->span, DIAG_out_of_range, row->name, is.at, low.at, high.at);
+        return false;
+    }
+    return true;
+}
+
+static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
+{
+    const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* an int of GLSL */
+        return true;
+    diag_add(r->c, tree->span, DIAG_not_whole, row->name, tree_describe(r->c, tree));
+    return false;
+}
+
+static bool resolve_bool(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
+{
+    bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");
+    if (!yes && !(tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "false"))) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, row->name, "true or false", tree_describe(r->c, tree));
+        return false;
+    }
+    *value = (Value){.kind = VALUE_number, .type = TYPE_bool, .number = {yes}};
+    return true;
+}
+
+static const char *item_key(const void *user, int i)
+{
+    (void)user;
+    return i ? "input" : "value";
+}
+
+/* item: { value: number, input: map } */
+static bool resolve_item(Resolver *r, Tree *tree, Item *item)
+{
+    *item = (Item){.span = tree->span};
+    item->value = (Value){.kind = VALUE_number, .type = TYPE_float};
+    if (tree->kind != TREE_object) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, "an item", "`{ value: number, input: map }`",
+                 tree_describe(r->c, tree));
+        return false;
+    }
+    bool fine = true, fault = false;
+    for (uint32_t i = 0; i < tree->count; i++) {
+        const Member *member = &tree->members[i];
+        if (!strcmp(member->key, "value")) {
+            fine &= resolve_number(r, "value", member->value, 1, 1, &item->value);
+        } else if (!strcmp(member->key, "input")) {
+            item->input = resolve_map(r, member->value, &fault);
+        } else {
+            diag_add(r->c, member->span, DIAG_item_keys, member->key, suggest(r->c, member->key, item_key, NULL, 2));
+            fine = false;
+        }
+    }
+    return fine && !fault;
+}
+
+static bool resolve_items(Resolver *r, Tree *tree, Value *value)
+{
+    if (tree->kind != TREE_list) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->c, tree));
+        return false;
+    }
+    if (tree->made == MADE_items) {
+        *value = (Value){.kind = VALUE_items, .items = tree->items_made};
+        return true;
+    }
+    Item *item = ARENA_ARRAY(r->c->arena, Item, tree->count);
+    Items *items = ARENA_NEW(r->c->arena, Items);
+    *items = (Items){(int)tree->count, item};
+    bool fine = true;
+    const Item *descends = NULL;
+    for (uint32_t i = 0; i < tree->count; i++) {
+        fine &= resolve_item(r, tree->items[i], &item[i]);
+        if (fine && i && item[i].value.kind == VALUE_number && item[i - 1].value.kind == VALUE_number)
+            if (!descends && item[i].value.number[0] < item[i - 1].value.number[0])
+                descends = &item[i];
+    }
+    if (descends)
+        diag_add(r->c, descends->span, DIAG_unordered_items);
+    *value = (Value){.kind = VALUE_items, .items = items};
+    if (fine) {
+        tree->items_made = items;
+        tree->made = MADE_items;
+    }
+    return fine;
+}
+
+static bool resolve_image(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
+{
+    if (tree->kind != TREE_scalar) {
+        diag_add(r->c, tree->span, DIAG_wrong_type, row->name, "the name of a PNG file", tree_describe(r->c, tree));
+        return false;
+    }
+    *value = (Value){.kind = VALUE_image, .image = image_load(r, tree->text, tree->span)};
+    return value->image != NULL;
+}
+
+static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
+{
+    bool fault = false;
+    const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
+    *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
+    return !fault;
+}
+
+static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
+{
+    bool vector = row->type == PARAM_Vec3, constant = row->kind == KIND_Constant;
+    if (!resolve_number(r, row->name, tree, vector ? 3 : 1, vector ? 3 : constant ? 4 : 1, value))
+        return false;
+    return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && in_range(r, row, tree, value);
+}
+
+/* `diffuse: #ff0000` gives nothing, and a comment. */
+static void warn_of_comment(Resolver *r, const Tree *tree)
+{
+    const Source *source = &r->c->sources[tree->span.file];
+    if (tree->count || tree->span.start >= source->size)
+        return;
+    const char *at = source->text + tree->span.start;
+    at += strspn(at, " ");
+    uint32_t start = (uint32_t)(at - source->text);
+    if (*at == '#')
+        diag_add(r->c, (Span){start, start + 1 + (uint32_t)strspn(at + 1, "0123456789abcdefABCDEF"), tree->span.file},
+                 DIAG_unquoted_color);
+}
+
+bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
+{
+    bool fine = true;
+    if (tree_is_null(tree)) { /* null is as good as not written */
+        warn_of_comment(r, tree);
+        *value = row->type == PARAM_Map && !row->lanes ? (Value){0} : default_value(r, row);
+        return true;
+    }
+    switch (row->type) {
+    case PARAM_Map:
+    case PARAM_Material:
+        fine = resolve_node_param(r, row, tree, value);
+        break;
+    case PARAM_Float:
+    case PARAM_Int:
+    case PARAM_Vec3:
+        fine = resolve_numeric(r, row, tree, value);
+        break;
+    case PARAM_Bool:
+        fine = resolve_bool(r, row, tree, value);
+        break;
+    case PARAM_Image:
+        fine = resolve_image(r, row, tree, value);
+        break;
+    case PARAM_Items:
+        fine = resolve_items(r, tree, value);
+        break;
+    case PARAM_Wave:
+        value->kind = VALUE_wave;
+        fine = resolve_wave(r, tree, &value->wave);
+        break;
+    case PARAM_Transform: {
+        Transform *transform = ARENA_NEW(r->c->arena, Transform);
+        *value = (Value){.kind = VALUE_transform, .transform = transform};
+        fine = resolve_transform(r, tree, transform);
+        break;
+    }
+    }
+    value->given = true;
+    value->span = tree->span;
+    return fine;
+}
+
+bool is_document_key(const char *key) { return !strcmp(key, "defs") || !strcmp(key, "include"); }
+
+static void set_presets(const char *preset, Kind kind, Value *params)
+{
+    for (int i = 0; preset && i < preset_count; i++)
+        if (!strcmp(preset_table[i].name, preset))
+            params[preset_table[i].param - kind_table[kind].first].number[0] = preset_table[i].init;
+}
+
+static bool resolve_member(Resolver *r, const Member *member, Kind kind, const char *name, Value *params)
+{
+    const KindRow *row = &kind_table[kind];
+    for (int i = 0; i < row->count; i++)
+        if (!strcmp(param_table[row->first + i].name, member->key))
+            return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
+    const char *near = suggest(r->c, member->key, param_name, row, row->count);
+    diag_add(r->c, member->span, DIAG_unknown_key, name, member->key, near);
+    return false;
+}
+
+static void below(Node *node, const Node *child)
+{
+    if (!child)
+        return;
+    if (child->depth >= node->depth)
+        node->depth = child->depth + 1;
+    if (child->filters > node->filters)
+        node->filters = child->filters;
+}
+
+/* Measures what hangs below a node, and bounds it. */
+static bool measure(Resolver *r, Node *node)
+{
+    for (int i = 0; i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (value->kind == VALUE_node)
+            below(node, value->node);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            below(node, value->items->item[k].input);
+    }
+    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
+    if (node->depth > LIMIT_GRAPH_DEPTH)
+        diag_add(r->c, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
+    else if (node->filters > LIMIT_FILTERS)
+        diag_add(r->c, node->span, DIAG_too_many_filters, LIMIT_FILTERS);
+    else
+        return true;
+    return false;
+}
+
+/* { map: Kind, param: value, ... }, and the same with material: */
+static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
+{
+    const char *key = material ? "material" : "map", *preset;
+    const Member *name = tree_find(tree, key);
+    Kind kind;
+    if (!name) {
+        const char *hint =
+            tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
+        return diag_add(r->c, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
+    }
+    if (!find_kind(r, name->value, material, &kind, &preset))
+        return NULL;
+    const KindRow *row = &kind_table[kind];
+    Value *params = ARENA_ARRAY(r->c->arena, Value, row->count);
+    bool fine = true;
+    for (int i = 0; i < row->count; i++)
+        if (!tree_find(tree, param_table[row->first + i].name))
+            params[i] = default_value(r, &param_table[row->first + i]);
+    set_presets(preset, kind, params);
+    for (uint32_t i = 0; i < tree->count; i++) {
+        const Member *member = &tree->members[i];
+        if (strcmp(member->key, key) != 0 && !(outermost && is_document_key(member->key)))
+            fine &= resolve_member(r, member, kind, name->value->text, params);
+    }
+    Node *node = ARENA_NEW(r->c->arena, Node);
+    *node = (Node){kind, r->node_count++, name->value->span, params, 0, 0};
+    return fine && measure(r, node) ? node : NULL;
+}
+
+typedef struct {
+    const Resolver *resolver;
+    size_t def;
+} DefNames;
+
+static const char *def_name(const void *user, int i)
+{
+    const DefNames *names = user;
+    return names->resolver->defs[names->def]->members[i].key;
+}
+
+/* { ref: name } */
+static const Member *find_def(Resolver *r, Tree *tree)
+{
+    const Tree *name = tree_find(tree, "ref")->value;
+    if (tree->count > 1)
+        return diag_add(r->c, tree->members[&tree->members[0] == tree_find(tree, "ref")].span, DIAG_ref_keys,
+                        tree->members[&tree->members[0] == tree_find(tree, "ref")].key);
+    if (name->kind != TREE_scalar)
+        return diag_add(r->c, name->span, DIAG_wrong_type, "ref", "a name", tree_describe(r->c, name));
+    const char *near = "";
+    for (size_t i = 0; i < r->def_count; i++) {
+        const Member *member = tree_find(r->defs[i], name->text);
+        if (member)
+            return member;
+        DefNames names = {r, i};
+        if (!*near)
+            near = suggest(r->c, name->text, def_name, &names, (int)r->defs[i]->count);
+    }
+    return diag_add(r->c, name->span, DIAG_unknown_ref, name->text, near);
+}
+
+/* Constant node of a number, a list, a colour or a param. */
+static const Node *resolve_constant(Resolver *r, Tree *tree)
+{
+    Value *value = ARENA_NEW(r->c->arena, Value);
+    if (!resolve_number(r, "a map", tree, 1, 4, value))
+        return NULL;
+    Node *node = ARENA_NEW(r->c->arena, Node);
+    *node = (Node){KIND_Constant, r->node_count++, tree->span, value, 0, 0};
+    return node;
+}
+
+static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool outermost)
+{
+    if (tree->kind == TREE_object && tree_find(tree, "ref")) {
+        const Member *def = find_def(r, tree);
+        bool fault = false;
+        if (!def)
+            return NULL;
+        if (def->value->open)
+            return diag_add(r->c, tree->span, DIAG_cycle, def->key);
+        return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
+    }
+    if (material && tree->kind != TREE_object)
+        return diag_add(r->c, tree->span, DIAG_missing_material_kind, "");
+    if (tree->kind != TREE_object || (!material && tree_find(tree, "param")))
+        return resolve_constant(r, tree);
+    return resolve_node(r, tree, material, outermost);
+}
+
+const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault)
+{
+    if (tree_is_null(tree))
+        return NULL;
+    if (tree->made == MADE_node && is_material(tree->node->kind) == material)
+        return tree->node;
+    const Node *node = NULL;
+    if (r->depth >= LIMIT_DEPTH)
+        diag_add(r->c, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+    else if (!tree->failed) {
+        r->depth++;
+        tree->open = true;
+        node = resolve_new(r, tree, material, outermost);
+        tree->open = false;
+        r->depth--;
+    }
+    if (node) {
+        tree->node = node;
+        tree->made = MADE_node;
+    }
+    tree->failed = !node;
+    *fault |= !node;
+    return node;
+}
+
+const Node *resolve_map(Resolver *r, Tree *tree, bool *fault) { return resolve_any(r, tree, false, false, fault); }
+const Node *resolve_material(Resolver *r, Tree *tree, bool *fault) { return resolve_any(r, tree, true, false, fault); }

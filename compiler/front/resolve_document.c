@@ -1,0 +1,170 @@
+/* The outermost level of a document: its materials, its definitions, the files it includes. */
+#include "compiler/front/resolve.h"
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool is_name(const char *name)
+{
+    size_t size = strlen(name);
+    if (!isalpha((unsigned char)name[0]) || size > LIMIT_NAME)
+        return false;
+    for (; *name; name++)
+        if (!isalnum((unsigned char)*name) && !strchr("_-.", *name))
+            return false;
+    return true;
+}
+
+/* "dir/rock.yaml" -> "rock" */
+static const char *stem(Compile *c, const char *path)
+{
+    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
+    return arena_string(c->arena, start, dot && dot != start ? (size_t)(dot - start) : strlen(start));
+}
+
+static bool read_defs(Resolver *r, Tree *document, int depth);
+
+static bool read_include(Resolver *r, const Tree *name, int depth)
+{
+    Compile *c = r->c;
+    if (name->kind != TREE_scalar) {
+        diag_add(c, name->span, DIAG_wrong_type, "include", "a file name or a list of them", tree_describe(c, name));
+        return false;
+    }
+    if (depth >= LIMIT_INCLUDE_DEPTH) {
+        diag_add(c, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
+        return false;
+    }
+    const char *path = path_beside(c, c->sources[name->span.file].name, name->text), *why = "";
+    for (size_t i = 0; i < c->source_count; i++)
+        if (!strcmp(c->sources[i].name, path))
+            return true; /* read already */
+    if (c->depends.count > LIMIT_INCLUDES) {
+        diag_add(c, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
+        return false;
+    }
+    Source source = {.name = path};
+    depend_on(c, path);
+    char *text = read_file(c, path, &source.size, &why);
+    if (!text) {
+        diag_add(c, name->span, DIAG_cannot_read, name->text, why);
+        return false;
+    }
+    source.text = arena_string(c->arena, text, source.size);
+    free(text);
+    ARENA_PUSH(c->arena, c->sources, c->source_count, c->source_room, source);
+    Tree *tree = read_document(c, (uint32_t)c->source_count - 1);
+    if (tree && tree->kind != TREE_object) {
+        diag_add(c, tree->span, DIAG_include_not_object);
+        return false;
+    }
+    return tree && read_defs(r, tree, depth + 1);
+}
+
+/* Collects `defs:` of the document and, after them, of the files it includes. */
+static bool read_defs(Resolver *r, Tree *document, int depth)
+{
+    const Member *defs = tree_find(document, "defs"), *include = tree_find(document, "include");
+    bool fine = true;
+    if (defs && !tree_is_null(defs->value)) {
+        if (defs->value->kind != TREE_object) {
+            diag_add(r->c, defs->value->span, DIAG_wrong_type, "defs", "an object", tree_describe(r->c, defs->value));
+            return false;
+        }
+        ARENA_PUSH(r->c->arena, r->defs, r->def_count, r->def_room, defs->value);
+    }
+    if (include && tree_is_null(include->value))
+        return fine;
+    if (include && include->value->kind == TREE_list)
+        for (uint32_t i = 0; i < include->value->count; i++)
+            fine &= read_include(r, include->value->items[i], depth);
+    else if (include)
+        fine = read_include(r, include->value, depth);
+    return fine;
+}
+
+/* materials: { name: material, ... } */
+static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials)
+{
+    bool fine = true;
+    for (uint32_t i = 0; i < list->count; i++) {
+        const Member *member = &list->members[i];
+        bool fault = false;
+        if (!is_name(member->key)) {
+            diag_add(r->c, member->span, DIAG_bad_name, member->key, LIMIT_NAME);
+            fine = false;
+        }
+        materials[i] = (NamedMaterial){member->key, resolve_material(r, member->value, &fault)};
+        if (!materials[i].node && !fault)
+            diag_add(r->c, member->span, DIAG_missing_material_kind, "");
+        fine &= materials[i].node != NULL;
+    }
+    return fine;
+}
+
+static const char *top_key(const void *user, int i)
+{
+    (void)user;
+    static const char *const keys[] = {"material", "materials", "defs", "include"};
+    return keys[i];
+}
+
+static bool check_top(Resolver *r, const Tree *document, bool many)
+{
+    bool fine = true;
+    for (uint32_t i = 0; many && i < document->count; i++) {
+        const Member *member = &document->members[i];
+        if (is_document_key(member->key) || !strcmp(member->key, "materials"))
+            continue;
+        bool both = !strcmp(member->key, "material");
+        const char *near = suggest(r->c, member->key, top_key, NULL, 4);
+        diag_add(r->c, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
+        fine = false;
+    }
+    return fine;
+}
+
+/* Definitions that nothing refers to are checked too: a fault in them is a fault. */
+static void check_defs(Resolver *r)
+{
+    for (size_t i = 0; i < r->def_count; i++)
+        for (uint32_t k = 0; k < r->defs[i]->count; k++) {
+            Tree *tree = r->defs[i]->members[k].value;
+            bool fault = false;
+            if (tree->made != MADE_node && !tree->failed)
+                resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
+        }
+}
+
+Graph *resolve(Compile *c, Tree *document)
+{
+    Resolver r = {.c = c};
+    if (document->kind != TREE_object)
+        return diag_add(c, document->span, DIAG_document_not_object);
+    const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
+    if (!many && !one)
+        return diag_add(c, document->span, DIAG_no_material);
+    bool fine = check_top(&r, document, many), fault = false;
+    fine &= read_defs(&r, document, 0);
+    if (many && many->value->kind != TREE_object)
+        return diag_add(c, many->value->span, DIAG_wrong_type, "materials", "an object", tree_describe(c, many->value));
+    if (many && !many->value->count)
+        return diag_add(c, many->value->span, DIAG_no_materials);
+    Graph *graph = ARENA_NEW(c->arena, Graph);
+    graph->material_count = many ? (int)many->value->count : 1;
+    NamedMaterial *materials = ARENA_ARRAY(c->arena, NamedMaterial, graph->material_count);
+    graph->materials = materials;
+    if (many)
+        fine &= resolve_list(&r, many->value, materials);
+    else
+        materials[0] = (NamedMaterial){stem(c, c->sources[document->span.file].name),
+                                       resolve_any(&r, document, true, true, &fault)};
+    check_defs(&r);
+    graph->node_count = r.node_count;
+    graph->uniforms = r.uniforms;
+    graph->uniform_count = (int)r.uniform_count;
+    graph->uniform_names = r.uniform_names;
+    graph->images = r.images;
+    graph->image_count = (int)r.image_count;
+    return fine && !fault && !c->diags.errors ? graph : NULL;
+}

@@ -1,0 +1,260 @@
+/* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in places, laid out. */
+#include "compiler/ir/constants.h"
+#include "compiler/emit/emit_declare.h"
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { FIRST_TABLE = 64 };
+
+static uint32_t hash_pointer(const void *pointer) { return (uint32_t)((uintptr_t)pointer * 0x9E3779B97F4A7C15u >> 32); }
+
+static void fill(Ir *ir)
+{
+    for (size_t i = 0; i < ir->constant_count; i++) {
+        uint32_t at = hash_pointer(ir->constants[i].source) & ir->constant_mask;
+        while (ir->constant_table[at])
+            at = (at + 1) & ir->constant_mask;
+        ir->constant_table[at] = (uint32_t)i + 1;
+    }
+}
+
+static uint32_t find(Ir *ir, const Value *source)
+{
+    if (2 * ir->constant_count >= ir->constant_mask) {
+        ir->constant_mask = ir->constant_table ? 2 * ir->constant_mask + 1 : FIRST_TABLE - 1;
+        ir->constant_table = ARENA_ARRAY(ir->arena, uint32_t, ir->constant_mask + 1);
+        fill(ir);
+    }
+    uint32_t at = hash_pointer(source) & ir->constant_mask;
+    while (ir->constant_table[at] && ir->constants[ir->constant_table[at] - 1].source != source)
+        at = (at + 1) & ir->constant_mask;
+    return at;
+}
+
+static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source, uint8_t hint)
+{
+    IrConstant constant = {.type = type, .hint = hint, .source = source, .member = -1};
+    memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].lanes);
+    ARENA_PUSH(ir->arena, ir->constants, ir->constant_count, ir->constant_room, constant);
+    return (uint32_t)ir->constant_count - 1;
+}
+
+Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
+{
+    uint32_t at = source ? find(ir, source) : 0;
+    if (source && ir->constant_table[at])
+        return ir_make(ir, OP_constant, type, ir->constant_table[at] - 1, NULL, 0);
+    uint32_t index = add_constant(ir, type, numbers, source, ir->hint);
+    if (source)
+        ir->constant_table[at] = index + 1;
+    return ir_make(ir, OP_constant, type, index, NULL, 0);
+}
+
+bool constant_storable(Type type)
+{
+    return (type >= TYPE_float && type <= TYPE_vec4) || type == TYPE_uint || type == TYPE_uvec4;
+}
+
+/* The value of every node that is computed from numbers alone, as a constant; 0 of others. */
+static Ref *known_values(Ir *ir, uint8_t *from_buffer)
+{
+    Ref count = (Ref)ir->count, *known = ARENA_ARRAY(&ir->scratch, Ref, count), args[UINT8_MAX];
+    for (Ref ref = 1; ref < count; ref++) {
+        const IrNode node = *ir_at(ir, ref);
+        double numbers[4];
+        bool all = node.count > 0;
+        for (int i = 0; i < node.count; i++) {
+            args[i] = known[ir_arg(ir, ref, i)];
+            all &= args[i] != 0;
+            from_buffer[ref] |= from_buffer[ir_arg(ir, ref, i)];
+        }
+        if (node.op == OP_const)
+            known[ref] = ref;
+        else if (node.op == OP_constant)
+            known[ref] = ir_const(ir, (Type)node.type, ir->constants[node.payload].numbers);
+        else if (all && from_buffer[ref] &&
+                 fold_node(ir, (Op)node.op, (Type)node.type, node.payload, args, node.count, numbers))
+            known[ref] = ir_const(ir, (Type)node.type, numbers);
+        from_buffer[ref] |= node.op == OP_constant;
+    }
+    return known;
+}
+
+/* In the place of a node that is computed from numbers alone. */
+static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
+{
+    IrNode *node = &ir->nodes[ref];
+    uint8_t hint = node->hint;
+    double numbers[4];
+    memcpy(numbers, ir_numbers(ir, known), sizeof(double) * (size_t)ir_lanes(ir, known));
+    *node = *ir_at(ir, known);
+    node->hint = hint;
+    if (!room)
+        return;
+    node->op = OP_constant;
+    node->payload = add_constant(ir, (Type)node->type, numbers, NULL, hint);
+}
+
+void constants_hoist(Ir *ir)
+{
+    Ref count = (Ref)ir->count;
+    int made = 0;
+    if (!ir->constant_count)
+        return;
+    uint8_t *from_buffer = ARENA_ARRAY(&ir->scratch, uint8_t, count),
+            *needed = ARENA_ARRAY(&ir->scratch, uint8_t, count);
+    const Ref *known = known_values(ir, from_buffer);
+    for (int i = 0; i < ir->output_count; i++)
+        needed[ir->outputs[i].value] = 1;
+    for (Ref ref = count - 1; ref > 0; ref--) {
+        const IrNode *node = ir_at(ir, ref);
+        if (!needed[ref])
+            continue;
+        if (known[ref] && from_buffer[ref] && constant_storable((Type)node->type)) {
+            become_constant(ir, ref, known[ref], made++ < MOST_CONSTANTS);
+            continue;
+        }
+        if (ir_applies(ir, ref))
+            needed[ir->functions[node->payload].result] = 1;
+        for (int i = 0; i < node->count; i++)
+            needed[ir_arg(ir, ref, i)] = 1;
+    }
+    arena_reset(&ir->scratch);
+}
+
+/* Every node moves up by the number of members, which come first: they are operands of any. */
+static void make_room(Ir *ir, int count)
+{
+    const IrNode none = {0};
+    for (int i = 0; i < count; i++)
+        ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->room, none);
+    memmove(ir->nodes + 1 + count, ir->nodes + 1, (ir->count - 1 - (size_t)count) * sizeof *ir->nodes);
+    memset(ir->nodes + 1, 0, (size_t)count * sizeof *ir->nodes);
+    for (size_t i = 0; i < ir->arg_count; i++)
+        ir->args[i] += (Ref)count;
+    for (size_t f = 0; f < ir->function_count; f++) {
+        ir->functions[f].result += (Ref)count;
+        Ref *moved = ARENA_ARRAY(ir->arena, Ref, ir->functions[f].count); /* functions may share a list */
+        for (int i = 0; i < ir->functions[f].count; i++)
+            moved[i] = ir->functions[f].arguments[i] + (Ref)count;
+        ir->functions[f].arguments = moved;
+    }
+    for (int i = 0; i < ir->output_count; i++)
+        ir->outputs[i].value += (Ref)count;
+}
+
+void constants_place(Ir *ir, const NumberPlace *places, const int *member, int count)
+{
+    int members = 0;
+    for (int i = 0; i < count; i++)
+        members = member[i] >= members ? member[i] + 1 : members;
+    make_room(ir, members);
+    for (int i = 0; i < count; i++) {
+        if (member[i] < 0)
+            continue;
+        Ref value = places[i].value + (Ref)members, user = places[i].user ? places[i].user + (Ref)members : 0;
+        Ref at = (Ref)member[i] + 1;
+        IrNode *leaf = &ir->nodes[at];
+        if (!leaf->op && !leaf->type) {
+            uint8_t hint = user ? ir_at(ir, user)->hint : ir_at(ir, value)->hint;
+            const double *numbers = ir_numbers(ir, value);
+            *leaf = (IrNode){.op = OP_constant, .type = ir_at(ir, value)->type, .hint = hint};
+            leaf->payload = add_constant(ir, (Type)leaf->type, numbers, NULL, hint);
+            ir->constants[leaf->payload].member = member[i];
+        }
+        if (user)
+            ir->args[ir_at(ir, user)->first + (uint32_t)places[i].operand] = at;
+        else
+            ir->outputs[places[i].operand].value = at;
+    }
+}
+
+/* "checkerConstant", "checkerConstant2" */
+static const char *new_name(Ir *ir, size_t index, int *named)
+{
+    uint8_t hint = ir->constants[index].hint;
+    Text name = text_new(ir->arena);
+    do {
+        name.size = 0;
+        text_put(&name, hint_name(hint));
+        text_put(&name, "Constant");
+        if (named[hint]++)
+            text_int(&name, named[hint]);
+    } while (names_find(&ir->graph->uniform_names, name.at) >= 0);
+    return name.at;
+}
+
+/* By falling width; a triple takes the number behind it along. */
+static void order(const IrConstant *list, size_t count, size_t *to)
+{
+    static const int widths[] = {4, 3, 2, 1};
+    size_t placed = 0, next_number = 0;
+    for (int w = 0; w < 4; w++)
+        for (size_t i = w == 3 ? next_number : 0; i < count; i++) {
+            if (type_table[list[i].type].lanes != widths[w])
+                continue;
+            to[placed++] = i;
+            while (widths[w] == 3 && next_number < count && type_table[list[next_number].type].lanes != 1)
+                next_number++;
+            if (widths[w] == 3 && next_number < count)
+                to[placed++] = next_number++;
+        }
+}
+
+/* A colour by itself says little: it is called by what it is a colour of. */
+static void take_users_hints(const Ir *ir, const uint32_t *number, IrConstant *kept)
+{
+    for (Ref ref = 1; ref < ir->count; ref++)
+        for (int i = 0; i < ir_at(ir, ref)->count; i++) {
+            const IrNode *arg = ir_at(ir, ir_arg(ir, ref, i));
+            if (arg->op == OP_constant && kept[number[arg->payload] - 1].hint == KIND_Constant)
+                kept[number[arg->payload] - 1].hint = ir_at(ir, ref)->hint;
+        }
+}
+
+void constants_finish(Compile *c, Ir *ir, const int *list, size_t count)
+{
+    int named[HINT_COUNT] = {0}, size = 0;
+    uint32_t *number = ARENA_ARRAY(c->arena, uint32_t, ir->constant_count + 1); /* from 1, in the given order */
+    IrConstant *kept = ARENA_ARRAY(c->arena, IrConstant, ir->constant_count + 1);
+    size_t *from = ARENA_ARRAY(c->arena, size_t, ir->constant_count + 1);
+    for (size_t i = 0; i < count; i++) {
+        kept[i] = ir->constants[list[i]];
+        number[list[i]] = (uint32_t)i + 1;
+    }
+    take_users_hints(ir, number, kept);
+    IrConstant *laid = ARENA_ARRAY(c->arena, IrConstant, count + 1);
+    uint32_t *moved = ARENA_ARRAY(c->arena, uint32_t, count + 1);
+    order(kept, count, from);
+    for (size_t i = 0; i < count; i++) {
+        laid[i] = kept[from[i]];
+        laid[i].offset = std140_offset(type_table[laid[i].type].name, &size);
+        moved[from[i]] = (uint32_t)i;
+    }
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_constant))
+            ir->nodes[ref].payload = moved[number[ir->nodes[ref].payload] - 1];
+    ir->constants = laid;
+    ir->constant_count = count;
+    for (size_t i = 0; i < count; i++)
+        laid[i].name = new_name(ir, i, named);
+}
+
+uint32_t constant_bits(double value, bool word)
+{
+    float number = (float)fmin(fmax(value, -FLT_MAX), FLT_MAX); /* as text_float writes it */
+    uint32_t bits;
+    if (word)
+        return (uint32_t)value;
+    memcpy(&bits, &number, sizeof bits);
+    return bits;
+}
+
+int constants_size(const Ir *ir)
+{
+    int size = 0;
+    for (size_t i = 0; i < ir->constant_count; i++)
+        std140_offset(type_table[ir->constants[i].type].name, &size);
+    return std140_size(size);
+}

@@ -1,0 +1,28 @@
+/* Values of operations on numbers. */
+#ifndef MATC_FOLD_H
+#define MATC_FOLD_H
+#include "compiler/ir/ir.h"
+
+enum { FOLD_OPERANDS = 16 };
+typedef struct {
+    Type type;
+    double numbers[4];
+} FoldArg;
+
+/* What `op` makes of its operands; false for a leaf and for an application of a function of the program. */
+bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payload, const FoldArg *args, int count,
+                double *result);
+
+/* Evaluates the outputs of an Ir at a point: the second oracle, which runs what the compiler made of a document.
+ * inputs[Input] are the point; textures those of the context. result[i] are the lanes of output i.
+ * ir_eval.c. */
+void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+             double result[MOST_OUTPUTS][4]);
+/* What becomes of every lane of every node's value: as a machine with fewer digits has it, or one that errs otherwise. */
+typedef struct {
+    double (*round)(void *user, const IrNode *node, const FoldArg *args, double value);
+    void *user;
+} IrRounding;
+void ir_eval_rounded(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
+                     const IrRounding *rounding, double result[MOST_OUTPUTS][4]);
+#endif

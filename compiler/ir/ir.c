@@ -1,0 +1,360 @@
+/* Making IR nodes: one table finds the equal node that exists already. */
+#include "compiler/ir/ir.h"
+#include <string.h>
+
+const OpRow op_table[OP_COUNT] = {
+#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
+    {#name, SHAPE_##shape, glsl, arity, RULE_##rule, cost, doc},
+#include "grammar/ops.def"
+};
+
+enum { FIRST_TABLE = 256 };
+
+Ir *ir_new(Compile *c, const Graph *graph)
+{
+    Ir *ir = ARENA_NEW(c->arena, Ir);
+    *ir = (Ir){.c = c, .arena = c->arena, .graph = graph};
+    ir->table = ARENA_ARRAY(c->arena, Ref, FIRST_TABLE);
+    ir->mask = FIRST_TABLE - 1;
+    const IrNode none = {0};
+    ARENA_PUSH(c->arena, ir->nodes, ir->count, ir->room, none); /* node 0 */
+    return ir;
+}
+
+void ir_done(Ir *ir) { arena_free(&ir->scratch); }
+
+static uint32_t mix_hash(uint32_t hash, uint32_t word)
+{
+    hash = (hash ^ word) * 0x9E3779B1u;
+    return hash ^ hash >> 15;
+}
+
+static uint32_t hash_bytes(uint32_t hash, const void *bytes, size_t size)
+{
+    for (size_t i = 0; i < size; i += 4) {
+        uint32_t word;
+        memcpy(&word, (const char *)bytes + i, 4);
+        hash = mix_hash(hash, word);
+    }
+    return hash;
+}
+
+static void fill_table(Ir *ir)
+{
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        uint32_t at = ir->nodes[ref].hash & ir->mask;
+        while (ir->table[at])
+            at = (at + 1) & ir->mask;
+        ir->table[at] = ref;
+    }
+}
+
+static void grow_table(Ir *ir)
+{
+    ir->mask = 2 * ir->mask + 1;
+    ir->table = ARENA_ARRAY(ir->arena, Ref, ir->mask + 1);
+    fill_table(ir);
+}
+
+static uint32_t hash_node(const IrNode *node, const Ref *args)
+{
+    uint32_t hash = mix_hash(mix_hash(node->op, node->type), node->payload);
+    for (int i = 0; i < node->count; i++)
+        hash = mix_hash(hash, args[i]);
+    return hash;
+}
+
+void ir_rehash(Ir *ir)
+{
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        IrNode *node = &ir->nodes[ref];
+        if (node->op != OP_const) /* a constant's hash is that of its numbers */
+            node->hash = hash_node(node, node->count ? &ir->args[node->first] : NULL);
+    }
+    memset(ir->table, 0, sizeof(Ref) * (ir->mask + 1));
+    fill_table(ir);
+}
+
+static Ref add_node(Ir *ir, const IrNode *node, uint32_t slot)
+{
+    Ref ref = (Ref)ir->count;
+    ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->room, *node);
+    ir->table[slot] = ref;
+    if (2 * ir->count > ir->mask)
+        grow_table(ir);
+    return ref;
+}
+
+static bool equal_node(const Ir *ir, const IrNode *a, const IrNode *b, const Ref *args)
+{
+    return a->hash == b->hash && a->op == b->op && a->type == b->type && a->count == b->count &&
+           a->payload == b->payload && (!b->count || !memcmp(&ir->args[a->first], args, b->count * sizeof(Ref)));
+}
+
+static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
+{
+    uint32_t at = node->hash & ir->mask;
+    for (; ir->table[at]; at = (at + 1) & ir->mask)
+        if (equal_node(ir, &ir->nodes[ir->table[at]], node, args))
+            return ir->table[at];
+    node->first = (uint32_t)ir->arg_count;
+    node->hint = ir->hint;
+    for (int i = 0; i < node->count; i++)
+        ARENA_PUSH(ir->arena, ir->args, ir->arg_count, ir->arg_room, args[i]);
+    return add_node(ir, node, at);
+}
+
+Ref ir_const(Ir *ir, Type type, const double *numbers)
+{
+    size_t lanes = (size_t)type_table[type].lanes;
+    double own[4];
+    for (size_t i = 0; i < lanes; i++)
+        own[i] = numbers[i];
+    IrNode node = {.op = OP_const, .type = (uint8_t)type};
+    node.hash = hash_bytes(mix_hash(OP_const, type), own, lanes * sizeof *own);
+    uint32_t at = node.hash & ir->mask;
+    for (; ir->table[at]; at = (at + 1) & ir->mask) {
+        const IrNode *other = &ir->nodes[ir->table[at]];
+        if (other->op == OP_const && other->type == type &&
+            !memcmp(&ir->numbers[other->payload], own, lanes * sizeof *own))
+            return ir->table[at];
+    }
+    node.payload = (uint32_t)ir->number_count;
+    node.hint = ir->hint;
+    for (size_t i = 0; i < lanes; i++)
+        ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, own[i]);
+    return add_node(ir, &node, at);
+}
+
+static Type widest(const Ir *ir, const Ref *args, int count)
+{
+    Type type = ir_type(ir, args[0]);
+    for (int i = 1; i < count; i++)
+        if (ir_lanes(ir, args[i]) > type_table[type].lanes)
+            type = ir_type(ir, args[i]);
+    return type;
+}
+
+static Type type_by_rule(const Ir *ir, Op op, Type given, const Ref *args, int count)
+{
+    switch (op_table[op].rule) {
+    case RULE_widest:
+        return widest(ir, args, count);
+    case RULE_boolean:
+        return TYPE_bool;
+    case RULE_scalar:
+        return TYPE_float;
+    case RULE_first:
+        return ir_type(ir, args[0]);
+    default:
+        return given;
+    }
+}
+
+Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count)
+{
+    type = type_by_rule(ir, op, type, args, count);
+    IrNode node = {.op = (uint8_t)op, .type = (uint8_t)type, .count = (uint8_t)count, .payload = payload};
+    node.hash = hash_node(&node, args);
+    Ref ref = find_or_add(ir, &node, args);
+    return ir->simplify && count ? ir->simplify(ir, ref) : ref;
+}
+
+bool ir_is_number(const Ir *ir, Ref ref, double value)
+{
+    if (!ir_is(ir, ref, OP_const))
+        return false;
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if (!(ir_numbers(ir, ref)[i] == value))
+            return false;
+    return true;
+}
+
+Ref ir_float(Ir *ir, double value) { return ir_const(ir, TYPE_float, &value); }
+Ref ir_int(Ir *ir, double value) { return ir_const(ir, TYPE_int, &value); }
+Ref ir_vec3(Ir *ir, double x, double y, double z) { return ir_const(ir, TYPE_vec3, (double[]){x, y, z}); }
+Ref ir_input(Ir *ir, Input input) { return ir_make(ir, OP_input, input_table[input].type, input, NULL, 0); }
+Ref ir_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, op, 0, 0, &a, 1); }
+Ref ir_select_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_select, ir_type(ir, x[1]), 0, x, 3); }
+
+static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+
+Ref ir_swizzle_lanes(Ir *ir, Ref a, uint32_t lanes, int count)
+{
+    if (ir_lanes(ir, a) == 1)
+        return count == 1 ? a : ir_convert(ir, a, type_of_lanes[count]);
+    return ir_make(ir, OP_swizzle, type_of_lanes[count], lanes, &a, 1);
+}
+
+Ref ir_swizzle(Ir *ir, Ref a, const char *letters)
+{
+    uint32_t lanes = 0;
+    int count = (int)strlen(letters);
+    for (int i = 0; i < count; i++)
+        lanes |= (letters[i] == 'w' ? 3u : (uint32_t)(letters[i] - 'x')) << 2 * i;
+    return ir_swizzle_lanes(ir, a, lanes, count);
+}
+
+Ref ir_vec(Ir *ir, Type type, const Ref *parts, int count) { return ir_make(ir, OP_vec, type, 0, parts, count); }
+
+Ref ir_call(Ir *ir, int function, const Ref *args, int count)
+{
+    return ir_make(ir, OP_call, function_row(function)->result, (uint32_t)function, args, count);
+}
+
+Ref ir_apply(Ir *ir, int function, const Ref *args)
+{
+    const IrFunction *f = &ir->functions[function];
+    return ir_make(ir, OP_apply, ir_type(ir, f->result), (uint32_t)function, args, f->count);
+}
+
+Ref ir_kernel(Ir *ir, int function, const Ref *args, Ref size)
+{
+    const IrFunction *f = &ir->functions[function];
+    Ref all[8];
+    for (int i = 0; i < f->count; i++)
+        all[i] = args[i];
+    all[f->count] = size;
+    return ir_make(ir, OP_kernel, ir_type(ir, f->result), (uint32_t)function, all, f->count + 1);
+}
+
+/* Narrowing to a float takes the mean, to a vector the first lanes; widening fills as the table says. */
+Ref ir_convert(Ir *ir, Ref a, Type type)
+{
+    Type from = ir_type(ir, a);
+    int lanes = type_table[type].lanes;
+    if (from == type)
+        return a;
+    Ref zero = 0, one = 0;
+    if (lanes > type_table[from].lanes) {
+        zero = ir_float(ir, 0);
+        one = ir_float(ir, 1);
+    }
+    if (type == TYPE_float) {
+        double share = 1.0 / type_table[from].lanes;
+        return ir_binary(ir, OP_dot, a, ir_const(ir, from, (double[]){share, share, share, share}));
+    }
+    if (lanes < type_table[from].lanes)
+        return ir_swizzle(ir, a, lanes == 2 ? "xy" : "xyz");
+    switch (from) {
+    case TYPE_vec2:
+        return type == TYPE_vec3 ? ir_vec(ir, type, (Ref[]){a, zero}, 2) : ir_vec(ir, type, (Ref[]){a, zero, one}, 3);
+    case TYPE_vec3:
+        return ir_vec(ir, type, (Ref[]){a, one}, 2);
+    default:
+        return type == TYPE_vec2   ? ir_vec(ir, type, (Ref[]){a, a}, 2)
+               : type == TYPE_vec3 ? ir_vec(ir, type, (Ref[]){a, a, a}, 3)
+                                   : ir_vec(ir, type, (Ref[]){a, a, a, one}, 4);
+    }
+}
+
+void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments)
+{
+    enum { SET_SHIFT = 8 };
+    for (int i = 0; i < count; i++)
+        arguments[i] = ir_make(ir, OP_argument, types[i], (uint32_t)set << SET_SHIFT | (uint32_t)i, NULL, 0);
+}
+
+static int *function_of(Ir *ir, Ref result)
+{
+    if (result >= ir->function_of_room) {
+        size_t more = 2 * (size_t)result + 64;
+        int *grown = ARENA_ARRAY(ir->arena, int, more);
+        if (ir->function_of_room)
+            memcpy(grown, ir->function_of, ir->function_of_room * sizeof *grown);
+        ir->function_of = grown;
+        ir->function_of_room = more;
+    }
+    return &ir->function_of[result];
+}
+
+int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
+{
+    int *last = function_of(ir, result);
+    for (int f = *last; f; f = ir->functions[f - 1].next)
+        if (ir->functions[f - 1].count == count &&
+            !memcmp(ir->functions[f - 1].arguments, arguments, (size_t)count * sizeof *arguments))
+            return f - 1;
+    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint, *last};
+    for (int i = 0; i < count; i++)
+        function.arguments[i] = arguments[i];
+    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    *last = (int)ir->function_count;
+    return *last - 1;
+}
+
+void ir_output(Ir *ir, OutputKind kind, int index, Ref value)
+{
+    ir->outputs[ir->output_count++] = (IrOutput){kind, index, value};
+}
+
+uint8_t *ir_live(const Ir *ir, Arena *arena)
+{
+    uint8_t *live = ARENA_ARRAY(arena, uint8_t, ir->count);
+    for (int i = 0; i < ir->output_count; i++)
+        live[ir->outputs[i].value] = 1;
+    /* users come after operands, and a function's result before its calls: one sweep down suffices */
+    for (Ref ref = (Ref)ir->count - 1; ref > 0; ref--) {
+        const IrNode *node = &ir->nodes[ref];
+        if (!live[ref])
+            continue;
+        for (int i = 0; i < node->count; i++)
+            live[ir->args[node->first + (uint32_t)i]] = 1;
+        if (ir_applies(ir, ref) && node->payload < ir->function_count) /* ir_check asks before it knows */
+            live[ir->functions[node->payload].result] = 1;
+    }
+    live[0] = 0;
+    return live;
+}
+
+int ir_cost(const Ir *ir, Ref ref)
+{
+    const IrNode *node = &ir->nodes[ref];
+    if (node->op == OP_call)
+        return function_row((int)node->payload)->cost;
+    if (node->op == OP_dot || node->op == OP_length)
+        return op_table[node->op].cost * (2 * ir_lanes(ir, ir->args[node->first]) - 1);
+    int lanes = type_table[node->type].lanes;
+    return op_table[node->op].cost * lanes;
+}
+
+/* What the function that a node runs costs, by the costs of single runs. */
+static double applied_cost(const Ir *ir, Ref ref, const double *cost)
+{
+    if (!ir_applies(ir, ref))
+        return 0;
+    return cost[ir_at(ir, ref)->payload] * (ir_is(ir, ref, OP_kernel) ? KERNEL_POINTS : 1);
+}
+
+/* Cost of one run of each function, calls within included; functions come before their callers. */
+static void function_costs(const Ir *ir, Arena *arena, double *cost)
+{
+    IrReach reach = ir_reach_new(ir, arena);
+    for (size_t f = 0; f < ir->function_count; f++) {
+        ir_reach(ir, &ir->functions[f].result, 1, &reach);
+        cost[f] = 0;
+        for (size_t i = 0; i < reach.count; i++)
+            cost[f] += ir_cost(ir, reach.at[i]) + applied_cost(ir, reach.at[i], cost);
+    }
+}
+
+void ir_measure(const Ir *ir, int *nodes, int *cost)
+{
+    Arena scratch = {0};
+    double *function_cost = ARENA_ARRAY(&scratch, double, ir->function_count + 1), total = 0;
+    function_costs(ir, &scratch, function_cost);
+    uint8_t *main_live = ARENA_ARRAY(&scratch, uint8_t, ir->count), *live = ir_live(ir, &scratch);
+    for (int i = 0; i < ir->output_count; i++)
+        main_live[ir->outputs[i].value] = 1;
+    *nodes = 0;
+    for (Ref ref = (Ref)ir->count - 1; ref > 0; ref--) {
+        *nodes += live[ref];
+        if (!main_live[ref])
+            continue;
+        total += ir_cost(ir, ref) + applied_cost(ir, ref, function_cost);
+        for (int i = 0; i < ir_at(ir, ref)->count; i++)
+            main_live[ir_arg(ir, ref, i)] = 1;
+    }
+    *cost = total > INT32_MAX ? INT32_MAX : (int)total;
+    arena_free(&scratch);
+}

@@ -1,0 +1,238 @@
+/* The IR: a typed DAG. Equal nodes are one node (hash-consing), so a common subexpression never exists twice.
+ * Operands come before their users: node numbers are a topological order, and a sweep over them meets operands first. */
+#ifndef MATC_IR_H
+#define MATC_IR_H
+#include "compiler/base/compile.h"
+#include "runtime/library/reference.h"
+
+typedef enum {
+#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc) OP_##name,
+#include "grammar/ops.def"
+    OP_COUNT
+} Op;
+typedef enum { SHAPE_special, SHAPE_infix, SHAPE_prefix, SHAPE_call } Shape;
+typedef enum { RULE_given, RULE_widest, RULE_boolean, RULE_scalar, RULE_first } TypeRule;
+typedef struct {
+    const char *name;
+    Shape shape;
+    const char *glsl;
+    int arity;
+    TypeRule rule;
+    int cost;
+    const char *doc;
+} OpRow;
+extern const OpRow op_table[OP_COUNT];
+
+/* What a node was made for: a Kind, KIND_COUNT + Slot, or the surface point that a pass starts from. */
+enum { HINT_SURFACE = KIND_COUNT + SLOT_COUNT, HINT_COUNT };
+
+typedef uint32_t Ref; /* number of a node; 0 is none */
+
+typedef struct {
+    uint8_t op, type, count; /* Op, Type, operands */
+    uint8_t hint;            /* what it was made for: a Kind, or KIND_COUNT + Slot; for names and comments only */
+    uint8_t head;            /* it is the value of its hint's map or slot, not a step on the way; for names only */
+    uint32_t first;          /* of its operands in args */
+    uint32_t payload;        /* const: first of its numbers; input: Input; uniform, constant, texture: index;
+                                argument: whose set << 8 | its number; kernel: as apply; swizzle: two bits a lane; call: function; apply: function number */
+    uint32_t hash;
+} IrNode;
+
+/* A function of the program: a result that depends on arguments. Filters call one many times. */
+typedef struct {
+    Ref result;
+    Ref *arguments; /* OP_argument nodes, in order */
+    int count;
+    uint8_t hint; /* Kind it was made for */
+    int next;     /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
+} IrFunction;
+
+typedef enum { OUT_discard, OUT_depth, OUT_color } OutputKind;
+typedef struct {
+    OutputKind kind;
+    int index; /* of a colour output */
+    Ref value;
+} IrOutput;
+
+typedef enum { TEXTURE_image, TEXTURE_carpenter } TextureKind;
+typedef struct {
+    TextureKind kind;
+    const Image *image; /* of an image */
+    const Node *node;   /* of a Carpenter */
+    int width, height;
+    bool linear;
+} IrTexture;
+
+/* A number that a program reads from a buffer, so that materials that differ in it share the program. constants.c */
+typedef struct {
+    Type type;
+    double numbers[4];   /* this material's */
+    uint8_t hint;        /* as a node's */
+    const Value *source; /* where in the document it stands; NULL: an expression of such, or a place */
+    const char *name;    /* in the shader; constants_finish gives name and offset */
+    int member;          /* of MatcOptions, or -1 */
+    int offset;          /* in the std140 block, in bytes */
+} IrConstant;
+
+/* What lowering alone knows of the transparency. */
+typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
+
+enum { MOST_OUTPUTS = 16 }; /* render targets, or all slots, with discard and depth */
+_Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
+
+typedef struct Ir {
+    Compile *c;
+    Arena *arena;
+    Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
+    IrNode *nodes;
+    size_t count, room;
+    Ref *args;
+    size_t arg_count, arg_room;
+    double *numbers;
+    size_t number_count, number_room;
+    Ref *table; /* hash table of nodes */
+    uint32_t mask;
+    IrFunction *functions;
+    size_t function_count, function_room;
+    IrTexture *textures;
+    size_t texture_count, texture_room;
+    uint32_t *texture_table; /* hash table of numbers from 1; lower_surface.c */
+    uint32_t texture_mask;
+    IrConstant *constants;
+    size_t constant_count, constant_room;
+    uint32_t *constant_table; /* by source: hash table of numbers from 1 */
+    uint32_t constant_mask;
+    const Graph *graph; /* for uniforms' names */
+    IrOutput outputs[MOST_OUTPUTS];
+    int output_count;
+    Opacity opacity;
+    unsigned slots;       /* where all slots are outputs: those that a layout has to store, 1 << slot */
+    bool keep_pow;        /* powers stay calls of pow */
+    ReferenceNoise noise; /* which the folder computes with */
+    Ref *held;            /* operands of calls whose arguments are being made; see REFS */
+    size_t held_count, held_room;
+    int *function_of; /* by Ref: the last function of that result, from 1; by ir_function alone */
+    size_t function_of_room;
+    uint8_t hint; /* given to new nodes */
+    /* What stands for a node that was just made; NULL leaves it as written. */
+    Ref (*simplify)(struct Ir *ir, Ref ref);
+} Ir;
+
+/* The lattice noise that a target's programs compute, for the references. lower.c */
+ReferenceNoise noise_for(Choice noise, Target target);
+Ir *ir_new(Compile *c, const Graph *graph);
+/* Gives back what passes worked with; the IR itself stays. */
+void ir_done(Ir *ir);
+
+static inline const IrNode *ir_at(const Ir *ir, Ref ref) { return &ir->nodes[ref]; }
+static inline Ref ir_arg(const Ir *ir, Ref ref, int i) { return ir->args[ir->nodes[ref].first + (uint32_t)i]; }
+static inline Type ir_type(const Ir *ir, Ref ref) { return (Type)ir->nodes[ref].type; }
+static inline int ir_lanes(const Ir *ir, Ref ref) { return type_table[ir->nodes[ref].type].lanes; }
+static inline bool ir_is(const Ir *ir, Ref ref, Op op) { return ir->nodes[ref].op == op; }
+/* The numbers of a constant. */
+static inline const double *ir_numbers(const Ir *ir, Ref ref) { return &ir->numbers[ir->nodes[ref].payload]; }
+/* The numbers that a leaf has in this material, whether they stand in the program or come from a buffer; NULL: it is neither. What
+ * is decided by them is part of the program's shape. */
+static inline const double *ir_known(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_const)      ? ir_numbers(ir, ref)
+           : ir_is(ir, ref, OP_constant) ? ir->constants[ir->nodes[ref].payload].numbers
+                                         : NULL;
+}
+/* It runs a function of the program, which its payload numbers. */
+static inline bool ir_applies(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_apply) || ir_is(ir, ref, OP_kernel); }
+/* A constant all of whose lanes are `value`. */
+bool ir_is_number(const Ir *ir, Ref ref, double value);
+
+/* Up to five new nodes, made from left to right, as an array that lives to the end of the expression. C leaves open which
+ * argument of a call is evaluated first, and nodes would be numbered as the C compiler pleases: a call with several arguments
+ * that make nodes takes them as REFS. tests/order.sh finds the calls that do not. */
+#define REFS(ir, ...)                         REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
+#define REFS_PICK(a, b, c, d, e, chosen, ...) chosen
+#define REFS_1(ir, a)                         (ir_hold(ir, a), ir_held(ir, 1))
+#define REFS_2(ir, a, b)                      (ir_hold(ir, a), ir_hold(ir, b), ir_held(ir, 2))
+#define REFS_3(ir, a, b, c)                   (ir_hold(ir, a), ir_hold(ir, b), ir_hold(ir, c), ir_held(ir, 3))
+#define REFS_4(ir, a, b, c, d)                (ir_hold(ir, a), ir_hold(ir, b), ir_hold(ir, c), ir_hold(ir, d), ir_held(ir, 4))
+#define REFS_5(ir, a, b, c, d, e)                                                                                      \
+    (ir_hold(ir, a), ir_hold(ir, b), ir_hold(ir, c), ir_hold(ir, d), ir_hold(ir, e), ir_held(ir, 5))
+
+typedef struct {
+    Ref at[5];
+} Refs;
+
+static inline void ir_hold(Ir *ir, Ref ref) { ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_room, ref); }
+
+static inline Refs ir_held(Ir *ir, size_t count)
+{
+    Refs refs = {{0}};
+    ir->held_count -= count;
+    for (size_t i = 0; i < count; i++)
+        refs.at[i] = ir->held[ir->held_count + i];
+    return refs;
+}
+
+/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. The type follows from op_table's rule unless that is `given`. */
+Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count);
+Ref ir_const(Ir *ir, Type type, const double *numbers);
+Ref ir_float(Ir *ir, double value);
+Ref ir_vec3(Ir *ir, double x, double y, double z);
+Ref ir_int(Ir *ir, double value);
+/* A number from the buffer. Equal sources are one; without a source each is its own. constants.c */
+Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source);
+Ref ir_input(Ir *ir, Input input);
+Ref ir_unary(Ir *ir, Op op, Ref a);
+#define ir_binary(ir, op, a, b)     ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b), 2)
+#define ir_ternary(ir, op, a, b, c) ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b, c), 3)
+/* a where the condition holds, else b; both have one type. */
+#define ir_select(ir, condition, a, b) ir_select_of(ir, REFS(ir, condition, a, b))
+Ref ir_select_of(Ir *ir, const Ref x[3]);
+/* Lanes of a vector, by letters of "xyzw". A float's only lane is x. */
+Ref ir_swizzle(Ir *ir, Ref a, const char *lanes);
+Ref ir_swizzle_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
+/* A vector of the parts' lanes, which are as many as the type has. */
+Ref ir_vec(Ir *ir, Type type, const Ref *parts, int count);
+Ref ir_call(Ir *ir, int function, const Ref *args, int count);
+Ref ir_apply(Ir *ir, int function, const Ref *args);
+/* The sum of a function over the KERNEL_POINTS around its arguments, half of `size` apart; a loop in GLSL. */
+enum { KERNEL_POINTS = 27 };
+Ref ir_kernel(Ir *ir, int function, const Ref *args, Ref size);
+/* The conversion table. */
+Ref ir_convert(Ir *ir, Ref a, Type type);
+/* Arguments of a function to be; then, when its result is made, the function, or the equal one that exists already. Functions
+ * that it calls come before it, and have arguments of another set. */
+void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments);
+int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
+void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
+
+/* Builds the hash table anew after nodes moved. */
+void ir_rehash(Ir *ir);
+/* Marks the nodes that the outputs reach, through functions too: live[ref]. */
+uint8_t *ir_live(const Ir *ir, Arena *arena);
+/* What some roots need, functions that are run left out: users before operands. One is used for many roots in turn. */
+typedef struct {
+    Arena *arena;
+    Ref *at;
+    size_t count, room;
+    uint8_t *inside; /* by Ref */
+} IrReach;
+IrReach ir_reach_new(const Ir *ir, Arena *arena);
+void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *reach);
+/* Nodes of main and of all functions together, each counted in every one that it stands in; at most `limit` + 1. */
+size_t ir_written(const Ir *ir, size_t limit);
+/* Scalar operations of one node. */
+int ir_cost(const Ir *ir, Ref ref);
+/* Nodes alive, and their cost. */
+void ir_measure(const Ir *ir, int *nodes, int *cost);
+/* Invariants: operands before users, types by the rules, arguments only in functions that have them. NULL, or what is wrong. */
+const char *ir_check(const Ir *ir);
+
+void ir_print(Text *out, const Ir *ir);
+void ir_dot(Text *out, const Ir *ir);
+/* Reads what ir_print wrote (tests); NULL and a message. Textures and uniforms are those of `graph`. */
+Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault);
+
+/* The value of a node on constant operands; false when it has none (a texture, an input). fold.c. */
+/* One lane of an operation that works by lane; false when it is not finite. */
+bool fold_lane(Op op, const double *args, double *result);
+bool fold_node(const Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count, double *result);
+#endif

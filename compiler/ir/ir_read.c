@@ -1,0 +1,236 @@
+/* Reads the text that ir_print writes: tests give it to a single pass. */
+#include "compiler/ir/ir.h"
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    Ir *ir;
+    const char *at;
+    Ref *named; /* node by the number in the text */
+    size_t named_room;
+    const char *fault;
+} Scanner;
+
+enum { LARGEST_NUMBER = 1 << 20, MOST_OPERANDS = 16, MOST_FUNCTIONS = 1 << 12 };
+
+static void skip_spaces(Scanner *s)
+{
+    while (*s->at == ' ' || *s->at == ',' || *s->at == '(' || *s->at == ')')
+        s->at++;
+}
+
+/* The next word; false at the line's end. */
+static bool word(Scanner *s, char *into, size_t room)
+{
+    size_t size = 0;
+    skip_spaces(s);
+    while (*s->at && !strchr(" ,()\n", *s->at)) {
+        if (size + 1 < room)
+            into[size++] = *s->at;
+        s->at++;
+    }
+    into[size] = 0;
+    return size > 0;
+}
+
+static bool fail(Scanner *s, const char *fault)
+{
+    if (!s->fault)
+        s->fault = fault;
+    return false;
+}
+
+static Ref operand(Scanner *s, const char *text)
+{
+    char *end;
+    unsigned long number = text[0] == '%' ? strtoul(text + 1, &end, 10) : LARGEST_NUMBER;
+    if (number >= s->named_room || !s->named[number]) {
+        fail(s, "an operand is not defined before its use");
+        return 0;
+    }
+    return s->named[number];
+}
+
+static int find(const char *name, const char *(*names)(int), int count)
+{
+    for (int i = 0; i < count; i++)
+        if (names(i) && !strcmp(names(i), name))
+            return i;
+    return -1;
+}
+
+static const char *op_name(int i) { return op_table[i].name; }
+static const char *type_name(int i) { return type_table[i].name; }
+static const char *input_name(int i) { return input_table[i].name; }
+static const char *call_name(int i) { return function_row(i)->name; }
+
+static bool read_lanes(const char *text, Type type, uint32_t *payload)
+{
+    if (text[0] != '.' || (int)strlen(text + 1) != type_table[type].lanes)
+        return false;
+    for (int i = 0; text[i + 1]; i++) {
+        const char *letter = strchr("xyzw", text[i + 1]);
+        if (!letter)
+            return false;
+        *payload |= (uint32_t)(letter - "xyzw") << 2 * i;
+    }
+    return true;
+}
+
+/* Whose set and its number in it, as a payload; -1: out of bounds. */
+static int argument_place(int set, int number)
+{
+    return set >= 0 && set < LARGEST_NUMBER && number >= 0 && number < 256 ? set << 8 | number : -1;
+}
+
+/* The number, or -1 if the text has not said what that function is. */
+static int defined_function(const Scanner *s, int number)
+{
+    bool known = number >= 0 && (size_t)number < s->ir->function_count && s->ir->functions[number].result;
+    return known ? number : -1;
+}
+
+static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
+{
+    char text[LIMIT_NAME + 8];
+    if (op != OP_input && op != OP_uniform && op != OP_argument && op != OP_texture && op != OP_swizzle &&
+        op != OP_call && op != OP_apply && op != OP_kernel)
+        return true;
+    if (!word(s, text, sizeof text))
+        return fail(s, "a node ends too early");
+    int found = -1;
+    if (op == OP_input)
+        found = find(text, input_name, INPUT_COUNT);
+    else if (op == OP_call)
+        found = find(text, call_name, FUNCTION_COUNT);
+    else if (op == OP_swizzle)
+        found = read_lanes(text, type, payload) ? (int)*payload : -1;
+    else if ((op == OP_apply || op == OP_kernel) && text[0] == 'f')
+        found = defined_function(s, atoi(text + 1));
+    else if (op == OP_argument && strchr(text, '.'))
+        found = argument_place(atoi(text), atoi(strchr(text, '.') + 1));
+    else if (op == OP_texture)
+        found = atoi(text);
+    else if (op == OP_uniform)
+        found = names_find(&s->ir->graph->uniform_names, text);
+    *payload = (uint32_t)found;
+    return found >= 0 || fail(s, "a node names what does not exist");
+}
+
+/* A constant of the program, or one from a buffer: each of those is its own. */
+static Ref read_const(Scanner *s, Op op, Type type)
+{
+    double lanes[4] = {0};
+    char text[LIMIT_NAME];
+    for (int i = 0; i < type_table[type].lanes; i++)
+        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &lanes[i]) || lanes[i] - lanes[i] != 0) {
+            fail(s, "a constant lacks a number");
+            return 0;
+        }
+    return op == OP_const ? ir_const(s->ir, type, lanes) : ir_constant(s->ir, type, lanes, NULL);
+}
+
+static Ref read_node(Scanner *s)
+{
+    char text[LIMIT_NAME];
+    Ref args[MOST_OPERANDS];
+    int op = word(s, text, sizeof text) ? find(text, op_name, OP_COUNT) : -1, count = 0;
+    int type = word(s, text, sizeof text) ? find(text, type_name, TYPE_COUNT) : -1;
+    uint32_t payload = 0;
+    if (op < 0 || type < 0) {
+        fail(s, "no such operation or type");
+        return 0;
+    }
+    if (op == OP_const || op == OP_constant)
+        return read_const(s, (Op)op, (Type)type);
+    if (!read_payload(s, (Op)op, (Type)type, &payload))
+        return 0;
+    while (count < MOST_OPERANDS && word(s, text, sizeof text))
+        if (!(args[count++] = operand(s, text)))
+            return 0;
+    if (op_table[op].arity >= 0 && op_table[op].arity != count) {
+        fail(s, "the wrong number of operands");
+        return 0;
+    }
+    return ir_make(s->ir, (Op)op, (Type)type, payload, args, count);
+}
+
+static bool read_output(Scanner *s)
+{
+    char kind[16], index[16], equals[8], value[16];
+    if (!word(s, kind, sizeof kind) || !word(s, index, sizeof index) || !word(s, equals, sizeof equals) ||
+        !word(s, value, sizeof value) || s->ir->output_count == MOST_OUTPUTS)
+        return fail(s, "an output is not `out kind index = %node`");
+    Ref ref = operand(s, value);
+    ir_output(s->ir,
+              !strcmp(kind, "color")   ? OUT_color
+              : !strcmp(kind, "depth") ? OUT_depth
+                                       : OUT_discard,
+              atoi(index), ref);
+    return ref != 0;
+}
+
+/* Room for function fN: a function stands where its last node does, which need not be in the order of the numbers. */
+static bool number_function(Scanner *s, const char *text, size_t *number)
+{
+    const IrFunction none = {0};
+    char *end;
+    *number = strtoul(text + 1, &end, 10);
+    if (text[0] != 'f' || end == text + 1 || *end || *number >= MOST_FUNCTIONS)
+        return false;
+    while (s->ir->function_count <= *number)
+        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room, none);
+    return !s->ir->functions[*number].result;
+}
+
+/* function fN = result arguments... */
+static bool read_function(Scanner *s)
+{
+    char text[LIMIT_NAME];
+    size_t number;
+    IrFunction function = {.arguments = ARENA_ARRAY(s->ir->arena, Ref, MOST_OPERANDS)};
+    if (!word(s, text, sizeof text) || !number_function(s, text, &number) || !word(s, text, sizeof text) ||
+        !word(s, text, sizeof text) || !(function.result = operand(s, text)))
+        return fail(s, "a function is not `function fN = %result %argument...`");
+    while (function.count < MOST_OPERANDS && word(s, text, sizeof text))
+        if (!(function.arguments[function.count++] = operand(s, text)))
+            return false;
+    s->ir->functions[number] = function;
+    return true;
+}
+
+static bool read_line(Scanner *s)
+{
+    char text[LIMIT_NAME];
+    if (!word(s, text, sizeof text))
+        return true; /* an empty line */
+    if (!strcmp(text, "out"))
+        return read_output(s);
+    if (!strcmp(text, "function"))
+        return read_function(s);
+    if (text[0] != '%')
+        return fail(s, "a line is neither a node nor an output");
+    unsigned long number = strtoul(text + 1, NULL, 10);
+    if (number >= s->named_room || !word(s, text, sizeof text) || strcmp(text, "=") != 0)
+        return fail(s, "a node is not `%number = operation`");
+    return (s->named[number] = read_node(s)) != 0;
+}
+
+Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault)
+{
+    size_t size = strlen(text) + 1; /* a node takes more than a byte */
+    Scanner s = {.ir = ir_new(c, graph), .at = text, .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
+    s.named = ARENA_ARRAY(c->arena, Ref, s.named_room);
+    while (*s.at && !s.fault) {
+        if (!read_line(&s))
+            break;
+        while (*s.at && *s.at != '\n')
+            s.at++;
+        s.at += *s.at == '\n';
+    }
+    for (size_t i = 0; i < s.ir->function_count; i++)
+        if (!s.ir->functions[i].result)
+            fail(&s, "a function's number is left out");
+    *fault = s.fault;
+    return s.fault ? NULL : s.ir;
+}

@@ -1,0 +1,174 @@
+/* The deep structure of an IR as a list of words, and its hash. A word stands for a node's operation, type and payload, then one
+ * for each operand: the number that the walk gave it, or for a constant its type. Numbers are listed beside. */
+#include "compiler/ir/key.h"
+#include <string.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+typedef struct {
+    Arena *arena;
+    const Ir *ir;
+    uint32_t *words;
+    size_t word_count, word_room;
+    double *numbers;
+    size_t number_count, number_room;
+    NumberPlace *places;
+    size_t place_count, place_room;
+    uint32_t *number; /* by Ref, from 1 in the order in which they are left; 0: not met */
+    Ref *stack;
+    size_t depth, stack_room;
+    uint32_t met;
+    int *members; /* constants from the buffer, as they are left */
+    size_t member_count, member_room;
+} Walk;
+
+static void put(Walk *w, uint32_t word) { ARENA_PUSH(w->arena, w->words, w->word_count, w->word_room, word); }
+
+static void put_text(Walk *w, const char *text)
+{
+    uint64_t hash = XXH3_64bits(text, strlen(text));
+    put(w, (uint32_t)hash);
+    put(w, (uint32_t)(hash >> 32));
+}
+
+/* A number as the program has it: rounded to float, but for whole numbers. */
+static double written(Type type, double value)
+{
+    return type >= TYPE_float && type <= TYPE_vec4 ? (double)(float)value : value;
+}
+
+static void put_fixed(Walk *w, double number)
+{
+    uint32_t halves[2];
+    memcpy(halves, &number, sizeof halves);
+    put(w, halves[0]);
+    put(w, halves[1]);
+}
+
+/* What the walk has numbered, or a constant. */
+static void put_value(Walk *w, Ref value, bool placed)
+{
+    const uint32_t constant = 0x80000000u; /* no number of the walk */
+    const Ir *ir = w->ir;
+    Type type = ir_type(ir, value);
+    if (!ir_is(ir, value, OP_const)) {
+        put(w, w->number[value]);
+        return;
+    }
+    put(w, constant | (uint32_t)type);
+    for (int i = 0; i < ir_lanes(ir, value); i++) {
+        double number = written(type, ir_numbers(ir, value)[i]);
+        if (placed)
+            ARENA_PUSH(w->arena, w->numbers, w->number_count, w->number_room, number);
+        else
+            put_fixed(w, number);
+    }
+}
+
+/* An operand of a node, or an output's value. */
+static void put_operand(Walk *w, Ref user, int operand, Ref value)
+{
+    bool placed = ir_is(w->ir, value, OP_const) && constant_storable(ir_type(w->ir, value));
+    const NumberPlace place = {user, operand, value};
+    if (placed)
+        ARENA_PUSH(w->arena, w->places, w->place_count, w->place_room, place);
+    put_value(w, value, placed);
+}
+
+static void put_payload(Walk *w, const IrNode *node)
+{
+    const Graph *graph = w->ir->graph;
+    if (node->op == OP_uniform)
+        put_text(w, graph->uniforms[node->payload]->name);
+    else if (node->op == OP_call)
+        put_text(w, function_row((int)node->payload)->name);
+    else if (node->op != OP_constant) /* a buffer's members are told apart by the order in which they are met */
+        put(w, node->payload);
+    if (node->op == OP_texture && node->payload < w->ir->texture_count)
+        put(w, (uint32_t)w->ir->textures[node->payload].kind << 1 | w->ir->textures[node->payload].linear);
+}
+
+static void leave(Walk *w, Ref ref)
+{
+    const IrNode *node = ir_at(w->ir, ref);
+    w->number[ref] = ++w->met;
+    put(w, (uint32_t)node->op << 16 | (uint32_t)node->type << 8 | node->count);
+    put_payload(w, node);
+    if (node->op == OP_constant)
+        ARENA_PUSH(w->arena, w->members, w->member_count, w->member_room, (int)node->payload);
+    if (ir_applies(w->ir, ref)) {
+        const IrFunction *function = &w->ir->functions[node->payload];
+        put_value(w, function->result, false);
+        put(w, (uint32_t)function->count);
+    }
+    for (int i = 0; i < node->count; i++)
+        put_operand(w, ref, i, ir_arg(w->ir, ref, i));
+}
+
+static void push(Walk *w, Ref ref)
+{
+    if (!w->number[ref] && !ir_is(w->ir, ref, OP_const))
+        ARENA_PUSH(w->arena, w->stack, w->depth, w->stack_room, ref);
+}
+
+/* Operands first, the left one before the right. A node stays on the stack until all of its operands are numbered. */
+static void visit(Walk *w, Ref root)
+{
+    push(w, root);
+    while (w->depth) {
+        Ref ref = w->stack[w->depth - 1];
+        size_t before = w->depth;
+        if (w->number[ref]) {
+            w->depth--;
+            continue;
+        }
+        for (int i = ir_at(w->ir, ref)->count - 1; i >= 0; i--)
+            push(w, ir_arg(w->ir, ref, i));
+        if (ir_applies(w->ir, ref))
+            push(w, w->ir->functions[ir_at(w->ir, ref)->payload].result);
+        if (w->depth > before)
+            continue;
+        w->depth--;
+        leave(w, ref);
+    }
+}
+
+static void put_job(Walk *w, const Job *job, int optimize)
+{
+    put(w, (uint32_t)job->target << 16 | (uint32_t)job->pass << 8 | (optimize > 0));
+    for (int axis = 0; axis < AXIS_COUNT; axis++) /* library files may exist in variants */
+        put(w, axis_table[axis].chunks ? (uint32_t)job->choice[axis] : 0);
+}
+
+static Key key_of(XXH128_hash_t hash) { return (Key){hash.low64, hash.high64}; }
+
+IrKey ir_key(Compile *c, const Ir *ir, const Job *job)
+{
+    Arena scratch = {0};
+    Walk w = {.arena = &scratch, .ir = ir, .number = ARENA_ARRAY(&scratch, uint32_t, ir->count)};
+    put_text(&w, MATC_VERSION);
+    put_job(&w, job, c->optimize);
+    for (int i = 0; i < ir->output_count; i++) {
+        visit(&w, ir->outputs[i].value);
+        put(&w, (uint32_t)ir->outputs[i].kind << 8 | (uint32_t)ir->outputs[i].index);
+        put(&w, ir_type(ir, ir->outputs[i].value));
+        put_operand(&w, 0, i, ir->outputs[i].value);
+    }
+    XXH128_hash_t shape = XXH3_128bits(w.words, w.word_count * sizeof *w.words);
+    XXH3_state_t both;
+    XXH3_128bits_reset(&both);
+    XXH3_128bits_update(&both, &shape, sizeof shape);
+    XXH3_128bits_update(&both, w.numbers, w.number_count * sizeof *w.numbers);
+    IrKey key = {key_of(shape), key_of(XXH3_128bits_digest(&both)), NULL, (int)w.place_count, NULL, 0};
+    NumberPlace *places = ARENA_ARRAY(c->arena, NumberPlace, w.place_count + 1);
+    if (w.place_count)
+        memcpy(places, w.places, w.place_count * sizeof *places);
+    key.places = places;
+    int *members = ARENA_ARRAY(c->arena, int, w.member_count + 1);
+    if (w.member_count)
+        memcpy(members, w.members, w.member_count * sizeof *members);
+    key.members = members;
+    key.member_count = (int)w.member_count;
+    arena_free(&scratch);
+    return key;
+}

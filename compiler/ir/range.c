@@ -1,0 +1,316 @@
+/* Interval arithmetic over the IR, operands first. */
+#include "compiler/ir/range.h"
+#include <math.h>
+
+static const Interval everything = {-INFINITY, INFINITY};
+
+/* What drivers may err by where GLSL lets them: more than a rounding. */
+static const double SLACK = 1e-5;
+
+Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return r->guards ? range_guarded(r, ir, ref, lane) : range_kept(r, ir, ref, lane);
+}
+
+Interval range_kept(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    if (ref >= r->count)
+        return everything;
+    return r->lanes == 1 ? r->of[ref] : r->of[(Ref)r->lanes * ref + (Ref)(ir_lanes(ir, ref) == 1 ? 0 : lane)];
+}
+
+static Interval hull(Interval a, Interval b) { return (Interval){fmin(a.low, b.low), fmax(a.high, b.high)}; }
+
+/* Of all lanes of an operand. */
+static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
+{
+    Interval all = range_of(r, ir, ref, 0);
+    for (int lane = 1; r->lanes > 1 && lane < ir_lanes(ir, ref); lane++)
+        all = hull(all, range_of(r, ir, ref, lane));
+    return all;
+}
+
+static double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
+
+static Interval times(Interval a, Interval b)
+{
+    double p = product(a.low, b.low), q = product(a.low, b.high), r = product(a.high, b.low),
+           s = product(a.high, b.high);
+    return (Interval){fmin(fmin(p, q), fmin(r, s)), fmax(fmax(p, q), fmax(r, s))};
+}
+
+static Interval sum(Interval a, Interval b)
+{
+    Interval s = {a.low + b.low, a.high + b.high};
+    return (Interval){isnan(s.low) ? -INFINITY : s.low, isnan(s.high) ? INFINITY : s.high};
+}
+
+static Interval negative(Interval a) { return (Interval){-a.high, -a.low}; }
+
+static Interval magnitude(Interval a)
+{
+    double high = fmax(fabs(a.low), fabs(a.high));
+    return (Interval){a.low <= 0 && a.high >= 0 ? 0 : fmin(fabs(a.low), fabs(a.high)), high};
+}
+
+static Interval square(Interval a) { return times(magnitude(a), magnitude(a)); }
+
+static Interval quotient(Interval a, Interval b)
+{
+    if (!(b.low > 0 || b.high < 0))
+        return everything;
+    return times(a, (Interval){1 / b.high, 1 / b.low});
+}
+
+/* Beyond the ends of [0, 1] too: a (1 - t) + b t. */
+static Interval mixed(Interval a, Interval b, Interval t)
+{
+    if (t.low >= 0 && t.high <= 1)
+        return hull(a, b);
+    return sum(times(a, sum((Interval){1, 1}, negative(t))), times(b, t));
+}
+
+/* A bound that a driver's function may pass. */
+static Interval loose(Interval a)
+{
+    return (Interval){a.low - SLACK * fmax(fabs(a.low), 1), a.high + SLACK * fmax(fabs(a.high), 1)};
+}
+
+/* A function that rises, between its values at both ends. */
+static Interval rising(double (*f)(double), Interval a) { return loose((Interval){f(a.low), f(a.high)}); }
+
+static Interval power(Interval a, Interval b)
+{
+    if (!(a.low >= 0) || !(b.low >= 0))
+        return everything;
+    double p = pow(a.low, b.low), q = pow(a.low, b.high), r = pow(a.high, b.low), s = pow(a.high, b.high);
+    Interval corners = {fmin(fmin(p, q), fmin(r, s)), fmax(fmax(p, q), fmax(r, s))};
+    if (a.low < 1 && a.high > 1)
+        corners = hull(corners, (Interval){1, 1});
+    return isnan(corners.low) || isnan(corners.high) ? (Interval){0, INFINITY} : loose(corners);
+}
+
+static Interval remainder_of(Interval a, Interval b)
+{
+    if (a.low >= 0 && a.high < b.low)
+        return a;
+    return b.low > 0 ? (Interval){0, b.high} : everything;
+}
+
+/* That of the tables, whatever the arguments are. */
+static Interval table_range(int function)
+{
+    switch (function) {
+#define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
+    case FN_##name:                                                                                                    \
+        return (Interval){low, high};
+#include "grammar/functions.def"
+#define MAP_RANGE(map, low, high)                                                                                      \
+    case FN_FIRST_MAP + KIND_##map:                                                                                    \
+        return (Interval){low, high};
+#include "grammar/ranges.def"
+    default:
+        return everything;
+    }
+}
+
+/* Octaves of a noise in [-1, 1]: the sum of their strengths. */
+static Interval octaves_range(Interval octaves, Interval ratio)
+{
+    double strength = 1, most = 0;
+    const double each = fmax(fabs(ratio.low), fabs(ratio.high));
+    if (!isfinite(each) || octaves.high > 64)
+        return everything;
+    for (int k = 0; k < fmax(octaves.high, 1); k++, strength *= each)
+        most += strength;
+    return loose((Interval){-most, most});
+}
+
+/* Rises from shininess 0 to 1; beyond, it falls again. */
+static Interval exponent_range(Interval a)
+{
+    double low, high;
+    Interval all = table_range(FN_phongExponent);
+    if (!(a.low >= 0 && a.high <= 1 + 2 * SLACK))
+        return all;
+    function_row(FN_phongExponent)->reference(NULL, &a.low, &low);
+    function_row(FN_phongExponent)->reference(NULL, &a.high, &high);
+    high = a.high >= 1 ? all.high : high;
+    return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
+}
+
+static Interval call_range(const Ir *ir, Ref ref, const Ranges *r)
+{
+    const int function = (int)ir_at(ir, ref)->payload;
+    switch (function) {
+    case FN_turbulence:
+        return octaves_range(whole(r, ir, ir_arg(ir, ref, 1)), whole(r, ir, ir_arg(ir, ref, 3)));
+    case FN_phongExponent:
+        return exponent_range(whole(r, ir, ir_arg(ir, ref, 0)));
+    default:
+        return table_range(function);
+    }
+}
+
+/* The sum of the products of lanes; of one lane alone, where all are as one, as often as there are lanes. */
+static Interval dot_range(const Ir *ir, Ref ref, const Ranges *r)
+{
+    const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
+    Interval all = {0, 0};
+    for (int lane = 0; lane < ir_lanes(ir, a); lane++) {
+        Interval x = range_of(r, ir, a, lane), y = range_of(r, ir, b, lane);
+        all = sum(all, a == b ? square(x) : times(x, y));
+    }
+    return all;
+}
+
+static Interval length_range(const Ir *ir, Ref ref, const Ranges *r)
+{
+    const Ref a = ir_arg(ir, ref, 0);
+    double squares = 0;
+    for (int lane = 0; lane < ir_lanes(ir, a); lane++)
+        squares += square(range_of(r, ir, a, lane)).high;
+    return loose((Interval){0, sqrt(squares)});
+}
+
+/* A lane of a matrix times a vector, by its columns. */
+static Interval linear_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
+{
+    Interval all = {0, 0};
+    for (int i = 1; i < ir_at(ir, ref)->count; i++)
+        all = sum(all, times(range_of(r, ir, ir_arg(ir, ref, 0), i - 1), range_of(r, ir, ir_arg(ir, ref, i), lane)));
+    return all;
+}
+
+/* The operand that a vector's lane comes from; all of them, where one interval is kept. */
+static Interval vec_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
+{
+    Interval all = range_of(r, ir, ir_arg(ir, ref, 0), 0);
+    for (int i = 0, first = 0; i < ir_at(ir, ref)->count; i++) {
+        const Ref part = ir_arg(ir, ref, i);
+        const int lanes = ir_lanes(ir, part);
+        if (r->lanes == 1)
+            all = hull(all, range_of(r, ir, part, 0));
+        else if (lane >= first && lane < first + lanes)
+            return range_of(r, ir, part, lane - first);
+        first += lanes;
+    }
+    return all;
+}
+
+static Interval numbers(const Ir *ir, Ref ref, int lane, const Ranges *r)
+{
+    const double *at = ir_numbers(ir, ref);
+    Interval range = {at[lane], at[lane]};
+    for (int i = 1; r->lanes == 1 && i < ir_lanes(ir, ref); i++)
+        range = hull(range, (Interval){at[i], at[i]});
+    return range;
+}
+
+/* Operations that work lane by lane. */
+static Interval lane_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
+{
+    const IrNode *node = ir_at(ir, ref);
+    Interval x[3] = {everything, everything, everything}, a, b, c;
+    for (int i = 0; i < node->count && i < 3; i++)
+        x[i] = range_of(r, ir, ir_arg(ir, ref, i), lane);
+    a = x[0], b = x[1], c = x[2];
+    switch (node->op) {
+    case OP_neg:
+        return negative(a);
+    case OP_abs:
+        return magnitude(a);
+    case OP_floor:
+        return (Interval){floor(a.low), floor(a.high)};
+    case OP_ceil:
+        return (Interval){ceil(a.low), ceil(a.high)};
+    case OP_fract:
+    case OP_step:
+        return (Interval){0, 1};
+    case OP_sign:
+        return (Interval){(a.low > 0) - (a.low < 0), (a.high > 0) - (a.high < 0)};
+    case OP_sqrt:
+        return rising(sqrt, (Interval){fmax(a.low, 0), fmax(a.high, 0)});
+    case OP_exp:
+        return rising(exp, a);
+    case OP_exp2:
+        return rising(exp2, a);
+    case OP_log:
+        return a.low > 0 ? rising(log, a) : everything;
+    case OP_sin:
+    case OP_cos:
+        return (Interval){-1, 1};
+    case OP_asin:
+        return loose((Interval){-M_PI / 2, M_PI / 2});
+    case OP_acos:
+        return loose((Interval){0, M_PI});
+    case OP_atan:
+        return rising(atan, a);
+    case OP_atan2:
+        return loose((Interval){-M_PI, M_PI});
+    case OP_add:
+        return sum(a, b);
+    case OP_sub:
+        return sum(a, negative(b));
+    case OP_mul:
+        return ir_arg(ir, ref, 0) == ir_arg(ir, ref, 1) ? square(a) : times(a, b);
+    case OP_div:
+        return quotient(a, b);
+    case OP_mod:
+        return remainder_of(a, b);
+    case OP_pow:
+        return power(a, b);
+    case OP_min:
+        return (Interval){fmin(a.low, b.low), fmin(a.high, b.high)};
+    case OP_max:
+        return (Interval){fmax(a.low, b.low), fmax(a.high, b.high)};
+    case OP_clamp:
+        return (Interval){fmin(fmax(a.low, b.low), c.low), fmin(fmax(a.high, b.high), c.high)};
+    case OP_mix:
+        return mixed(a, b, c);
+    default:
+        return everything;
+    }
+}
+
+Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    const IrNode *node = ir_at(ir, ref);
+    switch (node->op) {
+    case OP_const:
+        return node->type == TYPE_sampler ? everything : numbers(ir, ref, lane, r);
+    case OP_swizzle:
+        return range_of(r, ir, ir_arg(ir, ref, 0), (int)(node->payload >> 2 * lane & 3));
+    case OP_vec:
+        return vec_range(ir, ref, lane, r);
+    case OP_select:
+        return range_select(r, ir, ref, lane);
+    case OP_dot:
+        return dot_range(ir, ref, r);
+    case OP_length:
+        return length_range(ir, ref, r);
+    case OP_linear:
+        return linear_range(ir, ref, lane, r);
+    case OP_call:
+        return call_range(ir, ref, r);
+    case OP_kernel:
+        return times(range_of(r, ir, ir->functions[node->payload].result, lane),
+                     (Interval){KERNEL_POINTS, KERNEL_POINTS});
+    case OP_apply:
+        return range_of(r, ir, ir->functions[node->payload].result, lane);
+    default:
+        return lane_range(ir, ref, lane, r);
+    }
+}
+
+Ranges ranges_find(const Ir *ir, Arena *arena, int lanes)
+{
+    Ranges r = {ARENA_ARRAY(arena, Interval, ir->count * (size_t)lanes), (Ref)ir->count, lanes, NULL};
+    for (Ref ref = 1; ref < r.count; ref++)
+        for (int lane = 0; lane < lanes && lane < (lanes == 1 ? 1 : ir_lanes(ir, ref)); lane++) {
+            Interval range = range_computed(&r, ir, ref, lane);
+            bool none = isnan(range.low) || isnan(range.high);
+            r.of[(Ref)lanes * ref + (Ref)lane] = none ? everything : range;
+        }
+    return r;
+}

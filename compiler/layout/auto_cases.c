@@ -1,0 +1,185 @@
+/* --layout=auto: which slots lie together. A case stores the slots of some of the materials' sets; how few words a pixel does it
+ * take, if every set shall find a case, and then how few cases? One by one they are tried. */
+#include "compiler/layout/auto_layout.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    MOST_WORDS = 4 * LAYOUT_TARGETS,
+    MOST_STEPS = 20000, /* of one search: all divisions of eight sets are 4,140 */
+};
+
+/* A division into so many cases of so many words. */
+typedef struct {
+    const FieldRow *fields; /* by falling size */
+    int field_count;
+    unsigned sets[MATC_SETS + 1]; /* none of which lies within another; those that take the most bits first */
+    int set_count;
+    LayoutRow row; /* as large as the cases may be, and so many of them */
+    int steps;
+    Division *found;
+    uint8_t fits[1 << SLOT_COUNT]; /* by the slots of a case: 1 it does, 2 it does not, 0 not tried yet */
+} Search;
+
+void choose_formats(LayoutRow *row, int words)
+{
+    int count = 0;
+    for (; words >= 4; words -= 4)
+        row->formats[count++] = FORMAT_RGBA32UI;
+    if (words >= 2)
+        row->formats[count++] = FORMAT_RG32UI;
+    if (words % 2)
+        row->formats[count++] = FORMAT_R32UI;
+    row->formats[count] = FORMAT_none;
+}
+
+static int targets_of(int words) { return words / 4 + words % 4 / 2 + words % 2; }
+
+static bool place(const Search *s, unsigned slots)
+{
+    FieldRow fields[SLOT_COUNT];
+    CaseRow only = {.fields = fields};
+    LayoutRow row = s->row; /* each of its cases by itself, beside the number that tells them apart */
+    Placement placement;
+    for (int i = 0; i < s->field_count; i++)
+        if (slots >> s->fields[i].source[0].slot & 1)
+            fields[only.field_count++] = s->fields[i];
+    row.cases = &only;
+    return !layout_place(&row, 0, &placement);
+}
+
+static bool fits(Search *s, unsigned slots)
+{
+    if (!s->fits[slots])
+        s->fits[slots] = place(s, slots) ? 1 : 2;
+    return s->fits[slots] == 1;
+}
+
+/* Finds a case for the sets from `next` on: one that has it already, one that can take it in, or a new one. */
+static bool divide(Search *s, int next)
+{
+    Division *found = s->found;
+    if (next == s->set_count)
+        return true;
+    if (s->steps++ == MOST_STEPS)
+        return false;
+    const unsigned set = s->sets[next];
+    for (int i = 0; i < found->count; i++)
+        if (!(set & ~found->slots[i]))
+            return divide(s, next + 1);
+    for (int i = 0; i < found->count && s->steps <= MOST_STEPS; i++) {
+        const unsigned before = found->slots[i];
+        if (!fits(s, before | set))
+            continue;
+        found->slots[i] |= set;
+        if (divide(s, next + 1))
+            return true;
+        found->slots[i] = before;
+    }
+    if (found->count == s->row.case_count || s->steps > MOST_STEPS)
+        return false;
+    found->slots[found->count++] = set;
+    if (divide(s, next + 1))
+        return true;
+    found->count--;
+    return false;
+}
+
+/* False, too, where the search is given up. */
+static bool divide_into(Search *s, int words, int cases)
+{
+    if (targets_of(words) > LAYOUT_TARGETS)
+        return false;
+    choose_formats(&s->row, words);
+    s->row.case_count = cases;
+    s->found->count = s->steps = 0;
+    memset(s->fits, 0, sizeof s->fits);
+    for (int i = 0; i < s->set_count; i++)
+        if (!fits(s, s->sets[i]))
+            return false;
+    return divide(s, 0);
+}
+
+static int slots_bits(const Search *s, unsigned slots)
+{
+    int bits = 0;
+    for (int i = 0; i < s->field_count; i++)
+        if (slots >> s->fields[i].source[0].slot & 1)
+            bits += field_bits(&s->fields[i]);
+    return bits;
+}
+
+/* A set that lies within another finds its case. */
+static void add_set(Search *s, unsigned set)
+{
+    int at, kept = 0;
+    for (int i = 0; i < s->set_count; i++)
+        if (!(set & ~s->sets[i]))
+            return;
+    for (int i = 0; i < s->set_count; i++)
+        if (s->sets[i] & ~set)
+            s->sets[kept++] = s->sets[i];
+    for (at = kept; at > 0 && slots_bits(s, s->sets[at - 1]) < slots_bits(s, set); at--)
+        s->sets[at] = s->sets[at - 1];
+    s->sets[at] = set;
+    s->set_count = kept + 1;
+}
+
+static int by_slots(const void *a, const void *b)
+{
+    const unsigned x = *(const unsigned *)a, y = *(const unsigned *)b;
+    const int difference = __builtin_popcount(x) - __builtin_popcount(y);
+    return difference ? difference : x < y ? -1 : x > y;
+}
+
+/* The first case that has the slots, as lower_layout_case takes it. */
+static void count_materials(Division *division, unsigned stored, const MatcSlotSet *set)
+{
+    int number = 0;
+    while (number < division->count && set->slots & stored & ~division->slots[number])
+        number++;
+    division->materials[number] += set->materials;
+}
+
+static void finish(Division *division, unsigned stored, const MatcRanges *ranges)
+{
+    qsort(division->slots, (size_t)division->count, sizeof *division->slots, by_slots);
+    for (int i = 0; i < ranges->set_count; i++)
+        count_materials(division, stored, &ranges->sets[i]);
+    if (ranges->others.materials)
+        count_materials(division, stored, &ranges->others);
+}
+
+/* With one case, as few words as do; then fewer, in as few cases as do. */
+static bool find_division(Search *s, unsigned stored)
+{
+    Division *found = s->found;
+    Search whole = *s;
+    whole.sets[0] = stored;
+    whole.set_count = 1;
+    for (found->words_of_one = 1; !divide_into(&whole, found->words_of_one, 1);)
+        if (++found->words_of_one > MOST_WORDS)
+            return false;
+    for (found->words = 1; found->words < found->words_of_one; found->words++)
+        for (int cases = 2; cases <= MOST_AUTO_CASES; cases++)
+            if (divide_into(s, found->words, cases))
+                return true;
+    return divide_into(&whole, found->words_of_one, 1);
+}
+
+bool divide_fields(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division)
+{
+    Search s = {.fields = fields, .field_count = count, .found = division};
+    unsigned stored = 0;
+    *division = (Division){0};
+    for (int i = 0; i < count; i++)
+        stored |= 1u << fields[i].source[0].slot;
+    for (int i = 0; i < ranges->set_count; i++)
+        add_set(&s, ranges->sets[i].slots & stored);
+    if (ranges->others.materials)
+        add_set(&s, ranges->others.slots & stored);
+    if (!find_division(&s, stored))
+        return false;
+    finish(division, stored, ranges);
+    return true;
+}

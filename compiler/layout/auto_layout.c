@@ -1,0 +1,107 @@
+/* --layout=auto: fields by falling size, in as few words as hold them, in cases. */
+#include "compiler/layout/auto_layout.h"
+#include "compiler/describe/describe.h"
+#include "compiler/choice.h"
+#include "compiler/layout/custom.h"
+#include "compiler/document.h"
+#include <stdlib.h>
+#include <string.h>
+
+static int by_size(const void *a, const void *b)
+{
+    const FieldRow *x = a, *y = b;
+    int difference = field_size(y) - field_size(x);
+    return difference ? difference : (int)x->source[0].slot - (int)y->source[0].slot;
+}
+
+static void put_plan(const Plan *plan, const MatcSlotRange *range, FieldRow *fields, int *count, FixedRow *fixed,
+                     int *fixed_count)
+{
+    if (plan->fate == FATE_field)
+        fields[(*count)++] = plan->field;
+    if (plan->fate != FATE_fixed)
+        return;
+    fixed[*fixed_count].slot = plan->slot;
+    memcpy(fixed[(*fixed_count)++].value, range->low, sizeof fixed->value);
+}
+
+static const char *doc_of(Arena *arena, int materials)
+{
+    Text text = text_new(arena);
+    text_format(&text, materials == 1 ? "Made for one material." : "Made for %d materials.", materials);
+    return text.at;
+}
+
+/* "Materials with specular, emissive.": what this case has and another one has not. */
+static const char *doc_of_case(Arena *arena, const Division *division, int number)
+{
+    unsigned all = division->slots[0];
+    Text text = text_new(arena);
+    for (int i = 1; i < division->count; i++)
+        all &= division->slots[i];
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if ((division->slots[number] & ~all) >> slot & 1)
+            text_format(&text, "%s%s", text.size ? ", " : "Materials with ", slot_table[slot].name);
+    text_put(&text, text.size ? "." : "Materials with no more than all have.");
+    return text.at;
+}
+
+static CaseRow make_case(Arena *arena, const FieldRow *fields, int count, unsigned slots)
+{
+    FieldRow *own = ARENA_ARRAY(arena, FieldRow, SLOT_COUNT);
+    CaseRow row = {.fields = own};
+    for (int i = 0; i < count; i++)
+        if (slots >> fields[i].source[0].slot & 1)
+            own[row.field_count++] = fields[i];
+    return row;
+}
+
+static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan plans[SLOT_COUNT], double scale,
+                                 Division *division)
+{
+    FieldRow fields[SLOT_COUNT];
+    int count = 0;
+    FixedRow *fixed = ARENA_ARRAY(arena, FixedRow, SLOT_COUNT);
+    CaseRow *cases = ARENA_ARRAY(arena, CaseRow, MOST_AUTO_CASES);
+    LayoutRow *row = ARENA_NEW(arena, LayoutRow);
+    *row = (LayoutRow){.name = "auto", .doc = doc_of(arena, ranges->materials), .fixed = fixed, .cases = cases};
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        plans[slot] = plan_slot((Slot)slot, &ranges->slot[slot], scale);
+        put_plan(&plans[slot], &ranges->slot[slot], fields, &count, fixed, &row->fixed_count);
+    }
+    qsort(fields, (size_t)count, sizeof *fields, by_size);
+    if (!divide_fields(fields, count, ranges, division))
+        return NULL;
+    choose_formats(row, division->words);
+    row->case_count = division->count;
+    for (int i = 0; i < division->count; i++) {
+        cases[i] = make_case(arena, fields, count, division->slots[i]);
+        cases[i].doc = i ? doc_of_case(arena, division, i) : row->doc; /* the first one's is the layout's */
+    }
+    return row;
+}
+
+MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOptions *options)
+{
+    MatcLayout *layout = calloc(1, sizeof *layout);
+    if (!layout)
+        abort();
+    Plan plans[SLOT_COUNT];
+    Division division;
+    Locale locale = locale_enter();
+    layout->options = options_whole(options);
+    layout->c = (Compile){.options = &layout->options, .arena = &layout->arena};
+    if (ranges->materials) {
+        const double scale = error > 0 ? error / class_table[CLASS_color].error : 1;
+        layout->row = make_row(&layout->arena, ranges, plans, scale, &division);
+        Text report = text_new(&layout->arena);
+        plan_report(&report, plans, ranges, layout->row, &division);
+        layout_describe(layout);
+        text_put(&report, layout->report);
+        layout->report = report.at;
+    } else {
+        diag_add(&layout->c, NO_SPAN, DIAG_layout_of_none);
+    }
+    locale_leave(locale);
+    return layout;
+}

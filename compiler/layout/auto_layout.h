@@ -1,0 +1,51 @@
+/* --layout=auto: from ranges to fields. */
+#ifndef MATC_AUTO_LAYOUT_H
+#define MATC_AUTO_LAYOUT_H
+#include "compiler/layout/layout.h"
+#include "compiler/matc.h"
+#include "compiler/base/text.h"
+
+/* What becomes of a slot. */
+typedef enum {
+    FATE_field,    /* it is stored */
+    FATE_fixed,    /* all materials have the same of it */
+    FATE_absent,   /* no material says anything about it */
+    FATE_unneeded, /* it changes nothing in any material */
+    FATE_taken,    /* another slot has it in */
+} Fate;
+
+typedef struct {
+    Slot slot;
+    Fate fate;
+    double low, high; /* of all lanes */
+    ErrorClass kind;
+    double error; /* at most, in the unit of its class; of a field what it really is */
+    FieldRow field;
+} Plan;
+
+/* Which slots lie together in a case. */
+enum { MOST_AUTO_CASES = 8 };
+typedef struct {
+    int count;
+    unsigned slots[MOST_AUTO_CASES]; /* 1 << slot; few first */
+    int materials[MOST_AUTO_CASES];  /* that take it; those of MatcRanges.others all together */
+    int words;                       /* of a pixel */
+    int words_of_one;                /* if there were but one case */
+} Division;
+
+/* The fewest words that hold the fields, each one slot's, and then the fewest cases. A material finds all of its slots in a case.
+ * False: no layout has so many words. auto_cases.c */
+bool divide_fields(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division);
+/* Gives the row so many words: targets of four, two and one. */
+void choose_formats(LayoutRow *row, int words);
+/* Adds the slots of a material, or of several. What `other` has. auto_sets.c */
+void sets_of_slots_add(MatcRanges *ranges, MatcSlotSet set);
+void sets_of_slots_join(MatcRanges *ranges, const MatcRanges *other);
+/* Of all groups of a field. auto_plan.c */
+int field_bits(const FieldRow *field);
+/* What is to be done with a slot, at `scale` times the errors of classes.def. auto_plan.c */
+Plan plan_slot(Slot slot, const MatcSlotRange *range, double scale);
+/* A table of the slots and their fates. auto_report.c */
+void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row,
+                 const Division *division);
+#endif

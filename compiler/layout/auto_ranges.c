@@ -1,0 +1,175 @@
+/* What a set of materials can be: the intervals of every slot, by the optimised IR. */
+#include "compiler/layout/auto_layout.h"
+#include "compiler/pipeline.h"
+#include "compiler/ir/range.h"
+#include "compiler/choice.h"
+#include "compiler/layout/custom.h"
+#include "compiler/document.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+_Static_assert((int)MATC_SLOTS == (int)SLOT_COUNT, "matc.h knows how many slots there are");
+
+void matc_ranges_init(MatcRanges *ranges)
+{
+    memset(ranges, 0, sizeof *ranges); /* what lies between members too: equal ranges are equal bytes */
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        for (int lane = 0; lane < FIELD_LANES; lane++) {
+            ranges->slot[slot].low[lane] = INFINITY;
+            ranges->slot[slot].high[lane] = -INFINITY;
+        }
+}
+
+void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
+{
+    ranges->materials += other->materials;
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        MatcSlotRange *to = &ranges->slot[slot];
+        const MatcSlotRange *from = &other->slot[slot];
+        to->counted += from->counted;
+        to->absent += from->absent;
+        to->alike += from->alike;
+        to->drawn += from->drawn;
+        for (int lane = 0; lane < FIELD_LANES; lane++) {
+            to->low[lane] = fmin(to->low[lane], from->low[lane]);
+            to->high[lane] = fmax(to->high[lane], from->high[lane]);
+        }
+    }
+    sets_of_slots_join(ranges, other);
+}
+
+/* Lanes that are the same by how they are computed. */
+static bool same_lanes(const Ir *ir, Ref ref, const uint8_t *same)
+{
+    const IrNode *node = ir_at(ir, ref);
+    const double *numbers;
+    if (ir_lanes(ir, ref) == 1)
+        return true;
+    switch (node->op) {
+    case OP_const:
+        numbers = ir_numbers(ir, ref);
+        for (int i = 1; i < ir_lanes(ir, ref); i++)
+            if (numbers[i] != numbers[0])
+                return false;
+        return true;
+    case OP_swizzle:
+        for (int i = 1; i < ir_lanes(ir, ref); i++)
+            if ((node->payload >> 2 * i & 3) != (node->payload & 3) && !same[ir_arg(ir, ref, 0)])
+                return false;
+        return true;
+    case OP_vec:
+        for (int i = 0; i < node->count; i++)
+            if (ir_arg(ir, ref, i) != ir_arg(ir, ref, 0) || !same[ir_arg(ir, ref, i)])
+                return false;
+        return true;
+    case OP_apply:
+        return same[ir->functions[node->payload].result];
+    default:
+        break;
+    }
+    if (op_table[node->op].shape == SHAPE_special && node->op != OP_select)
+        return false;
+    for (int i = 0; i < node->count; i++)
+        if (!same[ir_arg(ir, ref, i)])
+            return false;
+    return node->op != OP_cross;
+}
+
+static uint8_t *find_same(const Ir *ir, Arena *arena)
+{
+    uint8_t *same = ARENA_ARRAY(arena, uint8_t, ir->count);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        same[ref] = same_lanes(ir, ref, same);
+    return same;
+}
+
+/* One material's slot; what a surface cannot be is taken off. */
+static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same, const IrOutput *output,
+                      MatcSlotRange *range)
+{
+    const SlotRow *row = &slot_table[output->index];
+    const Ref value = output->value;
+    const bool draws = ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
+    range->drawn = draws;
+    if (slot_class_table[output->index].kind == CLASS_none || draws)
+        return; /* another slot has it, or who draws knows it */
+    range->counted = 1;
+    range->absent = ir_is_number(ir, value, row->absent);
+    range->alike = same[value];
+    for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
+        Interval found = range_of(ranges, ir, value, lane);
+        if (output->index == SLOT_normal) /* it is stored as the eye sees it: no way is ever left out */
+            found = (Interval){row->low, row->high};
+        range->low[lane] = fmin(fmax(found.low, row->low), row->high);
+        range->high[lane] = fmax(fmin(found.high, row->high), row->low);
+    }
+}
+
+/* There are points where it is more than 0. */
+static bool is_there(const MatcSlotRange *range)
+{
+    for (int lane = 0; lane < FIELD_LANES; lane++)
+        if (range->counted && range->high[lane] > 0)
+            return true;
+    return false;
+}
+
+/* Slots that change nothing in this material do not count. */
+static void drop_unneeded(MatcRanges *one)
+{
+    MatcRanges none;
+    unsigned there = 0;
+    matc_ranges_init(&none);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        there |= (unsigned)is_there(&one->slot[slot]) << slot;
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (slot_class_table[slot].matters && !(slot_class_table[slot].matters & there))
+            one->slot[slot] = none.slot[slot];
+}
+
+static bool add_material(Compile *c, const Graph *graph, int material, const Job *job, MatcRanges *one)
+{
+    const Ir *ir = compile_ir(c, graph, graph->materials[material].node, job);
+    if (!ir)
+        return false;
+    const Ranges ranges = ranges_find(ir, c->arena, FIELD_LANES);
+    const uint8_t *same = find_same(ir, c->arena);
+    one->materials = 1;
+    for (int i = 0; i < ir->output_count; i++)
+        read_slot(ir, &ranges, same, &ir->outputs[i], &one->slot[ir->outputs[i].index]);
+    drop_unneeded(one);
+    sets_of_slots_add(one, (MatcSlotSet){ir->slots, 1});
+    return true;
+}
+
+bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int material, const MatcOptions *options,
+                     char **fault)
+{
+    Job job;
+    Arena arena = {0};
+    MatcRanges one;
+    MatcOptions own = options_whole(options);
+    Locale locale = locale_enter();
+    own.layout = own.pass = own.constants = NULL;
+    own.member_count = 0;
+    own.custom = NULL;
+    own.optimize = 2;
+    Compile c = compile_with(&own, &arena);
+    const Graph *graph = document->graph;
+    document_lend(document, &c);
+    const char *wrong = job_of(&own, &job);
+    bool fine = !wrong && graph && material >= 0 && material < graph->material_count;
+    job.pass = PASS_value;
+    job.all_slots = true;
+    matc_ranges_init(&one);
+    fine = fine && add_material(&c, graph, material, &job, &one);
+    *fault = NULL;
+    if (fine)
+        matc_ranges_join(ranges, &one);
+    else if (!(*fault = strdup(c.diags.count ? diag_all(&c, MATC_TEXT) : "no such material or option")))
+        abort();
+    locale_leave(locale);
+    arena_free(&arena);
+    return fine;
+}

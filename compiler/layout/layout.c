@@ -1,0 +1,164 @@
+/* Places for the fields of a layout. */
+#include "compiler/layout/layout.h"
+#include <string.h>
+
+/* What is taken of every target lane, in bits: fields only ever go behind one another. */
+typedef struct {
+    int taken[LAYOUT_TARGETS][FIELD_LANES];
+} Room;
+
+int layout_targets(const LayoutRow *row)
+{
+    int count = 0;
+    while (row->formats[count] != FORMAT_none)
+        count++;
+    return count;
+}
+
+int layout_bytes(const LayoutRow *row)
+{
+    int bits = 0;
+    for (int i = 0; i < layout_targets(row); i++)
+        bits += format_table[row->formats[i]].lanes * format_table[row->formats[i]].bits;
+    return bits / 8;
+}
+
+bool layout_has_words(const LayoutRow *row)
+{
+    for (int i = 0; i < layout_targets(row); i++)
+        if (format_table[row->formats[i]].words)
+            return true;
+    return false;
+}
+
+bool case_has_slot(const CaseRow *row, Slot slot)
+{
+    for (int i = 0; i < row->field_count; i++)
+        for (int k = 0; k < row->fields[i].count; k++)
+            if (row->fields[i].source[k].slot == slot)
+                return true;
+    return false;
+}
+
+const FixedRow *layout_fixed(const LayoutRow *row, Slot slot)
+{
+    for (int i = 0; i < row->fixed_count; i++)
+        if (row->fixed[i].slot == slot)
+            return &row->fixed[i];
+    return NULL;
+}
+
+bool layout_has_slot(const LayoutRow *row, Slot slot)
+{
+    if (layout_fixed(row, slot))
+        return true;
+    for (int i = 0; i < row->case_count; i++)
+        if (case_has_slot(&row->cases[i], slot))
+            return true;
+    return false;
+}
+
+static bool case_is_whole(const LayoutRow *row, const CaseRow *fields)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) && !case_has_slot(fields, (Slot)slot))
+            return false;
+    return true;
+}
+
+bool layout_is_whole(const LayoutRow *row)
+{
+    for (int i = 0; i < row->case_count; i++)
+        if (case_is_whole(row, &row->cases[i]))
+            return true;
+    return false;
+}
+
+int layout_case_bits(const LayoutRow *row)
+{
+    int bits = 0;
+    while (1 << bits < row->case_count)
+        bits++;
+    return bits;
+}
+
+bool piece_is_slot(const Piece *piece)
+{
+    const SlotLane *source = &piece->field->source[piece->first];
+    for (int i = 0; i < piece->count; i++)
+        if (source[i].slot != source[0].slot || source[i].lane != i)
+            return false;
+    return piece->count == type_table[slot_table[source[0].slot].type].lanes;
+}
+
+bool piece_takes_bits(const Piece *piece)
+{
+    int pack = encoding_table[piece->field->encoding].pack;
+    const char *arguments = pack == FN_none ? "" : function_arguments(pack);
+    return strchr(arguments, 'i') != NULL;
+}
+
+/* Free lanes side by side. */
+static bool fits_lanes(const Room *room, const FormatRow *format, const Piece *piece)
+{
+    for (int i = 0; i < piece->size; i++)
+        if (piece->lane + i >= format->lanes || room->taken[piece->target][piece->lane + i])
+            return false;
+    return true;
+}
+
+static bool fits(const Room *room, const FormatRow *format, const Piece *piece)
+{
+    if (format->words != encoding_table[piece->field->encoding].words)
+        return false;
+    return format->words ? room->taken[piece->target][piece->lane] + piece->size <= format->bits
+                         : fits_lanes(room, format, piece);
+}
+
+static bool find_place(Room *room, const LayoutRow *row, Piece *piece)
+{
+    for (piece->target = 0; piece->target < layout_targets(row); piece->target++) {
+        const FormatRow *format = &format_table[row->formats[piece->target]];
+        for (piece->lane = 0; piece->lane < format->lanes; piece->lane++) {
+            if (!fits(room, format, piece))
+                continue;
+            int *taken = &room->taken[piece->target][piece->lane];
+            piece->shift = format->words ? *taken : 0;
+            *taken += format->words ? piece->size : 0;
+            for (int i = 0; !format->words && i < piece->size; i++)
+                taken[i] = format->bits;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The bits are within the encoding's, and its groups use up the lanes. */
+static bool is_sound(const FieldRow *field)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    return field->count >= 1 && field->count <= FIELD_LANES && field->bits >= encoding->least &&
+           field->bits <= encoding->most && (!encoding->takes || field->count % encoding->takes == 0);
+}
+
+const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placement)
+{
+    const CaseRow *fields = &row->cases[number];
+    Room room = {.taken = {{layout_case_bits(row)}}};
+    *placement = (Placement){0};
+    if (layout_case_bits(row) && !format_table[row->formats[0]].words)
+        return &fields->fields[0]; /* nowhere to tell the cases apart */
+    for (int i = 0; i < fields->field_count; i++) {
+        const FieldRow *field = &fields->fields[i];
+        int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes : field->count;
+        if (!is_sound(field))
+            return field;
+        for (int first = 0; first < field->count; first += takes) {
+            Piece piece = {.field = field, .first = first, .count = takes, .size = field_size(field)};
+            if (placement->count == MOST_PIECES || !find_place(&room, row, &piece))
+                return field;
+            placement->pieces[placement->count++] = piece;
+        }
+    }
+    return NULL;
+}

@@ -1,0 +1,141 @@
+/* Whether a layout that was read can be: its fields are possible, its slots whole, its targets large enough. */
+#include "compiler/describe/describe.h"
+#include "compiler/layout/layout_read.h"
+
+typedef struct {
+    Compile *c;
+    const LayoutRow *row;
+    bool fine;
+} Checker;
+
+static const char *number_text(Checker *k, double value)
+{
+    Text text = text_new(k->c->arena);
+    describe_number(&text, value);
+    return text.at;
+}
+
+/* "shininess", or "diffuse.g" of a slot with lanes. */
+static const char *lane_text(Checker *k, SlotLane at)
+{
+    Text text = text_new(k->c->arena);
+    text_put(&text, slot_table[at.slot].name);
+    if (type_table[slot_table[at.slot].type].lanes > 1)
+        text_format(&text, ".%c", "rgba"[at.lane]);
+    return text.at;
+}
+
+static void check_groups(Checker *k, const FieldRow *field, Span span)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    Text takes = text_new(k->c->arena);
+    if (!field->count || !encoding->takes || field->count % encoding->takes == 0)
+        return;
+    text_format(&takes, "%d lanes", encoding->takes);
+    diag_add(k->c, span, DIAG_field_lanes, encoding->name, takes.at, field->count);
+    k->fine = false;
+}
+
+/* Codes of directions are for the normal; a number with a sign needs a code that has it. */
+static void check_meaning(Checker *k, const FieldRow *field, Span span)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    const bool directions = encoding->unit == UNIT_degrees;
+    bool fine = true;
+    for (int i = 0; i < field->count && fine; i++) {
+        const SlotRow *slot = &slot_table[field->source[i].slot];
+        if (directions && (field->source[i].slot != SLOT_normal || field->source[i].lane != i))
+            fine = diag_add(k->c, span, DIAG_field_normal, encoding->name);
+        else if (!directions && slot->low < 0 && field_low(field) >= 0)
+            fine = diag_add(k->c, span, DIAG_field_sign, encoding->name, number_text(k, field_low(field)),
+                            number_text(k, field_high(field)), slot->name, number_text(k, slot->low),
+                            number_text(k, slot->high));
+    }
+    k->fine &= fine;
+}
+
+/* Every lane has one place, and none of a slot is left out. */
+static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
+{
+    int last[SLOT_COUNT][FIELD_LANES] = {{0}}; /* the field that stores it, from 1 */
+    for (int i = 0; i < row->field_count; i++)
+        for (int lane = 0; lane < row->fields[i].count; lane++) {
+            const SlotLane at = row->fields[i].source[lane];
+            const int lanes = row->fields[i].gray ? type_table[slot_table[at.slot].type].lanes : 1;
+            if (last[at.slot][at.lane])
+                k->fine = diag_add(k->c, trees[i]->span, DIAG_slot_twice, lane_text(k, at));
+            for (int n = 0; n < lanes; n++)
+                last[at.slot][at.lane + n] = i + 1;
+        }
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        int stored = 0;
+        for (int lane = 0; lane < FIELD_LANES; lane++)
+            stored = last[slot][lane] ? last[slot][lane] : stored;
+        for (int lane = 0; stored && lane < type_table[slot_table[slot].type].lanes; lane++)
+            if (!last[slot][lane])
+                k->fine = diag_add(k->c, trees[stored - 1]->span, DIAG_slot_in_part,
+                                   lane_text(k, (SlotLane){(Slot)slot, lane}), slot_table[slot].name);
+    }
+}
+
+/* "left are 3 bits of 0.r, 32 bits of 1.g", "left are 0.a, 2.r", ...: what the fields before leave. */
+static const char *left_text(Checker *k, const Placement *placement, bool words)
+{
+    Text text = text_new(k->c->arena);
+    bool any = false;
+    for (int target = 0; target < layout_targets(k->row); target++) {
+        const FormatRow *format = &format_table[k->row->formats[target]];
+        any |= format->words == words;
+        for (int lane = 0; lane < format->lanes && format->words == words; lane++) {
+            int left = format->bits - (target || lane ? 0 : layout_case_bits(k->row));
+            for (int i = 0; i < placement->count; i++) {
+                const Piece *piece = &placement->pieces[i];
+                if (piece->target == target && lane >= piece->lane && lane < piece->lane + (words ? 1 : piece->size))
+                    left = words ? left - piece->size : 0;
+            }
+            if (!left)
+                continue;
+            text_put(&text, text.size ? ", " : "left are ");
+            if (words)
+                text_format(&text, "%d bits of ", left);
+            text_format(&text, "%d.%c", target, "rgba"[lane]);
+        }
+    }
+    return text.size ? text.at : any ? "nothing is left" : words ? "no target holds words" : "no target holds floats";
+}
+
+static void check_room(Checker *k, int number, Tree *const *trees)
+{
+    Placement placement;
+    const FieldRow *fault = layout_place(k->row, number, &placement);
+    if (!fault)
+        return;
+    const bool words = encoding_table[fault->encoding].words;
+    Text encoding = text_new(k->c->arena), size = text_new(k->c->arena);
+    describe_encoding(&encoding, fault);
+    text_format(&size, words ? "%d bits of one word" : "%d lanes of one target", field_size(fault));
+    k->fine = diag_add(k->c, trees[fault - k->row->cases[number].fields]->span, DIAG_field_full, encoding.at,
+                       slot_table[fault->source[0].slot].name, size.at, left_text(k, &placement, words));
+}
+
+static void check_cases(Checker *k, const Tree *file)
+{
+    if (layout_case_bits(k->row) && !format_table[k->row->formats[0]].words)
+        k->fine = diag_add(k->c, tree_find(file, "targets")->value->span, DIAG_case_words);
+}
+
+bool layout_check(Compile *c, const LayoutRow *row, const Tree *file, Tree *const *const *trees)
+{
+    Checker k = {c, row, true};
+    for (int number = 0; number < row->case_count; number++) {
+        for (int i = 0; i < row->cases[number].field_count; i++) {
+            check_groups(&k, &row->cases[number].fields[i], trees[number][i]->span);
+            check_meaning(&k, &row->cases[number].fields[i], trees[number][i]->span);
+        }
+        check_lanes(&k, &row->cases[number], trees[number]);
+    }
+    check_cases(&k, file);
+    for (int number = 0; number < row->case_count && k.fine; number++)
+        check_room(&k, number, trees[number]);
+    return k.fine;
+}

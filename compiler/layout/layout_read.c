@@ -1,0 +1,321 @@
+/* Tree -> LayoutRow: the keys of a layout file, their types, the names in them. layout_check.c knows what fits together. */
+#include "compiler/layout/layout_read.h"
+#include "compiler/front/resolve.h"
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+    Compile *c;
+    LayoutRow *row;
+    Tree *const **trees; /* of every case: where its fields stand */
+    bool fine;
+} Reader;
+
+static const char *format_name(const void *user, int i) { return (void)user, format_table[i + 1].name; }
+static const char *encoding_name(const void *user, int i) { return (void)user, encoding_table[i].name; }
+static const char *slot_name(const void *user, int i) { return (void)user, slot_table[i].name; }
+static const char *key_name(const void *user, int i) { return ((const char *const *)user)[i]; }
+
+static void *fail(Reader *r)
+{
+    r->fine = false;
+    return NULL;
+}
+
+static void wrong_type(Reader *r, const Tree *tree, const char *what, const char *wants)
+{
+    diag_add(r->c, tree->span, DIAG_wrong_type, what, wants, tree_describe(r->c, tree));
+    fail(r);
+}
+
+/* Keys that are not in the list are told. */
+static void check_keys(Reader *r, const Tree *object, const char *what, const char *const *keys, int count)
+{
+    for (uint32_t i = 0; i < object->count; i++) {
+        int k = 0;
+        while (k < count && strcmp(keys[k], object->members[i].key) != 0)
+            k++;
+        if (k < count)
+            continue;
+        const char *near = suggest(r->c, object->members[i].key, key_name, keys, count);
+        diag_add(r->c, object->members[i].span, DIAG_layout_key, what, object->members[i].key, near);
+        fail(r);
+    }
+}
+
+/* The value of a key, NULL if it is not there; then, if it must be, that is told. */
+static Tree *member(Reader *r, const Tree *object, const char *what, const char *key, bool must)
+{
+    const Member *found = tree_find(object, key);
+    if (found && !tree_is_null(found->value))
+        return found->value;
+    if (must) {
+        diag_add(r->c, object->span, DIAG_missing_key, what, key);
+        fail(r);
+    }
+    return NULL;
+}
+
+static const char *text_of(Reader *r, const Tree *object, const char *what, const char *key, bool must)
+{
+    const Tree *tree = member(r, object, what, key, must);
+    if (!tree)
+        return "";
+    if (tree->kind == TREE_scalar)
+        return tree->text;
+    wrong_type(r, tree, key, "a text");
+    return "";
+}
+
+/* The items of a list of 1 to `most`; what is no list is told. */
+static Tree **items_of(Reader *r, const Tree *object, const char *what, const char *key, int most, int *count)
+{
+    const Tree *list = member(r, object, what, key, true);
+    *count = 0;
+    if (!list)
+        return NULL;
+    if (list->kind != TREE_list || !list->count) {
+        wrong_type(r, list, key, list->kind == TREE_list ? "at least one item" : "a list");
+        return NULL;
+    }
+    if (list->count > (uint32_t)most) {
+        diag_add(r->c, list->span, DIAG_layout_length, key, (int)list->count, most);
+        return fail(r);
+    }
+    *count = (int)list->count;
+    return list->items;
+}
+
+/* The row of a name among `count`, or -1, told. */
+static int row_of(Reader *r, const Tree *tree, const char *what, const char *(*names)(const void *, int), int count,
+                  DiagKind unknown)
+{
+    if (tree->kind != TREE_scalar) {
+        wrong_type(r, tree, what, "a name");
+        return -1;
+    }
+    for (int i = 0; i < count; i++)
+        if (!strcmp(names(NULL, i), tree->text))
+            return i;
+    diag_add(r->c, tree->span, unknown, tree->text, suggest(r->c, tree->text, names, NULL, count));
+    fail(r);
+    return -1;
+}
+
+/* "diffuse", "diffuse.rg": its lanes are added to the field. */
+static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
+{
+    if (tree->kind != TREE_scalar) {
+        wrong_type(r, tree, "slot", "a slot, such as diffuse or diffuse.rg");
+        return;
+    }
+    size_t size = strcspn(tree->text, ".");
+    Tree name = *tree;
+    name.text = arena_string(r->c->arena, tree->text, size);
+    int slot = row_of(r, &name, "slot", slot_name, SLOT_COUNT, DIAG_unknown_slot);
+    if (slot < 0)
+        return;
+    const int lanes = type_table[slot_table[slot].type].lanes;
+    const char *all = arena_string(r->c->arena, "rgba", (size_t)lanes);
+    const char *letters = tree->text[size] ? tree->text + size + 1 : all;
+    if (!*letters)
+        letters = "?";
+    for (; *letters; letters++) {
+        const char *rgba = strchr(all, *letters), *at = strchr("xyzw", *letters);
+        int lane = rgba ? (int)(rgba - all) : at ? (int)(at - "xyzw") : FIELD_LANES;
+        if (lane >= lanes || field->count == FIELD_LANES) {
+            diag_add(r->c, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name, all);
+            fail(r);
+            return;
+        }
+        field->source[field->count++] = (SlotLane){(Slot)slot, lane};
+    }
+}
+
+static void read_slots(Reader *r, const Tree *object, FieldRow *field)
+{
+    const Tree *tree = member(r, object, "a field", "slot", true);
+    if (tree && tree->kind == TREE_list)
+        for (uint32_t i = 0; i < tree->count; i++)
+            read_lanes(r, tree->items[i], field);
+    else if (tree)
+        read_lanes(r, tree, field);
+    if (tree && tree->kind == TREE_list && !tree->count)
+        wrong_type(r, tree, "slot", "a slot or a list of them");
+}
+
+static void read_bits(Reader *r, const Tree *object, FieldRow *field)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    const Tree *tree = member(r, object, encoding->name, "bits", encoding->least != encoding->most);
+    double bits = encoding->least;
+    if (tree && (!tree_number(tree, &bits) || bits != floor(bits))) {
+        wrong_type(r, tree, "bits", "a whole number");
+    } else if (bits < encoding->least || bits > encoding->most) {
+        Text least = text_new(r->c->arena), most = text_new(r->c->arena);
+        text_int(&least, encoding->least);
+        text_int(&most, encoding->most);
+        diag_add(r->c, tree->span, DIAG_out_of_range, "bits", tree->text, least.at, most.at);
+        fail(r);
+    }
+    field->bits = r->fine ? (int)bits : encoding->least;
+}
+
+static void read_range(Reader *r, const Tree *object, FieldRow *field)
+{
+    const Tree *tree = member(r, object, "a field", "range", false);
+    if (!tree)
+        return;
+    if (tree->kind != TREE_list || tree->count != 2 || !tree_number(tree->items[0], &field->low) ||
+        !tree_number(tree->items[1], &field->high)) {
+        wrong_type(r, tree, "range", "two numbers");
+        return;
+    }
+    const double least = 1e-6, most = 3.4e38; /* what floats tell apart */
+    bool told = fabs(field->low) < most && fabs(field->high) < most &&
+                field->high - field->low > least * fmax(fabs(field->low), fabs(field->high));
+    if (!told || !encoding_takes_range(field->encoding)) {
+        diag_add(r->c, tree->span, told ? DIAG_field_range : DIAG_bad_range, encoding_table[field->encoding].name);
+        fail(r);
+    }
+}
+
+static void read_gray(Reader *r, const Tree *object, FieldRow *field)
+{
+    const Tree *tree = member(r, object, "a field", "gray", false);
+    if (!tree)
+        return;
+    bool yes = tree->kind == TREE_scalar && !strcmp(tree->text, "true");
+    if (!yes && (tree->kind != TREE_scalar || strcmp(tree->text, "false") != 0)) {
+        wrong_type(r, tree, "gray", "true or false");
+        return;
+    }
+    bool whole = field->count > 1 && field->count == type_table[slot_table[field->source[0].slot].type].lanes;
+    for (int i = 0; i < field->count; i++)
+        whole &= field->source[i].slot == field->source[0].slot && field->source[i].lane == i;
+    if (yes && (!whole || encoding_table[field->encoding].takes > 1)) {
+        diag_add(r->c, tree->span, DIAG_field_gray);
+        fail(r);
+    }
+    field->gray = yes;
+    field->count = yes ? 1 : field->count;
+}
+
+static void read_field(Reader *r, const Tree *tree, FieldRow *field)
+{
+    static const char *const keys[] = {"slot", "encoding", "bits", "range", "gray"};
+    if (tree->kind != TREE_object) {
+        wrong_type(r, tree, "a field", "an object");
+        return;
+    }
+    check_keys(r, tree, "a field", keys, sizeof keys / sizeof *keys);
+    read_slots(r, tree, field);
+    const Tree *name = member(r, tree, "a field", "encoding", true);
+    int encoding = name ? row_of(r, name, "encoding", encoding_name, ENCODING_COUNT, DIAG_unknown_encoding) : -1;
+    if (encoding < 0)
+        return;
+    field->encoding = (Encoding)encoding;
+    read_bits(r, tree, field);
+    read_range(r, tree, field);
+    read_gray(r, tree, field);
+}
+
+static CaseRow read_case(Reader *r, const Tree *object, const char *what, int number)
+{
+    int count;
+    Tree **items = items_of(r, object, what, "fields", LIMIT_LAYOUT_FIELDS, &count);
+    FieldRow *fields = ARENA_ARRAY(r->c->arena, FieldRow, count + 1);
+    r->trees[number] = items;
+    for (int i = 0; i < count; i++)
+        read_field(r, items[i], &fields[i]);
+    return (CaseRow){fields, count, text_of(r, object, what, "doc", false)};
+}
+
+/* The fields of the outermost level, then those of `cases`. */
+static void read_cases(Reader *r, const Tree *file)
+{
+    static const char *const keys[] = {"doc", "fields"};
+    int more = 0;
+    const bool has = member(r, file, "a layout", "cases", false) != NULL;
+    Tree **items = has ? items_of(r, file, "a layout", "cases", LIMIT_LAYOUT_CASES - 1, &more) : NULL;
+    CaseRow *cases = ARENA_ARRAY(r->c->arena, CaseRow, 1 + more);
+    r->trees = ARENA_ARRAY(r->c->arena, Tree *const *, 1 + more);
+    cases[0] = read_case(r, file, "a layout", 0);
+    for (int i = 0; i < more; i++) {
+        if (items[i]->kind != TREE_object) {
+            wrong_type(r, items[i], "a case", "an object");
+            continue;
+        }
+        check_keys(r, items[i], "a case", keys, sizeof keys / sizeof *keys);
+        cases[1 + i] = read_case(r, items[i], "a case", 1 + i);
+    }
+    r->row->cases = cases;
+    r->row->case_count = 1 + more;
+}
+
+static void read_targets(Reader *r, const Tree *file)
+{
+    int count;
+    Tree **items = items_of(r, file, "a layout", "targets", LAYOUT_TARGETS, &count);
+    for (int i = 0; i < count; i++) {
+        int format = row_of(r, items[i], "targets", format_name, FORMAT_COUNT - 1, DIAG_unknown_format);
+        r->row->formats[i] = (Format)(format + 1);
+    }
+}
+
+/* A number for all lanes, or one a lane. */
+static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
+{
+    const int lanes = type_table[slot_table[fixed->slot].type].lanes;
+    const Tree *value = from->value;
+    bool fine = value->kind == TREE_list ? value->count == (uint32_t)lanes : value->kind == TREE_scalar;
+    for (int lane = 0; lane < lanes && fine; lane++)
+        fine = tree_number(value->kind == TREE_list ? value->items[lane] : value, &fixed->value[lane]);
+    if (!fine)
+        wrong_type(r, value, from->key, lanes == 1 ? "a number" : "a number or three");
+}
+
+static void read_constants(Reader *r, const Tree *file)
+{
+    const Tree *object = member(r, file, "a layout", "constants", false);
+    if (!object)
+        return;
+    if (object->kind != TREE_object) {
+        wrong_type(r, object, "constants", "an object");
+        return;
+    }
+    FixedRow *fixed = ARENA_ARRAY(r->c->arena, FixedRow, object->count + 1);
+    for (uint32_t i = 0; i < object->count; i++) {
+        Tree key = {.kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
+        int slot = row_of(r, &key, "constants", slot_name, SLOT_COUNT, DIAG_unknown_slot);
+        if (slot < 0)
+            continue;
+        fixed[r->row->fixed_count].slot = (Slot)slot;
+        read_constant(r, &object->members[i], &fixed[r->row->fixed_count++]);
+        for (int number = 0; number < r->row->case_count; number++)
+            if (case_has_slot(&r->row->cases[number], (Slot)slot)) {
+                diag_add(r->c, key.span, DIAG_fixed_stored, slot_table[slot].name);
+                fail(r);
+            }
+    }
+    r->row->fixed = fixed;
+}
+
+const LayoutRow *layout_read(Compile *c, const Tree *tree)
+{
+    static const char *const keys[] = {"layout", "doc", "targets", "fields", "cases", "constants"};
+    Reader r = {.c = c, .row = ARENA_NEW(c->arena, LayoutRow), .fine = true};
+    if (tree->kind != TREE_object || !tree_find(tree, "layout"))
+        return diag_add(c, tree->span, DIAG_layout_not_object);
+    check_keys(&r, tree, "a layout", keys, sizeof keys / sizeof *keys);
+    r.row->name = text_of(&r, tree, "a layout", "layout", true);
+    r.row->doc = text_of(&r, tree, "a layout", "doc", false);
+    if (r.fine && !is_name(r.row->name)) {
+        diag_add(c, tree_find(tree, "layout")->value->span, DIAG_bad_name, r.row->name, LIMIT_NAME);
+        fail(&r);
+    }
+    read_targets(&r, tree);
+    read_cases(&r, tree);
+    read_constants(&r, tree);
+    return r.fine && layout_check(c, r.row, tree, r.trees) ? r.row : NULL;
+}

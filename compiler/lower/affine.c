@@ -1,0 +1,247 @@
+/* What rounding takes from a coordinate: affine chains of constants are followed back, in double, to the value they start from,
+ * and GLSL computes M root + offset as a whole number and a fraction, each good to the last bit. */
+#include "compiler/lower/footprint.h"
+#include <float.h>
+#include <math.h>
+
+enum { LANES = AFFINE_LANES };
+static const double GREATEST = FLT_MAX / 4; /* of a factor or an offset: twice of it is a float yet */
+
+static Line constant(double value) { return (Line){.offset = value}; }
+
+/* A node that is nothing affine: it is what others start from. Of a vec4 only the first three lanes can be that. */
+static Line start(Ref ref, int lane)
+{
+    Line line = {.root = ref, .closed = lane >= LANES};
+    if (!line.closed)
+        line.factor[lane] = 1;
+    return line;
+}
+
+/* a + sign b; false where they start from different values. */
+static bool combined(const Line *a, const Line *b, double sign, Line *sum)
+{
+    if (a->closed || b->closed || (a->root && b->root && a->root != b->root))
+        return false;
+    *sum = (Line){.root = a->root ? a->root : b->root, .offset = a->offset + sign * b->offset};
+    for (int i = 0; i < LANES; i++)
+        sum->factor[i] = a->factor[i] + sign * b->factor[i];
+    return true;
+}
+
+static Line scaled(Line line, double factor)
+{
+    line.offset *= factor;
+    for (int i = 0; i < LANES; i++)
+        line.factor[i] *= factor;
+    return line;
+}
+
+/* What is kept of a lane; a number stands for all lanes of a vector. */
+static Line line_of(const Lower *l, Ref ref, int lane)
+{
+    if (ir_lanes(l->ir, ref) == 1)
+        lane = 0;
+    if (ir_is(l->ir, ref, OP_const))
+        return constant(ir_numbers(l->ir, ref)[lane]);
+    return l->affine.first[ref] ? l->affine.lines[l->affine.first[ref] - 1 + (size_t)lane] : start(ref, lane);
+}
+
+static Line sum_line(const Lower *l, Ref ref, int lane)
+{
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane), sum;
+    return combined(&a, &b, ir_is(l->ir, ref, OP_sub) ? -1 : 1, &sum) ? sum : start(ref, lane);
+}
+
+static Line product_line(const Lower *l, Ref ref, int lane)
+{
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane);
+    if (!a.root)
+        return scaled(b, a.offset);
+    return b.root ? start(ref, lane) : scaled(a, b.offset);
+}
+
+/* A matrix by its columns, all constant, times a vector. */
+static Line linear_line(const Lower *l, Ref ref, int lane)
+{
+    Line total = constant(0);
+    for (int k = 1; k < ir_at(l->ir, ref)->count; k++) {
+        Line factor = line_of(l, ir_arg(l->ir, ref, k), lane), x = line_of(l, ir_arg(l->ir, ref, 0), k - 1), sum;
+        if (factor.root)
+            return start(ref, lane);
+        Line part = scaled(x, factor.offset);
+        if (!combined(&total, &part, 1, &sum))
+            return start(ref, lane);
+        total = sum;
+    }
+    return total;
+}
+
+static Line vec_line(const Lower *l, Ref ref, int lane)
+{
+    int own = lane;
+    for (int i = 0; i < ir_at(l->ir, ref)->count; i++) {
+        Ref part = ir_arg(l->ir, ref, i);
+        if (lane < ir_lanes(l->ir, part))
+            return line_of(l, part, lane);
+        lane -= ir_lanes(l->ir, part);
+    }
+    return start(ref, own);
+}
+
+/* By the lines of the operands. */
+static Line new_line(const Lower *l, Ref ref, int lane)
+{
+    const IrNode *node = ir_at(l->ir, ref);
+    switch (node->op) {
+    case OP_add:
+    case OP_sub:
+        return sum_line(l, ref, lane);
+    case OP_mul:
+        return product_line(l, ref, lane);
+    case OP_neg:
+        return scaled(line_of(l, ir_arg(l->ir, ref, 0), lane), -1);
+    case OP_linear:
+        return linear_line(l, ref, lane);
+    case OP_vec:
+        return vec_line(l, ref, lane);
+    default:
+        return line_of(l, ir_arg(l->ir, ref, 0), (int)(node->payload >> 2 * lane & 3));
+    }
+}
+
+static bool is_affine(const IrNode *node)
+{
+    switch (node->op) {
+    case OP_add:
+    case OP_sub:
+    case OP_mul:
+    case OP_neg:
+    case OP_linear:
+    case OP_vec:
+    case OP_swizzle:
+        return node->type >= TYPE_float && node->type <= TYPE_vec4;
+    default:
+        return false;
+    }
+}
+
+/* Products that no float holds are not followed. */
+static bool is_finite(const Line *line)
+{
+    double greatest = fabs(line->offset);
+    for (int i = 0; i < LANES; i++)
+        greatest = fmax(greatest, fabs(line->factor[i]));
+    return greatest <= GREATEST && !isnan(line->offset);
+}
+
+/* Finds the lines of all nodes up to this one that have none yet. Operands have lower numbers, so theirs are there. */
+static void follow(Lower *l, Ref last)
+{
+    Affine *affine = &l->affine;
+    affine->first = arena_reach(l->c->arena, affine->first, last, &affine->first_room, sizeof *affine->first);
+    for (; affine->done <= last; affine->done++) {
+        Ref ref = affine->done;
+        if (!is_affine(ir_at(l->ir, ref)))
+            continue;
+        uint32_t first = (uint32_t)affine->count + 1;
+        for (int lane = 0; lane < ir_lanes(l->ir, ref); lane++) {
+            Line line = new_line(l, ref, lane);
+            if ((line.closed && line.root != ref) || !is_finite(&line))
+                line = start(ref, lane);
+            ARENA_PUSH(l->c->arena, affine->lines, affine->count, affine->room, line);
+        }
+        affine->first[ref] = first;
+    }
+}
+
+/* Nothing rounds: a whole power of two times one lane, and no offset. */
+static bool is_exact(const Line *line)
+{
+    int terms = 0, exponent;
+    for (int i = 0; i < LANES; i++) {
+        terms += line->factor[i] != 0;
+        if (line->factor[i] != 0 && fabs(frexp(line->factor[i], &exponent)) != 0.5)
+            return false;
+    }
+    return (terms == 0 || line->offset == 0) && terms <= 1;
+}
+
+/* The upper 12 bits of a number's mantissa. */
+static double upper_bits(double x)
+{
+    enum { BITS = 12 };
+    int exponent;
+    double mantissa = frexp(x, &exponent);
+    return ldexp(trunc(ldexp(mantissa, BITS)), exponent - BITS);
+}
+
+/* A column, or the offset, times `scale`, as three vectors that add up to it: two of 12 bits, and what is left. */
+static void put_column(Lower *l, const Line *lines, int lanes, int column, double scale, Ref parts[3])
+{
+    double value[3][4] = {{0}};
+    for (int i = 0; i < lanes; i++) {
+        double exact = scale * (column < LANES ? lines[i].factor[column] : lines[i].offset);
+        value[0][i] = upper_bits(exact);
+        value[1][i] = upper_bits(exact - value[0][i]);
+        value[2][i] = exact - value[0][i] - value[1][i];
+    }
+    for (int part = 0; part < 3; part++)
+        parts[part] = ir_const(l->ir, TYPE_vec3, value[part]);
+}
+
+static Ref as_vec3(Lower *l, Ref value)
+{
+    static const double none[4];
+    int lanes = ir_lanes(l->ir, value);
+    if (lanes == 4)
+        return ir_swizzle(l->ir, value, "xyz");
+    if (lanes == 3)
+        return value;
+    Ref rest = ir_const(l->ir, lanes == 2 ? TYPE_float : TYPE_vec2, none);
+    return ir_vec(l->ir, TYPE_vec3, (Ref[]){value, rest}, 2);
+}
+
+/* The lanes as lines from one root; false if there is nothing to gain. */
+static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
+{
+    int lanes = ir_lanes(l->ir, coordinate);
+    bool exact = true;
+    *root = 0;
+    if (l->job->choice[AXIS_coordinates] != CHOICE_coordinates_long || lanes > LANES)
+        return false;
+    follow(l, coordinate);
+    for (int i = 0; i < lanes; i++) {
+        lines[i] = line_of(l, coordinate, i);
+        exact &= is_exact(&lines[i]);
+        if (lines[i].root == coordinate || (*root && lines[i].root && lines[i].root != *root))
+            return false;
+        *root = lines[i].root ? lines[i].root : *root;
+    }
+    return !exact && *root;
+}
+
+bool long_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts)
+{
+    static const char *const lanes_of[] = {"", "x", "xy"};
+    Line lines[LANES];
+    Ref root, args[1 + 3 * (LANES + 1)];
+    int lanes = ir_lanes(l->ir, coordinate);
+    if (!lines_of(l, coordinate, lines, &root))
+        return false;
+    args[0] = as_vec3(l, root);
+    for (int column = 0; column <= LANES; column++)
+        put_column(l, lines, lanes, column, scale, &args[1 + 3 * column]);
+    parts->whole = ir_call(l->ir, FN_affineWhole, args, 1 + 3 * (LANES + 1));
+    parts->fraction = ir_call(l->ir, FN_affineFraction, args, 1 + 3 * (LANES + 1));
+    if (lanes < LANES) {
+        parts->whole = ir_swizzle(l->ir, parts->whole, lanes_of[lanes]);
+        parts->fraction = ir_swizzle(l->ir, parts->fraction, lanes_of[lanes]);
+    }
+    for (int d = 0; d < DIRECTION_COUNT; d++) { /* the sum changes as the coordinate does */
+        Ref slope = slope_of(l, coordinate, (Direction)d);
+        slope_set(l, parts->whole, (Direction)d, slope && scale != 1 ? mul(l, slope, number(l, scale)) : slope);
+        slope_set(l, parts->fraction, (Direction)d, 0);
+    }
+    return true;
+}

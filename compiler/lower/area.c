@@ -1,0 +1,202 @@
+/* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for noise, samples for the rest. */
+#include "compiler/lower/area.h"
+#include <math.h>
+
+static Ref zero3(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
+
+/* The mean of what the taps gave. */
+static Ref mean_of(Lower *l, const Ref *values, int count)
+{
+    Ref sum = values[0];
+    for (int i = 1; i < count; i++)
+        sum = add(l, sum, values[i]);
+    return count > 1 ? mul(l, sum, number(l, 1.0 / count)) : sum;
+}
+
+/* Calls `filtered` for each tap, whose arguments are (middle, rest, args[1..], edge), and notes the variance that it leaves out. */
+typedef struct {
+    Function filtered, variance;
+    Type type;
+    double factor; /* on the variance */
+} Octaves;
+
+static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
+{
+    Tap taps[MOST_TAPS];
+    Ref values[MOST_TAPS] = {0}, all[8];
+    LongCoordinate parts;
+    int tap_count = footprint_taps(l, args[0], taps);
+    Ref edge = tap_count ? greatest_lane(l, taps[0].edges) : number(l, 0);
+    bool is_long = long_coordinate(l, args[0], 1, &parts);
+    for (int i = 0; i < tap_count + !tap_count; i++) {
+        int used = 0;
+        Ref middle = tap_count ? taps[i].middle : args[0];
+        all[used++] = is_long ? parts.whole : middle;
+        all[used++] = !is_long         ? zero3(l)
+                      : tap_count <= 1 ? parts.fraction
+                                       : add(l, parts.fraction, sub(l, middle, args[0]));
+        for (int k = 1; k < count; k++)
+            all[used++] = args[k];
+        all[used++] = edge;
+        values[i] = ir_call(l->ir, o->filtered, all, used);
+    }
+    Ref value = mean_of(l, values, tap_count + !tap_count);
+    if (!tap_count)
+        return value;
+    int used = 0;
+    for (int k = 1; k < count; k++)
+        all[used++] = args[k];
+    all[used++] = edge;
+    Ref variance = mul(l, ir_call(l->ir, o->variance, all, used), number(l, o->factor));
+    variance_set(l, value,
+                 o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, REFS(l->ir, variance, variance, variance), 3)
+                                      : variance);
+    return value;
+}
+
+static bool is_plain(Lower *l, Ref p)
+{
+    LongCoordinate parts;
+    return !footprint_edges(l, p) && !long_coordinate(l, p, 1, &parts);
+}
+
+Ref area_turbulence(Lower *l, const Ref args[4])
+{
+    static const Octaves scalar = {FN_turbulenceFiltered, FN_turbulenceVariance, TYPE_float, 1};
+    return is_plain(l, args[0]) ? ir_call(l->ir, FN_turbulence, args, 4) : octaves(l, &scalar, args, 4);
+}
+
+Ref area_vector_turbulence(Lower *l, const Ref args[4])
+{
+    /* a lane has the variance 0.26^2, the scalar noise 1/4; of simplex noise 0.256^2, 0.232 */
+    static const Octaves lattice = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3, 0.26 * 0.26 / 0.25};
+    static const Octaves simplex = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
+                                    0.256 * 0.256 / 0.232};
+    const Octaves *vector = l->job->choice[AXIS_noise] == CHOICE_noise_simplex ? &simplex : &lattice;
+    return is_plain(l, args[0]) ? ir_call(l->ir, FN_vectorTurbulence, args, 4) : octaves(l, vector, args, 4);
+}
+
+/* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
+static Ref sampled(Lower *l, Kind kind, const Ref *args, int count)
+{
+    Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0}, all[8];
+    int function = FN_FIRST_MAP + (int)kind, point_count = footprint_points(l, args[0], points);
+    if (!point_count)
+        return ir_call(l->ir, function, args, count);
+    for (int i = 0; i < point_count; i++) {
+        all[0] = points[i];
+        for (int k = 1; k < count; k++)
+            all[k] = args[k];
+        values[i] = ir_call(l->ir, function, all, count);
+    }
+    Ref mean = mean_of(l, values, point_count);
+    for (int i = 0; i < point_count; i++) {
+        Ref apart = sub(l, values[i], mean);
+        squares[i] = mul(l, apart, apart);
+    }
+    variance_set(l, mean, mean_of(l, squares, point_count));
+    return mean;
+}
+
+static Ref leopard(Lower *l, const Ref *args)
+{
+    Tap taps[MOST_TAPS];
+    Ref values[MOST_TAPS] = {0};
+    int count = footprint_taps(l, args[0], taps);
+    for (int i = 0; i < count; i++)
+        values[i] = ir_call(l->ir, FN_leopardFiltered, REFS(l->ir, taps[i].middle, taps[i].edges), 2);
+    return count ? mean_of(l, values, count) : ir_call(l->ir, FN_FIRST_MAP + KIND_Leopard, args, 1);
+}
+
+/* Wood is nearly linear over a pixel: it is filtered by the wave that follows it. */
+Ref area_volume(Lower *l, Kind kind, const Ref *args, int count)
+{
+    static const Octaves granite = {FN_graniteFiltered, FN_graniteVariance, TYPE_float, 1};
+    switch (kind) {
+    case KIND_Granite:
+        return is_plain(l, args[0]) ? ir_call(l->ir, FN_FIRST_MAP + (int)kind, args, count)
+                                    : octaves(l, &granite, args, count);
+    case KIND_Leopard:
+        return leopard(l, args);
+    case KIND_Wood:
+        return ir_call(l->ir, FN_FIRST_MAP + (int)kind, args, count);
+    default:
+        return sampled(l, kind, args, count);
+    }
+}
+
+Ref area_odd_share(Lower *l, Ref q)
+{
+    static const char *const lane[] = {"x", "y", "z"};
+    int lanes = ir_lanes(l->ir, q);
+    LongCoordinate parts;
+    Ref edges = footprint_edges(l, q), product;
+    if (!edges)
+        return 0;
+    Ref part = ir_unary(l->ir, OP_fract, long_coordinate(l, q, 1, &parts) ? parts.fraction : q);
+    Ref longer = footprint_longer(l, q, &edges);
+    if (longer) {
+        product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, REFS(l->ir, part, longer, edges), 3);
+    } else {
+        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, REFS(l->ir, part, edges), 2);
+        product = ir_swizzle(l->ir, stripes, lane[0]);
+        for (int k = 1; k < lanes; k++)
+            product = mul(l, product, ir_swizzle(l->ir, stripes, lane[k]));
+    }
+    return sub(l, number(l, 0.5), mul(l, product, number(l, 0.5)));
+}
+
+Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
+{
+    Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
+    Ref right = slope_of(l, uv, DIRECTION_right), up = slope_of(l, uv, DIRECTION_up);
+    if (!is_filtered(l) || (!right && !up))
+        return ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
+    Ref none = ir_const(l->ir, TYPE_vec2, (double[]){0, 0});
+    if (function == FN_imageBilinear)
+        return ir_call(l->ir, FN_imageFiltered, REFS(l->ir, sampler, uv, size, right ? right : none, up ? up : none),
+                       5);
+    int count = footprint_points(l, uv, points);
+    for (int i = 0; i < count; i++)
+        values[i] = ir_call(l->ir, function, REFS(l->ir, sampler, points[i], size), 3);
+    return mean_of(l, values, count);
+}
+
+Ref known_inverse(Lower *l, Ref low, Ref high)
+{
+    const double width = ir_known(l->ir, high)[0] - ir_known(l->ir, low)[0];
+    if (width == 0)
+        return number(l, 0);
+    if (ir_is(l->ir, low, OP_const) && ir_is(l->ir, high, OP_const))
+        return number(l, 1 / width);
+    return ir_binary(l->ir, OP_div, number(l, 1), sub(l, high, low));
+}
+
+/* A step: the share of the box that is not below it; of no box, whether t is. */
+static Ref step_share(Lower *l, Ref from, Ref edge)
+{
+    Ref zero = number(l, 0), one = number(l, 1), least = ir_unary(l->ir, OP_neg, edge);
+    Ref along = add(l, over_edge(l, ir_ternary(l->ir, OP_clamp, from, least, edge), edge), number(l, 0.5));
+    Ref is_box = ir_binary(l->ir, OP_lt, zero, edge);
+    return ir_select(l->ir, is_box, ir_ternary(l->ir, OP_clamp, along, zero, one),
+                     ir_binary(l->ir, OP_step, zero, from));
+}
+
+/* The mean of a ramp of width w over a box of edge b is a ramp too, as wide as the wider of the two, with both its bends rounded over
+ * the narrower one: nothing cancels, whichever is how many times the other. Of the bends only one is near.
+ *   w = 1, b = 4: the ramp begins at low - 3/2 and ends at high + 3/2; where it begins the box reaches to
+ *   low + 1/2, and its mean is 1/32: a bend's share of 1/8, over 4 */
+Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
+{
+    Ref zero = number(l, 0), one = number(l, 1), from = sub(l, t, low);
+    if (ir_known(l->ir, high)[0] <= ir_known(l->ir, low)[0])
+        return step_share(l, from, edge);
+    Ref width = sub(l, high, low);
+    Ref wider = ir_binary(l->ir, OP_max, edge, width), narrower = ir_binary(l->ir, OP_min, edge, width);
+    Ref more = mul(l, sub(l, wider, width), number(l, 0.5));
+    Ref begin = add(l, from, more), end = sub(l, sub(l, t, high), more);
+    Ref place = ir_ternary(l->ir, OP_clamp, begin, ir_unary(l->ir, OP_neg, wider), add(l, wider, wider));
+    Ref bends = sub(l, box_corner(l, begin, narrower), box_corner(l, end, narrower));
+    Ref share = ir_ternary(l->ir, OP_clamp, over_edge(l, place, wider), zero, one);
+    return add(l, share, over_edge(l, bends, wider));
+}

@@ -1,0 +1,20 @@
+/* Maps as means over the pixel's footprint. Each function is the plain map where nothing is filtered. */
+#ifndef MATC_AREA_H
+#define MATC_AREA_H
+#include "compiler/lower/footprint.h"
+
+/* A volume map's function of args[0], a position, and its parameters. */
+Ref area_volume(Lower *l, Kind kind, const Ref *args, int count);
+/* turbulence and vectorTurbulence of (p, octaves, frequencyRatio, noiseRatio). */
+Ref area_turbulence(Lower *l, const Ref args[4]);
+Ref area_vector_turbulence(Lower *l, const Ref args[4]);
+/* The share of the footprint where an odd number of lanes of q lie in the upper half of their period 1; q has two or three.
+ * 0: it is everywhere the same, and only the point decides. */
+Ref area_odd_share(Lower *l, Ref q);
+/* A picture's function (sampler, uv, size). */
+Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size);
+/* 1 / (high - low) of known numbers, computed in double here or where the buffer is filled; 0 where they are equal. */
+Ref known_inverse(Lower *l, Ref low, Ref high);
+/* The share of the way from `low` to `high` that t has gone, in [0, 1], as a mean over a box of t; equal ones make a step. */
+Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high);
+#endif

@@ -1,0 +1,209 @@
+/* The frame of lowering: asking maps, the memo, parameters as IR. */
+#include "compiler/lower/area.h"
+#include <string.h>
+
+typedef Ref (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
+
+/* A volume map's answer is the same on every channel: its function of the position, sent through its wave. */
+static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env);
+
+#define OWN_LOWERING(name)    lower_##name
+#define VOLUME_LOWERING(name) lower_volume
+static const LowerMap lower_map[KIND_COUNT] = {
+#define MAP(name, function, lowering, cost, doc) [KIND_##name] = lowering##_LOWERING(name),
+#include "grammar/maps.def"
+};
+
+const Node *param_node(const Node *node, int param)
+{
+    const Value *value = node_param(node, param);
+    return value->kind == VALUE_node ? value->node : NULL;
+}
+
+/* One uniform cannot be an int and a float. */
+static void note_use(Lower *l, const Value *value, bool count)
+{
+    uint8_t *use = &l->uniform_use[value->uniform->index], now = count ? 1 : 2;
+    if (*use && *use != now) {
+        diag_add(l->c, value->span, DIAG_param_both, value->uniform->name);
+        l->failed = true;
+    }
+    *use = now;
+}
+
+Ref param_value(Lower *l, const Value *value, Type type)
+{
+    if (value->kind == VALUE_uniform) {
+        const Uniform *uniform = value->uniform;
+        note_use(l, value, type == TYPE_int);
+        if (type == TYPE_int)
+            return ir_make(l->ir, OP_uniform, TYPE_int, (uint32_t)uniform->index, NULL, 0);
+        Ref ref = ir_make(l->ir, OP_uniform, uniform->type, (uint32_t)uniform->index, NULL, 0);
+        return type == TYPE_bool ? ref : ir_convert(l->ir, ref, type);
+    }
+    double numbers[4];
+    if (l->job->from_buffer && value->given && type >= TYPE_float && value->type >= TYPE_float)
+        return ir_convert(l->ir, ir_constant(l->ir, value->type, value->number, value), type);
+    value_number(value, type, numbers);
+    return ir_const(l->ir, type, numbers);
+}
+
+void reject_uniform(Lower *l, const Value *value, const char *name, const char *why)
+{
+    if (value->kind != VALUE_uniform)
+        return;
+    diag_add(l->c, value->span, DIAG_param_here, name, why);
+    l->failed = true;
+}
+
+Ref as_group(Lower *l, Ref value, Group group)
+{
+    if (group == GROUP_R)
+        return value;
+    return group == GROUP_IOR ? ir_swizzle(l->ir, value, "x") : ir_convert(l->ir, value, TYPE_vec3);
+}
+
+static void memo_grow(Lower *l)
+{
+    size_t size = l->memo ? 2 * (l->memo_mask + 1) : 256;
+    Memo *old = l->memo, *grown = ARENA_ARRAY(l->c->arena, Memo, size);
+    for (size_t i = 0; old && i <= l->memo_mask; i++) {
+        if (!old[i].key)
+            continue;
+        size_t at = old[i].key * 0x9E3779B97F4A7C15u >> 32 & (size - 1);
+        while (grown[at].key)
+            at = (at + 1) & (size - 1);
+        grown[at] = old[i];
+    }
+    l->memo = grown;
+    l->memo_mask = size - 1;
+}
+
+static Memo *memo_find(Lower *l, uint64_t key)
+{
+    if (2 * l->memo_count >= l->memo_mask)
+        memo_grow(l);
+    size_t at = key * 0x9E3779B97F4A7C15u >> 32 & l->memo_mask;
+    while (l->memo[at].key && l->memo[at].key != key)
+        at = (at + 1) & l->memo_mask;
+    return &l->memo[at];
+}
+
+/* The node is the value of a map or slot. One that is another's value already keeps that name. */
+void mark_head(Ir *ir, Ref value, uint8_t hint)
+{
+    IrNode *node = &ir->nodes[value];
+    if (node->op == OP_const || node->op == OP_input || node->head)
+        return;
+    node->hint = hint;
+    node->head = 1;
+}
+
+Ref ask(Lower *l, const Node *map, Group group, const Env *env)
+{
+    if (!map)
+        return env->root[group];
+    uint64_t key = ((uint64_t)env->number << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
+    Memo *memo = memo_find(l, key);
+    if (memo->key)
+        return memo->value;
+    if (l->ir->count > LIMIT_IR_NODES) {
+        if (!l->failed)
+            diag_add(l->c, map->span, DIAG_graph_too_large, LIMIT_IR_NODES);
+        l->failed = true;
+        return env->root[group];
+    }
+    uint8_t hint = l->ir->hint;
+    l->ir->hint = (uint8_t)map->kind;
+    Ref value = lower_map[map->kind](l, map, group, env);
+    l->ir->hint = hint;
+    mark_head(l->ir, value, (uint8_t)map->kind);
+    memo = memo_find(l, key); /* the table may have moved */
+    *memo = (Memo){key, value};
+    l->memo_count++;
+    return value;
+}
+
+/* w(frequency f + phase), w the node's wave. The first four parameters of every volume map are those of VOLUME_PARAMS. */
+static Ref through_wave(Lower *l, const Node *node, Ref f)
+{
+    enum { WAVE_FORM = 1, FREQUENCY, PHASE };
+    const Value *wave = &node->params[WAVE_FORM];
+    Ref v = mul(l, f, param_value(l, &node->params[FREQUENCY], TYPE_float));
+    v = add(l, v, param_value(l, &node->params[PHASE], TYPE_float));
+    return wave->kind == VALUE_wave ? lower_wave(l, wave->wave, v) : v;
+}
+
+static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env)
+{
+    enum { FIRST_OWN = 4, MOST_ARGUMENTS = 8 };
+    const KindRow *row = &kind_table[node->kind];
+    Ref args[MOST_ARGUMENTS] = {ask(l, node->params[0].kind == VALUE_node ? node->params[0].node : NULL, GROUP_X, env)};
+    int count = 1;
+    for (int i = FIRST_OWN; i < row->count; i++) {
+        static const Type type_of[] = {[PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
+        args[count++] = param_value(l, &node->params[i], type_of[param_table[row->first + i].type]);
+    }
+    return as_group(l, through_wave(l, node, area_volume(l, node->kind, args, count)), group);
+}
+
+/* Gradient: dot(p, direction). */
+Ref lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ref p = ask(l, param_node(node, P_Gradient_input), GROUP_X, env);
+    Ref direction = param_value(l, node_param(node, P_Gradient_direction), TYPE_vec3);
+    return as_group(l, through_wave(l, node, ir_binary(l->ir, OP_dot, p, direction)), group);
+}
+
+/* a = max(|omega|, 1)^(1 - n): keeps strong octaves from growing the sum. */
+static Ref octave_scale(Lower *l, Ref omega, double octaves)
+{
+    Ref one = number(l, 1), size = ir_unary(l->ir, OP_abs, omega);
+    return ir_binary(l->ir, OP_pow, ir_binary(l->ir, OP_max, size, one), number(l, 1 - octaves));
+}
+
+/* VolumeTurbulence: a Turb(size p). */
+Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
+{
+    enum { MOST_OCTAVES = 11 };
+    const Value *octaves = node_param(node, P_VolumeTurbulence_octaves);
+    reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
+    double given[4];
+    value_number(octaves, TYPE_float, given);
+    double n = clamp(given[0], 1, MOST_OCTAVES);
+    Ref p = ask(l, param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
+    Ref omega = param_value(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
+    Ref size = param_value(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
+    Ref frequency = param_value(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
+    Ref scaled = mul(l, p, size), args[] = {scaled, ir_int(l->ir, n), frequency, omega};
+    Ref f = mul(l, area_turbulence(l, args), octave_scale(l, omega, n));
+    return as_group(l, through_wave(l, node, f), group);
+}
+
+/* Left to right, operands behind their users. What has no cost of its own, lanes and vectors of them, may be met without end
+ * where it is shared: a value of more than MOST_MET nodes is costly. */
+int cost_below(const Ir *ir, Ref ref, int limit)
+{
+    enum { MOST_MET = 1024 };
+    Ref met[MOST_MET + UINT8_MAX] = {ref};
+    int cost = 0;
+    for (int from = 0, count = 1; from < count && cost < limit; from++) {
+        const IrNode *node = ir_at(ir, met[from]);
+        if (ir_applies(ir, met[from]) || count > MOST_MET)
+            return limit;
+        cost += ir_cost(ir, met[from]);
+        for (int i = 0; i < node->count; i++)
+            met[count++] = ir_arg(ir, met[from], i);
+    }
+    return cost;
+}
+
+ReferenceNoise noise_for(Choice noise, Target target)
+{
+    bool old = target == TARGET_glsl110;
+    if (noise == CHOICE_noise_groimp)
+        return REFERENCE_GROIMP;
+    if (noise == CHOICE_noise_simplex)
+        return old ? REFERENCE_SIMPLEX_FLOAT : REFERENCE_SIMPLEX;
+    return old ? REFERENCE_LATTICE_FLOAT : REFERENCE_LATTICE;
+}

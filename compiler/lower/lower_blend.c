@@ -1,0 +1,236 @@
+/* Blend: a walk along items of ascending value. */
+#include "compiler/lower/area.h"
+#include <math.h>
+
+enum {
+    CHEAP_ARMS = 40,      /* scalar operations of all items together up to which mixing beats branching */
+    MOST_MIXES = 8,       /* items up to which mixing beats searching */
+    MOST_AREA_ITEMS = 64, /* items up to which a blend is averaged over the pixel */
+    ALIKE = 16,           /* how many times the least of alike items the greatest is at most */
+    KNOWN_DEPTH = 6,      /* operations that are looked through for a value's bounds */
+};
+
+typedef struct {
+    Ref value, result; /* of an item: where it lies on t, and its answer */
+} Stop;
+
+/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
+static Ref position(Lower *l, Ref t, Ref low, Ref high)
+{
+    const double *from = ir_known(l->ir, low), *to = ir_known(l->ir, high);
+    Ref along = sub(l, t, low);
+    if (from && to)
+        return mul(l, along, known_inverse(l, low, high));
+    Ref width = sub(l, high, low);
+    Ref flat = ir_binary(l->ir, OP_eq, width, number(l, 0));
+    return ir_binary(l->ir, OP_div, along, ir_select(l->ir, flat, number(l, 1), width));
+}
+
+/* What holds below item i's value and not below that of the one before. */
+static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
+{
+    if (i == 0)
+        return stops[0].result;
+    Ref at = position(l, t, stops[i - 1].value, stops[i].value);
+    return ir_ternary(l->ir, OP_mix, stops[i - 1].result, stops[i].result, at);
+}
+
+/* As written: the first item whose value is above t decides. */
+static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
+{
+    Ref result = stops[count - 1].result;
+    for (int i = count - 1; i >= 0; i--) {
+        Ref below = ir_binary(l->ir, OP_lt, t, stops[i].value);
+        result = ir_select(l->ir, below, segment(l, t, stops, i), result);
+    }
+    return result;
+}
+
+/* The same by halving, for values known to ascend: segments first..last, the last of all being what holds beyond the end. */
+static Ref blend_search(Lower *l, Ref t, const Stop *stops, int count, int first, int last)
+{
+    if (first == last)
+        return first == count ? stops[count - 1].result : segment(l, t, stops, first);
+    int middle = first + (last - first) / 2;
+    Ref below = ir_binary(l->ir, OP_lt, t, stops[middle].value);
+    Ref low = blend_search(l, t, stops, count, first, middle);
+    return ir_select(l->ir, below, low, blend_search(l, t, stops, count, middle + 1, last));
+}
+
+/* The same without branches, for values known to ascend: each item is mixed over what the ones before it made. Where t has
+ * passed a segment its weight is 1, where it has not come to it 0. */
+static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
+{
+    Ref result = stops[0].result, zero = number(l, 0), one = number(l, 1);
+    for (int i = 1; i < count; i++) {
+        Ref at = position(l, t, stops[i - 1].value, stops[i].value);
+        result = ir_ternary(l->ir, OP_mix, result, stops[i].result, ir_ternary(l->ir, OP_clamp, at, zero, one));
+    }
+    return result;
+}
+
+/* Known values of which none is below the one before; strictly: as floats, none is equal to it. */
+static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
+{
+    for (int i = 0; i < count; i++) {
+        const double *now = ir_known(ir, stops[i].value), *before = i ? ir_known(ir, stops[i - 1].value) : NULL;
+        if (!now || (before && (now[0] < before[0] || (strictly && (float)now[0] <= (float)before[0]))))
+            return false;
+    }
+    return true;
+}
+
+static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
+{
+    int cost = 0;
+    for (int i = 0; i < count && cost < CHEAP_ARMS; i++)
+        cost += cost_below(ir, stops[i].result, CHEAP_ARMS - cost);
+    return cost < CHEAP_ARMS;
+}
+
+/* Every lane of a value is surely in [0, 1]. */
+static bool within_unit(const Ir *ir, Ref ref, int depth)
+{
+    const IrNode *node = ir_at(ir, ref);
+    int first = 0; /* of the operands that must be so too */
+    switch (node->op) {
+    case OP_const:
+    case OP_constant:
+        for (int i = 0; i < ir_lanes(ir, ref); i++)
+            if (!(ir_known(ir, ref)[i] >= 0 && ir_known(ir, ref)[i] <= 1))
+                return false;
+        return true;
+    case OP_fract:
+    case OP_step:
+        return true;
+    case OP_select: /* whatever decides */
+    case OP_clamp:  /* whatever is clamped */
+        first = 1;
+        break;
+    case OP_mix:
+    case OP_mul:
+    case OP_min:
+    case OP_max:
+    case OP_vec:
+    case OP_swizzle:
+        break;
+    default:
+        return false;
+    }
+    for (int i = first; i < node->count; i++)
+        if (!depth || !within_unit(ir, ir_arg(ir, ref, i), depth - 1))
+            return false;
+    return true;
+}
+
+/* Constants of which none is ALIKE times another. */
+static bool alike_constants(const Ir *ir, const Stop *stops, int count)
+{
+    double least = INFINITY, greatest = 0;
+    for (int i = 0; i < count; i++) {
+        if (!ir_known(ir, stops[i].result))
+            return false;
+        for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
+            double size = fabs(ir_known(ir, stops[i].result)[lane]);
+            least = fmin(least, size);
+            greatest = fmax(greatest, size);
+        }
+    }
+    return greatest <= ALIKE * least;
+}
+
+/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a small item behind a great one
+ * would be lost. */
+static bool alike_arms(const Ir *ir, const Stop *stops, int count)
+{
+    bool unit = true;
+    for (int i = 0; unit && i < count; i++)
+        unit = within_unit(ir, stops[i].result, KNOWN_DEPTH);
+    return unit || alike_constants(ir, stops, count);
+}
+
+/* How much of a box of t has the step from a stop to the next behind it. */
+static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
+{
+    return area_ramp(l, t, edge, stop[0].value, stop[1].value);
+}
+
+/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
+static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = stops[0].result;
+    for (int i = 1; i < count; i++) {
+        Ref share = step_share(l, t, edge, &stops[i - 1]);
+        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
+    }
+    return result;
+}
+
+/* The same of items that are not alike: each by its own weight, exactly 0 where the box does not reach it. */
+static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref result = 0, share = number(l, 1);
+    for (int i = 0; i < count; i++) {
+        bool last = i + 1 == count;
+        Ref next = last ? 0 : step_share(l, t, edge, &stops[i]);
+        Ref term = mul(l, stops[i].result, last ? share : sub(l, share, next));
+        result = i ? add(l, result, term) : term;
+        share = next;
+    }
+    return result;
+}
+
+static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
+{
+    Ref edge = count <= MOST_AREA_ITEMS && ascending(l->ir, stops, count, false) ? footprint_edges(l, t) : 0;
+    if (edge)
+        return alike_arms(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
+                                               : blend_weights(l, t, edge, stops, count);
+    bool ordered = ascending(l->ir, stops, count, true);
+    if (l->cheap && ordered && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
+        alike_arms(l->ir, stops, count))
+        return blend_mixes(l, t, stops, count);
+    if (ordered && (l->cheap || count > LIMIT_WALK))
+        return blend_search(l, t, stops, count, 0, count);
+    return blend_walk(l, t, stops, count);
+}
+
+/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */
+static Ref blend_split(Lower *l, Ref x, const Stop *stops, int count, int depth)
+{
+    Split split = split_of(l, x);
+    if (!split.share || depth == 0)
+        return blend_at(l, ir_swizzle(l->ir, x, "x"), stops, count);
+    split.a = blend_split(l, split.a, stops, count, depth - 1);
+    split.b = blend_split(l, split.b, stops, count, depth - 1);
+    Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, split.share);
+    split_set(l, value, split);
+    return value;
+}
+
+Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Value *blend = node_param(node, P_Blend_blend);
+    const Node *input = param_node(node, P_Blend_input);
+    int count = blend->kind == VALUE_items ? blend->items->count : 0;
+    if (!count || l->failed)
+        return ask(l, input, group, env);
+    Ref x = ask(l, input, GROUP_X, env);
+    ir_swizzle(l->ir, x, "x"); /* before what the items make */
+    Stop *stops = ARENA_ARRAY(l->c->arena, Stop, count);
+    Type type = TYPE_float;
+    for (int i = 0; i < count; i++) {
+        const Item *item = &blend->items->item[i];
+        stops[i].value = param_value(l, &item->value, TYPE_float);
+        stops[i].result = ask(l, item->input, group, env);
+        type = i ? common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
+    }
+    for (int i = 0; i < count; i++)
+        stops[i].result = ir_convert(l->ir, stops[i].result, type);
+    if (count > LIMIT_WALK && !ascending(l->ir, stops, count, true)) {
+        diag_add(l->c, blend->span, DIAG_long_walk, LIMIT_WALK);
+        l->failed = true;
+        return stops[0].result;
+    }
+    return blend_split(l, x, stops, count, MOST_SPLITS);
+}

@@ -1,0 +1,96 @@
+/* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
+ * Filters within filters are functions that call functions: the program grows by one function for each. All filters of one depth
+ * share their arguments, so that equal inputs are equal nodes and one function. */
+#include "compiler/lower/lower.h"
+#include "compiler/lower/footprint.h"
+
+enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 evaluations are a loop */
+
+/* What the input reads of the root, replaced by the function's arguments: position and texture coordinate. */
+static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
+{
+    Env env = *outer;
+    env.number = outer->number + 1;
+    env.root[GROUP_X] = arguments[0];
+    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, arguments[1], number(l, 0)), 2);
+    return env;
+}
+
+/* A filter's alpha is always 1: colours keep three lanes at most. */
+static Ref without_alpha(Lower *l, Ref value)
+{
+    return ir_type(l->ir, value) == TYPE_vec4 ? ir_convert(l->ir, value, TYPE_vec3) : value;
+}
+
+static int make_function(Lower *l, const Node *input, Group group, const Env *env)
+{
+    Ref arguments[2];
+    ir_arguments(l->ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
+    Ref root[] = {env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")};
+    for (int i = 0; i < 2; i++)
+        for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
+            slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
+    Env inner = shifted_env(l, env, arguments);
+    l->filters++;
+    Ref result = without_alpha(l, ask(l, input, group, &inner));
+    l->filters--;
+    return ir_function(l->ir, arguments, 2, result);
+}
+
+/* The input at (i, j, k) of the kernel, each from -1 to 1. */
+static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, int i, int j, int k)
+{
+    Ref offset = mul(l, size, ir_vec3(l->ir, 0.5 * i, 0.5 * j, 0.5 * k));
+    Ref uv = add(l, ir_swizzle(l->ir, env->root[GROUP_U], "xy"), ir_swizzle(l->ir, offset, "xy"));
+    return ir_apply(l->ir, function, REFS(l->ir, add(l, env->root[GROUP_X], offset), uv));
+}
+
+/* The three sizes, which are the first parameters behind `input`. */
+static Ref filter_size(Lower *l, const Node *node)
+{
+    Ref size[3];
+    for (int i = 0; i < 3; i++)
+        size[i] = param_value(l, &node->params[1 + i], TYPE_float);
+    return ir_vec(l->ir, TYPE_vec3, size, 3);
+}
+
+/* What follows takes the result as it is, instead of differentiating every one of its evaluations. They have no variance either:
+ * variance_of passes through no application. */
+static Ref steady(Lower *l, Ref value)
+{
+    slope_set(l, value, DIRECTION_right, 0);
+    slope_set(l, value, DIRECTION_up, 0);
+    return value;
+}
+
+/* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input would take them minutes to
+ * compile: it is summed in a loop. */
+Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
+{
+    int function = make_function(l, param_node(node, P_Smooth3D_input), group, env);
+    Ref size = filter_size(l, node), sum = 0;
+    bool costly = cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
+    if (costly)
+        sum = ir_kernel(l->ir, function, REFS(l->ir, env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")),
+                        size);
+    for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
+        Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
+        sum = n ? add(l, sum, value) : value;
+    }
+    return steady(l, mul(l, sum, number(l, 1.0 / KERNEL_POINTS)));
+}
+
+/* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
+Ref lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
+{
+    int function = make_function(l, param_node(node, P_Laplace3D_input), group, env);
+    Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, 0, 0, 0), sum = 0;
+    for (int n = 0; n < 6; n++) {
+        int axis = n / 2, side = n % 2 * 2 - 1;
+        Ref neighbour =
+            at_neighbour(l, function, env, size, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+        Ref difference = sub(l, centre, neighbour);
+        sum = n ? add(l, sum, difference) : difference;
+    }
+    return steady(l, mul(l, sum, number(l, 1.0 / 12)));
+}

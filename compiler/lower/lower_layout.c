@@ -1,0 +1,223 @@
+/* The G-buffer: every slot of a layout, encoded, in its place of a render target. */
+#include "compiler/layout/layout.h"
+#include "compiler/lower/lower.h"
+#include <math.h>
+
+static const double greatest_half = 65504;
+
+/* The slot as the G-buffer wants it: its normal is in eye space. */
+static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env)
+{
+    return slot == SLOT_normal ? lower_eye_normal(l, material, env) : lower_slot(l, material, slot, env);
+}
+
+static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *env)
+{
+    return ir_swizzle_lanes(l->ir, stored_slot(l, material, source.slot, env), (uint32_t)source.lane, 1);
+}
+
+/* Lanes of one slot side by side are a swizzle of it, others are put together. */
+static Ref source_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
+{
+    static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+    const SlotLane *source = &piece->field->source[piece->first];
+    Ref lanes[FIELD_LANES];
+    if (piece_is_slot(piece))
+        return stored_slot(l, material, source[0].slot, env);
+    for (int i = 0; i < piece->count; i++)
+        lanes[i] = one_lane(l, material, source[i], env);
+    return piece->count == 1 ? lanes[0] : ir_vec(l->ir, types[piece->count], lanes, piece->count);
+}
+
+/* What of the field's range is at 0 and at 1. */
+static Ref in_range(Lower *l, const FieldRow *field, Ref value)
+{
+    if (!field_has_range(field))
+        return value;
+    if (field->low != 0)
+        value = sub(l, value, number(l, field->low));
+    return mul(l, value, number(l, 1 / (field->high - field->low)));
+}
+
+static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
+{
+    int pack = encoding_table[piece->field->encoding].pack;
+    Ref args[2] = {in_range(l, piece->field, source_value(l, piece, material, env))};
+    if (pack == FN_none) {
+        Ref high = number(l, greatest_half), low = number(l, -greatest_half);
+        return ir_ternary(l->ir, OP_clamp, args[0], low, high);
+    }
+    if (!piece_takes_bits(piece))
+        return ir_call(l->ir, pack, args, 1);
+    args[1] = ir_int(l->ir, piece->field->bits);
+    return ir_call(l->ir, pack, args, 2);
+}
+
+/* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together there. */
+static Ref word_value(Lower *l, const Placement *placement, int target, int lane, double known, const Node *material,
+                      const Env *env)
+{
+    Ref word = 0;
+    for (int i = 0; i < placement->count; i++) {
+        const Piece *piece = &placement->pieces[i];
+        if (piece->target != target || piece->lane != lane)
+            continue;
+        Ref code = piece_value(l, piece, material, env);
+        l->ir->hint = HINT_SURFACE; /* a word is no slot's */
+        if (ir_is(l->ir, code, OP_const)) {
+            known += ldexp(ir_numbers(l->ir, code)[0], piece->shift);
+            continue;
+        }
+        if (piece->shift)
+            code = ir_binary(l->ir, OP_shift, code, ir_int(l->ir, piece->shift));
+        word = word ? ir_binary(l->ir, OP_join, word, code) : code;
+    }
+    Ref rest = ir_const(l->ir, TYPE_uint, &known);
+    return !word ? rest : known != 0 ? ir_binary(l->ir, OP_join, word, rest) : word;
+}
+
+/* The case's number is at the bottom of the first word. */
+static Ref words_value(Lower *l, const Placement *placement, int target, int number, const Node *material,
+                       const Env *env)
+{
+    Ref words[FIELD_LANES];
+    for (int lane = 0; lane < FIELD_LANES; lane++) {
+        double known = target || lane ? 0 : number;
+        words[lane] = word_value(l, placement, target, lane, known, material, env);
+    }
+    return ir_vec(l->ir, TYPE_uvec4, words, FIELD_LANES);
+}
+
+static const Piece *piece_at(const Placement *placement, int target, int lane)
+{
+    for (int i = 0; i < placement->count; i++)
+        if (placement->pieces[i].target == target && placement->pieces[i].lane == lane)
+            return &placement->pieces[i];
+    return NULL;
+}
+
+/* The pieces of a float target side by side. */
+static Ref floats_value(Lower *l, const Placement *placement, int target, const Node *material, const Env *env)
+{
+    Ref parts[FIELD_LANES];
+    int count = 0;
+    for (int lane = 0; lane < FIELD_LANES;) {
+        const Piece *piece = piece_at(placement, target, lane);
+        parts[count++] = piece ? piece_value(l, piece, material, env) : number(l, 0);
+        lane += piece ? piece->size : 1;
+    }
+    return count == 1 ? parts[0] : ir_vec(l->ir, TYPE_vec4, parts, count);
+}
+
+/* The slot is a constant, that of a material that has nothing to say about it. */
+static bool is_absent(Lower *l, const Node *material, Slot slot, const Env *env)
+{
+    return ir_is_number(l->ir, lower_slot(l, material, slot, env), slot_table[slot].absent);
+}
+
+/* It is not absent, nor are all slots without which it changes nothing. */
+static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
+{
+    const unsigned matters = slot_class_table[slot].matters;
+    if (is_absent(l, material, slot, env))
+        return false;
+    for (int other = 0; other < SLOT_COUNT; other++)
+        if (matters >> other & 1 && !is_absent(l, material, (Slot)other, env))
+            return true;
+    return !matters;
+}
+
+static bool is_stored(const LayoutRow *row, Slot slot)
+{
+    return layout_has_slot(row, slot) && !layout_fixed(row, slot);
+}
+
+/* Where a case is for everything, what changes nothing is stored too. */
+static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot, const Env *env)
+{
+    return layout_is_whole(row) ? !is_absent(l, material, slot, env) : is_needed(l, material, slot, env);
+}
+
+static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *material, const Env *env)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (is_stored(row, (Slot)slot) && !case_has_slot(&row->cases[number], (Slot)slot) &&
+            is_asked(l, row, material, (Slot)slot, env))
+            return false;
+    return true;
+}
+
+int lower_layout_case(Lower *l, const Node *material, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    int number = 0;
+    while (number < row->case_count && !stores_all(l, row, number, material, env))
+        number++;
+    return number;
+}
+
+unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
+{
+    unsigned slots = 1u << SLOT_normal;
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (slot_class_table[slot].kind != CLASS_none && is_needed(l, material, (Slot)slot, env))
+            slots |= 1u << slot;
+    return slots;
+}
+
+void lower_no_case(Lower *l, const Node *material, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    Text slots = text_new(l->c->arena);
+    for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
+        if (is_stored(row, (Slot)slot) && is_needed(l, material, (Slot)slot, env))
+            text_format(&slots, slots.size ? ", %s" : "%s", slot_table[slot].name);
+    diag_add(l->c, material ? material->span : NO_SPAN, DIAG_case_none, row->name, slots.at);
+    l->failed = true;
+}
+
+/* A layout that the target's GLSL cannot write, or whose fields do not fit in, is refused. */
+static bool place(Lower *l, int number, Placement *placement)
+{
+    const LayoutRow *row = l->job->layout;
+    const FieldRow *fault = layout_place(row, number, placement);
+    if (fault)
+        diag_add(l->c, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
+                 slot_table[fault->source[0].slot].name);
+    if (!fault && l->job->target == TARGET_glsl110 && layout_has_words(row))
+        diag_add(l->c, NO_SPAN, DIAG_layout_words, row->name, target_table[l->job->target].name);
+    return !l->c->diags.errors;
+}
+
+/* The value surely differs from what the layout gives back; where it is not simplified, that is not seen. */
+static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const Env *env)
+{
+    const double least = 1e-6;
+    Ref value = lower_slot(l, material, fixed->slot, env);
+    for (int lane = 0; ir_is(l->ir, value, OP_const) && lane < ir_lanes(l->ir, value); lane++)
+        if (fabs(ir_numbers(l->ir, value)[lane] - fixed->value[lane]) > least * fmax(1, fabs(fixed->value[lane])))
+            return true;
+    return false;
+}
+
+static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
+{
+    for (int i = 0; i < row->fixed_count; i++)
+        if (differs(l, &row->fixed[i], material, env))
+            diag_add(l->c, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
+}
+
+void lower_layout(Lower *l, int number, const Node *material, const Env *env)
+{
+    const LayoutRow *row = l->job->layout;
+    Placement placement;
+    if (!place(l, number, &placement)) {
+        l->failed = true;
+        return;
+    }
+    check_fixed(l, row, material, env);
+    for (int target = 0; target < layout_targets(row); target++)
+        ir_output(l->ir, OUT_color, target,
+                  format_table[row->formats[target]].words ? words_value(l, &placement, target, number, material, env)
+                                                           : floats_value(l, &placement, target, material, env));
+}

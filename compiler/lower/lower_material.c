@@ -1,0 +1,255 @@
+/* Materials: each answers for the shading slots. Only the slots that a pass stores are ever asked for. */
+#include "compiler/lower/footprint.h"
+#include "runtime/library/sky.h"
+
+/* The surface where there is no material: GroIMP's grey. */
+static const double missing_gray = 128.0 / 255;
+
+enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
+
+static Ref white(Lower *l) { return ir_vec3(l->ir, 1, 1, 1); }
+static Ref black(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
+
+/* The normal as it comes, not of unit length. */
+static Ref raw_normal(Lower *l, const Node *material, const Env *env)
+{
+    if (material && material->kind == KIND_Phong)
+        return ask(l, param_node(material, P_Phong_input), GROUP_N, env);
+    return env->root[GROUP_N];
+}
+
+static Ref color(Lower *l, const Node *map, const Env *env)
+{
+    return ir_convert(l->ir, ask(l, map, GROUP_R, env), TYPE_vec3);
+}
+
+/* Alpha of a colour: only a vec4 has one, the conversion table makes 1 of all others. */
+static Ref alpha_of(Lower *l, const Node *map, const Env *env)
+{
+    Ref value = ask(l, map, GROUP_R, env);
+    return ir_type(l->ir, value) == TYPE_vec4 ? ir_swizzle(l->ir, value, "w") : number(l, 1);
+}
+
+/* Of a shininess that is one of two within the pixel: the mean of both exponents. */
+static Ref exponent_of(Lower *l, Ref shininess, int depth)
+{
+    Split split = split_of(l, shininess);
+    if (!split.share || depth == 0)
+        return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, shininess, "x")}, 1);
+    Ref a = exponent_of(l, split.a, depth - 1), b = exponent_of(l, split.b, depth - 1);
+    return ir_ternary(l->ir, OP_mix, b, a, split.share);
+}
+
+static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
+{
+    if (!map)
+        return number(l, without);
+    return exponent_of(l, ask(l, map, GROUP_R, env), MOST_SPLITS);
+}
+
+/* 1 + alpha (c - 1) */
+static Ref transparency(Lower *l, const Node *m, const Env *env)
+{
+    Ref alpha = alpha_of(l, param_node(m, P_Phong_diffuse), env);
+    Ref c = color(l, param_node(m, P_Phong_transparency), env);
+    if (ir_is_number(l->ir, alpha, 1))
+        return c;
+    return add(l, mul(l, alpha, sub(l, c, white(l))), white(l));
+}
+
+static Ref phong_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    const Node *diffuse = param_node(m, P_Phong_diffuse);
+    switch (slot) {
+    case SLOT_diffuse:
+        return color(l, diffuse, env);
+    case SLOT_alpha:
+        return alpha_of(l, diffuse, env);
+    case SLOT_specular:
+        return color(l, param_node(m, P_Phong_specular), env);
+    case SLOT_shininess:
+        return exponent(l, param_node(m, P_Phong_shininess), DEFAULT_EXPONENT, env);
+    case SLOT_transparency:
+        return transparency(l, m, env);
+    case SLOT_transparencyShininess:
+        return exponent(l, param_node(m, P_Phong_transparencyShininess), MAX_EXPONENT, env);
+    case SLOT_interpolatedTransparency:
+        return param_value(l, node_param(m, P_Phong_interpolatedTransparency), TYPE_float);
+    case SLOT_diffuseTransparency:
+        return color(l, param_node(m, P_Phong_diffuseTransparency), env);
+    case SLOT_ambient:
+        return color(l, param_node(m, P_Phong_ambient), env);
+    case SLOT_emissive:
+        return color(l, param_node(m, P_Phong_emissive), env);
+    case SLOT_ior:
+        return ask(l, param_node(m, P_Phong_input), GROUP_IOR, env);
+    default:
+        return black(l);
+    }
+}
+
+/* A material of one colour: Phong with that diffuse, a uniform transparency and no more. */
+static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *env)
+{
+    switch (slot) {
+    case SLOT_diffuse:
+        return diffuse;
+    case SLOT_alpha:
+        return number(l, 1);
+    case SLOT_transparency:
+        return ir_convert(l->ir, clear, TYPE_vec3);
+    case SLOT_shininess:
+        return number(l, DEFAULT_EXPONENT);
+    case SLOT_transparencyShininess:
+        return number(l, MAX_EXPONENT);
+    case SLOT_interpolatedTransparency:
+        return number(l, 1);
+    case SLOT_ior:
+        return env->root[GROUP_IOR];
+    default:
+        return black(l);
+    }
+}
+
+static Ref rgba_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    Ref r = param_value(l, node_param(m, P_RGBA_r), TYPE_float),
+        g = param_value(l, node_param(m, P_RGBA_g), TYPE_float);
+    Ref b = param_value(l, node_param(m, P_RGBA_b), TYPE_float),
+        a = param_value(l, node_param(m, P_RGBA_a), TYPE_float);
+    Ref diffuse = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3);
+    return plain_slot(l, diffuse, sub(l, number(l, 1), a), slot, env);
+}
+
+static Ref missing_slot(Lower *l, Slot slot, const Env *env)
+{
+    Ref diffuse = ir_vec3(l->ir, missing_gray, missing_gray, missing_gray);
+    return plain_slot(l, diffuse, number(l, 0), slot, env);
+}
+
+/* The sky's radiance along the local position. What depends on the sun alone is computed here, in double. */
+static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
+{
+    const char *why = "the sky's coefficients are computed when the shader is written";
+    reject_uniform(l, node_param(m, P_SunSkyLight_sun), "sun", why);
+    reject_uniform(l, node_param(m, P_SunSkyLight_turbidity), "turbidity", why);
+    double sun[4], turbidity[4], row[7][3];
+    value_number(node_param(m, P_SunSkyLight_sun), TYPE_vec3, sun);
+    value_number(node_param(m, P_SunSkyLight_turbidity), TYPE_float, turbidity);
+    sky_coefficients(sun, turbidity[0], 1, row);
+    /* skyRadiance(direction, sun, zenith over F(0, sun), A, B, C, D, E) */
+    static const int order[] = {6, 0, 1, 2, 3, 4, 5};
+    Ref args[8] = {ask(l, NULL, GROUP_X, env)};
+    for (int i = 0; i < 7; i++)
+        args[i + 1] = ir_const(l->ir, TYPE_vec3, row[order[i]]);
+    Ref factor = param_value(l, node_param(m, P_SunSkyLight_radianceFactor), TYPE_float);
+    return mul(l, ir_call(l->ir, FN_skyRadiance, args, 8), factor);
+}
+
+static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    if (slot == SLOT_emissive)
+        return sky_radiance(l, m, env);
+    Ref diffuse = black(l);
+    return plain_slot(l, diffuse, number(l, 0), slot, env);
+}
+
+/* The material of a side. A missing back is as the front; a missing front stays missing. */
+static const Node *side(const Node *m, bool front)
+{
+    const Node *back = front ? NULL : param_node(m, P_SideSwitch_backShader);
+    return back ? back : param_node(m, P_SideSwitch_frontShader);
+}
+
+/* A preview takes the GUI's material; the others stand in where it is missing. */
+static const Node *algorithm(const Node *m)
+{
+    const Node *gui = param_node(m, P_AlgorithmSwitch_guiShader);
+    const Node *ray = param_node(m, P_AlgorithmSwitch_raytracerShader);
+    return gui ? gui : ray ? ray : param_node(m, P_AlgorithmSwitch_radiationShader);
+}
+
+/* The material that is seen of one side, through any number of switches: within one of them the side is known. */
+static const Node *seen_from(const Node *m, bool front)
+{
+    while (m && (m->kind == KIND_SideSwitch || m->kind == KIND_AlgorithmSwitch))
+        m = m->kind == KIND_SideSwitch ? side(m, front) : algorithm(m);
+    return m;
+}
+
+static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
+{
+    return sides[0] == sides[1] ? sides[0] : ir_select(l->ir, env->front, sides[0], sides[1]);
+}
+
+/* Of a material that is no switch. */
+static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    if (!m)
+        return missing_slot(l, slot, env);
+    switch (m->kind) {
+    case KIND_Phong:
+        return phong_slot(l, m, slot, env);
+    case KIND_RGBA:
+        return rgba_slot(l, m, slot, env);
+    case KIND_SunSkyLight:
+        return sky_slot(l, m, slot, env);
+    default:
+        return missing_slot(l, slot, env);
+    }
+}
+
+static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    const Node *front = seen_from(m, true), *back = seen_from(m, false);
+    if (front == back)
+        return side_slot(l, front, slot, env);
+    return both_sides(l, env, REFS(l->ir, side_slot(l, front, slot, env), side_slot(l, back, slot, env)));
+}
+
+/* In eye space: the interpolated normal comes so from the vertex program; any other is turned. */
+static Ref in_eye_space(Lower *l, Ref normal, const Env *env)
+{
+    if (normal == env->root[GROUP_N] && env->eye_n)
+        return env->eye_n;
+    return ir_call(l->ir, FN_eyeFromWorld, &normal, 1);
+}
+
+static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
+{
+    Ref normal = raw_normal(l, m, env);
+    return eye ? in_eye_space(l, normal, env) : normal;
+}
+
+static Ref normal_of(Lower *l, const Node *m, const Env *env, bool eye)
+{
+    const Node *front = seen_from(m, true), *back = seen_from(m, false);
+    if (front == back)
+        return side_normal(l, front, env, eye);
+    return both_sides(l, env, REFS(l->ir, side_normal(l, front, env, eye), side_normal(l, back, env, eye)));
+}
+
+/* Unit length, and turned to the viewer's side. */
+static Ref finished_normal(Lower *l, Ref normal, const Env *env)
+{
+    Ref side = ir_select(l->ir, env->front, number(l, 1), number(l, -1));
+    return mul(l, ir_call(l->ir, FN_safeNormalize, &normal, 1), side);
+}
+
+Ref lower_eye_normal(Lower *l, const Node *material, const Env *env)
+{
+    l->ir->hint = KIND_COUNT + SLOT_normal;
+    Ref value = finished_normal(l, normal_of(l, material, env, true), env);
+    mark_head(l->ir, value, KIND_COUNT + SLOT_normal);
+    return value;
+}
+
+Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
+{
+    l->ir->hint = (uint8_t)(KIND_COUNT + slot);
+    Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
+                                    : value_slot(l, material, slot, env);
+    value = ir_convert(l->ir, value, slot_table[slot].type);
+    mark_head(l->ir, value, (uint8_t)(KIND_COUNT + slot));
+    return value;
+}

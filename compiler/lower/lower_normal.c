@@ -1,0 +1,169 @@
+/* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
+#include "compiler/lower/lower.h"
+#include "compiler/lower/slope.h"
+
+typedef struct {
+    Ref tu, tv; /* of the input */
+    Ref unit;   /* its n / |n|; 0 where that has no length */
+} Frame;
+
+static Frame input_frame(Lower *l, const Node *input, const Env *env)
+{
+    const double least = 1e-30;
+    Ref n = ask(l, input, GROUP_N, env);
+    Frame f = {.tu = ask(l, input, GROUP_DU, env)};
+    f.tv = ask(l, input, GROUP_DV, env);
+    Ref size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, n), number(l, least));
+    f.unit = mul(l, n, ir_binary(l->ir, OP_div, number(l, 1), size));
+    return f;
+}
+
+/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv' with the unit normal n. Of n' the term du dv (n x n) is 0 and left out: of steep
+ * slopes the product would be none of floats. */
+static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
+{
+    Ref tu = group == GROUP_DV ? 0 : add(l, f->tu, mul(l, f->unit, slope[0]));
+    if (group == GROUP_DU)
+        return tu;
+    if (group == GROUP_DV)
+        return add(l, f->tv, mul(l, f->unit, slope[1]));
+    Ref by_v = mul(l, ir_binary(l->ir, OP_cross, f->tu, f->unit), slope[1]);
+    return add(l, ir_binary(l->ir, OP_cross, tu, f->tv), by_v);
+}
+
+static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
+
+static Ref filled(Lower *l, Ref slope) { return slope ? slope : number(l, 0); }
+
+static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
+{
+    Ref u = uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DU),
+        v = uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DV);
+    return (Slopes){u, v};
+}
+
+/* What the slopes along u (0) and along v (1) become. */
+static Slopes column_of(Lower *l, const Turn *turn, int column)
+{
+    Ref u = number(l, column == 0), v = number(l, column == 1);
+    return turn->transform ? turned_by(l, turn->transform, (Slopes){u, v}) : turn->column[column];
+}
+
+/* One more node above those of a turn. */
+static Turn turned_at(Lower *l, const Turn *below, const Node *node)
+{
+    if (node->kind != KIND_UVTransform)
+        return *below;
+    if (!below->count)
+        return (Turn){.known = true, .count = 1, .transform = node};
+    Turn turn = {.known = true, .count = below->count + 1};
+    for (int i = 0; i < 2; i++)
+        turn.column[i] = turned_by(l, node, column_of(l, below, i));
+    return turn;
+}
+
+static Turn *turn_at(Lower *l, const Node *node)
+{
+    l->turns = arena_reach(l->c->arena, l->turns, (size_t)node->index, &l->turn_room, sizeof *l->turns);
+    return &l->turns[node->index];
+}
+
+/* What the UVTransforms from a node down its inputs make of slopes, together. Every node keeps its own: a chain is walked once. */
+static Turn turn_of(Lower *l, const Node *node)
+{
+    const Node **chain = NULL;
+    size_t count = 0, room = 0;
+    Turn turn = {.known = true};
+    for (; node && !turn_at(l, node)->known; node = param_node(node, kind_table[node->kind].first))
+        ARENA_PUSH(l->c->arena, chain, count, room, node);
+    if (node)
+        turn = *turn_at(l, node);
+    while (count--) {
+        turn = turned_at(l, &turn, chain[count]);
+        *turn_at(l, chain[count]) = turn;
+    }
+    return turn;
+}
+
+/* The slopes along the input's tangents: where a UVTransform turned those, it turns the slopes. */
+static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
+{
+    const Turn turn = turn_of(l, input);
+    if (turn.count <= 1)
+        return turn.count ? turned_by(l, turn.transform, slopes) : slopes;
+    Ref u = add(l, mul(l, slopes.u, turn.column[0].u), mul(l, slopes.v, turn.column[1].u));
+    Ref v = add(l, mul(l, slopes.u, turn.column[0].v), mul(l, slopes.v, turn.column[1].v));
+    return (Slopes){u, v};
+}
+
+/* How red rises: what the maps answer for their derivative channels, or the derivative of what they compute. */
+static Slopes height_slopes(Lower *l, const Node *displacement, const Node *input, const Env *env)
+{
+    if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite) {
+        Ref by_u = ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x");
+        Ref by_v = ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x");
+        return (Slopes){by_u, by_v};
+    }
+    Ref height = ir_swizzle(l->ir, ask(l, displacement, GROUP_R, env), "x");
+    Ref by_u = filled(l, slope_of(l, height, DIRECTION_u)), by_v = filled(l, slope_of(l, height, DIRECTION_v));
+    return along_tangents(l, input, (Slopes){by_u, by_v});
+}
+
+Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const double step = 0.02;
+    const Node *input = param_node(node, P_BumpMap_input), *displacement = param_node(node, P_BumpMap_displacement);
+    if (!is_frame(group) || !displacement)
+        return ask(l, input, group, env);
+    Frame frame = input_frame(l, input, env);
+    Ref strength = param_value(l, node_param(node, P_BumpMap_strength), TYPE_float);
+    Ref k = mul(l, strength, number(l, step));
+    Slopes slopes = height_slopes(l, displacement, input, env);
+    return tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group);
+}
+
+/* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
+typedef struct {
+    Ref height, slope;
+} Ripple;
+
+static Ripple ripple(Lower *l, Ref x, Ref count)
+{
+    Ref rate = mul(l, count, number(l, 2 * M_PI)), angle = mul(l, rate, x);
+    Ref height = ir_unary(l->ir, OP_cos, angle), sine = ir_unary(l->ir, OP_sin, angle);
+    return (Ripple){height, ir_unary(l->ir, OP_neg, mul(l, rate, sine))};
+}
+
+/* The top face of a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
+static Ref in_box_top(Lower *l, Ref u, Ref v)
+{
+    Ir *ir = l->ir;
+    Ref zero = number(l, 0);
+    Ref along_u = ir_binary(ir, OP_and, ir_binary(ir, OP_le, zero, u), ir_binary(ir, OP_le, u, number(l, 1.0 / 4)));
+    Ref along_v = ir_binary(ir, OP_and, ir_binary(ir, OP_le, zero, v), ir_binary(ir, OP_le, v, number(l, 1.0 / 3)));
+    return ir_binary(ir, OP_and, along_u, along_v);
+}
+
+Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *input = param_node(node, P_WaveMap_input);
+    if (!is_frame(group))
+        return ask(l, input, group, env);
+    double box_top[4];
+    value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
+    Ref uvw = ask(l, input, GROUP_U, env), u = ir_swizzle(l->ir, uvw, "x"), v = ir_swizzle(l->ir, uvw, "y");
+    Ref u_count = param_value(l, node_param(node, P_WaveMap_uCount), TYPE_float);
+    Ref v_count = param_value(l, node_param(node, P_WaveMap_vCount), TYPE_float);
+    if (box_top[0] != 0) {
+        u = sub(l, u, number(l, 1.0 / 4));
+        v = sub(l, v, number(l, 1.0 / 3));
+        u_count = mul(l, u_count, number(l, 4));
+        v_count = mul(l, v_count, number(l, 3));
+    }
+    Frame frame = input_frame(l, input, env);
+    Ref k = param_value(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
+    Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
+    Ref by_u = mul(l, k, mul(l, a.slope, b.height)), by_v = mul(l, k, mul(l, a.height, b.slope));
+    Ref result = tilted(l, &frame, REFS(l->ir, by_u, by_v), group);
+    return box_top[0] != 0 ? ir_select(l->ir, in_box_top(l, u, v), result, ask(l, input, group, env)) : result;
+}

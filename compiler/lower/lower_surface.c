@@ -1,0 +1,237 @@
+/* Constants, checkers and pictures. */
+#include "compiler/lower/area.h"
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+enum { FIRST_TEXTURES = 16 }; /* places of the table */
+
+static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
+
+static Ref constant(Lower *l, Ref value, Group group)
+{
+    return is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : as_group(l, value, group);
+}
+
+Ref lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
+{
+    (void)env;
+    const Value *value = &node->params[0];
+    return constant(l, param_value(l, value, value->type), group);
+}
+
+Ref lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
+{
+    (void)env;
+    Ref r = param_value(l, node_param(node, P_RGBColor_r), TYPE_float);
+    Ref g = param_value(l, node_param(node, P_RGBColor_g), TYPE_float);
+    Ref b = param_value(l, node_param(node, P_RGBColor_b), TYPE_float);
+    return constant(l, ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3), group);
+}
+
+Ref lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
+{
+    (void)env;
+    return constant(l, param_value(l, node_param(node, P_Graytone_value), TYPE_float), group);
+}
+
+Type common_type(Type a, Type b)
+{
+    if ((a == TYPE_float && b == TYPE_vec2) || (a == TYPE_vec2 && b == TYPE_float))
+        return TYPE_vec3;
+    return type_table[a].lanes > type_table[b].lanes ? a : b;
+}
+
+/* a where the condition holds, else b, both widened to the type that holds both. */
+static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
+{
+    Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
+    return ir_select(l->ir, condition, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type));
+}
+
+/* a for a share of the footprint, b for the rest. */
+static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
+{
+    Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
+    Split split = {share, ir_convert(l->ir, a, type), 0};
+    split.b = ir_convert(l->ir, b, type);
+    Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, share);
+    split_set(l, value, split);
+    return value;
+}
+
+static const char *const lane_name[] = {"x", "y", "z"};
+
+/* Whether floor(2 q) is odd, from the whole number and the fraction of 2 q, by lane: edges are at whole numbers, and beside them
+ * the fraction is small and good to its last bit. */
+static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
+{
+    Ref whole = ir_swizzle(l->ir, twice->whole, lane), fraction = ir_swizzle(l->ir, twice->fraction, lane);
+    Ref half = ir_unary(l->ir, OP_fract, mul(l, whole, number(l, 0.5)));
+    Ref odd = ir_binary(l->ir, OP_le, number(l, 0.5), half);
+    return ir_binary(l->ir, OP_ne, odd, ir_binary(l->ir, OP_lt, fraction, number(l, 0)));
+}
+
+/* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
+ * for every float, while a sum of large whole numbers loses its last bit. */
+static Ref odd_sum(Lower *l, Ref q)
+{
+    LongCoordinate twice;
+    bool is_long = long_coordinate(l, q, 2, &twice);
+    Ref part = is_long ? 0 : ir_unary(l->ir, OP_fract, q), odd = 0;
+    for (int i = 0; i < ir_lanes(l->ir, q); i++) {
+        const char *lane = lane_name[i];
+        Ref upper = is_long ? odd_beside_edge(l, &twice, lane)
+                            : ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane));
+        odd = i ? ir_binary(l->ir, OP_ne, odd, upper) : upper;
+    }
+    return odd;
+}
+
+/* uv + (step_u, step_v), whole turns dropped first: far from the origin the step would be lost. */
+static Ref stepped(Lower *l, Ref uv, double step_u, double step_v)
+{
+    return add(l, ir_unary(l->ir, OP_fract, uv), ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
+}
+
+/* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
+static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
+{
+    if (step_u != 0 || step_v != 0)
+        uv = stepped(l, uv, step_u, step_v);
+    return odd_sum(l, uv);
+}
+
+/* A difference of the two colours where a step crosses an edge, else the slope of the colour itself. */
+static Ref checker_slope(Lower *l, const Node *color1, const Node *color2, Ref uv, Group group, const Env *env)
+{
+    const double step = 0.05;
+    Ref odd = odd_square(l, uv, 0, 0);
+    Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
+    Ref a = ir_convert(l->ir, ask(l, color1, GROUP_R, env), TYPE_vec3);
+    Ref b = ir_convert(l->ir, ask(l, color2, GROUP_R, env), TYPE_vec3);
+    Ref rise = mul(l, ir_select(l->ir, odd, sub(l, b, a), sub(l, a, b)), number(l, 1 / step));
+    Ref inside = ir_select(l->ir, odd, ask(l, color1, group, env), ask(l, color2, group, env));
+    return ir_select(l->ir, ir_binary(l->ir, OP_ne, odd, beyond), rise, inside);
+}
+
+Ref lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *color1 = param_node(node, P_Checker_color1), *color2 = param_node(node, P_Checker_color2);
+    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Checker_input), GROUP_U, env), "xy");
+    if (is_derivative(group))
+        return checker_slope(l, color1, color2, uv, group, env);
+    Ref a = ask(l, color1, group, env), b = ask(l, color2, group, env), share = area_odd_share(l, uv);
+    return share ? mixed(l, share, a, b) : choose(l, odd_square(l, uv, 0, 0), a, b);
+}
+
+Ref lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ref p = ask(l, param_node(node, P_VolumeChecker_input), GROUP_X, env);
+    Ref a = ask(l, param_node(node, P_VolumeChecker_color1), group, env);
+    Ref b = ask(l, param_node(node, P_VolumeChecker_color2), group, env);
+    Ref half = mul(l, p, number(l, 0.5)), share = area_odd_share(l, half);
+    return share ? mixed(l, share, a, b) : choose(l, odd_sum(l, half), a, b);
+}
+
+/* The same picture, or reliefs of the same parameters. */
+static bool same_texture(const IrTexture *a, const IrTexture *b)
+{
+    if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
+        return a->kind == b->kind && a->image == b->image;
+    for (int i = 1; i < kind_table[KIND_Carpenter].count; i++) {
+        double x[4], y[4];
+        value_number(&a->node->params[i], TYPE_float, x);
+        value_number(&b->node->params[i], TYPE_float, y);
+        if (x[0] != y[0])
+            return false;
+    }
+    return true;
+}
+
+/* Equal textures have equal ones. */
+static uint32_t texture_hash(const IrTexture *texture)
+{
+    double numbers[16] = {0};
+    int count = texture->kind == TEXTURE_image ? 0 : kind_table[KIND_Carpenter].count;
+    for (int i = 1; i < count; i++)
+        value_number(&texture->node->params[i], TYPE_float, &numbers[i]);
+    for (int i = 1; i < count; i++)
+        numbers[i] += 0.0; /* -0 is 0 */
+    return (uint32_t)XXH3_64bits_withSeed(numbers, sizeof numbers, (uintptr_t)texture->image);
+}
+
+static uint32_t *texture_place(Ir *ir, const IrTexture *wanted)
+{
+    uint32_t at = texture_hash(wanted) & ir->texture_mask;
+    while (ir->texture_table[at] && !same_texture(&ir->textures[ir->texture_table[at] - 1], wanted))
+        at = (at + 1) & ir->texture_mask;
+    return &ir->texture_table[at];
+}
+
+static void grow_texture_table(Ir *ir)
+{
+    ir->texture_mask = ir->texture_table ? 2 * ir->texture_mask + 1 : FIRST_TEXTURES - 1;
+    ir->texture_table = ARENA_ARRAY(ir->arena, uint32_t, ir->texture_mask + 1);
+    for (uint32_t i = 0; i < ir->texture_count; i++)
+        *texture_place(ir, &ir->textures[i]) = i + 1;
+}
+
+static Ref texture(Lower *l, IrTexture wanted)
+{
+    Ir *ir = l->ir;
+    if (2 * ir->texture_count >= ir->texture_mask)
+        grow_texture_table(ir);
+    uint32_t *place = texture_place(ir, &wanted);
+    if (!*place) {
+        ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, wanted);
+        *place = (uint32_t)ir->texture_count;
+    }
+    return ir_make(ir, OP_texture, TYPE_sampler, *place - 1, NULL, 0);
+}
+
+/* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
+static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Ref uv, Group group, double step_u,
+                        double step_v)
+{
+    Ref size = ir_const(l->ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
+    Ref sampler = texture(l, *wanted);
+    if (!is_derivative(group))
+        return as_group(l, area_picture(l, function, sampler, uv, size), group);
+    Ref here = ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
+    double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
+    bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
+    Ref beyond = turns ? stepped(l, uv, u, v) : add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){u, v}));
+    Ref there = ir_call(l->ir, function, REFS(l->ir, sampler, beyond, size), 3);
+    return as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
+}
+
+Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Value *image = node_param(node, P_ImageMap_image);
+    if (image->kind != VALUE_image)
+        return constant(l, number(l, 0.5), group);
+    double bilinear[4];
+    value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
+    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
+    const Image *picture = image->image;
+    IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
+    Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
+                             1.0 / picture->width, 1.0 / picture->height);
+    if (group == GROUP_R && picture->opaque)
+        return ir_vec(l->ir, TYPE_vec4, REFS(l->ir, ir_swizzle(l->ir, value, "xyz"), number(l, 1)), 2);
+    return value;
+}
+
+Ref lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const double step = 0.005;
+    const KindRow *row = &kind_table[KIND_Carpenter];
+    for (int i = 1; i < row->count; i++)
+        reject_uniform(l, &node->params[i], param_table[row->first + i].name, "the relief is made when the shader is");
+    double width[4], height[4];
+    value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
+    value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
+    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
+    IrTexture wanted = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
+    return sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step);
+}

@@ -1,0 +1,173 @@
+/* Coordinate transformers: they answer for their own coordinate and pass every other channel on. */
+#include "compiler/lower/area.h"
+#include <math.h>
+
+static bool is_zero(const Ir *ir, Ref ref) { return ir_is_number(ir, ref, 0); }
+
+/* A matrix of scalars, m[row][column], times q; a diagonal one is a product by lane. */
+static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
+{
+    Type type = size == 2 ? TYPE_vec2 : TYPE_vec3;
+    bool diagonal = true;
+    for (int i = 0; i < size; i++)
+        for (int k = 0; k < size; k++)
+            diagonal &= i == k || is_zero(l->ir, m[i][k]);
+    if (diagonal)
+        return mul(l, q, ir_vec(l->ir, type, REFS(l->ir, m[0][0], m[1][1], size == 3 ? m[2][2] : 0), size));
+    Ref args[4] = {q};
+    for (int k = 0; k < size; k++)
+        args[k + 1] = ir_vec(l->ir, type, REFS(l->ir, m[0][k], m[1][k], size == 3 ? m[2][k] : 0), size);
+    return ir_make(l->ir, OP_linear, type, 0, args, size + 1);
+}
+
+/* The 2x2 part of a UVTransform: uv' = m (uv - offset). */
+static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
+{
+    Ref angle = param_value(l, node_param(node, P_UVTransform_angle), TYPE_float);
+    Ref c = ir_unary(l->ir, OP_cos, angle), s = ir_unary(l->ir, OP_sin, angle);
+    Ref scale_u = param_value(l, node_param(node, P_UVTransform_scaleU), TYPE_float);
+    Ref scale_v = param_value(l, node_param(node, P_UVTransform_scaleV), TYPE_float);
+    Ref sheared = mul(l, param_value(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
+    m[0][0] = add(l, mul(l, scale_u, c), mul(l, sheared, s));
+    m[0][1] = sub(l, mul(l, scale_u, s), mul(l, sheared, c));
+    m[1][0] = ir_unary(l->ir, OP_neg, mul(l, scale_v, s));
+    m[1][1] = mul(l, scale_v, c);
+}
+
+/* 1/x, 0 for 0: a texture that is scaled to nothing has no tangent. */
+static Ref guarded_inverse(Lower *l, Ref x)
+{
+    Ref flat = ir_binary(l->ir, OP_eq, x, number(l, 0));
+    Ref inverse = ir_binary(l->ir, OP_div, number(l, 1), ir_select(l->ir, flat, number(l, 1), x));
+    return ir_select(l->ir, flat, number(l, 0), inverse);
+}
+
+Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
+{
+    Ref m[3][3];
+    uv_matrix(l, node, m);
+    Ref determinant = sub(l, mul(l, m[0][0], m[1][1]), mul(l, m[0][1], m[1][0]));
+    Ref inverse = guarded_inverse(l, determinant);
+    Ref by_u = group == GROUP_DU ? m[1][1] : ir_unary(l->ir, OP_neg, m[0][1]);
+    Ref by_v = group == GROUP_DU ? ir_unary(l->ir, OP_neg, m[1][0]) : m[0][0];
+    return add(l, mul(l, du, mul(l, by_u, inverse)), mul(l, dv, mul(l, by_v, inverse)));
+}
+
+Ref lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *input = param_node(node, P_UVTransform_input);
+    if (group == GROUP_DU || group == GROUP_DV) {
+        Ref du = ask(l, input, GROUP_DU, env), dv = ask(l, input, GROUP_DV, env);
+        return uv_tangent(l, node, du, dv, group);
+    }
+    if (group != GROUP_U)
+        return ask(l, input, group, env);
+    Ref m[3][3], uvw = ask(l, input, GROUP_U, env);
+    uv_matrix(l, node, m);
+    Ref offset_u = param_value(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
+    Ref offset_v = param_value(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
+    Ref offset = ir_vec(l->ir, TYPE_vec2, REFS(l->ir, offset_u, offset_v), 2);
+    Ref from = sub(l, ir_swizzle(l->ir, uvw, "xy"), offset);
+    return ir_vec(l->ir, TYPE_vec3, REFS(l->ir, times_matrix(l, m, 2, from), ir_swizzle(l->ir, uvw, "z")), 2);
+}
+
+/* a b for 3x3 matrices of scalars. */
+static void matrix_product(Lower *l, Ref a[3][3], Ref b[3][3], Ref result[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++) {
+            result[i][k] = mul(l, a[i][0], b[0][k]);
+            for (int j = 1; j < 3; j++)
+                result[i][k] = add(l, result[i][k], mul(l, a[i][j], b[j][k]));
+        }
+}
+
+static void identity(Lower *l, Ref m[3][3])
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            m[i][k] = number(l, i == k);
+}
+
+/* Rotation about an axis: x 0, y 1, z 2. */
+static void rotation(Lower *l, int axis, Ref angle, Ref m[3][3])
+{
+    int i = (axis + 1) % 3, k = (axis + 2) % 3;
+    Ref c = ir_unary(l->ir, OP_cos, angle), s = ir_unary(l->ir, OP_sin, angle);
+    identity(l, m);
+    m[i][i] = m[k][k] = c;
+    m[i][k] = ir_unary(l->ir, OP_neg, s);
+    m[k][i] = s;
+}
+
+/* Rz Ry Rx S H of a component transformation. */
+static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
+{
+    static const char *const lane[] = {"x", "y", "z"};
+    Ref angles = param_value(l, &transform->rotation, TYPE_vec3), turn[3][3], before[3][3];
+    Ref scale = param_value(l, &transform->scale, TYPE_vec3), shear = param_value(l, &transform->shear, TYPE_vec3);
+    identity(l, m);
+    m[0][1] = ir_swizzle(l->ir, shear, "x");
+    m[0][2] = ir_swizzle(l->ir, shear, "y");
+    m[1][2] = ir_swizzle(l->ir, shear, "z");
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            m[i][k] = mul(l, m[i][k], ir_swizzle(l->ir, scale, lane[i]));
+    for (int axis = 0; axis < 3; axis++) {
+        rotation(l, axis, ir_swizzle(l->ir, angles, lane[axis]), turn);
+        for (int i = 0; i < 9; i++)
+            before[i / 3][i % 3] = m[i / 3][i % 3];
+        matrix_product(l, turn, before, m);
+    }
+}
+
+Ref lower_transform(Lower *l, const Transform *transform, Ref q)
+{
+    Ref m[3][3], shift;
+    switch (transform->kind) {
+    case TRANSFORM_scale:
+        return mul(l, q, param_value(l, &transform->scale, TYPE_float));
+    case TRANSFORM_translation:
+        return add(l, q, param_value(l, &transform->translation, TYPE_vec3));
+    case TRANSFORM_matrix:
+        for (int i = 0; i < 9; i++)
+            m[i / 3][i % 3] = number(l, transform->matrix[i / 3 * 4 + i % 3]);
+        shift = ir_vec3(l->ir, transform->matrix[3], transform->matrix[7], transform->matrix[11]);
+        break;
+    default:
+        component_matrix(l, transform, m);
+        shift = param_value(l, &transform->translation, TYPE_vec3);
+        break;
+    }
+    return add(l, times_matrix(l, m, 3, q), shift);
+}
+
+Ref lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *input = param_node(node, P_XYZTransform_input);
+    if (group != GROUP_X)
+        return ask(l, input, group, env);
+    double global[4];
+    value_number(node_param(node, P_XYZTransform_useGlobal), TYPE_float, global);
+    Ref q = ask(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
+    const Value *transform = node_param(node, P_XYZTransform_transform);
+    return transform->kind == VALUE_transform ? lower_transform(l, transform->transform, q) : q;
+}
+
+/* q + amount DTurb(q), for the position and for the texture coordinate alike. */
+Ref lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
+{
+    enum { MOST_OCTAVES = 10 };
+    Ref q = ask(l, param_node(node, P_Turbulence_input), group, env);
+    if (group != GROUP_X && group != GROUP_U)
+        return q;
+    const Value *octaves = node_param(node, P_Turbulence_octaves);
+    reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
+    double given[4];
+    value_number(octaves, TYPE_float, given);
+    Ref n = ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
+    Ref frequency = param_value(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
+    Ref args[] = {q, n, frequency, param_value(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
+    Ref offset = area_vector_turbulence(l, args);
+    return add(l, q, mul(l, param_value(l, node_param(node, P_Turbulence_amount), TYPE_vec3), offset));
+}

@@ -1,0 +1,10 @@
+/* Forward differentiation of the IR: how a value changes along a direction, from how the surface point does. */
+#ifndef MATC_SLOPE_H
+#define MATC_SLOPE_H
+#include "compiler/lower/lower.h"
+
+/* The derivative of a value; 0 where it does not change. Discontinuities do not count: a step has derivative 0. */
+Ref slope_of(Lower *l, Ref value, Direction direction);
+/* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of a function's argument. */
+void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
+#endif

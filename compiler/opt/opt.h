@@ -1,0 +1,40 @@
+/* The optimiser: each pass is one file and one function that says whether it changed anything. */
+#ifndef MATC_OPT_H
+#define MATC_OPT_H
+#include "compiler/ir/ir.h"
+
+/* All passes until none changes anything. False: the IR is broken after a pass (a fault of matc; reported). */
+bool optimize(Compile *c, Ir *ir);
+
+bool opt_fold(Ir *ir);         /* constant operands -> constant */
+bool opt_algebra(Ir *ir);      /* grammar/rules.def */
+bool opt_swizzle(Ir *ir);      /* lanes of lanes, lanes of vectors; narrow early */
+bool opt_select(Ir *ir);       /* decided conditions, equal arms, work on constant arms */
+bool opt_power(Ir *ir);        /* whole exponents -> products */
+bool opt_range(Ir *ir);        /* bounds that cannot be reached, comparisons that are decided */
+bool opt_function(Ir *ir);     /* functions that do not use their arguments, or not all */
+bool opt_merge(Ir *ir);        /* a value whose gradient is computed anyhow -> a lane of that */
+bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
+bool opt_polish(Ir *ir);       /* the local rules together, with what is known of uses */
+/* The local rules of fold, algebra, swizzle, select and power, until none applies: for nodes as they are made. */
+Ref opt_simplify(Ir *ir, Ref ref);
+bool opt_dead(Ir *ir); /* drops what the outputs do not reach */
+
+/* One sweep over the live nodes, operands first: each is remade on its new operands and given to `rewrite`, which returns
+ * what stands for it, or the node itself. */
+typedef Ref (*Rewrite)(Ir *ir, Ref ref, const void *user);
+bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user);
+/* The local rules: what stands for a node, or the node itself. Swizzle's `user` is a Uses. */
+Ref rewrite_fold(Ir *ir, Ref ref, const void *user);
+Ref rewrite_algebra(Ir *ir, Ref ref, const void *user);
+Ref rewrite_swizzle(Ir *ir, Ref ref, const void *user);
+Ref rewrite_select(Ir *ir, Ref ref, const void *user);
+Ref rewrite_power(Ir *ir, Ref ref, const void *user);
+
+typedef struct {
+    const uint32_t *uses;
+    Ref count; /* of nodes when the uses were counted */
+} Uses;
+/* How often each node is used by live nodes, outputs and functions. */
+uint32_t *opt_uses(const Ir *ir, Arena *arena);
+#endif

@@ -1,0 +1,131 @@
+/* Applies the rules of grammar/rules.def. */
+#include "compiler/opt/opt.h"
+#include <math.h>
+
+typedef struct {
+    Ir *ir;
+    Type type; /* of the node that is rewritten */
+} Site;
+
+static Ref all_lanes(const Site *s, double value)
+{
+    return ir_const(s->ir, s->type, (double[]){value, value, value, value});
+}
+
+/* A float stands for a vector of equal lanes when it is combined with one. */
+static Ref spread_to(const Site *s, Ref a)
+{
+    int lanes = type_table[s->type].lanes;
+    return ir_type(s->ir, a) == s->type ? a : ir_vec(s->ir, s->type, REFS(s->ir, a, a, a, a), lanes);
+}
+
+/* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as one writes it. */
+static bool ordered_wrongly(const Ir *ir, Ref a, Ref b)
+{
+    bool a_number = ir_is(ir, a, OP_const), b_number = ir_is(ir, b, OP_const);
+    return a_number == b_number ? a < b : a_number;
+}
+
+static bool power_of_two(double x)
+{
+    int exponent;
+    return fabs(frexp(x, &exponent)) == 0.5 && exponent > -100 && exponent < 100;
+}
+
+static bool has_exact_inverse(const Ir *ir, Ref ref)
+{
+    if (!ir_is(ir, ref, OP_const))
+        return false;
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if (!power_of_two(ir_numbers(ir, ref)[i]))
+            return false;
+    return true;
+}
+
+static Ref inverse_of(Ir *ir, Ref ref)
+{
+    double lanes[4] = {0};
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        lanes[i] = 1 / ir_numbers(ir, ref)[i];
+    return ir_const(ir, ir_type(ir, ref), lanes);
+}
+
+/* The only lane that is not 0, or -1. */
+static int only_lane(const Ir *ir, Ref ref)
+{
+    int found = -1;
+    if (!ir_is(ir, ref, OP_const))
+        return -1;
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if (ir_numbers(ir, ref)[i] != 0) {
+            if (found >= 0)
+                return -1;
+            found = i;
+        }
+    return found;
+}
+
+static bool repeats_one(const Ir *ir, Ref ref)
+{
+    if (!ir_is(ir, ref, OP_vec) || ir_at(ir, ref)->count != ir_lanes(ir, ref))
+        return false;
+    for (int i = 1; i < ir_lanes(ir, ref); i++)
+        if (ir_arg(ir, ref, i) != ir_arg(ir, ref, 0))
+            return false;
+    return true;
+}
+
+static bool all_negative(const Ir *ir, Ref ref)
+{
+    if (!ir_is(ir, ref, OP_const))
+        return false;
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if (ir_numbers(ir, ref)[i] >= 0)
+            return false;
+    return true;
+}
+
+static Ref lane_of(Ir *ir, Ref ref, int lane) { return ir_swizzle_lanes(ir, ref, (uint32_t)lane, 1); }
+
+#define zero(x)            ir_is_number(ir, x, 0)
+#define one(x)             ir_is_number(ir, x, 1)
+#define minus_one(x)       ir_is_number(ir, x, -1)
+#define negative(x)        all_negative(ir, x)
+#define same(x, y)         ((x) == (y))
+#define is(x, op)          ir_is(ir, x, OP_##op)
+#define is_bool(x)         (ir_type(ir, x) == TYPE_bool)
+#define arg(x, i)          ir_arg(ir, x, i)
+#define all(x)             all_lanes(&site, x)
+#define spread(x)          spread_to(&site, x)
+#define truth(x)           ir_const(ir, TYPE_bool, (double[]){x})
+#define lane(x, i)         lane_of(ir, x, i)
+#define single_lane(x)     only_lane(ir, x)
+#define repeats(x)         repeats_one(ir, x)
+#define is_mean(x)         ir_is_number(ir, x, 1.0 / ir_lanes(ir, x))
+#define out_of_order(x, y) ordered_wrongly(ir, x, y)
+#define exact_inverse(x)   has_exact_inverse(ir, x)
+#define inverse(x)         inverse_of(ir, x)
+#define OP1(op, x)         ir_unary(ir, OP_##op, x)
+#define OP2(op, x, y)      ir_binary(ir, OP_##op, x, y)
+
+Ref rewrite_algebra(Ir *ir, Ref ref, const void *user)
+{
+    (void)user;
+    const IrNode *node = ir_at(ir, ref);
+    const Site site = {ir, (Type)node->type};
+    Ref a = node->count > 0 ? ir_arg(ir, ref, 0) : 0, b = node->count > 1 ? ir_arg(ir, ref, 1) : 0;
+    Ref c = node->count > 2 ? ir_arg(ir, ref, 2) : 0;
+    switch (node->op) {
+#define ON(op) case OP_##op:
+#define RULE(condition, result, why)                                                                                   \
+    if (condition)                                                                                                     \
+        return result;
+#define END break;
+#include "grammar/rules.def"
+    default:
+        break;
+    }
+    return ref;
+}
+
+bool opt_algebra(Ir *ir) { return opt_sweep(ir, rewrite_algebra, NULL); }

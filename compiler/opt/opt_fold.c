@@ -1,0 +1,14 @@
+/* Constant operands -> constant, in double precision, library functions by their C reference. */
+#include "compiler/opt/opt.h"
+
+Ref rewrite_fold(Ir *ir, Ref ref, const void *user)
+{
+    (void)user;
+    const IrNode *node = ir_at(ir, ref);
+    double result[4];
+    if (!fold_node(ir, (Op)node->op, (Type)node->type, node->payload, &ir->args[node->first], node->count, result))
+        return ref;
+    return ir_const(ir, (Type)node->type, result);
+}
+
+bool opt_fold(Ir *ir) { return opt_sweep(ir, rewrite_fold, NULL); }

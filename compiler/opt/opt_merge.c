@@ -1,0 +1,85 @@
+/* A value whose gradient is computed too comes out of that: the gradient's function has it in its fourth lane. */
+#include "compiler/opt/opt.h"
+
+/* The gradients that the outputs reach, by the arguments that they share with their value. */
+typedef struct {
+    Ref *table; /* open addressing; 0 is none */
+    uint32_t mask;
+} Gradients;
+
+/* Whether a call of a gradient has the arguments that slopes.def makes of the value's. */
+static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
+{
+    const SlopeRow *row = slope_row((int)ir_at(ir, value)->payload);
+    int i = 0;
+    if (row->kind != SLOPE_gradient || (int)ir_at(ir, gradient)->payload != row->by)
+        return false;
+    for (const char *from = row->arguments; *from; from++, i++) {
+        Ref arg = ir_arg(ir, gradient, i);
+        bool same = *from >= '0' && *from <= '9' ? arg == ir_arg(ir, value, *from - '0') : ir_is_number(ir, arg, 0);
+        if (!same)
+            return false;
+    }
+    return true;
+}
+
+/* Of what both have: the row, and the arguments that it names by digits. They stand in that order in a call of the gradient,
+ * `shared` being the call's, and at the digits' places in one of the value. */
+static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_value)
+{
+    uint32_t hash = (uint32_t)row->by;
+    for (int i = 0; row->arguments[i]; i++) {
+        const char from = row->arguments[i];
+        if (from >= '0' && from <= '9')
+            hash = (hash ^ ir_arg(ir, call, of_value ? from - '0' : i)) * 0x9E3779B1u;
+        hash ^= hash >> 15;
+    }
+    return hash;
+}
+
+static Ref merge(Ir *ir, Ref ref, const void *user)
+{
+    const Gradients *gradients = user;
+    const SlopeRow *row = ir_is(ir, ref, OP_call) ? slope_row((int)ir_at(ir, ref)->payload) : NULL;
+    if (!row || row->kind != SLOPE_gradient)
+        return ref;
+    for (uint32_t at = hash_of(ir, row, ref, true); gradients->table[at & gradients->mask]; at++)
+        if (is_gradient_of(ir, gradients->table[at & gradients->mask], ref))
+            return ir_swizzle(ir, gradients->table[at & gradients->mask], "w");
+    return ref;
+}
+
+/* Under every row that it may be a gradient by. */
+static void keep(const Ir *ir, Gradients *gradients, Ref ref)
+{
+    for (int function = 0; function < FUNCTION_COUNT; function++) {
+        const SlopeRow *row = slope_row(function);
+        if (row->kind != SLOPE_gradient || row->by != (int)ir_at(ir, ref)->payload)
+            continue;
+        uint32_t at = hash_of(ir, row, ref, false);
+        while (gradients->table[at & gradients->mask])
+            at++;
+        gradients->table[at & gradients->mask] = ref;
+    }
+}
+
+bool opt_merge(Ir *ir)
+{
+    enum { FIRST_TABLE = 16, MOST_ROWS = 4 }; /* rows of slopes.def that name one gradient */
+    Gradients gradients = {.mask = FIRST_TABLE - 1};
+    Ref *found = NULL;
+    size_t count = 0, room = 0;
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_call) && ir_type(ir, ref) == TYPE_vec4)
+            ARENA_PUSH(&ir->scratch, found, count, room, ref);
+    if (!count)
+        return false;
+    while (gradients.mask < 2 * MOST_ROWS * count)
+        gradients.mask = 2 * gradients.mask + 1;
+    gradients.table = ARENA_ARRAY(&ir->scratch, Ref, gradients.mask + 1);
+    const uint8_t *live = ir_live(ir, &ir->scratch);
+    for (size_t i = 0; i < count; i++)
+        if (live[found[i]])
+            keep(ir, &gradients, found[i]);
+    return opt_sweep(ir, merge, &gradients);
+}

@@ -1,0 +1,169 @@
+/* Lanes of lanes, lanes of vectors, vectors of lanes; and an operation of which few lanes are used is made on those alone. */
+#include "compiler/opt/opt.h"
+#include <string.h>
+
+enum { KNOWN_DEPTH = 4 }; /* operations that are looked through for a lane that is known */
+
+static uint32_t lane_at(uint32_t lanes, int i) { return lanes >> 2 * i & 3; }
+
+/* The operand of a vec that holds a lane, and which lane of it that is. */
+static Ref part_of(const Ir *ir, Ref vec, uint32_t lane, uint32_t *inner)
+{
+    for (int i = 0; i < ir_at(ir, vec)->count; i++) {
+        Ref part = ir_arg(ir, vec, i);
+        uint32_t lanes = (uint32_t)ir_lanes(ir, part);
+        if (lane < lanes) {
+            *inner = lane;
+            return part;
+        }
+        lane -= lanes;
+    }
+    return 0;
+}
+
+static Ref lanes_of_vec(Ir *ir, Ref vec, uint32_t lanes, int count)
+{
+    Ref parts[4] = {0};
+    uint32_t inner[4] = {0}, together = 0;
+    bool one_part = true;
+    for (int i = 0; i < count; i++) {
+        parts[i] = part_of(ir, vec, lane_at(lanes, i), &inner[i]);
+        one_part &= parts[i] == parts[0];
+        together |= inner[i] << 2 * i;
+    }
+    if (one_part && ir_lanes(ir, parts[0]) > 1)
+        return ir_swizzle_lanes(ir, parts[0], together, count);
+    for (int i = 0; i < count; i++)
+        parts[i] = ir_swizzle_lanes(ir, parts[i], inner[i], 1);
+    return count == 1 ? parts[0] : ir_vec(ir, (Type[]){0, 0, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count], parts, count);
+}
+
+static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP_select; }
+
+/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody. */
+static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
+{
+    const IrNode node = *ir_at(ir, operation);
+    Ref args[3];
+    for (int i = 0; i < node.count; i++) {
+        args[i] = ir_arg(ir, operation, i);
+        if (ir_lanes(ir, args[i]) > 1)
+            args[i] = ir_swizzle_lanes(ir, args[i], lanes, count);
+    }
+    Type type = (Type[]){0, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count];
+    bool narrow = node.op != OP_select && count > 1;
+    Ref made = ir_make(ir, (Op)node.op, type, 0, args, node.count);
+    return narrow && ir_type(ir, made) != type ? 0 : made;
+}
+
+/* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that lane, say. */
+static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
+{
+    const IrNode *node = ir_at(ir, ref);
+    uint32_t inner = 0;
+    double args[3] = {0};
+    if (ir_lanes(ir, ref) == 1)
+        lane = 0;
+    if (node->op == OP_const) {
+        *value = ir_numbers(ir, ref)[lane];
+        return true;
+    }
+    if (node->op == OP_vec) {
+        Ref part = part_of(ir, ref, lane, &inner);
+        return depth && known_lane(ir, part, inner, depth - 1, value);
+    }
+    if (!depth || op_table[node->op].rule != RULE_widest)
+        return false;
+    int known = 0;
+    for (int i = 0; i < node->count; i++) {
+        bool found = known_lane(ir, ir_arg(ir, ref, i), lane, depth - 1, &args[i]);
+        if (found && node->op == OP_mul && args[i] == 0) {
+            *value = 0;
+            return true;
+        }
+        known += found;
+    }
+    return known == node->count && fold_lane((Op)node->op, args, value);
+}
+
+static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
+{
+    uint32_t lanes = ir_at(ir, ref)->payload, composed = 0;
+    int count = ir_lanes(ir, ref);
+    Ref a = ir_arg(ir, ref, 0);
+    bool identity = count == ir_lanes(ir, a);
+    for (int i = 0; i < count; i++)
+        identity &= lane_at(lanes, i) == (uint32_t)i;
+    if (identity)
+        return a;
+    double value;
+    if (count == 1 && known_lane(ir, a, lane_at(lanes, 0), KNOWN_DEPTH, &value))
+        return ir_float(ir, value);
+    if (ir_is(ir, a, OP_swizzle)) {
+        for (int i = 0; i < count; i++)
+            composed |= lane_at(ir_at(ir, a)->payload, (int)lane_at(lanes, i)) << 2 * i;
+        return ir_swizzle_lanes(ir, ir_arg(ir, a, 0), composed, count);
+    }
+    if (ir_is(ir, a, OP_vec))
+        return lanes_of_vec(ir, a, lanes, count);
+    bool only_use = a < uses->count && uses->uses[a] == 1;
+    if (only_use && count < ir_lanes(ir, a) && by_lane((Op)ir_at(ir, a)->op)) {
+        Ref pushed = push_down(ir, a, lanes, count);
+        return pushed ? pushed : ref;
+    }
+    return ref;
+}
+
+/* vec(v.x, v.y) -> v.xy */
+static Ref gather_lanes(Ir *ir, Ref ref)
+{
+    int count = ir_lanes(ir, ref);
+    uint32_t lanes = 0;
+    Ref from = 0;
+    if (ir_at(ir, ref)->count != count)
+        return ref;
+    for (int i = 0; i < count; i++) {
+        Ref part = ir_arg(ir, ref, i);
+        if (!ir_is(ir, part, OP_swizzle) || (from && ir_arg(ir, part, 0) != from))
+            return ref;
+        from = ir_arg(ir, part, 0);
+        lanes |= ir_at(ir, part)->payload << 2 * i;
+    }
+    return ir_swizzle_lanes(ir, from, lanes, count);
+}
+
+/* vec(vec(a, b), c) -> vec(a, b, c) */
+static Ref flatten(Ir *ir, Ref ref)
+{
+    Ref parts[4];
+    int count = 0;
+    bool nested = false;
+    for (int i = 0; i < ir_at(ir, ref)->count; i++) {
+        Ref part = ir_arg(ir, ref, i);
+        bool vec = ir_is(ir, part, OP_vec);
+        nested |= vec;
+        for (int k = 0; k < (vec ? ir_at(ir, part)->count : 1); k++)
+            parts[count++] = vec ? ir_arg(ir, part, k) : part;
+    }
+    return nested ? ir_vec(ir, ir_type(ir, ref), parts, count) : ref;
+}
+
+Ref rewrite_swizzle(Ir *ir, Ref ref, const void *user)
+{
+    if (ir_is(ir, ref, OP_swizzle))
+        return simplify_swizzle(ir, ref, user);
+    if (!ir_is(ir, ref, OP_vec))
+        return ref;
+    if (ir_at(ir, ref)->count == 1)
+        return ir_arg(ir, ref, 0);
+    Ref flat = flatten(ir, ref);
+    return ir_is(ir, flat, OP_vec) ? gather_lanes(ir, flat) : flat;
+}
+
+bool opt_swizzle(Ir *ir)
+{
+    Arena *scratch = &ir->scratch;
+    Uses uses = {opt_uses(ir, scratch), (Ref)ir->count};
+    bool changed = opt_sweep(ir, rewrite_swizzle, &uses);
+    return changed;
+}

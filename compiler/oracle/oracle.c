@@ -1,0 +1,136 @@
+/* The oracle's core: surface points, environments with their memo, and delegation (semantics.md, section 1). */
+#include "compiler/oracle/oracle.h"
+#include "compiler/oracle/oracle_maps.h"
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+void oracle_surface_default(Surface *surface)
+{
+    *surface = (Surface){.front = true, .local_u = {1, 0, 0}, .local_v = {0, 1, 0}};
+    surface->root[channel_id(GROUP_N, 2)] = 1;
+    surface->root[channel_id(GROUP_DU, 0)] = 1;
+    surface->root[channel_id(GROUP_DV, 1)] = 1;
+    surface->root[channel_id(GROUP_IOR, 0)] = 1;
+}
+
+/* W and the colour are channels that no surface sets: at the root they are always 0. */
+static bool on_surface(const ChannelRow *row)
+{
+    return row->group != GROUP_R && !(row->group == GROUP_U && row->lane == 2);
+}
+
+bool oracle_surface_set(Surface *surface, const char *name, double value)
+{
+    for (int i = 0; i < CHANNEL_COUNT; i++) {
+        const ChannelRow *row = &channel_table[i];
+        if (strcmp(row->name, name) != 0)
+            continue;
+        if (!on_surface(row))
+            return false;
+        surface->root[channel_id(row->group, row->lane)] = value;
+        return true;
+    }
+    return false;
+}
+
+Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
+{
+    Oracle *oracle = calloc(1, sizeof *oracle);
+    if (!oracle)
+        abort();
+    oracle->graph = graph;
+    oracle->context = *context;
+    return oracle;
+}
+
+void oracle_exact_derivatives(Oracle *oracle, bool exact) { oracle->exact = exact; }
+void oracle_slope_side(Oracle *oracle, int side) { oracle->side = side; }
+
+void oracle_close(Oracle *oracle)
+{
+    if (!oracle)
+        return;
+    arena_free(&oracle->arena);
+    free(oracle);
+}
+
+/* A new stamp makes every row stale, so that the memo of a depth need not be cleared between points. */
+Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
+{
+    const Memo none = {0};
+    while (oracle->memo_count <= (size_t)depth)
+        ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_room, none);
+    return (Environment){oracle, surface, ++oracle->stamp, depth};
+}
+
+double oracle_ask(Environment *environment, const Node *map, int channel)
+{
+    double value;
+    if (!map)
+        return environment->surface->root[channel];
+    if (memo_find(environment, map, channel, &value))
+        return value;
+    if (++environment->oracle->answers > LIMIT_ANSWERS)
+        return 0;
+    value = oracle_answer(environment, map, channel);
+    memo_set(environment, map, channel, value);
+    return value;
+}
+
+/* NULL when the parameter is not there. */
+static const Node *map_of(const Value *value)
+{
+    if (value->kind == VALUE_none)
+        return NULL;
+    assert(value->kind == VALUE_node);
+    return value->node;
+}
+
+double oracle_ask_param(Environment *environment, const Node *node, int param, int channel)
+{
+    return oracle_ask(environment, map_of(node_param(node, param)), channel);
+}
+
+/* `input` is the first parameter of every map that has one; test_oracle checks it. */
+double oracle_ask_input(Environment *environment, const Node *node, int channel)
+{
+    return oracle_ask_param(environment, node, kind_table[node->kind].first, channel);
+}
+
+void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3])
+{
+    for (int lane = 0; lane < 3; lane++)
+        result[lane] = oracle_ask_input(environment, node, channel_id(group, lane));
+}
+
+double oracle_float(const Value *value)
+{
+    double lanes[4];
+    value_number(value, TYPE_float, lanes);
+    return lanes[0];
+}
+
+void oracle_vec3(const Value *value, double result[3])
+{
+    double lanes[4];
+    value_number(value, TYPE_vec3, lanes);
+    memcpy(result, lanes, 3 * sizeof *result);
+}
+
+double oracle_number(const Node *node, int param) { return oracle_float(node_param(node, param)); }
+
+void oracle_number3(const Node *node, int param, double result[3]) { oracle_vec3(node_param(node, param), result); }
+
+void oracle_call(const Environment *environment, int function, const double *args, double *result)
+{
+    function_row(function)->reference(&environment->oracle->context, args, result);
+}
+
+double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface)
+{
+    assert(channel >= 0 && channel < CHANNEL_ID_COUNT);
+    Environment environment = environment_open(oracle, surface, 0);
+    oracle->answers = 0;
+    return oracle_ask(&environment, map, channel);
+}

@@ -1,0 +1,45 @@
+/* The oracle: the value of every channel of a resolved document at one surface point, in double precision.
+ * It follows the rules of delegation one channel at a time and knows neither the IR nor the lowering; shaders are tested
+ * against it, and `matc --eval` prints it. Uniforms have their defaults. */
+#ifndef MATC_ORACLE_H
+#define MATC_ORACLE_H
+#include "compiler/front/graph.h"
+#include "runtime/library/reference.h"
+
+enum { CHANNEL_ID_COUNT = LANES_OF_GROUP * GROUP_COUNT };
+
+static inline int channel_id(Group group, int lane) { return LANES_OF_GROUP * (int)group + lane; }
+
+/* The point that is shaded. */
+typedef struct {
+    double root[CHANNEL_ID_COUNT]; /* what a map without input reads, by channel id */
+    bool front;                    /* seen from the front */
+    double local_u[3], local_v[3]; /* how the object position changes by u and v; only exact derivatives read it */
+} Surface;
+
+/* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), ior 1, the rest 0. */
+void oracle_surface_default(Surface *surface);
+/* Sets a channel by its name ("u", "px", ...). false: no such channel, or one that no surface sets (w, r, g, b, a). */
+bool oracle_surface_set(Surface *surface, const char *name, double value);
+
+typedef struct {
+    double lane[SLOT_COUNT][4]; /* lanes of slot_table[slot].type; the rest 0. Not clamped. */
+} SlotValues;
+
+/* What the points of one document share: baked textures, and the memory of the memo. Not for two threads at once. */
+typedef struct Oracle Oracle;
+/* Keeps `graph`; copies `context`, of which only the noise is used (textures come from the document). */
+Oracle *oracle_open(const Graph *graph, const ReferenceContext *context);
+/* From now on BumpMap goes by the true slope of its height rather than by the maps' finite steps. */
+void oracle_exact_derivatives(Oracle *oracle, bool exact);
+/* That slope is of both sides of the point (0, the default), of what lies ahead (1) or behind (-1): where these differ, there is no
+ * true one, or none that differences of doubles can tell. */
+void oracle_slope_side(Oracle *oracle, int side);
+void oracle_close(Oracle *oracle);
+
+/* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. False: it takes more
+ * than LIMIT_ANSWERS answers of maps, and is not known. */
+bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result);
+/* One channel of one map at a point. A NULL map is the surface. */
+double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface);
+#endif

@@ -1,0 +1,171 @@
+/* The answers of constants, of volume functions with their waves, and of Blend (semantics.md 2.1, 2.3, 2.4, 2.5). */
+#include "compiler/oracle/oracle_maps.h"
+#include <assert.h>
+
+static Answer *const answers[KIND_COUNT] = {
+#define ANSWER_OWN(name)                         oracle_##name
+#define ANSWER_VOLUME(name)                      oracle_volume
+#define MAP(name, function, lowering, cost, doc) [KIND_##name] = ANSWER_##lowering(name),
+#include "grammar/maps.def"
+};
+
+double oracle_answer(Environment *environment, const Node *node, int channel)
+{
+    assert(answers[node->kind]); /* a material is no map */
+    return answers[node->kind](environment, node, channel);
+}
+
+/* A constant ignores the group of a channel, except that it does not vary. */
+static double constant(int channel, const double rgba[4])
+{
+    return is_derivative(channel) ? 0 : rgba[lane_of(channel)];
+}
+
+double oracle_Constant(Environment *environment, const Node *node, int channel)
+{
+    (void)environment;
+    double rgba[4];
+    value_number(node_param(node, P_Constant_value), TYPE_vec4, rgba);
+    return constant(channel, rgba);
+}
+
+double oracle_RGBColor(Environment *environment, const Node *node, int channel)
+{
+    (void)environment;
+    double rgba[4] = {oracle_number(node, P_RGBColor_r), oracle_number(node, P_RGBColor_g),
+                      oracle_number(node, P_RGBColor_b), 1};
+    return constant(channel, rgba);
+}
+
+double oracle_Graytone(Environment *environment, const Node *node, int channel)
+{
+    (void)environment;
+    double value = oracle_number(node, P_Graytone_value);
+    return constant(channel, (double[4]){value, value, value, 1});
+}
+
+static double named_wave(WaveKind kind, double v)
+{
+    switch (kind) {
+#define WAVE(name, reference, build, doc)                                                                              \
+    case WAVE_##name:                                                                                                  \
+        return reference;
+#include "grammar/waves.def"
+    case WAVE_Chain:
+        break; /* has no row */
+    }
+    assert(!"a wave");
+    return v;
+}
+
+/* NULL is the identity. */
+static double wave(const Wave *of, double v)
+{
+    if (!of)
+        return v;
+    if (of->kind != WAVE_Chain)
+        return named_wave(of->kind, v);
+    return wave(of->second, oracle_float(&of->factor) * wave(of->first, v) + oracle_float(&of->shift));
+}
+
+/* Where VOLUME_PARAMS stand in the run of a volume map's parameters, and where those of its own begin. */
+enum {
+    VOLUME_WAVE = P_Gradient_waveForm - P_Gradient_input,
+    VOLUME_FREQUENCY = P_Gradient_frequency - P_Gradient_input,
+    VOLUME_PHASE = P_Gradient_phase - P_Gradient_input,
+    VOLUME_OWN
+};
+
+/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. */
+static double waved(const Node *node, double value)
+{
+    int first = kind_table[node->kind].first;
+    const Value *form = node_param(node, first + VOLUME_WAVE);
+    double argument = oracle_number(node, first + VOLUME_FREQUENCY) * value + oracle_number(node, first + VOLUME_PHASE);
+    return wave(form->kind == VALUE_wave ? form->wave : NULL, argument);
+}
+
+enum { VOLUME_ARGUMENTS = 64 }; /* room for a position and 20 parameters of three lanes */
+
+/* Appends a parameter's lanes to a function's arguments; returns their new count. */
+static int append(const Node *node, int param, double *args, int count)
+{
+    assert(count + 3 <= VOLUME_ARGUMENTS);
+    if (param_table[param].type == PARAM_Vec3) {
+        oracle_number3(node, param, &args[count]);
+        return count + 3;
+    }
+    double value = oracle_number(node, param);
+    args[count] = param_table[param].type == PARAM_Int ? trunc(value) : value; /* a uniform may have any default */
+    return count + 1;
+}
+
+double oracle_volume(Environment *environment, const Node *node, int channel)
+{
+    if (lane_of(channel) == 3)
+        return 1;
+    const KindRow *row = &kind_table[node->kind];
+    double args[VOLUME_ARGUMENTS], result[4];
+    oracle_ask_input3(environment, node, GROUP_X, args);
+    int count = 3;
+    for (int i = VOLUME_OWN; i < row->count; i++)
+        count = append(node, row->first + i, args, count);
+    oracle_call(environment, FN_FIRST_MAP + (int)node->kind, args, result);
+    return waved(node, result[0]);
+}
+
+double oracle_Gradient(Environment *environment, const Node *node, int channel)
+{
+    if (lane_of(channel) == 3)
+        return 1;
+    double p[3], direction[3];
+    oracle_ask_input3(environment, node, GROUP_X, p);
+    oracle_number3(node, P_Gradient_direction, direction);
+    return waved(node, p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2]);
+}
+
+double oracle_VolumeTurbulence(Environment *environment, const Node *node, int channel)
+{
+    if (lane_of(channel) == 3)
+        return 1;
+    double size = oracle_number(node, P_VolumeTurbulence_size);
+    double octaves = clamp(trunc(oracle_number(node, P_VolumeTurbulence_octaves)), 1, 11);
+    double ratio = oracle_number(node, P_VolumeTurbulence_noiseRatio);
+    double p[3], sum;
+    oracle_ask_input3(environment, node, GROUP_X, p);
+    oracle_call(environment, FN_turbulence,
+                (double[]){size * p[0], size * p[1], size * p[2], octaves,
+                           oracle_number(node, P_VolumeTurbulence_frequencyRatio), ratio},
+                &sum);
+    return waved(node, fabs(ratio) > 1 ? sum * pow(fabs(ratio), 1 - octaves) : sum);
+}
+
+static double item_value(const Item *item) { return oracle_float(&item->value); }
+
+/* The first item whose value is above t; the count when there is none. */
+static int item_above(const Items *items, double t)
+{
+    int i = 0;
+    while (i < items->count && !(item_value(&items->item[i]) > t))
+        i++;
+    return i;
+}
+
+/* All items before the one above t have values of at most t, so the two to be mixed never have equal values. */
+double oracle_Blend(Environment *environment, const Node *node, int channel)
+{
+    const Value *blend = node_param(node, P_Blend_blend);
+    if (blend->kind != VALUE_items || blend->items->count == 0)
+        return oracle_ask_input(environment, node, channel);
+    const Items *items = blend->items;
+    double t = oracle_ask_input(environment, node, channel_id(GROUP_X, 0));
+    int above = item_above(items, t);
+    if (above == 0)
+        return oracle_ask(environment, items->item[0].input, channel);
+    const Item *a = &items->item[above - 1], *b = a + 1;
+    double value = oracle_ask(environment, a->input, channel);
+    if (above == items->count)
+        return value;
+    double low = item_value(a), high = item_value(b);
+    return (value * (high - t) + oracle_ask(environment, b->input, channel) * (t - low)) / (high - low);
+}

@@ -1,0 +1,108 @@
+/* What the files of the oracle share: an environment to ask maps in, and the answer of every kind of map. */
+#ifndef MATC_ORACLE_MAPS_H
+#define MATC_ORACLE_MAPS_H
+#include "compiler/base/compile.h"
+#include "compiler/oracle/oracle.h"
+
+/* Numbers of the nodes that were met, in that order. */
+typedef struct {
+    const Node **at;
+    size_t count, room;
+    uint32_t *table; /* hash table of numbers from 1 */
+    uint32_t mask;
+} NodeNumbers;
+/* A node's number, a new one when it is met first. oracle_memo.c */
+size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node);
+
+/* A node's answers, valid when the stamp is that of the environment. */
+typedef struct {
+    uint64_t stamp;
+    uint32_t known; /* 1 << channel */
+    double value[CHANNEL_ID_COUNT];
+} MemoRow;
+typedef struct {
+    NodeNumbers nodes;
+    MemoRow *rows; /* by their numbers */
+    size_t room;
+} Memo;
+
+/* What the UVTransforms from a node down its inputs make of slopes by u and v. */
+typedef struct {
+    bool known;
+    double m[2][2];
+} SlopeTurn;
+
+struct Oracle {
+    Arena arena;
+    const Graph *graph;
+    ReferenceContext context;
+    NodeNumbers baked;
+    float **reliefs; /* by number: a Carpenter's texels; NULL until first read */
+    size_t relief_room;
+    NodeNumbers turned;
+    SlopeTurn *turns; /* by number */
+    size_t turn_room;
+    Memo *memos; /* by depth of environments */
+    size_t memo_count, memo_room;
+    bool exact;     /* derivatives are those of the map, not GroIMP's finite steps */
+    int side;       /* of the point that they are taken on; 0: both */
+    uint64_t stamp; /* that of the environment opened last; 0 is in no environment */
+    long answers;   /* of this point; beyond LIMIT_ANSWERS all are 0 */
+};
+
+/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own. */
+typedef struct {
+    Oracle *oracle;
+    const Surface *surface;
+    uint64_t stamp;
+    int depth;
+} Environment;
+Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
+
+/* What a map has answered in the environment; false: nothing yet. oracle_memo.c */
+bool memo_find(const Environment *environment, const Node *node, int channel, double *value);
+void memo_set(const Environment *environment, const Node *node, int channel, double value);
+
+/* A channel of a map; NULL is the surface. Remembered for the environment. */
+double oracle_ask(Environment *environment, const Node *map, int channel);
+/* A channel of the map that a parameter holds. */
+double oracle_ask_param(Environment *environment, const Node *node, int param, int channel);
+/* A channel of a map's `input`, and three of them: lanes 0..2 of a group. */
+double oracle_ask_input(Environment *environment, const Node *node, int channel);
+void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3]);
+
+/* Numbers and uniforms: a value, and the value of a parameter. */
+double oracle_float(const Value *value);
+void oracle_vec3(const Value *value, double result[3]);
+double oracle_number(const Node *node, int param);
+void oracle_number3(const Node *node, int param, double result[3]);
+
+/* Calls the C reference of a library function. */
+void oracle_call(const Environment *environment, int function, const double *args, double *result);
+
+/* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
+void oracle_uv_slopes(const Node *node, double slope[2]);
+/* The same for all UVTransforms from a map down its inputs; NULL is the surface. */
+void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
+
+static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
+static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }
+/* One of the lanes x, y, z of a group: what a map that answers the group as a triple defines. */
+static inline bool in_triple(int channel, Group group) { return group_of(channel) == group && lane_of(channel) < 3; }
+/* Ids 8..14 of semantics.md, which leave out the fourth lane of DV. */
+static inline bool is_derivative(int channel)
+{
+    return channel >= channel_id(GROUP_DU, 0) && channel <= channel_id(GROUP_DV, 2);
+}
+
+/* What a map answers to a channel: oracle_<kind> for each map that is not a plain function of its position. */
+typedef double Answer(Environment *environment, const Node *node, int channel);
+Answer oracle_answer; /* any map: chooses by its kind */
+Answer oracle_volume; /* LOWERING_VOLUME */
+#define DECLARE_OWN(name) Answer oracle_##name;
+#define DECLARE_VOLUME(name)
+#define MAP(name, function, lowering, cost, doc) DECLARE_##lowering(name)
+#include "grammar/maps.def"
+#undef DECLARE_OWN
+#undef DECLARE_VOLUME
+#endif

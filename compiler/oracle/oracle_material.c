@@ -1,0 +1,194 @@
+/* The shading slots of every material (semantics.md, section 4). */
+#include "compiler/oracle/oracle.h"
+#include "compiler/oracle/oracle_maps.h"
+#include "compiler/base/stack.h"
+#include "runtime/library/sky.h"
+#include <assert.h>
+#include <string.h>
+
+static const double DEFAULT_EXPONENT = 4;
+static const double GREATEST_EXPONENT = 65504;
+static const double MISSING_GREY = 128. / 255; /* java.awt.Color.GRAY */
+
+static void set_colour(SlotValues *result, Slot slot, const double rgb[3])
+{
+    memcpy(result->lane[slot], rgb, 3 * sizeof *rgb);
+}
+
+/* R, G and B of a parameter's map. */
+static void ask_colour(Environment *environment, const Node *node, int param, double rgb[3])
+{
+    for (int lane = 0; lane < 3; lane++)
+        rgb[lane] = oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
+}
+
+static void slot_colour(Environment *environment, const Node *node, int param, Slot slot, SlotValues *result)
+{
+    ask_colour(environment, node, param, result->lane[slot]);
+}
+
+/* Unit length, on the side that is seen. */
+static void set_normal(const Environment *environment, const double normal[3], SlotValues *result)
+{
+    double *lane = result->lane[SLOT_normal];
+    oracle_call(environment, FN_safeNormalize, normal, lane);
+    if (environment->surface->front)
+        return;
+    for (int i = 0; i < 3; i++)
+        lane[i] = -lane[i];
+}
+
+/* A Phong without maps, and black: what the other materials are variations of. */
+static void set_neutral(const Environment *environment, SlotValues *result)
+{
+    memset(result, 0, sizeof *result);
+    set_normal(environment, &environment->surface->root[channel_id(GROUP_N, 0)], result);
+    result->lane[SLOT_alpha][0] = 1;
+    result->lane[SLOT_shininess][0] = DEFAULT_EXPONENT;
+    result->lane[SLOT_transparencyShininess][0] = GREATEST_EXPONENT;
+    result->lane[SLOT_interpolatedTransparency][0] = 1;
+    result->lane[SLOT_ior][0] = environment->surface->root[channel_id(GROUP_IOR, 0)];
+}
+
+/* As a Phong: diffuse rgb of alpha 1, and transparency 1 - a. */
+static void set_rgba(const double rgb[3], double a, SlotValues *result)
+{
+    set_colour(result, SLOT_diffuse, rgb);
+    set_colour(result, SLOT_transparency, (double[3]){1 - a, 1 - a, 1 - a});
+}
+
+static void rgba(const Node *material, SlotValues *result)
+{
+    double rgb[3] = {oracle_number(material, P_RGBA_r), oracle_number(material, P_RGBA_g),
+                     oracle_number(material, P_RGBA_b)};
+    set_rgba(rgb, oracle_number(material, P_RGBA_a), result);
+}
+
+static void missing(SlotValues *result) { set_rgba((double[3]){MISSING_GREY, MISSING_GREY, MISSING_GREY}, 1, result); }
+
+/* The exponent that a shininess map means; a parameter without map leaves the neutral one. */
+static void exponent(Environment *environment, const Node *material, int param, Slot slot, SlotValues *result)
+{
+    if (node_param(material, param)->kind == VALUE_none)
+        return;
+    double red = oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
+    oracle_call(environment, FN_phongExponent, &red, result->lane[slot]);
+}
+
+/* Alpha of the diffuse map makes the surface transparent: at 0 it is wholly so, at 1 the transparency map decides. */
+static void transparency(Environment *environment, const Node *material, SlotValues *result)
+{
+    double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
+    double colour[3];
+    ask_colour(environment, material, P_Phong_transparency, colour);
+    result->lane[SLOT_alpha][0] = alpha;
+    for (int i = 0; i < 3; i++)
+        result->lane[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
+}
+
+/* Only the normal and the index of refraction come from `input`; the other maps read the surface. */
+static void phong(Environment *environment, const Node *material, SlotValues *result)
+{
+    double normal[3];
+    for (int i = 0; i < 3; i++)
+        normal[i] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_N, i));
+    set_normal(environment, normal, result);
+    result->lane[SLOT_ior][0] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
+    slot_colour(environment, material, P_Phong_diffuse, SLOT_diffuse, result);
+    slot_colour(environment, material, P_Phong_specular, SLOT_specular, result);
+    slot_colour(environment, material, P_Phong_diffuseTransparency, SLOT_diffuseTransparency, result);
+    slot_colour(environment, material, P_Phong_ambient, SLOT_ambient, result);
+    slot_colour(environment, material, P_Phong_emissive, SLOT_emissive, result);
+    transparency(environment, material, result);
+    exponent(environment, material, P_Phong_shininess, SLOT_shininess, result);
+    exponent(environment, material, P_Phong_transparencyShininess, SLOT_transparencyShininess, result);
+    result->lane[SLOT_interpolatedTransparency][0] = oracle_number(material, P_Phong_interpolatedTransparency) != 0;
+}
+
+/* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta of the sun), and A to E. */
+enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
+/* The rows of sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. */
+enum { ROW_ZENITH, ROW_A, ROW_SUN = ROW_A + 5, ROW_COUNT };
+
+static void sky(const Environment *environment, const Node *material, SlotValues *result)
+{
+    double sun[3], row[ROW_COUNT][3], args[SKY_ARGUMENTS][3];
+    oracle_number3(material, P_SunSkyLight_sun, sun);
+    sky_coefficients(sun, oracle_number(material, P_SunSkyLight_turbidity),
+                     oracle_number(material, P_SunSkyLight_radianceFactor), row);
+    memcpy(args[SKY_VIEW], &environment->surface->root[channel_id(GROUP_X, 0)], sizeof args[SKY_VIEW]);
+    memcpy(args[SKY_SUN], row[ROW_SUN], sizeof row[ROW_SUN]);
+    memcpy(args[SKY_ZENITH], row[ROW_ZENITH], sizeof row[ROW_ZENITH]);
+    memcpy(args[SKY_A], row[ROW_A], 5 * sizeof row[ROW_A]);
+    oracle_call(environment, FN_skyRadiance, &args[0][0], result->lane[SLOT_emissive]);
+}
+
+/* The material that a parameter holds; NULL when there is none. */
+static const Node *material_of(const Node *material, int param)
+{
+    const Value *value = node_param(material, param);
+    return value->kind == VALUE_node ? value->node : NULL;
+}
+
+/* A missing back is the front; a missing front stays missing, whatever the back is. */
+static const Node *choose_side(const Node *material, bool front)
+{
+    const Node *back = front ? NULL : material_of(material, P_SideSwitch_backShader);
+    return back ? back : material_of(material, P_SideSwitch_frontShader);
+}
+
+static const Node *choose_algorithm(const Node *material)
+{
+    const int order[] = {P_AlgorithmSwitch_guiShader, P_AlgorithmSwitch_raytracerShader,
+                         P_AlgorithmSwitch_radiationShader};
+    for (int i = 0; i < 3; i++) {
+        const Node *choice = material_of(material, order[i]);
+        if (choice)
+            return choice;
+    }
+    return NULL;
+}
+
+/* The material that a switch stands for, through any number of switches; NULL when it is missing. */
+static const Node *chosen(const Node *material, bool front)
+{
+    while (material && (material->kind == KIND_SideSwitch || material->kind == KIND_AlgorithmSwitch))
+        material = material->kind == KIND_SideSwitch ? choose_side(material, front) : choose_algorithm(material);
+    return material;
+}
+
+static void answer(Environment *environment, const Node *material, SlotValues *result)
+{
+    set_neutral(environment, result);
+    const Node *shader = chosen(material, environment->surface->front);
+    if (!shader)
+        missing(result);
+    else if (shader->kind == KIND_Phong)
+        phong(environment, shader, result);
+    else if (shader->kind == KIND_RGBA)
+        rgba(shader, result);
+    else if (shader->kind == KIND_SunSkyLight)
+        sky(environment, shader, result);
+    else
+        assert(!"a material");
+}
+
+typedef struct {
+    Environment environment;
+    const Node *material;
+    SlotValues *result;
+} Question;
+
+static void answer_on_stack(void *user)
+{
+    Question *question = user;
+    answer(&question->environment, question->material, question->result);
+}
+
+bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
+{
+    Question question = {environment_open(oracle, surface, 0), material, result};
+    oracle->answers = 0;
+    stack_run(material ? material->depth : 0, answer_on_stack, &question);
+    return oracle->answers <= LIMIT_ANSWERS;
+}

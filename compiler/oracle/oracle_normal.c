@@ -1,0 +1,211 @@
+/* The answers of the normal modifiers and of the filters (semantics.md 2.7, 2.8). */
+#include "compiler/oracle/oracle_maps.h"
+
+/* The surface's frame: normal and both tangents. */
+typedef struct {
+    double n[3], du[3], dv[3];
+} Frame;
+
+static void ask_frame(Environment *environment, const Node *node, Frame *frame)
+{
+    oracle_ask_input3(environment, node, GROUP_N, frame->n);
+    oracle_ask_input3(environment, node, GROUP_DU, frame->du);
+    oracle_ask_input3(environment, node, GROUP_DV, frame->dv);
+}
+
+static double guarded_length(const double v[3]) { return fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), 1e-30); }
+
+static double cross(const double a[3], const double b[3], int lane)
+{
+    int i = (lane + 1) % 3, j = (lane + 2) % 3;
+    return a[i] * b[j] - a[j] * b[i];
+}
+
+/* One lane of the frame after the tangents were raised along the normal by the given slopes. The new normal is their
+ * cross product, not normalised; without n x n, which is 0 but as the difference of steep slopes' products would be noise. */
+static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
+{
+    int lane = lane_of(channel);
+    if (group_of(channel) == GROUP_DU)
+        return frame->du[lane] + slope_u * frame->n[lane];
+    if (group_of(channel) == GROUP_DV)
+        return frame->dv[lane] + slope_v * frame->n[lane];
+    return cross(frame->du, frame->dv, lane) + slope_u * cross(frame->n, frame->dv, lane) +
+           slope_v * cross(frame->du, frame->n, lane);
+}
+
+static bool in_frame(int channel)
+{
+    return in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
+}
+
+/* The height beside the point: (u, v) moved by `du` and `dv`, and with them the positions on the surface. */
+static double height_at(Environment *environment, const Node *height, double du, double dv)
+{
+    Surface surface = *environment->surface;
+    surface.root[channel_id(GROUP_U, 0)] += du;
+    surface.root[channel_id(GROUP_U, 1)] += dv;
+    for (int i = 0; i < 3; i++) {
+        surface.root[channel_id(GROUP_P, i)] +=
+            du * surface.root[channel_id(GROUP_DU, i)] + dv * surface.root[channel_id(GROUP_DV, i)];
+        surface.root[channel_id(GROUP_X, i)] += du * surface.local_u[i] + dv * surface.local_v[i];
+    }
+    Environment beside = environment_open(environment->oracle, &surface, environment->depth + 1);
+    return oracle_ask(&beside, height, channel_id(GROUP_R, 0));
+}
+
+/* A step that is small beside a float's rounding, so that either side of a crease can be told, and not beside a double's. */
+static double slope_step(const Surface *surface)
+{
+    double size = 1;
+    for (int i = 0; i < 3; i++) {
+        size = fmax(size, fabs(surface->root[channel_id(GROUP_U, i)]));
+        size = fmax(size, fabs(surface->root[channel_id(GROUP_X, i)]));
+        size = fmax(size, fabs(surface->root[channel_id(GROUP_P, i)]));
+    }
+    return ldexp(size, -26);
+}
+
+/* Derivatives of the height by u and v from differences, over both sides or one. */
+static void exact_slopes(Environment *environment, const Node *height, double slope[2])
+{
+    double h = slope_step(environment->surface);
+    double ahead = environment->oracle->side < 0 ? 0 : h, behind = environment->oracle->side > 0 ? 0 : -h;
+    double by_u = height_at(environment, height, ahead, 0) - height_at(environment, height, behind, 0);
+    double by_v = height_at(environment, height, 0, ahead) - height_at(environment, height, 0, behind);
+    slope[0] = by_u / (ahead - behind);
+    slope[1] = by_v / (ahead - behind);
+}
+
+double oracle_BumpMap(Environment *environment, const Node *node, int channel)
+{
+    bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
+    if (flat || !in_frame(channel))
+        return oracle_ask_input(environment, node, channel);
+    Frame frame;
+    ask_frame(environment, node, &frame);
+    double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
+    double slope[2];
+    if (environment->oracle->exact) {
+        exact_slopes(environment, node_param(node, P_BumpMap_displacement)->node, slope);
+        /* the tangents that they are raised along are those of the input: where it turned them, so are the slopes */
+        const Value *input = node_param(node, P_BumpMap_input);
+        oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL, slope);
+    } else {
+        slope[0] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
+        slope[1] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
+    }
+    return raised(&frame, k * slope[0], k * slope[1], channel);
+}
+
+/* Channels side by side. */
+typedef struct {
+    int first, count;
+} Lanes;
+
+/* Where a WaveMap's waves are counted from, and how many of them. */
+typedef struct {
+    double u, v, count_u, count_v;
+} WavePlace;
+
+/* The top of a box lies at u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are then those of the face. */
+static void move_to_box_top(WavePlace *place)
+{
+    place->u -= 1. / 4;
+    place->v -= 1. / 3;
+    place->count_u *= 4;
+    place->count_v *= 3;
+}
+
+static bool on_box_top(const WavePlace *place)
+{
+    return place->u >= 0 && place->u <= 1. / 4 && place->v >= 0 && place->v <= 1. / 3;
+}
+
+double oracle_WaveMap(Environment *environment, const Node *node, int channel)
+{
+    if (!in_frame(channel))
+        return oracle_ask_input(environment, node, channel);
+    WavePlace place = {oracle_ask_input(environment, node, channel_id(GROUP_U, 0)),
+                       oracle_ask_input(environment, node, channel_id(GROUP_U, 1)),
+                       oracle_number(node, P_WaveMap_uCount), oracle_number(node, P_WaveMap_vCount)};
+    bool box_top = oracle_number(node, P_WaveMap_boxTop) != 0;
+    if (box_top)
+        move_to_box_top(&place);
+    if (box_top && !on_box_top(&place))
+        return oracle_ask_input(environment, node, channel);
+    Frame frame;
+    ask_frame(environment, node, &frame);
+    double k = oracle_number(node, P_WaveMap_amplitude) / guarded_length(frame.n);
+    double omega_u = 2 * M_PI * place.count_u, omega_v = 2 * M_PI * place.count_v;
+    double slope_u = -omega_u * sin(omega_u * place.u) * cos(omega_v * place.v);
+    double slope_v = -omega_v * cos(omega_u * place.u) * sin(omega_v * place.v);
+    return raised(&frame, k * slope_u, k * slope_v, channel);
+}
+
+/* The input's answers on some lanes of a group, at a surface point whose local position and texture coordinate lie `shift`
+ * beside this one. */
+static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes, const double shift[3],
+                          double result[3])
+{
+    Surface surface = *environment->surface;
+    for (int i = 0; i < 3; i++)
+        surface.root[channel_id(GROUP_X, i)] += shift[i];
+    for (int i = 0; i < 2; i++)
+        surface.root[channel_id(GROUP_U, i)] += shift[i];
+    Environment shifted = environment_open(environment->oracle, &surface, environment->depth + 1);
+    for (int i = 0; i < lanes->count; i++)
+        result[i] = oracle_ask_input(&shifted, node, lanes->first + i);
+}
+
+enum { CENTRE = 13 }; /* of 27 cells */
+
+/* Weights of a 3x3x3 kernel by how many of the three indices differ from the centre's. */
+typedef double Kernel[4];
+
+/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the weights' sum. All lanes
+ * of a group are answered at once, as their points are the same. */
+static double filtered(Environment *environment, const Node *node, int channel, const double size[3],
+                       const Kernel kernel)
+{
+    const Lanes lanes = {channel_id(group_of(channel), 0), group_of(channel) == GROUP_IOR ? 1 : 3};
+    double centre[3] = {0}, value[3] = {0}, sum[3] = {0}, weights = 0;
+    if (lane_of(channel) >= lanes.count)
+        return 1;
+    shifted_input(environment, node, &lanes, (double[3]){0}, centre);
+    for (int cell = 0; cell < 27 && environment->oracle->answers <= LIMIT_ANSWERS; cell++) {
+        int offset[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
+        double weight = kernel[(offset[0] != 0) + (offset[1] != 0) + (offset[2] != 0)];
+        if (weight == 0)
+            continue;
+        double shift[3];
+        for (int i = 0; i < 3; i++)
+            shift[i] = size[i] * offset[i] / 2;
+        weights += weight;
+        if (cell != CENTRE)
+            shifted_input(environment, node, &lanes, shift, value);
+        for (int i = 0; cell != CENTRE && i < lanes.count; i++)
+            sum[i] += weight * (value[i] - centre[i]);
+    }
+    for (int i = 0; i < lanes.count; i++) {
+        sum[i] += centre[i] * (fabs(weights) < 1e-12 ? 0 : 1); /* the weights of either kernel sum up to 0 or 1 */
+        memo_set(environment, node, lanes.first + i, sum[i]);
+    }
+    return sum[lane_of(channel)];
+}
+
+double oracle_Smooth3D(Environment *environment, const Node *node, int channel)
+{
+    static const Kernel kernel = {1. / 27, 1. / 27, 1. / 27, 1. / 27};
+    double size[3] = {oracle_number(node, P_Smooth3D_sx), oracle_number(node, P_Smooth3D_sy),
+                      oracle_number(node, P_Smooth3D_sz)};
+    return filtered(environment, node, channel, size, kernel);
+}
+
+double oracle_Laplace3D(Environment *environment, const Node *node, int channel)
+{
+    static const Kernel kernel = {6. / 12, -1. / 12, 0, 0};
+    double size[3] = {oracle_number(node, P_Laplace3D_sx), oracle_number(node, P_Laplace3D_sy),
+                      oracle_number(node, P_Laplace3D_sz)};
+    return filtered(environment, node, channel, size, kernel);
+}

@@ -1,0 +1,145 @@
+/* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker of 2.3). */
+#include "compiler/oracle/oracle_maps.h"
+#include "runtime/library/carpenter.h"
+
+/* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum would not. */
+static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
+
+static bool odd_square(double u, double v) { return is_odd(floor(2 * u)) != is_odd(floor(2 * v)); }
+
+static const double CHECKER_STEP = 0.05;
+
+/* The slope across an edge of the pattern sees the difference of the colours themselves; within a square the slope is that
+ * of the colour. */
+static double checker_slope(Environment *environment, const Node *node, int channel, const double uv[2])
+{
+    bool along_u = group_of(channel) == GROUP_DU;
+    bool here = odd_square(uv[0], uv[1]);
+    bool there = odd_square(uv[0] + (along_u ? CHECKER_STEP : 0), uv[1] + (along_u ? 0 : CHECKER_STEP));
+    int this_colour = here ? P_Checker_color1 : P_Checker_color2;
+    if (here == there)
+        return oracle_ask_param(environment, node, this_colour, channel);
+    int other_colour = here ? P_Checker_color2 : P_Checker_color1;
+    int component = channel_id(GROUP_R, lane_of(channel));
+    double other = oracle_ask_param(environment, node, other_colour, component);
+    return (other - oracle_ask_param(environment, node, this_colour, component)) / CHECKER_STEP;
+}
+
+static void ask_uv(Environment *environment, const Node *node, double uv[2])
+{
+    uv[0] = oracle_ask_input(environment, node, channel_id(GROUP_U, 0));
+    uv[1] = oracle_ask_input(environment, node, channel_id(GROUP_U, 1));
+}
+
+double oracle_Checker(Environment *environment, const Node *node, int channel)
+{
+    double uv[2];
+    ask_uv(environment, node, uv);
+    if (is_derivative(channel))
+        return checker_slope(environment, node, channel, uv);
+    return oracle_ask_param(environment, node, odd_square(uv[0], uv[1]) ? P_Checker_color1 : P_Checker_color2, channel);
+}
+
+double oracle_VolumeChecker(Environment *environment, const Node *node, int channel)
+{
+    double p[3];
+    oracle_ask_input3(environment, node, GROUP_X, p);
+    bool odd = is_odd(floor(p[0])) ^ is_odd(floor(p[1])) ^ is_odd(floor(p[2]));
+    return oracle_ask_param(environment, node, odd ? P_VolumeChecker_color1 : P_VolumeChecker_color2, channel);
+}
+
+/* A texture as a function of u and v: one component of it, and the steps of its finite differences. */
+typedef struct {
+    const Environment *environment;
+    int function; /* library function that reads it */
+    ReferenceTexture texture;
+    double step_u, step_v;
+} Picture;
+
+/* The component of a picture at (u, v). The lanes that the function does not write are those of a grey. */
+static double picture_at(const Picture *picture, double u, double v, int component)
+{
+    ReferenceContext context = picture->environment->oracle->context;
+    context.textures = &picture->texture;
+    double args[5] = {0, u, v, picture->texture.width, picture->texture.height};
+    double texel[4];
+    function_row(picture->function)->reference(&context, args, texel);
+    if (picture->texture.lanes == 4)
+        return texel[component];
+    return component == 3 ? 1 : texel[0];
+}
+
+/* The rule of all surface maps: a derivative channel is the difference quotient of its own component, so that BumpMap sees
+ * the slope of red. */
+static double picture_channel(const Picture *picture, const double uv[2], int channel)
+{
+    int component = lane_of(channel);
+    double here = picture_at(picture, uv[0], uv[1], component);
+    if (!is_derivative(channel))
+        return here;
+    if (group_of(channel) == GROUP_DU)
+        return (picture_at(picture, uv[0] + picture->step_u, uv[1], component) - here) / picture->step_u;
+    return (picture_at(picture, uv[0], uv[1] + picture->step_v, component) - here) / picture->step_v;
+}
+
+/* Without a picture the value is a grey, whose difference quotients are 0 whatever the step. */
+static double no_picture(int channel)
+{
+    if (is_derivative(channel))
+        return 0;
+    return lane_of(channel) == 3 ? 1 : .5;
+}
+
+double oracle_ImageMap(Environment *environment, const Node *node, int channel)
+{
+    const Value *value = node_param(node, P_ImageMap_image);
+    const Image *image = value->kind == VALUE_image ? value->image : NULL;
+    if (!image || !image->bytes)
+        return no_picture(channel);
+    Picture picture = {
+        .environment = environment,
+        .function = oracle_number(node, P_ImageMap_bilinearFiltering) != 0 ? FN_imageBilinear : FN_imageNearest,
+        .texture = {.width = image->width, .height = image->height, .lanes = 4, .bytes = image->bytes},
+        .step_u = 1. / image->width,
+        .step_v = 1. / image->height,
+    };
+    double uv[2];
+    ask_uv(environment, node, uv);
+    return picture_channel(&picture, uv, channel);
+}
+
+/* A Carpenter's texels, baked when they are first read. */
+static const float *relief(Oracle *oracle, const Node *node, int width, int height)
+{
+    size_t number = node_number(&oracle->arena, &oracle->baked, node);
+    oracle->reliefs =
+        arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_room, sizeof *oracle->reliefs);
+    float **texels = &oracle->reliefs[number];
+    if (*texels)
+        return *texels;
+    *texels = ARENA_ARRAY(&oracle->arena, float, (size_t)width *(size_t)height);
+    carpenter_bake(oracle_number(node, P_Carpenter_color), oracle_number(node, P_Carpenter_noise),
+                   oracle_number(node, P_Carpenter_roughness), (int64_t)oracle_number(node, P_Carpenter_seed), width,
+                   height, *texels);
+    return *texels;
+}
+
+static const double SURFACE_STEP = 0.005; /* of surface maps that have no step of their own */
+
+double oracle_Carpenter(Environment *environment, const Node *node, int channel)
+{
+    int width = (int)oracle_number(node, P_Carpenter_width), height = (int)oracle_number(node, P_Carpenter_height);
+    Picture picture = {
+        .environment = environment,
+        .function = FN_carpenterRelief,
+        .texture = {.width = width,
+                    .height = height,
+                    .lanes = 1,
+                    .floats = relief(environment->oracle, node, width, height)},
+        .step_u = SURFACE_STEP,
+        .step_v = SURFACE_STEP,
+    };
+    double uv[2];
+    ask_uv(environment, node, uv);
+    return picture_channel(&picture, uv, channel);
+}

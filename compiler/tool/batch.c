@@ -1,0 +1,426 @@
+/* A batch: every document's materials are compiled to IR, side by side; the first of each program writes it; when all are known,
+ * programs that several materials share with different numbers are written again with those in a buffer. Only then do files
+ * appear in the folder. */
+#include "compiler/tool/batch_state.h"
+#include "compiler/tool/depfile.h"
+#include "compiler/base/diag.h"
+#include "compiler/base/file.h"
+#include "compiler/tool/layout_option.h"
+#include "compiler/tool/output.h"
+#include "compiler/base/queue.h"
+#include "compiler/tool/watch.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static const char manifest_name[] = "manifest.json", depfile_name[] = "manifest.d";
+
+Unit *batch_unit(const Batch *b, int document, int material, int turn)
+{
+    return &b->documents[document].materials[material].units[turn];
+}
+
+void batch_name(const Batch *b, const Unit *unit, char name[LONGEST_NAME])
+{
+    const char *material = b->documents[unit->document].materials[unit->material].name;
+    bool plain = b->turn_count == 1 || unit->pass == PASS_gbuffer;
+    snprintf(name, LONGEST_NAME, "%s%s%s", material, plain ? "" : ".", plain ? "" : pass_table[unit->pass].name);
+}
+
+/* Diagnostics up to the first document that is not done. The mutex is held. */
+static void say_complete(Batch *b)
+{
+    for (; b->said < b->document_count && b->documents[b->said].closed; b->said++) {
+        Bytes *said = &b->documents[b->said].said;
+        bytes_add(said, "", 1);
+        if (said->size > 1)
+            b->calls->say(b->calls->user, said->at);
+        bytes_free(said);
+    }
+}
+
+/* Adds to what is said of the document, if it is anything. */
+void batch_say(Batch *b, BatchDocument *document, const char *text)
+{
+    if (!*text || !strcmp(text, "[]\n"))
+        return;
+    pthread_mutex_lock(&b->mutex);
+    bytes_add(document ? &document->said : &b->general, text, strlen(text));
+    pthread_mutex_unlock(&b->mutex);
+}
+
+void batch_say_of(Batch *b, BatchDocument *document, int material, const char *text)
+{
+    if (!*text || !strcmp(text, "[]\n"))
+        return;
+    pthread_mutex_lock(&b->mutex);
+    bytes_add(&document->materials[material].said, text, strlen(text));
+    pthread_mutex_unlock(&b->mutex);
+}
+
+/* What was said of its materials, behind what was said of the document. No thread works on it. */
+static void join_said(BatchDocument *document)
+{
+    for (int i = 0; i < document->material_count; i++) {
+        Bytes *said = &document->materials[i].said;
+        bytes_add(&document->said, said->at, said->size);
+        bytes_free(said);
+    }
+}
+
+void batch_fault(Batch *b) { b->fault = true; }
+
+static void say_of_file(Batch *b, BatchDocument *document, Severity severity, const char *what, const char *why)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    diag_complain(&text, severity, what, why);
+    batch_say(b, document, text.at);
+    arena_free(&arena);
+}
+
+void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
+{
+    say_of_file(b, document, SEVERITY_error, what, why);
+    batch_fault(b);
+}
+
+void batch_warn(Batch *b, const char *what, const char *why)
+{
+    say_of_file(b, NULL, SEVERITY_warning, what, why);
+}
+
+/* -- the queue's calls: first all materials, then what must be written again */
+
+static void put_tree(Batch *b, BatchDocument *document)
+{
+    document_parsed(b, document);
+    const char *text = matc_tree_text(document->parsed);
+    for (int i = 0; i < document->material_count; i++)
+        put_file(b, document, document->materials[i].name, emit_table[EMIT_tree].suffix, text, strlen(text));
+}
+
+static int open_to_compile(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    if (!batch_open(b, document))
+        return 0;
+    stored_key(b, document);
+    if (!stored_document(b, document) && !document_list(b, document))
+        return 0;
+    if (b->line->emit[EMIT_tree])
+        put_tree(b, document);
+    return document->material_count;
+}
+
+static void work_on_material(void *user, int number, int material) { compile_material(user, number, material); }
+
+static void close_compiled(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    join_said(document);
+    store_document(b, document);
+    batch_close(document);
+    pthread_mutex_lock(&b->mutex);
+    document->closed = true;
+    b->closed++;
+    if (b->calls->progress)
+        b->calls->progress(b->calls->user, b->closed, b->document_count);
+    say_complete(b);
+    pthread_mutex_unlock(&b->mutex);
+}
+
+static int open_again(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    if (!document->again_count || !batch_open(b, document))
+        return 0;
+    Key before = document->key;
+    stored_key(b, document);
+    if (key_equal(before, document->key))
+        return document->again_count;
+    batch_complain(b, document, document->path, "it changed while it was compiled");
+    return 0;
+}
+
+static void work_again(void *user, int number, int part)
+{
+    Batch *b = user;
+    compile_again(b, &b->documents[number], &b->programs[b->documents[number].again[part]]);
+}
+
+static void close_again(void *user, int number)
+{
+    Batch *b = user;
+    store_document(b, &b->documents[number]);
+    batch_close(&b->documents[number]);
+}
+
+/* What was written for a material that does not give the program its name. */
+static void drop_files(Batch *b)
+{
+    char name[LONGEST_NAME], file[LONGEST_NAME + 16];
+    for (int i = 0; i < b->program_count; i++)
+        for (Unit *unit = b->programs[i].first; unit; unit = unit->next) {
+            if (!unit->written || unit == b->programs[i].first)
+                continue;
+            batch_name(b, unit, name);
+            for (int emit = 0; emit < EMIT_COUNT; emit++) {
+                snprintf(file, sizeof file, "%s%s", name, emit_suffix(&b->options, emit));
+                if (b->line->emit[emit] && is_of_program(emit))
+                    stage_drop(b->stage, file);
+            }
+        }
+}
+
+/* The name of the material's files in a pass is another material's, too. */
+static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet *names)
+{
+    char name[LONGEST_NAME], earlier[LONGEST_NAME];
+    bool added, met = false;
+    for (int t = 0; t < b->turn_count && !met; t++) {
+        const Unit *unit = &material->units[t];
+        batch_name(b, unit, name);
+        strings_add(names, name, &added);
+        met = !added;
+        for (int before = 0; before < t && met; before++) { /* two passes of a material can be one program */
+            batch_name(b, &material->units[before], earlier);
+            met = strcmp(name, earlier) != 0;
+        }
+    }
+    return met;
+}
+
+static bool is_utf8(const char *name)
+{
+    const unsigned char *at = (const unsigned char *)name, *end = at + strlen(name);
+    while (at < end && utf8_length(at, end))
+        at += utf8_length(at, end);
+    return at == end;
+}
+
+/* Two materials of one name would overwrite each other. */
+static void check_names(Batch *b)
+{
+    StringSet materials = {0}, files = {0};
+    for (int d = 0; d < b->document_count; d++)
+        for (int m = 0; m < b->documents[d].material_count; m++) {
+            bool added;
+            const BatchMaterial *material = &b->documents[d].materials[m];
+            strings_add(&materials, material->name, &added);
+            if (!is_utf8(material->name))
+                batch_complain(b, &b->documents[d], material->name,
+                               "the material's name is not UTF-8, which a manifest is");
+            else if (!added)
+                batch_complain(b, &b->documents[d], material->name, "two materials have this name");
+            else if (b->turn_count > 1 && meets_other(b, material, &files))
+                batch_complain(b, &b->documents[d], material->name,
+                               "a program of this material and one of another have the same name");
+            else if (b->line->emit[EMIT_reflect] && !strcmp(material->name, "manifest"))
+                batch_complain(b, &b->documents[d], "manifest",
+                               "the manifest has this name; call the material otherwise");
+        }
+    strings_free(&materials);
+    strings_free(&files);
+}
+
+void batch_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))
+{
+    int threads = b->line->max_error ? 1 : b->line->threads ? b->line->threads : queue_processors();
+    const Queue queue = {b->document_count, threads, open, work, close, b};
+    queue_run(&queue);
+}
+
+/* Where the manifest is, for what is said and for make. */
+static void manifest_path(const Batch *b, char path[LONGEST_PATH])
+{
+    snprintf(path, LONGEST_PATH, "%s/%s", b->line->folder, manifest_name);
+}
+
+static void write_manifest(Batch *b)
+{
+    Bytes json = {0};
+    manifest_put(b, &json);
+    const char *why = stage_put_index(b->stage, manifest_name, json.at, json.size);
+    if (why)
+        batch_complain(b, NULL, manifest_name, why);
+    bytes_free(&json);
+}
+
+/* In the folder, or where -MF says. */
+static const char *put_depfile(Batch *b, const char *text)
+{
+    return b->line->depfile ? outputs_put(&b->folders, b->line->depfile, text, strlen(text))
+                            : stage_put(b->stage, depfile_name, text, strlen(text));
+}
+
+/* The manifest depends on all documents, on what they are made from, and on the lists. */
+static void write_depfile(Batch *b)
+{
+    StringSet files = {0};
+    char target[LONGEST_PATH];
+    manifest_path(b, target);
+    batch_inputs(b, &files);
+    const char *bad, *made = b->line->target ? b->line->target : target;
+    char *text = depfile_text(made, (const char *const *)files.at, files.count, &bad);
+    const char *why = text ? put_depfile(b, text) : depfile_why;
+    if (why)
+        batch_complain(b, NULL, !text ? bad : b->line->depfile ? b->line->depfile : depfile_name, why);
+    free(text);
+    strings_free(&files);
+}
+
+/* All is well: the files appear, and those of the last batch that are no longer made go. */
+static void commit(Batch *b)
+{
+    const char *why = NULL;
+    char *old = stage_holds(b->stage, manifest_name) ? stage_read(b->stage, manifest_name, &why) : NULL;
+    if (why)
+        batch_complain(b, NULL, manifest_name, why);
+    if (old) /* else this manifest is that one, or the first */
+        manifest_remove_stale(b, old);
+    free(old);
+    why = b->fault ? NULL : outputs_commit(&b->folders);
+    if (why)
+        batch_complain(b, NULL, b->line->folder, why);
+}
+
+static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
+{
+    static const char *const modes[] = {
+        [NUMBERS_baked] = "baked", [NUMBERS_uniform] = "uniform", [NUMBERS_auto] = "auto"};
+    const char *why = NULL;
+    *b = (Batch){.line = line, .calls = calls, .numbers = NUMBERS_auto, .options = line->compile};
+    pthread_mutex_init(&b->mutex, NULL);
+    for (int i = 0; line->compile.constants && i <= NUMBERS_auto; i++)
+        if (!strcmp(line->compile.constants, modes[i]))
+            b->numbers = (Numbers)i;
+    b->options.constants = modes[b->numbers];
+    b->options.linked = b->linked = matc_linked_new();
+    b->options.pass = NULL; /* each turn has its own */
+    b->turn_count = line->pass_count;
+    for (int i = 0; i < line->pass_count; i++)
+        b->turns[i] = line->passes[i];
+    for (int emit = 0; emit < EMIT_COUNT; emit++)
+        if (line->emit[emit] && is_of_program(emit))
+            b->outputs |= emit_output(&b->options, emit);
+    b->outputs |= b->outputs ? 0 : MATC_FRAGMENT;
+    b->document_count = line->input_count;
+    b->documents = sets_resize(NULL, (size_t)b->document_count * sizeof *b->documents);
+    memset(b->documents, 0, (size_t)b->document_count * sizeof *b->documents);
+    for (int i = 0; i < b->document_count; i++) {
+        b->documents[i].path = line->inputs[i];
+        pthread_mutex_init(&b->documents[i].mutex, NULL);
+    }
+    if (line->textures)
+        b->textures = outputs_open(&b->folders, line->textures, STAGE_new_folder, &why);
+    if (line->textures && !b->textures)
+        batch_complain(b, NULL, line->textures, why);
+    else if (!(b->stage = outputs_open(&b->folders, line->folder, STAGE_new_folder, &why)))
+        batch_complain(b, NULL, line->folder, why);
+    return b->stage && stored_open(b);
+}
+
+/* For --watch: what decided the outcome, with faults, too. */
+static void list_watched(const Batch *b)
+{
+    StringSet files = {0};
+    for (int d = 0; b->line->watched && d < b->document_count; d++) {
+        const BatchDocument *document = &b->documents[d];
+        strings_add(&files, document->path, NULL);
+        for (int i = 0; i < document->depend_count; i++)
+            strings_add(&files, document->depends[i], NULL);
+    }
+    for (int i = 0; i < files.count; i++)
+        watch_list_add(b->line->watched, files.at[i]);
+    strings_free(&files);
+}
+
+static void finish(Batch *b)
+{
+    for (int d = 0; d < b->document_count; d++)
+        document_free(&b->documents[d], b->turn_count);
+    for (int i = 0; i < b->program_count; i++) {
+        free(b->programs[i].members);
+        free(b->programs[i].name);
+    }
+    free(b->documents);
+    free(b->programs);
+    keys_free(&b->seen);
+    strings_free(&b->files);
+    strings_free(&b->within);
+    free(b->file_keys);
+    bytes_free(&b->general);
+    matc_layout_free(b->layout);
+    matc_linked_free(b->linked);
+    outputs_close(&b->folders);
+    pthread_mutex_destroy(&b->mutex);
+}
+
+/* What was found when all documents were known. */
+static void say_rest(Batch *b)
+{
+    for (int d = 0; d <= b->document_count; d++) {
+        if (d < b->document_count)
+            join_said(&b->documents[d]);
+        Bytes *said = d < b->document_count ? &b->documents[d].said : &b->general;
+        bytes_add(said, "", 1);
+        if (said->size > 1)
+            b->calls->say(b->calls->user, said->at);
+    }
+}
+
+static void count(const Batch *b, BatchResult *result)
+{
+    *result =
+        (BatchResult){.documents = b->document_count, .programs = b->program_count, .written = stage_written(b->stage)};
+    for (int d = 0; d < b->document_count; d++)
+        result->materials += b->documents[d].material_count;
+    for (int i = 0; i < b->program_count; i++) {
+        result->passes[b->programs[i].first->pass]++;
+        result->buffered +=
+            b->programs[i].members != NULL || (b->numbers == NUMBERS_uniform && b->programs[i].first->count);
+    }
+}
+
+bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *result)
+{
+    Batch b;
+    *result = (BatchResult){0};
+    bool started = start(&b, line, calls);
+    if (started)
+        batch_make_layout(&b);
+    if (started)
+        batch_phase(&b, open_to_compile, work_on_material, close_compiled);
+    if (!b.fault) {
+        batch_group(&b);
+        check_names(&b);
+        drop_files(&b);
+    }
+    if (!b.fault)
+        batch_phase(&b, open_again, work_again, close_again);
+    if (!b.fault) {
+        batch_write_layout(&b);
+        write_manifest(&b);
+        batch_spare_inputs(&b);
+    }
+    if (!b.fault && line->depend)
+        write_depfile(&b);
+    if (!b.fault)
+        commit(&b);
+    if (!b.fault)
+        count(&b, result);
+    say_rest(&b);
+    list_watched(&b);
+    const char *trouble = b.cache ? cache_trouble(b.cache) : NULL;
+    if (trouble)
+        b.calls->trouble(b.calls->user, line->cache, trouble);
+    cache_close(b.cache);
+    bool fine = !b.fault;
+    finish(&b);
+    return fine;
+}

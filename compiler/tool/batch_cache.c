@@ -1,0 +1,303 @@
+/* What a batch keeps for the next one. A document's entry says which files it was made from, with their contents, what its materials
+ * are, and where the programs are that were written for them; its key is of the text, the options and the compiler itself, so that no
+ * entry is ever taken for another input. A program's entry holds its files under the hash of their bytes: however many documents
+ * come to the same text, in however many sets, it is kept once. */
+#include "compiler/tool/batch_state.h"
+#include "compiler/tool/build.h"
+#include "compiler/choice.h"
+#include "compiler/base/file.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 2 };
+
+/* The contents of a file as this batch first read it. Materials of two states would be half a set. */
+static void note_file(Batch *b, const char *path, Key key)
+{
+    bool added;
+    pthread_mutex_lock(&b->mutex);
+    int number = strings_add(&b->files, path, &added);
+    if (added) {
+        b->file_keys = sets_resize(b->file_keys, (size_t)b->files.room * sizeof *b->file_keys);
+        b->file_keys[number] = key;
+    }
+    bool same = key_equal(b->file_keys[number], key);
+    pthread_mutex_unlock(&b->mutex);
+    if (!same)
+        batch_complain(b, NULL, path, "it changed while it was compiled");
+}
+
+static bool known_file(Batch *b, const char *path, Key *key)
+{
+    pthread_mutex_lock(&b->mutex);
+    int number = strings_find(&b->files, path);
+    if (number >= 0)
+        *key = b->file_keys[number];
+    pthread_mutex_unlock(&b->mutex);
+    return number >= 0;
+}
+
+/* MatcReadFile: what documents include, noted as it is read. */
+static char *read_noted(void *user, const char *path, size_t *size, const char **why)
+{
+    char *text = file_read(path, size, why);
+    if (text)
+        note_file(user, path, key_of_bytes(text, *size));
+    return text;
+}
+
+/* False: it cannot be read. */
+static bool file_key(Batch *b, const char *path, Key *key)
+{
+    size_t size;
+    const char *why;
+    if (known_file(b, path, key))
+        return true;
+    char *text = read_noted(b, path, &size, &why);
+    free(text);
+    return text && known_file(b, path, key);
+}
+
+bool stored_open(Batch *b)
+{
+    const char *why = NULL;
+    const CommandLine *line = b->line;
+    b->options.read_file = read_noted;
+    b->options.user = b;
+    if (!line->cache || b->textures || line->max_error || line->emit[EMIT_tree])
+        return true; /* these are not kept */
+    b->cache =
+        cache_open(line->cache, (uint64_t)(line->cache_limit ? line->cache_limit : DEFAULT_LIMIT_MIB) << 20, &why);
+    if (!b->cache)
+        batch_complain(b, NULL, line->cache, why);
+    return b->cache != NULL;
+}
+
+static void put_settings(Bytes *to, const Batch *b)
+{
+    Key build = build_key();
+    bytes_number(to, ENTRY_VERSION);
+    bytes_add(to, &build, sizeof build);
+    options_store(to, &b->options);
+    bytes_number(to, (uint32_t)b->line->diagnostics);
+    for (int i = 0; i < b->turn_count; i++)
+        bytes_text(to, b->turns[i]);
+    for (int emit = 0; emit < EMIT_COUNT; emit++)
+        bytes_number(to, b->line->emit[emit]);
+    bytes_text(to, b->line->material ? b->line->material : "");
+    bytes_text(to, b->options.custom ? matc_layout_text((MatcLayout *)b->options.custom) : "");
+}
+
+void stored_key(const Batch *b, BatchDocument *document)
+{
+    Bytes bytes = {0};
+    if (!b->cache) { /* so that a change is seen when it is read again */
+        document->key = key_of_bytes(document->text, document->size);
+        return;
+    }
+    put_settings(&bytes, b);
+    bytes_text(&bytes, document->path);
+    bytes_block(&bytes, document->text, document->size);
+    document->key = key_of_bytes(bytes.at, bytes.size);
+    bytes_free(&bytes);
+}
+
+/* Every file is as it was. */
+static bool same_files(Batch *b, BytesReader *from, int count)
+{
+    for (int i = 1; i < count; i++) {
+        const char *path = bytes_take_text(from);
+        const void *then = bytes_take(from, sizeof(Key));
+        Key now;
+        if (from->broken || !file_key(b, path, &now) || memcmp(&now, then, sizeof now) != 0)
+            return false;
+    }
+    return true;
+}
+
+/* The files that a document is made from, and what is in them. False: one is not known, so that a change would not be seen. */
+static bool put_files(Batch *b, char *const *depends, int count, Bytes *to)
+{
+    bytes_number(to, (uint32_t)count);
+    for (int i = 1; i < count; i++) {
+        Key key;
+        if (!known_file(b, depends[i], &key))
+            return false;
+        bytes_text(to, depends[i]);
+        bytes_add(to, &key, sizeof key);
+    }
+    return true;
+}
+
+bool stored_ranges(Batch *b, BatchDocument *document)
+{
+    size_t size;
+    char *entry = b->cache ? cache_get(b->cache, document->key, &size) : NULL;
+    if (!entry)
+        return false;
+    BytesReader from = {entry, entry + size, false};
+    bool same = same_files(b, &from, (int)bytes_take_number(&from));
+    const void *ranges = same ? bytes_take(&from, sizeof *document->ranges) : NULL;
+    if (ranges)
+        memcpy(document->ranges, ranges, sizeof *document->ranges);
+    free(entry);
+    return ranges != NULL;
+}
+
+void store_ranges(Batch *b, const BatchDocument *document)
+{
+    Bytes to = {0};
+    if (!b->cache || !document->parsed || b->fault)
+        return;
+    int count = matc_depend_count(document->parsed);
+    char **depends = sets_resize(NULL, (size_t)count * sizeof *depends);
+    for (int i = 0; i < count; i++)
+        depends[i] = (char *)matc_depend(document->parsed, i);
+    if (put_files(b, depends, count, &to)) {
+        bytes_add(&to, document->ranges, sizeof *document->ranges);
+        cache_put(b->cache, document->key, to.at, to.size);
+    }
+    free(depends);
+    bytes_free(&to);
+}
+
+/* The library's own text. */
+static const char *opacity_named(const char *name)
+{
+    return !strcmp(name, "opaque") ? "opaque" : !strcmp(name, "transparent") ? "transparent" : "varying";
+}
+
+static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
+{
+    BytesReader depends = *from;
+    int depend_count = (int)bytes_take_number(from);
+    if (!same_files(b, from, depend_count))
+        return false;
+    int count = (int)bytes_take_number(from);
+    document->offset = (int)bytes_take_number(from);
+    if (from->broken || depend_count < 1)
+        return false;
+    document_make_room(document, count, b->turn_count, depend_count);
+    bytes_take_number(&depends);
+    document->depends[0] = sets_copy(document->path);
+    for (int i = 1; i < depend_count; i++) {
+        document->depends[i] = sets_copy(bytes_take_text(&depends));
+        bytes_take(&depends, sizeof(Key));
+    }
+    for (int m = 0; m < count; m++) {
+        BatchMaterial *material = &document->materials[m];
+        material->name = sets_copy(bytes_take_text(from));
+        material->opacity = opacity_named(bytes_take_text(from));
+        for (int t = 0; t < b->turn_count; t++)
+            if (!unit_load(from, &material->units[t]))
+                return false;
+    }
+    return true;
+}
+
+bool stored_document(Batch *b, BatchDocument *document)
+{
+    size_t size;
+    char *entry = b->cache ? cache_get(b->cache, document->key, &size) : NULL;
+    if (!entry)
+        return false;
+    BytesReader from = {entry, entry + size, false};
+    document->stored = load_document(b, document, &from);
+    free(entry);
+    if (!document->stored && document->materials) { /* damaged in a way that checksums do not see */
+        int turns = b->turn_count;
+        Key key = document->key;
+        BatchDocument fresh = {.path = document->path, .text = document->text, .size = document->size, .key = key};
+        pthread_mutex_init(&fresh.mutex, NULL);
+        document->text = NULL;
+        document_free(document, turns);
+        *document = fresh;
+    }
+    return document->stored;
+}
+
+/* Files were written for it that its entry does not know. */
+static bool has_changed(const BatchDocument *document, int turns)
+{
+    for (int i = 0; i < document->material_count * turns; i++)
+        if (document->units[i].changed)
+            return true;
+    return false;
+}
+
+void store_document(Batch *b, BatchDocument *document)
+{
+    Bytes to = {0};
+    document->spoke |= document->said.size > 0;
+    if (!b->cache || document->spoke || b->fault || (document->stored && !has_changed(document, b->turn_count)))
+        return;
+    if (!put_files(b, document->depends, document->depend_count, &to)) {
+        bytes_free(&to);
+        return;
+    }
+    bytes_number(&to, (uint32_t)document->material_count);
+    bytes_number(&to, (uint32_t)document->offset);
+    for (int m = 0; m < document->material_count; m++) {
+        bytes_text(&to, document->materials[m].name);
+        bytes_text(&to, document->materials[m].opacity);
+        for (int t = 0; t < b->turn_count; t++) {
+            unit_store(&to, &document->materials[m].units[t]);
+            document->materials[m].units[t].changed = false;
+        }
+    }
+    cache_put(b->cache, document->key, to.at, to.size);
+    document->stored = true;
+    bytes_free(&to);
+}
+
+/* A place for each number: of no member where none comes from a buffer. */
+static Key members_key(const Unit *unit, const int *members)
+{
+    return members ? key_of_bytes(members, (size_t)unit->count * sizeof *members) : (Key){0};
+}
+
+bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, const char *base)
+{
+    size_t size;
+    const Key *key = b->cache ? unit_find_files(unit, members_key(unit, members)) : NULL;
+    char *entry = key ? cache_get(b->cache, *key, &size) : NULL;
+    if (!entry)
+        return false;
+    BytesReader from = {entry, entry + size, false};
+    Written *written = written_load(&from);
+    for (int emit = 0; emit < EMIT_COUNT && written; emit++) {
+        if (!b->line->emit[emit] || !is_of_program(emit))
+            continue;
+        const char *text = bytes_take_block(&from, &size);
+        if (text)
+            put_file(b, document, base, emit_suffix(&b->options, emit), text, size);
+    }
+    free(entry);
+    if (from.broken) {
+        written_free(written);
+        return false;
+    }
+    written_free(unit->written);
+    unit->written = written;
+    return written != NULL;
+}
+
+void store_program(Batch *b, Unit *unit, const int *members, MatcProgram *program)
+{
+    Bytes to = {0};
+    if (!b->cache || b->fault)
+        return;
+    written_store(&to, unit->written);
+    for (int emit = 0; emit < EMIT_COUNT; emit++) {
+        size_t size;
+        if (!b->line->emit[emit] || !is_of_program(emit))
+            continue;
+        const char *text = matc_output(program, emit_output(&b->options, emit), &size);
+        bytes_block(&to, text, size);
+    }
+    Key key = key_of_bytes(to.at, to.size);
+    cache_keep(b->cache, key, to.at, to.size);
+    unit_add_files(unit, members_key(unit, members), key);
+    bytes_free(&to);
+}

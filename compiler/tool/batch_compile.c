@@ -1,0 +1,155 @@
+/* A material's program in every pass, to IR; and the files of those programs that are written. */
+#include "compiler/tool/batch_state.h"
+#include "compiler/tool/output.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
+
+void put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes, size_t size)
+{
+    char name[LONGEST_NAME + 16];
+    snprintf(name, sizeof name, "%s%s", base, suffix);
+    const char *why = stage_put(b->stage, name, bytes, size);
+    if (why)
+        batch_complain(b, document, name, why);
+}
+
+/* Writes a program for one of its materials, and keeps what the manifest needs of it. */
+static void write_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, MatcProgram *program,
+                          const char *base)
+{
+    if (!matc_emit(program, b->outputs)) {
+        batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
+        batch_fault(b);
+        return;
+    }
+    for (int emit = 0; emit < EMIT_COUNT; emit++) {
+        size_t size;
+        if (!b->line->emit[emit] || !is_of_program(emit))
+            continue;
+        const char *text = matc_output(program, emit_output(&b->options, emit), &size);
+        put_file(b, document, base, emit_suffix(&b->options, emit), text, size);
+    }
+    written_free(unit->written);
+    unit->written = unit_written(program, b->numbers == NUMBERS_uniform);
+    store_program(b, unit, members, program);
+}
+
+/* True for whoever asks first. */
+static bool first_of_program(Batch *b, const Unit *unit)
+{
+    bool added;
+    pthread_mutex_lock(&b->mutex);
+    keys_add(&b->seen, b->numbers == NUMBERS_auto ? unit->shape : unit->key, &added);
+    pthread_mutex_unlock(&b->mutex);
+    return added;
+}
+
+/* Textures that matc makes: those of the material by the name of its program, as each pass numbers its own; tables of noise by
+ * their own. */
+static void write_textures(Batch *b, BatchDocument *document, const char *base, MatcProgram *program)
+{
+    char name[2 * LONGEST_NAME];
+    for (int i = 0; b->textures && i < matc_texture_count(program); i++) {
+        const MatcTexture *texture = matc_texture(program, i);
+        bool table = !strncmp(texture->name, "matc_", 5);
+        size_t size;
+        if (texture->path)
+            continue;
+        snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : base, table ? "" : ".", texture->name);
+        char *bytes = output_ktx(texture, &size);
+        const char *why = stage_put(b->textures, name, bytes, size);
+        free(bytes);
+        if (why)
+            batch_complain(b, document, name, why);
+    }
+}
+
+/* The material's IR in a pass; with members, those numbers come from a buffer. NULL: a fault, said. */
+static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit, const int *members)
+{
+    const MatcDocument *parsed = document_parsed(b, document);
+    int material = document->offset + unit->material;
+    MatcOptions options = b->options;
+    options.pass = b->turns[unit->turn];
+    if (material >= matc_material_count(parsed)) {
+        batch_complain(b, document, document->path, "it changed while it was compiled");
+        return NULL;
+    }
+    if (b->line->max_error && !b->calls->choose(b->calls->user, parsed, material, &options)) {
+        batch_fault(b);
+        return NULL;
+    }
+    options.members = members;
+    options.member_count = members ? unit->count : 0;
+    MatcProgram *program = matc_compile(parsed, material, MATC_KEY, &options);
+    if (matc_ok(program))
+        return program;
+    batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
+    batch_fault(b);
+    matc_program_free(program);
+    return NULL;
+}
+
+static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, Unit *unit)
+{
+    char name[LONGEST_NAME], textures[LONGEST_PATH];
+    MatcProgram *program = compile(b, document, unit, NULL);
+    if (!program)
+        return;
+    batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics)); /* warnings */
+    unit->pass = unit_pass(program);
+    batch_name(b, unit, name);
+    snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", name);
+    unit_fill(unit, program, b->numbers == NUMBERS_uniform, b->textures ? textures : NULL);
+    if (!unit->turn)
+        own->opacity = matc_opacity(program);
+    bool first = first_of_program(b, unit);
+    if (first)
+        write_program(b, document, unit, NULL, program, name);
+    if (first || b->textures)
+        write_textures(b, document, name, program);
+    matc_program_free(program);
+}
+
+/* The cache knows what its program is; the files of the program it may know, too. */
+static void stored_turn(Batch *b, BatchDocument *document, Unit *unit)
+{
+    char name[LONGEST_NAME];
+    batch_name(b, unit, name);
+    if (!first_of_program(b, unit) || stored_program(b, document, unit, NULL, name))
+        return;
+    MatcProgram *program = compile(b, document, unit, NULL);
+    if (program)
+        write_program(b, document, unit, NULL, program, name);
+    matc_program_free(program);
+}
+
+void compile_material(Batch *b, int number, int material)
+{
+    BatchDocument *document = &b->documents[number];
+    BatchMaterial *own = &document->materials[material];
+    for (int turn = 0; turn < b->turn_count; turn++) {
+        Unit *unit = &own->units[turn];
+        unit->document = number;
+        unit->material = material;
+        unit->turn = turn;
+        if (document->stored)
+            stored_turn(b, document, unit);
+        else
+            compile_turn(b, document, own, unit);
+    }
+}
+
+void compile_again(Batch *b, BatchDocument *document, BatchProgram *again)
+{
+    Unit *unit = again->first;
+    if (stored_program(b, document, unit, again->members, again->name))
+        return;
+    MatcProgram *program = compile(b, document, unit, again->members);
+    if (program)
+        write_program(b, document, unit, again->members, program, again->name);
+    matc_program_free(program);
+}

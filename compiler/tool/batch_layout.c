@@ -1,0 +1,96 @@
+/* The layout of a batch: with --layout=auto the smallest one that holds what its materials can be; and its files. */
+#include "compiler/tool/batch_state.h"
+#include "compiler/choice.h"
+#include "compiler/document.h"
+#include "compiler/tool/layout_option.h"
+#include "compiler/layout/layout_read.h"
+#include <stdlib.h>
+#include <string.h>
+
+static int open_to_measure(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    if (!batch_open(b, document))
+        return 0;
+    stored_key(b, document);
+    document->ranges = sets_resize(NULL, sizeof *document->ranges);
+    matc_ranges_init(document->ranges);
+    if (stored_ranges(b, document))
+        return 0;
+    int count = matc_material_count(document_parsed(b, document)); /* what is wrong with it is said later */
+    return count;
+}
+
+static void measure_material(void *user, int number, int material)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    MatcRanges own;
+    char *fault = NULL;
+    const MatcDocument *parsed = document_parsed(b, document);
+    if (b->line->material && strcmp(b->line->material, matc_material_name(parsed, material)) != 0)
+        return;
+    matc_ranges_init(&own);
+    bool fine = matc_ranges_add(&own, parsed, material, &b->options, &fault);
+    free(fault); /* it is said when the material is compiled */
+    pthread_mutex_lock(&document->mutex);
+    if (fine)
+        matc_ranges_join(document->ranges, &own);
+    pthread_mutex_unlock(&document->mutex);
+}
+
+static void close_measured(void *user, int number)
+{
+    Batch *b = user;
+    BatchDocument *document = &b->documents[number];
+    if (document->ranges) {
+        store_ranges(b, document);
+        pthread_mutex_lock(&b->mutex);
+        matc_ranges_join(&b->ranges, document->ranges);
+        pthread_mutex_unlock(&b->mutex);
+    }
+    free(document->ranges);
+    document->ranges = NULL;
+    batch_close(document);
+}
+
+void batch_make_layout(Batch *b)
+{
+    if (!b->options.layout || strcmp(b->options.layout, "auto") != 0)
+        return;
+    matc_ranges_init(&b->ranges);
+    batch_phase(b, open_to_measure, measure_material, close_measured);
+    b->layout = matc_layout_for(&b->ranges, layout_error(b->line), &b->options);
+    if (matc_layout_ok(b->layout)) {
+        b->options.custom = b->layout;
+        if (b->line->stats)
+            batch_say(b, NULL, matc_layout_report(b->layout));
+    } else { /* there are no materials, which is said of the documents */
+        b->options.layout = NULL;
+    }
+}
+
+/* One file for all programs: the layout is theirs. */
+void batch_write_layout(Batch *b)
+{
+    for (int i = 0; (b->line->emit[EMIT_unpack] || b->line->emit[EMIT_layout]) && i < b->program_count; i++) {
+        const BatchProgram *program = &b->programs[i];
+        BatchDocument *document = &b->documents[program->first->document];
+        if (program->first->pass != PASS_gbuffer && program->first->pass != PASS_plane)
+            continue;
+        Arena arena = {0};
+        Compile c = compile_with(&b->options, &arena);
+        Job job;
+        job_of(&b->options, &job);
+        const char *unpack = emit_unpack(&c, &job);
+        Text layout = text_new(&arena);
+        layout_write(&layout, job.layout);
+        if (b->line->emit[EMIT_unpack])
+            put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, unpack, strlen(unpack));
+        if (b->line->emit[EMIT_layout])
+            put_file(b, document, job.layout->name, emit_table[EMIT_layout].suffix, layout.at, layout.size);
+        arena_free(&arena);
+        return;
+    }
+}

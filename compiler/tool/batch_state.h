@@ -1,0 +1,151 @@
+/* What the parts of a batch share. Private to batch*.c and manifest.c. */
+#ifndef MATC_BATCH_STATE_H
+#define MATC_BATCH_STATE_H
+#include "compiler/tool/batch.h"
+#include "compiler/tool/cache.h"
+#include "compiler/base/sets.h"
+#include "compiler/tool/output.h"
+#include "compiler/tool/unit.h"
+#include <pthread.h>
+#include <stdatomic.h>
+
+enum { MOST_TURNS = MOST_PASSES, LONGEST_NAME = 256, LONGEST_PATH = 4096 };
+
+/* What a batch does with numbers: they stand in programs; those of the document come from a buffer; or those do in which
+ * materials of one shape differ. */
+typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
+
+typedef struct {
+    char *name;
+    const char *opacity; /* matc_opacity */
+    Bytes said;          /* diagnostics, which follow those of the document */
+    Unit *units;         /* by turn */
+} BatchMaterial;
+
+typedef struct {
+    const char *path;
+    char *text; /* while its materials are compiled, and it itself */
+    size_t size;
+    Key key;              /* of all that its materials' programs depend on but for the files it is made from */
+    MatcDocument *parsed; /* while someone needs it */
+    BatchMaterial *materials;
+    Unit *units; /* of all of them */
+    int material_count;
+    int offset;     /* of the first in the document: --material takes one */
+    char **depends; /* files that it was made from, itself first */
+    int depend_count;
+    MatcRanges *ranges; /* with --layout=auto, while it is open */
+    bool stored;        /* the cache has it */
+    bool spoke;         /* something was said of it, so that it is not kept: the next run would be silent */
+    bool unreadable;    /* which is said */
+    bool once;          /* a pipe, which can be read but once: its text is kept */
+    Bytes said;         /* diagnostics */
+    bool closed;
+    int *again, again_count; /* programs to be written for its materials, once all are known */
+    pthread_mutex_t mutex;   /* of `parsed` */
+} BatchDocument;
+
+typedef struct {
+    Unit *first, *last; /* its materials, linked; the first one gives it its name */
+    int unit_count;
+    int *members; /* by place: the member that it becomes; NULL: all numbers stand in the program */
+    char *name;   /* of its files, without suffix */
+} BatchProgram;
+
+typedef struct {
+    const CommandLine *line;
+    const BatchCalls *calls;
+    const char *turns[MOST_TURNS]; /* passes asked for */
+    int turn_count;
+    Numbers numbers;
+    unsigned outputs; /* MatcOutput of a program */
+    MatcOptions options;
+    BatchDocument *documents;
+    int document_count;
+    BatchProgram *programs;
+    int program_count;
+    MatcRanges ranges;       /* of all documents, with --layout=auto */
+    MatcLayout *layout;      /* made for the set, or NULL */
+    Outputs folders;         /* all that is written */
+    Stage *stage, *textures; /* of the folder, and of --textures, which may be the same; NULL: none */
+    MatcLinked *linked;      /* in the options of all */
+    Cache *cache;            /* NULL: none */
+    pthread_mutex_t mutex;   /* of what follows */
+    StringSet within;        /* files that the batch reads and that lie in its folder, by their names there */
+    KeySet seen;             /* programs that someone writes already */
+    StringSet files;         /* what documents are made from, as it was read */
+    Key *file_keys;          /* its contents */
+    int closed, said;        /* documents whose diagnostics are complete; and were said, from the first on */
+    Bytes general;           /* diagnostics of no document */
+    atomic_bool fault;       /* any thread reads it */
+} Batch;
+
+/* -- batch.c */
+/* Adds diagnostics to those of the document (NULL: of none), if there are any. */
+void batch_say(Batch *batch, BatchDocument *document, const char *text);
+/* The same of a material, from any thread: they are said in the order of the materials. */
+void batch_say_of(Batch *batch, BatchDocument *document, int material, const char *text);
+void batch_fault(Batch *batch);
+/* Something against the document, which is a fault. */
+void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
+/* Something to know, of no document, which is no fault. */
+void batch_warn(Batch *batch, const char *what, const char *why);
+Unit *batch_unit(const Batch *batch, int document, int material, int turn);
+/* Of the files of a material's program: its name, and the pass unless that goes without saying. */
+void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
+
+/* Every document is opened, its parts worked on and closed, by all threads. */
+void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int));
+
+/* -- batch_inputs.c */
+/* Documents, what they are made from, lists and a layout: the files that a change of which changes the batch. */
+void batch_inputs(const Batch *batch, StringSet *files);
+/* Complains of outputs in the place of inputs. Once all outputs are in the stage. */
+void batch_spare_inputs(Batch *batch);
+/* The folder's file of that name is an input. After that. */
+bool batch_reads(const Batch *batch, const char *name);
+
+/* -- batch_layout.c */
+void batch_make_layout(Batch *batch); /* with --layout=auto */
+/* One file for all programs: the GLSL that unpacks, and the layout itself. */
+void batch_write_layout(Batch *batch);
+
+/* -- batch_document.c */
+bool batch_open(Batch *batch, BatchDocument *document);
+/* Of an open document, from any thread. */
+const MatcDocument *document_parsed(Batch *batch, BatchDocument *document);
+/* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
+bool document_list(Batch *batch, BatchDocument *document);
+void document_make_room(BatchDocument *document, int materials, int turns, int depends);
+void batch_close(BatchDocument *document);
+void document_free(BatchDocument *document, int turns);
+
+/* -- batch_compile.c: a material's turns; a program again; the files of a program */
+void compile_material(Batch *batch, int document, int material);
+void compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
+/* A file of a program, or of the layout. */
+void put_file(Batch *batch, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
+              size_t size);
+/* An output that every program has a file of. */
+bool is_of_program(int emit);
+
+/* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache a key is of the text alone. */
+bool stored_open(Batch *batch);
+void stored_key(const Batch *batch, BatchDocument *document);
+bool stored_document(Batch *batch, BatchDocument *document);
+/* Writes its entry, unless it is there as it would be. No thread works on the document. */
+void store_document(Batch *batch, BatchDocument *document);
+bool stored_ranges(Batch *batch, BatchDocument *document);
+void store_ranges(Batch *batch, const BatchDocument *document);
+/* Writes the program's files. */
+bool stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
+void store_program(Batch *batch, Unit *unit, const int *members, MatcProgram *program);
+
+/* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
+ * must be written again. batch_group.c */
+void batch_group(Batch *batch);
+/* The manifest as JSON. manifest.c */
+void manifest_put(const Batch *batch, Bytes *to);
+/* Files that the old manifest names and this batch does not make are to go. */
+void manifest_remove_stale(Batch *batch, const char *old);
+#endif

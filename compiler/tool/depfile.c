@@ -1,0 +1,120 @@
+/* `target: files...`. To make this is a line of a makefile, in which a name such as `a;touch b` would be a command; ninja has a reader
+ * of its own. Both read letters, digits, bytes beyond ASCII and `others` as they stand, once a backslash is before ` `, `#` and `:`,
+ * and `$` is there twice: `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja takes
+ * `\;` for two characters, and ends the name at a bare `;`. tests/depfile.sh asks both for every character. */
+#include "compiler/tool/depfile.h"
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char others[] = "!#$%()+,-./:=@\\]_{}~ ";
+
+const char depfile_why[] = "make and ninja cannot both read this name in a depfile";
+
+static bool is_readable_byte(unsigned char c) { return c >= 0x80 || isalnum(c) || (c && strchr(others, c)); }
+
+/* Without what make drops before it looks at a name. */
+static const char *without_here(const char *name)
+{
+    while (name[0] == '.' && name[1] == '/')
+        name += 2 + strspn(name + 2, "/");
+    return name;
+}
+
+/* Both read the name, escaped, as what it is. */
+static bool is_readable(const char *name)
+{
+    size_t size = strlen(name);
+    for (size_t i = 0; i < size; i++)
+        if (!is_readable_byte((unsigned char)name[i]) ||
+            (name[i] == '\\' && name[i + 1] && strchr("#$:=", name[i + 1])))
+            return false;
+    if (!size || strchr(" :\\", name[size - 1]))
+        return false;
+    bool home = *without_here(name) == '~', of_archive = name[size - 1] == ')' && strchr(name, '(');
+    return !home && !of_archive;
+}
+
+/* `a=b` at the start of a line is a variable, `a%b` a pattern, `.PHONY` has a meaning. */
+static bool can_be_target(const char *name)
+{
+    const char *start = without_here(name);
+    return is_readable(name) && !strpbrk(name, "=%") && !(start[0] == '.' && isupper((unsigned char)start[1]));
+}
+
+/* `out: a=b` and `out: a =b` set a variable. */
+static bool can_be_file(const char *name) { return is_readable(name) && name[strspn(name, "!+")] != '='; }
+
+static bool can_be_first(const char *name) { return !strchr(name, '='); }
+
+/* Whether the name could be a word of make's, such as `define`. */
+static bool is_word(const char *name)
+{
+    while (islower((unsigned char)*name))
+        name++;
+    return !*name;
+}
+
+/* Of N backslashes before a space both leave N/2: those of the name are there twice. */
+static void put_escaped(FILE *out, const char *name)
+{
+    size_t backslashes = 0;
+    for (; *name; name++) {
+        if (*name == ' ')
+            for (size_t i = 0; i < backslashes; i++)
+                fputc('\\', out);
+        if (strchr(" #:", *name))
+            fputc('\\', out);
+        if (*name == '$')
+            fputc('$', out);
+        fputc(*name, out);
+        backslashes = *name == '\\' ? backslashes + 1 : 0;
+    }
+}
+
+static void put_file(FILE *out, const char *name, bool first)
+{
+    fputs(first ? " " : " \\\n  ", out);
+    fputs(first && is_word(name) ? "./" : "", out);
+    put_escaped(out, name);
+}
+
+/* The number of the file that can stand first; -1: none can, and `*bad` is what is in the way. */
+static int check(const char *target, const char *const *files, int count, const char **bad)
+{
+    int first = 0;
+    *bad = can_be_target(target) ? NULL : target;
+    for (int i = 0; i < count && !*bad; i++)
+        if (!can_be_file(files[i]))
+            *bad = files[i];
+    while (first < count && !can_be_first(files[first]))
+        first++;
+    if (count && first == count && !*bad)
+        *bad = files[0];
+    return *bad ? -1 : first;
+}
+
+char *depfile_text(const char *target, const char *const *files, int count, const char **bad)
+{
+    char *text = NULL;
+    size_t size;
+    int first = check(target, files, count, bad);
+    FILE *out = first < 0 ? NULL : open_memstream(&text, &size);
+    if (!out && first >= 0)
+        abort(); /* out of memory */
+    if (!out)
+        return NULL;
+    put_escaped(out, target);
+    fputc(':', out);
+    if (count)
+        put_file(out, files[first], true);
+    for (int i = 0; i < count; i++)
+        if (i != first)
+            put_file(out, files[i], false);
+    fputc('\n', out);
+    if (fclose(out))
+        abort();
+    return text;
+}

@@ -1,0 +1,453 @@
+/* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
+#include "compiler/tool/batch.h"
+#include "compiler/tool/cache.h"
+#include "compiler/base/diag.h"
+#include "compiler/base/file.h"
+#include "compiler/tool/layout_option.h"
+#include "compiler/tool/options.h"
+#include "runtime/measure/pareto.h"
+#include "compiler/tool/single.h"
+#include "compiler/tool/watch.h"
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+enum {
+    FINE = 0,
+    FAULT = 1,
+    USAGE = 2,
+    BY_SIGNAL = 128, /* and its number */
+    LONGEST_MESSAGE = 8192,
+    PROGRESS_STEP = 16,
+    WATCH_MS = 200 /* between looks for a signal */
+};
+
+static int complain(const char *what, const char *why)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    diag_complain(&text, SEVERITY_error, what, why);
+    fputs(text.at, stderr);
+    arena_free(&arena);
+    return FAULT;
+}
+
+/* Diagnostics, or what is wrong in a line. */
+static void print_fault(const char *fault)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    text_visible(&text, fault, strlen(fault));
+    if (strchr(fault, '\n'))
+        fputs(fault, stderr);
+    else
+        fprintf(stderr, "matc: error: %s\n", text.at);
+    arena_free(&arena);
+}
+
+static int usage(const char *what)
+{
+    fprintf(stderr, "matc: %s; see matc --help\n", what);
+    return USAGE;
+}
+
+static void print_diagnostics(const char *text, const CommandLine *line)
+{
+    if (line->diagnostics == MATC_TEXT || strcmp(text, "[]\n") != 0)
+        fputs(text, stderr);
+}
+
+static unsigned wanted_outputs(const CommandLine *line)
+{
+    unsigned outputs = line->stats ? MATC_STATS : 0;
+    for (int emit = 0; emit < EMIT_COUNT; emit++)
+        if (line->emit[emit])
+            outputs |= emit_table[emit].output | emit_output(&line->compile, emit);
+    return outputs;
+}
+
+/* What is measured; check_usage has seen the numbers. */
+static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material)
+{
+    ParetoSubject subject = {document, material, GL_KIND_osmesa,
+                             line->range ? strtod(line->range, NULL) : measure_range};
+    if (line->gl)
+        gl_kind_find(line->gl, &subject.gl);
+    return subject;
+}
+
+/* The options that a material is compiled with: with --max-error, those that measuring finds. */
+static int choose_options(const CommandLine *line, const MatcDocument *document, int material, MatcOptions *options)
+{
+    char error[LONGEST_MESSAGE], *why;
+    *options = line->compile;
+    if (!line->max_error)
+        return FINE;
+    ParetoSubject subject = subject_of(line, document, material);
+    if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &why, error, sizeof error))
+        return complain("--max-error", error);
+    if (line->stats)
+        fputs(why, stderr);
+    free(why);
+    return FINE;
+}
+
+static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
+{
+    char error[LONGEST_MESSAGE], *table;
+    ParetoSubject subject = subject_of(line, document, material);
+    if (!pareto_measure(&subject, &line->compile, line->output, &table, error, sizeof error))
+        return complain("--pareto", error);
+    fputs(table, stdout);
+    free(table);
+    return FINE;
+}
+
+/* Compiles a material, and writes it if it has no fault. */
+static int compile_material(const CommandLine *line, MatcDocument *document, int material)
+{
+    MatcOptions options;
+    char path[SINGLE_PATH];
+    if (choose_options(line, document, material, &options) != FINE)
+        return FAULT;
+    MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &options);
+    print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
+    int status = matc_ok(program) ? FINE : FAULT;
+    if (status == FINE && line->stats)
+        fputs(matc_output(program, MATC_STATS, NULL), stderr);
+    const char *why = status == FINE ? single_write(line, document, program, path) : NULL;
+    if (why)
+        status = complain(path, why);
+    matc_program_free(program);
+    return status;
+}
+
+static int eval_material(const CommandLine *line, const MatcDocument *document, int material)
+{
+    const char *fault;
+    char *values = matc_eval(document, material, line->eval, &line->compile, &fault);
+    if (!values)
+        return usage(fault);
+    fputs(values, stdout);
+    free(values);
+    return FINE;
+}
+
+/* The material that is meant, or -1: a fault, reported. */
+static int choose_material(const CommandLine *line, const MatcDocument *document)
+{
+    if (line->material) {
+        int found = matc_material_find(document, line->material);
+        if (found < 0)
+            complain(line->material, "no such material in the document");
+        return found;
+    }
+    if (matc_material_count(document) == 1)
+        return 0;
+    fputs("matc: error: the document has several materials; name one with --material, or use -d:\n", stderr);
+    for (int i = 0; i < matc_material_count(document); i++)
+        fprintf(stderr, "  %s\n", matc_material_name(document, i));
+    return -1;
+}
+
+static int run_document(const CommandLine *line, MatcDocument *document)
+{
+    if (!matc_material_count(document))
+        return FAULT;
+    int material = choose_material(line, document);
+    if (material < 0)
+        return FAULT;
+    if (line->pareto)
+        return print_pareto(line, document, material);
+    return line->eval ? eval_material(line, document, material) : compile_material(line, document, material);
+}
+
+static int write_tree(const CommandLine *line, MatcDocument *document)
+{
+    char path[SINGLE_PATH];
+    const char *why = single_write(line, document, NULL, path);
+    return why ? complain(path, why) : FINE;
+}
+
+static int run_input(const CommandLine *line, const char *path)
+{
+    size_t size;
+    const char *why;
+    char *text = strcmp(path, "-") ? file_read_named(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
+    if (!text && line->watched)
+        watch_list_add(line->watched, path);
+    if (!text)
+        return complain(path, why);
+    MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
+    free(text);
+    print_diagnostics(matc_diagnostics(document, line->diagnostics), line);
+    for (int i = 0; line->watched && i < matc_depend_count(document); i++)
+        watch_list_add(line->watched, matc_depend(document, i));
+    bool tree_only = line->emit[EMIT_tree] && !line->folder && !line->depend && !line->textures;
+    int status = FAULT;
+    if (!tree_only)
+        status = run_document(line, document);
+    else if (matc_material_count(document))
+        status = write_tree(line, document);
+    matc_document_free(document);
+    return status;
+}
+
+/* -- a batch */
+
+static void say(void *user, const char *text)
+{
+    const CommandLine *line = user;
+    if (isatty(STDERR_FILENO))
+        fputs("\r\033[K", stderr); /* over the progress */
+    print_diagnostics(text, line);
+}
+
+static void show_progress(void *user, int done, int documents)
+{
+    (void)user;
+    if (done % PROGRESS_STEP == 0 || done == documents)
+        fprintf(stderr, "\r%d of %d documents%s", done, documents, done == documents ? "\r\033[K" : "");
+}
+
+static void warn_of_cache(void *user, const char *folder, const char *why)
+{
+    (void)user;
+    fprintf(stderr, "matc: warning: the cache %s: %s\n", folder, why);
+}
+
+static bool choose_for_batch(void *user, const MatcDocument *document, int material, MatcOptions *options)
+{
+    const char *pass = options->pass;
+    bool fine = choose_options(user, document, material, options) == FINE;
+    options->pass = pass;
+    return fine;
+}
+
+static void print_counts(const BatchResult *result)
+{
+    fprintf(stderr, "%d documents, %d materials, %d programs (", result->documents, result->materials,
+            result->programs);
+    for (int pass = 0, any = 0; pass < PASS_COUNT; pass++)
+        if (result->passes[pass])
+            fprintf(stderr, "%s%d %s", any++ ? ", " : "", result->passes[pass], pass_table[pass].name);
+    fprintf(stderr, "), %d with numbers from a buffer; %d files written\n", result->buffered, result->written);
+}
+
+static int run_batch(CommandLine *line, BatchResult *result)
+{
+    const BatchCalls calls = {say, isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL, warn_of_cache,
+                              choose_for_batch, line};
+    if (!batch_run(line, &calls, result))
+        return FAULT;
+    if (line->stats)
+        print_counts(result);
+    return FINE;
+}
+
+/* A layout of one's own, for all that follows. `line->compile.custom` is to be freed. */
+static int use_layout(CommandLine *line)
+{
+    char *fault;
+    if (line->folder && line->compile.layout && !strcmp(line->compile.layout, "auto"))
+        return FINE; /* the batch makes it of what it reads */
+    MatcLayout *layout = layout_open(line, &fault);
+    if (fault)
+        print_fault(fault);
+    free(fault);
+    if (layout)
+        print_diagnostics(matc_layout_diagnostics(layout, line->diagnostics), line);
+    bool fine = !fault && (!layout || matc_layout_ok(layout));
+    if (layout && fine && line->stats && !line->explain)
+        fputs(matc_layout_report(layout), stderr);
+    line->compile.custom = layout;
+    return fine ? FINE : FAULT;
+}
+
+static void free_layout(CommandLine *line)
+{
+    matc_layout_free((MatcLayout *)line->compile.custom);
+    line->compile.custom = NULL;
+}
+
+static int run_inputs(CommandLine *line)
+{
+    int status = FINE;
+    for (int i = 0; i < line->input_count; i++)
+        status |= run_input(line, line->inputs[i]);
+    return status;
+}
+
+/* What a run reads before it meets its documents. */
+static void watch_layout(CommandLine *line, bool failed)
+{
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        watch_list_add(line->watched, line->compile.layout);
+    for (int i = 0; failed && i < line->input_count; i++)
+        watch_list_add(line->watched, line->inputs[i]);
+}
+
+static int run(CommandLine *line, BatchResult *result)
+{
+    *result = (BatchResult){0};
+    int status = use_layout(line);
+    if (line->watched)
+        watch_layout(line, status != FINE);
+    if (status == FINE)
+        status = line->folder ? run_batch(line, result) : run_inputs(line);
+    free_layout(line);
+    return status;
+}
+
+static int explain_layout(CommandLine *line)
+{
+    int status = use_layout(line);
+    if (status == FINE)
+        fputs(matc_layout_report(line->compile.custom), stdout);
+    free_layout(line);
+    return status;
+}
+
+static int answer(char *text, const char *otherwise)
+{
+    if (!text)
+        return usage(otherwise);
+    fputs(text, stdout);
+    free(text);
+    return FINE;
+}
+
+static int print_cache(const CommandLine *line)
+{
+    if (!line->cache)
+        return usage("--cache-stats wants --cache or MATC_CACHE");
+    char *text = cache_statistics(line->cache);
+    if (!text)
+        return complain(line->cache, strerror(errno));
+    fputs(text, stdout);
+    free(text);
+    return FINE;
+}
+
+static int check_usage(const CommandLine *line)
+{
+    char room[CHECK_ROOM];
+    const char *fault = options_check(line, room);
+    if (!fault && line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
+        fault = "--gl: osmesa or egl";
+    return fault ? usage(fault) : FINE;
+}
+
+static bool read_command_line(CommandLine *line, int argc, char **argv, const char **fault)
+{
+    bool fine = options_read(line, argc, argv, fault);
+    line->compile.pixels = line->eval || line->textures || line->pareto || line->max_error;
+    line->compile.measure = line->stats;
+    if (!line->cache && getenv("MATC_CACHE") && *getenv("MATC_CACHE"))
+        line->cache = getenv("MATC_CACHE");
+    return fine;
+}
+
+/* -- watching */
+
+static double milliseconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
+
+/* 0 when files have changed, else the signal that asks us to end. While a run is under way signals do what they always do. */
+static int wait_for_change(Watch *watch)
+{
+    static const struct timespec at_once = {0, 0};
+    int signal = -1, changed = 0;
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    pthread_sigmask(SIG_BLOCK, &ends, &before);
+    while (!changed && (signal = sigtimedwait(&ends, NULL, &at_once)) < 0)
+        changed = watch_wait(watch, WATCH_MS);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return changed ? 0 : signal;
+}
+
+static void run_and_tell(CommandLine *line, Watch *watch)
+{
+    BatchResult result;
+    WatchList files = {0};
+    double start = milliseconds_now();
+    for (int i = 0; i < line->list_count; i++)
+        watch_list_add(&files, line->lists[i]);
+    if (line->compile.layout && layout_is_file(line->compile.layout))
+        watch_list_add(&files, line->compile.layout);
+    line->watched = &files;
+    int status = run(line, &result);
+    double took = milliseconds_now() - start;
+    watch_set(watch, (const char *const *)files.at, files.count);
+    if (status != FINE)
+        fprintf(stderr, "matc: nothing written; watching %d files\n", files.count);
+    else if (line->folder)
+        fprintf(stderr, "matc: %d files written for %d materials in %.0f ms; watching %d files\n", result.written,
+                result.materials, took, files.count);
+    else
+        fprintf(stderr, "matc: %s in %.0f ms; watching %d files\n", line->output, took, files.count);
+    watch_list_free(&files);
+}
+
+/* Until a signal comes. Lists of documents are read again every time. */
+static int run_watching(CommandLine *line, int argc, char **argv)
+{
+    Watch *watch = watch_open();
+    const char *fault;
+    int signal;
+    run_and_tell(line, watch);
+    while (!(signal = wait_for_change(watch))) {
+        options_free(line);
+        if (!read_command_line(line, argc, argv, &fault))
+            usage(fault);
+        else if (check_usage(line) == FINE)
+            run_and_tell(line, watch);
+    }
+    watch_close(watch);
+    return BY_SIGNAL + signal;
+}
+
+int main(int argc, char **argv)
+{
+    CommandLine line;
+    BatchResult result;
+    const char *fault;
+    if (!read_command_line(&line, argc, argv, &fault)) {
+        options_free(&line);
+        return usage(fault);
+    }
+    int status = FINE;
+    if (line.help)
+        fputs(options_help, stdout);
+    else if (line.version)
+        puts("matc " MATC_VERSION);
+    else if (line.schema)
+        status = answer(matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
+    else if (line.list)
+        status = answer(matc_list(), "");
+    else if (line.explain && layout_is_file(line.explain))
+        status = explain_layout(&line);
+    else if (line.explain)
+        status = answer(matc_explain(line.explain), "nothing has that name; see --list");
+    else if (line.cache_stats)
+        status = print_cache(&line);
+    else if ((status = check_usage(&line)) == FINE)
+        status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
+    options_free(&line);
+    if (fflush(stdout) || ferror(stdout))
+        status |= complain("standard output", strerror(errno));
+    return status < BY_SIGNAL && status & USAGE ? USAGE : status;
+}

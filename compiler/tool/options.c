@@ -1,0 +1,350 @@
+/* The command line: one table of options. */
+#include "compiler/tool/options.h"
+#include "compiler/base/file.h"
+#include "compiler/base/queue.h"
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+const EmitRow emit_table[EMIT_COUNT] = {
+    {"glsl", ".frag", MATC_FRAGMENT},
+    {"vertex", ".vert", MATC_VERTEX},
+    {"unpack", ".unpack.glsl", MATC_UNPACK},
+    {"reflect", ".json", MATC_REFLECT},
+    {"spirv", ".spv", MATC_SPIRV},
+    {"ir", ".ir", MATC_IR},
+    {"dot", ".dot", MATC_DOT},
+    {"layout", ".layout.yaml", MATC_LAYOUT},
+    {"tree", ".tree", 0},
+};
+
+typedef enum { TAKES_text, TAKES_compile, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate, TAKES_maybe } Takes;
+typedef struct {
+    const char *name;
+    Takes takes;
+    size_t member;
+} Option;
+
+#define TEXT(name, member)                                                                                             \
+    {                                                                                                                  \
+        name, TAKES_text, offsetof(CommandLine, member)                                                                \
+    }
+#define FLAG(name, member)                                                                                             \
+    {                                                                                                                  \
+        name, TAKES_flag, offsetof(CommandLine, member)                                                                \
+    }
+static const Option options[] = {
+    TEXT("-o", output),
+    TEXT("-d", folder),
+    TEXT("-j", jobs),
+    TEXT("--cache", cache),
+    TEXT("--cache-limit", cache_size),
+    FLAG("--cache-stats", cache_stats),
+    FLAG("-MD", depend),
+    TEXT("-MF", depfile),
+    TEXT("-MT", target),
+    {"--target", TAKES_compile, 0},
+    {"--pass", TAKES_compile, 0},
+    {"--slot", TAKES_compile, 0},
+    {"--layout", TAKES_compile, 0},
+    {"--precision", TAKES_compile, 0},
+    {"--constants", TAKES_compile, 0},
+    {"--noise", TAKES_compile, 0},
+    {"--aa", TAKES_compile, 0},
+    {"--derivatives", TAKES_compile, 0},
+    {"--coordinates", TAKES_compile, 0},
+    {"--powers", TAKES_compile, 0},
+    {"--trigonometry", TAKES_compile, 0},
+    TEXT("--layout-error", layout_error),
+    TEXT("--material", material),
+    TEXT("--eval", eval),
+    TEXT("--explain", explain),
+    TEXT("--textures", textures),
+    TEXT("--max-error", max_error),
+    TEXT("--range", range),
+    TEXT("--gl", gl),
+    FLAG("--pareto", pareto),
+    {"--emit", TAKES_emit, 0},
+    {"--diagnostics", TAKES_form, 0},
+    {"--no-validate", TAKES_novalidate, 0},
+    FLAG("--check", compile.check),
+    FLAG("--list", list),
+    {"--schema", TAKES_maybe, offsetof(CommandLine, schema)},
+    FLAG("--stats", stats),
+    FLAG("--watch", watch),
+    FLAG("--help", help),
+    FLAG("-h", help),
+    FLAG("--version", version),
+};
+enum { OPTION_COUNT = sizeof options / sizeof *options };
+
+const char *const options_help =
+    "usage: matc [options] document...\n"
+    "\n"
+    "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n"
+    "\n"
+    "output\n"
+    "  -o FILE              write there; - and the default are standard output\n"
+    "  -d DIR               write NAME.frag and so on there, for all materials of all documents, each program once,\n"
+    "                       and manifest.json, which says what uses which; several passes may be named\n"
+    "  -j N                 by so many threads; all processors without it\n"
+    "  @FILE                documents named in a file, one a line\n"
+    "  --cache DIR          with -d: keep there what the next run can use; MATC_CACHE says the same\n"
+    "  --cache-limit=MIB    of the folder: 1024; the least recently used goes first\n"
+    "  --cache-stats        what the cache holds and how often it helped\n"
+    "  --emit=LIST          glsl (default), vertex, unpack, reflect, layout, spirv, ir, dot, tree; several need -d\n"
+    "  --textures DIR       write the textures that matc makes there, as KTX\n"
+    "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
+    "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
+    "program\n"
+    "  --target=T           glsl110, glsl330 (default), glsl450, essl300, spirv\n"
+    "  --pass=P             gbuffer (default), plane, sky, shadow, depth, value\n"
+    "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
+    "  --layout=L           compact (default), thin (default of glsl110), thesis, radix, integer; a file;\n"
+    "                       auto: the smallest that holds all materials given. --explain L shows its fields\n"
+    "  --layout-error=E     of auto: what a colour's square root may be off (0.00196), other slots in proportion\n"
+    "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
+    "  --constants=C        baked, uniform: numbers of the document come from a uniform block; auto (default): with "
+    "-d,\n"
+    "                       those in which materials that can share a program differ\n"
+    "  --noise=N            lattice (default), groimp, simplex\n"
+    "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
+    "  --powers=P           squaring (default), pow, compensated\n"
+    "  --trigonometry=T     native (default), bounded\n"
+    "  --aa=A               none (default), box, aniso: maps are averaged over the pixel\n"
+    "  --derivatives=D      finite (default), analytic\n"
+    "  --material=NAME      of `materials:`; without it, the only one\n"
+    "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
+    "measuring\n"
+    "  --max-error=E        the fastest choices, among those not named, that keep every slot within E of the "
+    "reference\n"
+    "  --pareto             run time and error of every choice not named; -o BASENAME: also as .csv, .svg and .png\n"
+    "  --range=R            coordinates that count are in [-R, R]: 4\n"
+    "  --gl=KIND            measure on osmesa (default), or on egl: a GPU where there is one\n"
+    "questions\n"
+    "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
+    "  --list               materials, maps, waves, channels, slots\n"
+    "  --explain NAME       one of them\n"
+    "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
+    "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
+    "  --diagnostics=FORM   text (default), json\n"
+    "  --no-validate        do not ask glslang\n"
+    "  --check              check the IR after every pass\n"
+    "  --help, --version\n"
+    "\n"
+    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
+
+static bool read_emit(CommandLine *line, const char *list, const char **fault)
+{
+    memset(line->emit, 0, sizeof line->emit);
+    for (size_t size; *list; list += size + (list[size] == ',')) {
+        size = strcspn(list, ",");
+        int i = 0;
+        while (i < EMIT_COUNT && (strlen(emit_table[i].name) != size || strncmp(emit_table[i].name, list, size) != 0))
+            i++;
+        if (i == EMIT_COUNT) {
+            *fault = "--emit: tree, ir, glsl, vertex, unpack, reflect, spirv, dot or layout";
+            return false;
+        }
+        line->emit[i] = true;
+    }
+    return true;
+}
+
+static bool set_option(CommandLine *line, const Option *option, const char *value, const char **fault)
+{
+    char *member = (char *)line + option->member;
+    switch (option->takes) {
+    case TAKES_text:
+        *(const char **)(void *)member = value;
+        return true;
+    case TAKES_maybe:
+        *(const char **)(void *)member = value ? value : "document";
+        return true;
+    case TAKES_compile:
+        return matc_options_set(&line->compile, option->name + 2, value);
+    case TAKES_flag:
+        *(bool *)member = true;
+        return true;
+    case TAKES_novalidate:
+        line->compile.validate = false;
+        return true;
+    case TAKES_emit:
+        return read_emit(line, value, fault);
+    case TAKES_form:
+        line->diagnostics = !strcmp(value, "json") ? MATC_JSON : MATC_TEXT;
+        *fault = "--diagnostics: text or json";
+        return !strcmp(value, "json") || !strcmp(value, "text");
+    }
+    return false;
+}
+
+static bool takes_value(const Option *option)
+{
+    return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
+           option->takes == TAKES_form || option->takes == TAKES_maybe;
+}
+
+/* "--name value", "--name=value", and "-oFILE" as compilers have it. */
+static bool read_option(CommandLine *line, char **argv, int *i, const char **fault)
+{
+    const char *arg = argv[*i];
+    for (int k = 0; k < OPTION_COUNT; k++) {
+        const Option *option = &options[k];
+        size_t size = strlen(option->name);
+        if (strncmp(arg, option->name, size) != 0)
+            continue;
+        if (!arg[size] && (!takes_value(option) || option->takes == TAKES_maybe))
+            return set_option(line, option, NULL, fault);
+        if (!takes_value(option))
+            continue;
+        if (!arg[size] && !argv[*i + 1]) {
+            *fault = "an option lacks its value";
+            return false;
+        }
+        if (!arg[size])
+            return set_option(line, option, argv[++*i], fault);
+        if (arg[size] == '=' && size > 2)
+            return set_option(line, option, arg + size + 1, fault);
+        if (size == 2)
+            return set_option(line, option, arg + size, fault);
+    }
+    *fault = "no such option";
+    return false;
+}
+
+static bool read_level(CommandLine *line, const char *arg)
+{
+    if (strncmp(arg, "-O", 2) != 0 || (arg[2] && arg[3]) || !strchr("0123s", arg[2]))
+        return false; /* strchr finds the end of "-O" too */
+    line->compile.optimize = arg[2] == '0' || arg[2] == '1' ? arg[2] - '0' : 2;
+    return true;
+}
+
+static int emit_row(const MatcOptions *options, int emit)
+{
+    return emit == EMIT_glsl && options->target && !strcmp(options->target, "spirv") ? EMIT_spirv : emit;
+}
+
+MatcOutput emit_output(const MatcOptions *options, int emit)
+{
+    return (MatcOutput)emit_table[emit_row(options, emit)].output;
+}
+
+const char *emit_suffix(const MatcOptions *options, int emit) { return emit_table[emit_row(options, emit)].suffix; }
+
+static void add_input(CommandLine *line, const char *path)
+{
+    enum { STEP = 256 };
+    if (line->input_count % STEP == 0) {
+        line->inputs = realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
+        if (!line->inputs)
+            abort();
+    }
+    line->inputs[line->input_count++] = path;
+}
+
+/* A path a line. */
+static bool read_list(CommandLine *line, const char *path, const char **fault)
+{
+    size_t size;
+    char *text = file_read_named(path, &size, fault);
+    if (!text)
+        return false;
+    line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
+    line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
+    if (!line->lists || !line->list_texts)
+        abort();
+    line->lists[line->list_count] = path;
+    line->list_texts[line->list_count++] = text;
+    for (char *at = text, *end; *at; at = end) {
+        size_t length = strcspn(at, "\r\n");
+        end = at + length + (at[length] != 0);
+        at[length] = 0;
+        if (length)
+            add_input(line, at);
+    }
+    return true;
+}
+
+/* A whole number from 1 to the most; NULL is none. */
+static bool read_count(const char *text, long most, long *count)
+{
+    char *end = NULL;
+    if (!text)
+        return true;
+    *count = strtol(text, &end, 10);
+    if (*count > most)
+        *count = most;
+    return end != text && !*end && *count >= 1;
+}
+
+static bool read_counts(CommandLine *line, const char **fault)
+{
+    const long most_mib = 1l << 40;
+    long threads = 0;
+    *fault = "-j wants a number of threads, from 1 on";
+    if (!read_count(line->jobs, MOST_THREADS, &threads))
+        return false;
+    line->threads = (int)threads;
+    *fault = "--cache-limit wants a number of MiB, from 1 on";
+    return read_count(line->cache_size, most_mib, &line->cache_limit);
+}
+
+/* "gbuffer,shadow" */
+static bool read_passes(CommandLine *line, const char **fault)
+{
+    const char *list = line->compile.pass ? line->compile.pass : "gbuffer";
+    char *at = line->pass_list = strdup(list);
+    if (!at)
+        abort();
+    *fault = "--pass names too many passes";
+    for (char *next; at; at = next) {
+        if ((next = strchr(at, ',')))
+            *next++ = 0;
+        for (int i = 0; i < line->pass_count; i++)
+            if (!strcmp(line->passes[i], at)) {
+                *fault = "--pass names a pass twice";
+                return false;
+            }
+        if (line->pass_count == MOST_PASSES)
+            return false;
+        line->passes[line->pass_count++] = at;
+    }
+    return true;
+}
+
+void options_free(CommandLine *line)
+{
+    free(line->pass_list);
+    for (int i = 0; i < line->list_count; i++)
+        free(line->list_texts[i]);
+    free(line->list_texts);
+    free(line->lists);
+    free(line->inputs);
+}
+
+bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
+{
+    *line = (CommandLine){0};
+    matc_options_init(&line->compile);
+    line->emit[EMIT_glsl] = true;
+    *fault = NULL;
+    bool only_files = false;
+    for (int i = 1; i < argc; i++) {
+        const char *arg = argv[i];
+        if (!only_files && !strcmp(arg, "--"))
+            only_files = true;
+        else if (!only_files && arg[0] == '@') {
+            if (!read_list(line, arg + 1, fault))
+                return false;
+        } else if (only_files || arg[0] != '-' || !arg[1])
+            add_input(line, arg);
+        else if (!read_level(line, arg) && !read_option(line, argv, &i, fault))
+            return false;
+    }
+    if (!read_counts(line, fault) || !read_passes(line, fault))
+        return false;
+    *fault = NULL;
+    return true;
+}

@@ -1,0 +1,73 @@
+/* The command line of matc. */
+#ifndef MATC_OPTIONS_H
+#define MATC_OPTIONS_H
+#include "compiler/matc.h"
+
+enum { MOST_PASSES = 8 };
+
+/* Outputs that a run may write, in the order of --emit's names. */
+typedef enum {
+    EMIT_glsl,
+    EMIT_vertex,
+    EMIT_unpack,
+    EMIT_reflect,
+    EMIT_spirv,
+    EMIT_ir,
+    EMIT_dot,
+    EMIT_layout,
+    EMIT_tree,
+    EMIT_COUNT
+} Emit;
+typedef struct {
+    const char *name, *suffix;
+    unsigned output; /* MatcOutput; 0: the tree, which is the document's */
+} EmitRow;
+extern const EmitRow emit_table[EMIT_COUNT];
+
+typedef struct {
+    MatcOptions compile;
+    const char **inputs; /* of the arguments, and of the lists among them */
+    int input_count;
+    const char **lists; /* files of inputs, "@list.txt" */
+    char **list_texts;  /* what the inputs out of lists lie in */
+    int list_count;
+    const char *cache;               /* --cache, or MATC_CACHE */
+    const char *cache_size;          /* --cache-limit, as text */
+    long cache_limit;                /* in MiB; 0: the default */
+    bool cache_stats;                /* --cache-stats */
+    const char *jobs;                /* -j, as text */
+    const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
+    int pass_count;
+    char *pass_list;          /* what they lie in */
+    int threads;              /* -j; 0: as many as there are processors */
+    const char *output;       /* -o */
+    const char *folder;       /* -d */
+    const char *depfile;      /* -MF */
+    const char *target;       /* -MT */
+    bool depend;              /* -MD */
+    bool emit[EMIT_COUNT];    /* --emit */
+    const char *material;     /* --material */
+    const char *eval;         /* --eval */
+    const char *explain;      /* --explain */
+    const char *textures;     /* --textures */
+    const char *max_error;    /* --max-error */
+    const char *range;        /* --range */
+    const char *gl;           /* --gl */
+    const char *layout_error; /* --layout-error */
+    bool pareto, list, stats, watch, help, version;
+    const char *schema;        /* --schema: of which file; NULL */
+    struct WatchList *watched; /* with --watch: files that a run read or wanted */
+    MatcForm diagnostics;
+} CommandLine;
+
+/* Reads the arguments; the lists it makes are from malloc. False: *fault says what is wrong. */
+bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
+void options_free(CommandLine *line);
+/* NULL, or what does not go together; `room` is for words that must be made. options_check.c */
+enum { CHECK_ROOM = 256 };
+const char *options_check(const CommandLine *line, char room[CHECK_ROOM]);
+/* The output behind an --emit: for the target spirv, SPIR-V where GLSL would be written. */
+MatcOutput emit_output(const MatcOptions *options, int emit);
+const char *emit_suffix(const MatcOptions *options, int emit);
+extern const char *const options_help;
+#endif

@@ -1,0 +1,84 @@
+/* What goes together on a command line. */
+#include "compiler/tool/layout_option.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LONGEST_FOLDER = 2048 };
+
+/* NULL, or what is wrong. */
+static const char *check_measuring(const CommandLine *line)
+{
+    char *end = NULL;
+    if (line->max_error && (!(strtod(line->max_error, &end) > 0) || *end))
+        return "--max-error wants a number above 0";
+    if (line->range && (!(strtod(line->range, &end) > 0) || *end || strtod(line->range, &end) > 1e30))
+        return "--range wants a number above 0";
+    if (line->layout_error &&
+        (!(strtod(line->layout_error, &end) > 0) || *end || strtod(line->layout_error, &end) > 0.5))
+        return "--layout-error wants a number above 0, of at most 0.5";
+    if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
+        return "--max-error is of the pass gbuffer";
+    if ((line->pareto || line->max_error) && layout_is_custom(line->compile.layout))
+        return "--pareto and --max-error know the built-in layouts only";
+    if (line->pareto && (line->max_error || line->eval || line->folder || line->input_count > 1))
+        return "--pareto takes one document, and neither --max-error, --eval nor -d";
+    return NULL;
+}
+
+/* NULL, or what is wrong. */
+static const char *check_output(const CommandLine *line)
+{
+    int emits = 0;
+    for (int i = 0; i < EMIT_COUNT; i++)
+        emits += line->emit[i];
+    if (line->folder && strlen(line->folder) > LONGEST_FOLDER)
+        return "the folder's name is too long";
+    if (line->output && line->folder)
+        return "-o and -d exclude each other";
+    if (line->input_count > 1 && !line->folder)
+        return line->output ? "several documents need -d, not -o" : "several documents need -d";
+    if (!emits)
+        return "--emit names nothing";
+    if (emits > 1 && !line->folder)
+        return "several outputs need -d";
+    if (line->pass_count > 1 && !line->folder)
+        return "several passes need -d";
+    if (line->eval && line->folder)
+        return "--eval prints, and does not go with -d";
+    if (line->watch && !line->folder && (!line->output || !strcmp(line->output, "-")))
+        return "--watch needs -o or -d";
+    for (int i = 0; i < line->input_count && line->watch; i++)
+        if (!strcmp(line->inputs[i], "-"))
+            return "standard input cannot be watched";
+    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
+        return "-MD needs -o, -d or -MF";
+    return NULL;
+}
+
+/* The options of every pass name what exists. */
+static const char *check_names(const CommandLine *line, char room[CHECK_ROOM])
+{
+    const char *fault = NULL;
+    for (int i = 0; i < line->pass_count && !fault; i++) {
+        MatcOptions options = line->compile;
+        options.pass = line->passes[i];
+        if (layout_is_custom(options.layout))
+            options.layout = NULL; /* layout_open looks at it */
+        fault = matc_options_fault(&options);
+    }
+    if (!fault)
+        return NULL;
+    snprintf(room, CHECK_ROOM, "--%s names what does not exist", fault);
+    return room;
+}
+
+const char *options_check(const CommandLine *line, char room[CHECK_ROOM])
+{
+    const char *fault = check_names(line, room);
+    if (!fault && !line->input_count)
+        fault = "no document";
+    if (!fault)
+        fault = check_measuring(line);
+    return fault ? fault : check_output(line);
+}

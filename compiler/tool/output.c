@@ -1,0 +1,137 @@
+/* Writing files, whole or not at all, and what they hold. */
+#include "compiler/tool/output.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char *write_to(FILE *file, const void *bytes, size_t size)
+{
+    if (fwrite(bytes, 1, size, file) != size)
+        return strerror(errno ? errno : EIO);
+    return fflush(file) ? strerror(errno) : NULL;
+}
+
+/* It cannot be renamed over, or it must not: as root one could put a file where /dev/stdout was. */
+static bool is_special(const char *path)
+{
+    static const char *const open_files[] = {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"};
+    struct stat info;
+    for (size_t i = 0; i < sizeof open_files / sizeof *open_files; i++)
+        if (!strncmp(path, open_files[i], strlen(open_files[i])))
+            return true;
+    if (!stat(path, &info) && S_ISDIR(info.st_mode))
+        return true; /* opening it says so */
+    return !lstat(path, &info) && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode);
+}
+
+static const char *write_directly(const char *path, const void *bytes, size_t size)
+{
+    int number = open(path, O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
+    if (number < 0)
+        return strerror(errno);
+    FILE *file = fdopen(number, "wb");
+    if (!file)
+        abort();
+    const char *why = write_to(file, bytes, size);
+    if (fclose(file) && !why)
+        why = strerror(errno);
+    return why;
+}
+
+Stage *outputs_open(Outputs *o, const char *folder, unsigned how, const char **why)
+{
+    *why = "too many folders";
+    Stage *stage = o->count < OUTPUT_FOLDERS ? stage_open(folder, how, why) : NULL;
+    for (int i = 0; i < o->count && stage; i++)
+        if (stage_same(o->stages[i], stage)) {
+            stage_close(stage);
+            return o->stages[i];
+        }
+    if (stage)
+        o->stages[o->count++] = stage;
+    return stage;
+}
+
+const char *outputs_put(Outputs *o, const char *path, const void *bytes, size_t size)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *why = NULL;
+    if (!strcmp(path, "-"))
+        return write_to(stdout, bytes, size);
+    if (is_special(path))
+        return write_directly(path, bytes, size);
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    if (!folder)
+        return "out of memory";
+    Stage *stage = outputs_open(o, folder, STAGE_renew, &why);
+    free(folder);
+    return stage ? stage_put(stage, name, bytes, size) : why;
+}
+
+const char *outputs_commit(Outputs *o) { return stage_commit(o->stages, o->count); }
+
+void outputs_close(Outputs *o)
+{
+    while (o->count)
+        stage_close(o->stages[--o->count]);
+}
+
+const char *output_write(const char *path, const void *bytes, size_t size)
+{
+    Outputs one = {0};
+    const char *why = outputs_put(&one, path, bytes, size);
+    if (!why)
+        why = outputs_commit(&one);
+    outputs_close(&one);
+    return why;
+}
+
+char *output_ktx(const MatcTexture *t, size_t *file_size)
+{
+    enum {
+        GL_UNSIGNED_BYTE = 0x1401,
+        GL_FLOAT = 0x1406,
+        GL_RED = 0x1903,
+        GL_RGBA = 0x1908,
+        GL_R8 = 0x8229,
+        GL_R32F = 0x822E,
+        GL_RGBA8 = 0x8058,
+        GL_RGBA32F = 0x8814,
+        KTX_ENDIANNESS = 0x04030201,
+        HEADER = 64
+    };
+    static const unsigned char identifier[12] = {0xAB, 'K', 'T', 'X', ' ', '1', '1', 0xBB, '\r', '\n', 0x1A, '\n'};
+    bool floats = t->floats != NULL, rgba = t->lanes == 4;
+    size_t row = (size_t)t->width * (size_t)t->lanes * (floats ? sizeof(float) : 1), padded = (row + 3) & ~(size_t)3;
+    uint32_t size = (uint32_t)(padded * (size_t)t->height);
+    uint32_t words[13] = {KTX_ENDIANNESS,
+                          floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
+                          floats ? 4 : 1,
+                          rgba ? GL_RGBA : GL_RED,
+                          floats ? (rgba ? GL_RGBA32F : GL_R32F)
+                          : rgba ? GL_RGBA8
+                                 : GL_R8,
+                          rgba ? GL_RGBA : GL_RED,
+                          (uint32_t)t->width,
+                          (uint32_t)t->height,
+                          0,
+                          0,
+                          1,
+                          1,
+                          0};
+    unsigned char *file = calloc(1, HEADER + sizeof size + size);
+    if (!file)
+        abort();
+    memcpy(file, identifier, sizeof identifier);
+    memcpy(file + sizeof identifier, words, sizeof words);
+    memcpy(file + HEADER, &size, sizeof size);
+    const unsigned char *texels = floats ? (const unsigned char *)t->floats : t->bytes;
+    for (int y = 0; y < t->height; y++)
+        memcpy(file + HEADER + sizeof size + (size_t)y * padded, texels + (size_t)y * row, row);
+    *file_size = HEADER + sizeof size + size;
+    return (char *)file;
+}

@@ -1,0 +1,27 @@
+/* Files that matc writes: whole or not at all. */
+#ifndef MATC_OUTPUT_H
+#define MATC_OUTPUT_H
+#include "compiler/matc.h"
+#include "compiler/tool/stage.h"
+
+enum { OUTPUT_FOLDERS = 4 };
+
+/* Files for some folders, which appear together: {0} at first. A device or a pipe is written at once, since nothing can take its
+ * place; so are "-", which is standard output, and what stands for an open file (/dev/stdout, /dev/fd/3). Another link is replaced
+ * by the file, and not followed. */
+typedef struct {
+    Stage *stages[OUTPUT_FOLDERS];
+    int count;
+} Outputs;
+
+/* The stage of a folder; NULL, and *why. */
+Stage *outputs_open(Outputs *outputs, const char *folder, unsigned how, const char **why);
+/* NULL, or why not. A file is replaced by an equal one, too. */
+const char *outputs_put(Outputs *outputs, const char *path, const void *bytes, size_t size);
+const char *outputs_commit(Outputs *outputs);
+void outputs_close(Outputs *outputs);
+/* All that with one file. */
+const char *output_write(const char *path, const void *bytes, size_t size);
+/* A texture as a KTX 1 file (row 0 is v = 0), from malloc. */
+char *output_ktx(const MatcTexture *texture, size_t *size);
+#endif

@@ -1,0 +1,331 @@
+/* What has changed is decided by looking at the files; the system's notices (inotify, of the files' folders, since editors rename
+ * over files) only say when to look, and that a file was written which looks as before. Every second all are looked at anyway:
+ * notices do not come over networks, through links, or when a folder further up is moved. */
+#include "compiler/tool/watch.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/inotify.h>
+#endif
+
+enum {
+    QUIET_MS = 50,    /* without a change end a row of changes */
+    ROW_MS = 1000,    /* a row that does not end is reported after so long */
+    POLL_MS = 200,    /* between looks without notices */
+    LOOK_MS = 1000,   /* between looks with notices */
+    CLOCK_MS = 20,    /* by which a file's time may be behind the clock */
+    NOTICES = 1 << 14 /* bytes read at once */
+};
+
+/* What a file looks like from outside. */
+typedef struct {
+    bool exists;
+    mode_t mode;
+    dev_t device;
+    ino_t inode;
+    off_t size;
+    struct timespec modified;
+} Look;
+
+typedef struct {
+    char *path;
+    const char *name; /* the last part of the path */
+    int notices;      /* number of the folder's notices, -1: none */
+    Look look;        /* when it was last reported, or set */
+    bool dirty;       /* changed since then */
+    bool changed;     /* reported by the last watch_wait */
+} File;
+
+struct Watch {
+    File *files;
+    int count;
+    int notices; /* inotify's descriptor; -1: none */
+    bool poll_only;
+    struct timespec since; /* real time when the last watch_wait ended */
+};
+
+static Look look_at(const char *path)
+{
+    struct stat info;
+    if (stat(path, &info))
+        return (Look){0};
+    return (Look){true, info.st_mode, info.st_dev, info.st_ino, info.st_size, info.st_mtim};
+}
+
+static bool same_look(const Look *a, const Look *b)
+{
+    return a->exists == b->exists && a->mode == b->mode && a->device == b->device && a->inode == b->inode &&
+           a->size == b->size && a->modified.tv_sec == b->modified.tv_sec && a->modified.tv_nsec == b->modified.tv_nsec;
+}
+
+static long milliseconds_from(const struct timespec *a, const struct timespec *b)
+{
+    return (long)(b->tv_sec - a->tv_sec) * 1000 + (b->tv_nsec - a->tv_nsec) / 1000000;
+}
+
+static long milliseconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return milliseconds_from(&(struct timespec){0}, &now);
+}
+
+#ifdef __linux__
+/* Asks for notices of a folder, or of the nearest one above it that is there. -1: none to be had. */
+static int ask_for_folder(int notices, char *folder)
+{
+    const uint32_t what = IN_ONLYDIR | IN_CLOSE_WRITE | IN_MODIFY | IN_ATTRIB | IN_CREATE | IN_DELETE | IN_MOVED_FROM |
+                          IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
+    for (;;) {
+        int number = inotify_add_watch(notices, *folder ? folder : ".", what);
+        if (number >= 0 || (errno != ENOENT && errno != ENOTDIR) || !*folder || !strcmp(folder, "/"))
+            return number;
+        char *slash = strrchr(folder, '/');
+        if (!slash)
+            *folder = 0;
+        else
+            slash[slash == folder] = 0;
+    }
+}
+
+/* Asks anew for all. Where one cannot be had, there are none at all: files are then looked at more often. */
+static void ask(Watch *watch)
+{
+    if (watch->notices >= 0)
+        close(watch->notices);
+    watch->notices = watch->poll_only ? -1 : inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    for (int i = 0; i < watch->count && watch->notices >= 0; i++) {
+        File *file = &watch->files[i];
+        size_t size = (size_t)(file->name - file->path);
+        char *folder = malloc(size + 1);
+        if (!folder)
+            abort();
+        memcpy(folder, file->path, size);
+        folder[size > 1 ? size - 1 : size] = 0; /* "/" stays */
+        file->notices = ask_for_folder(watch->notices, folder);
+        free(folder);
+        if (file->notices < 0) {
+            close(watch->notices);
+            watch->notices = -1;
+        }
+    }
+}
+
+/* A file that was written may look as before: of the same size, within the same tick of the clock. */
+static void mark_written(Watch *watch, const struct inotify_event *notice)
+{
+    if (!notice->len || !(notice->mask & (IN_MODIFY | IN_MOVED_TO | IN_CREATE)))
+        return;
+    for (int i = 0; i < watch->count; i++)
+        if (watch->files[i].notices == notice->wd && !strcmp(watch->files[i].name, notice->name))
+            watch->files[i].dirty = true;
+}
+
+/* Reads what notices there are. */
+static void read_notices(Watch *watch)
+{
+    _Alignas(struct inotify_event) char bytes[NOTICES];
+    bool folders = false;
+    for (ssize_t size; watch->notices >= 0 && (size = read(watch->notices, bytes, sizeof bytes)) > 0;)
+        for (char *at = bytes; at < bytes + size;) {
+            const struct inotify_event *notice = (const void *)at;
+            folders |= notice->mask & (IN_ISDIR | IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_UNMOUNT);
+            mark_written(watch, notice);
+            at += sizeof *notice + notice->len;
+        }
+    if (folders)
+        ask(watch);
+}
+#else
+static void ask(Watch *watch) { watch->notices = -1; }
+static void read_notices(Watch *watch) { (void)watch; }
+#endif
+
+/* Looks at all files; true if any looks otherwise than at the look before. */
+static bool look(Watch *watch)
+{
+    bool news = false;
+    for (int i = 0; i < watch->count; i++) {
+        File *file = &watch->files[i];
+        const Look now = look_at(file->path);
+        if (same_look(&now, &file->look))
+            continue;
+        file->look = now;
+        file->dirty = news = true;
+    }
+    return news;
+}
+
+static bool any_dirty(const Watch *watch)
+{
+    for (int i = 0; i < watch->count; i++)
+        if (watch->files[i].dirty)
+            return true;
+    return false;
+}
+
+void watch_list_add(WatchList *list, const char *file)
+{
+    if (list->count == list->room) {
+        list->room = list->room ? 2 * list->room : 64;
+        list->at = realloc(list->at, (size_t)list->room * sizeof *list->at);
+        if (!list->at)
+            abort();
+    }
+    list->at[list->count] = strdup(file);
+    if (!list->at[list->count++])
+        abort();
+}
+
+void watch_list_free(WatchList *list)
+{
+    for (int i = 0; i < list->count; i++)
+        free(list->at[i]);
+    free(list->at);
+    *list = (WatchList){0};
+}
+
+Watch *watch_open(void)
+{
+    Watch *watch = calloc(1, sizeof *watch);
+    if (!watch)
+        abort();
+    watch->notices = -1;
+    clock_gettime(CLOCK_REALTIME, &watch->since);
+    return watch;
+}
+
+void watch_poll_only(Watch *watch)
+{
+    watch->poll_only = true;
+    ask(watch);
+}
+
+static void free_files(File *files, int count)
+{
+    for (int i = 0; i < count; i++)
+        free(files[i].path);
+    free(files);
+}
+
+static int by_path(const void *a, const void *b)
+{
+    return strcmp((*(const File *const *)a)->path, (*(const File *const *)b)->path);
+}
+
+/* The files by their paths, to be searched; from malloc. */
+static const File **sorted_files(const Watch *watch)
+{
+    const File **sorted = malloc(((size_t)watch->count + 1) * sizeof *sorted);
+    if (!sorted)
+        abort();
+    for (int i = 0; i < watch->count; i++)
+        sorted[i] = &watch->files[i];
+    qsort(sorted, (size_t)watch->count, sizeof *sorted, by_path);
+    return sorted;
+}
+
+/* A file of which nothing was known. */
+static void begin_file(const Watch *watch, File *file)
+{
+    file->look = look_at(file->path);
+    file->dirty = file->look.exists && milliseconds_from(&watch->since, &file->look.modified) > -CLOCK_MS;
+}
+
+void watch_set(Watch *watch, const char *const *paths, int count)
+{
+    File *files = calloc((size_t)count + 1, sizeof *files);
+    const File **old = sorted_files(watch);
+    if (!files)
+        abort();
+    for (int i = 0; i < count; i++) {
+        File *file = &files[i], *key = file;
+        file->path = strdup(paths[i]);
+        if (!file->path)
+            abort();
+        const char *slash = strrchr(file->path, '/');
+        file->name = slash ? slash + 1 : file->path;
+        file->notices = -1;
+        const File *const *known = bsearch(&key, old, (size_t)watch->count, sizeof *old, by_path);
+        if (known) {
+            file->look = (*known)->look;
+            file->dirty = (*known)->dirty;
+        } else {
+            begin_file(watch, file);
+        }
+    }
+    free(old);
+    free_files(watch->files, watch->count);
+    watch->files = files;
+    watch->count = count;
+    ask(watch);
+}
+
+/* Sleeps until there are notices, or the time is over. False: a signal came. */
+static bool sleep_for(Watch *watch, long ms)
+{
+    struct pollfd notices = {.fd = watch->notices, .events = POLLIN};
+    bool fine = poll(&notices, watch->notices >= 0, (int)ms) >= 0 || errno != EINTR;
+    if (fine)
+        read_notices(watch);
+    return fine;
+}
+
+/* Files have changed: waits until they are left alone. */
+static void wait_for_quiet(Watch *watch)
+{
+    const long begin = milliseconds_now();
+    for (long last = begin, now = begin; now - last < QUIET_MS && now - begin < ROW_MS; now = milliseconds_now()) {
+        if (!sleep_for(watch, QUIET_MS - (now - last)))
+            return;
+        if (look(watch))
+            last = milliseconds_now();
+    }
+}
+
+static int report(Watch *watch)
+{
+    int count = 0;
+    for (int i = 0; i < watch->count; i++) {
+        File *file = &watch->files[i];
+        count += file->changed = file->dirty;
+        file->dirty = false;
+    }
+    clock_gettime(CLOCK_REALTIME, &watch->since);
+    return count;
+}
+
+int watch_wait(Watch *watch, int timeout_ms)
+{
+    const long end = timeout_ms < 0 ? LONG_MAX : milliseconds_now() + timeout_ms;
+    for (;;) {
+        look(watch);
+        if (any_dirty(watch)) {
+            wait_for_quiet(watch);
+            return report(watch);
+        }
+        long left = end - milliseconds_now(), most = watch->notices < 0 ? POLL_MS : LOOK_MS;
+        if (left <= 0 || !sleep_for(watch, left < most ? left : most))
+            return report(watch);
+    }
+}
+
+bool watch_changed(const Watch *watch, int file) { return file < watch->count && watch->files[file].changed; }
+
+void watch_close(Watch *watch)
+{
+    if (!watch)
+        return;
+    free_files(watch->files, watch->count);
+    if (watch->notices >= 0)
+        close(watch->notices);
+    free(watch);
+}

@@ -1,0 +1,120 @@
+/* Pictures and reliefs, semantics.md 2.2. Arguments: the texture's index, u, v, and its size, which the texture itself knows. */
+#include "runtime/library/reference.h"
+#include <stddef.h>
+
+enum { LANES = 4 };
+
+static const ReferenceTexture *texture_of(const void *context, double index)
+{
+    return &((const ReferenceContext *)context)->textures[(int)index];
+}
+
+/* A whole number as an index below size; a coordinate that is not finite has none, and 0 keeps the cast defined. */
+static int repeat(double whole, int size)
+{
+    double wrapped = whole - size * floor(whole / size);
+    return wrapped >= 0 && wrapped < size ? (int)wrapped : 0;
+}
+
+/* A texel as OpenGL reads it: the lanes that a texture of one lane lacks are 0, 0, 1. */
+static void texel(const ReferenceTexture *texture, double column, double row, double result[LANES])
+{
+    size_t at = (size_t)repeat(row, texture->height) * (size_t)texture->width + (size_t)repeat(column, texture->width);
+    for (int lane = 0; lane < LANES; lane++) {
+        size_t number = at * (size_t)texture->lanes + (size_t)lane;
+        if (lane >= texture->lanes)
+            result[lane] = lane == LANES - 1;
+        else
+            result[lane] = texture->bytes ? texture->bytes[number] / 255. : (double)texture->floats[number];
+    }
+}
+
+static double blend(double a, double b, double t) { return a * (1 - t) + b * t; }
+
+/* The texels from (column, row) on, mixed. The weights may be negative. */
+static void mixed(const ReferenceTexture *texture, const double at[2], const double weight[2], double result[LANES])
+{
+    double corner[4][LANES];
+    for (int i = 0; i < 4; i++)
+        texel(texture, at[0] + (i & 1), at[1] + (i >> 1), corner[i]);
+    for (int lane = 0; lane < LANES; lane++)
+        result[lane] = blend(blend(corner[0][lane], corner[1][lane], weight[0]),
+                             blend(corner[2][lane], corner[3][lane], weight[0]), weight[1]);
+}
+
+REFERENCE(imageNearest)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    /* The fraction of a tiny negative number rounds to 1, which belongs to the last texel. */
+    double column = fmin(floor(fraction(args[1]) * texture->width), texture->width - 1);
+    double row = fmin(floor(fraction(args[2]) * texture->height), texture->height - 1);
+    texel(texture, column, row, result);
+}
+
+REFERENCE(imageBilinear)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    const double at[2] = {fraction(args[1]) * texture->width, fraction(args[2]) * texture->height};
+    const double low[2] = {floor(at[0]), floor(at[1])};
+    const double weight[2] = {at[0] - low[0], at[1] - low[1]};
+    mixed(texture, low, weight, result);
+}
+
+REFERENCE(carpenterRelief)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    /* Whole turns go first, as the product of a great coordinate and the size has no digits left for the weight. */
+    const double at[2] = {(args[1] - trunc(args[1])) * texture->width, (args[2] - trunc(args[2])) * texture->height};
+    const double low[2] = {trunc(at[0]), trunc(at[1])};
+    const double weight[2] = {at[0] - low[0], at[1] - low[1]};
+    double lanes[LANES];
+    mixed(texture, low, weight, lanes);
+    result[0] = lanes[0];
+}
+
+/* How the mix of four texels changes with its weights, each moving by `rate`. */
+static void mixed_along(const ReferenceTexture *texture, const double at[2], const double weight[2],
+                        const double rate[2], double result[LANES])
+{
+    double corner[4][LANES];
+    for (int i = 0; i < 4; i++)
+        texel(texture, at[0] + (i & 1), at[1] + (i >> 1), corner[i]);
+    for (int lane = 0; lane < LANES; lane++) {
+        double by_u = blend(corner[1][lane] - corner[0][lane], corner[3][lane] - corner[2][lane], weight[1]);
+        double by_v = blend(corner[2][lane] - corner[0][lane], corner[3][lane] - corner[1][lane], weight[0]);
+        result[lane] = by_u * rate[0] + by_v * rate[1];
+    }
+}
+
+REFERENCE(imageAlong)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    const double at[2] = {fraction(args[1]) * texture->width, fraction(args[2]) * texture->height};
+    const double low[2] = {floor(at[0]), floor(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
+    mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, result);
+}
+
+REFERENCE(reliefAlong)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    const double at[2] = {(args[1] - trunc(args[1])) * texture->width, (args[2] - trunc(args[2])) * texture->height};
+    const double low[2] = {trunc(at[0]), trunc(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
+    double lanes[LANES];
+    mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, lanes);
+    result[0] = lanes[0];
+}
+
+/* The mean of samples over the footprint. */
+REFERENCE(imageFiltered)
+{
+    enum { SIDE = 16 };
+    for (int lane = 0; lane < LANES; lane++)
+        result[lane] = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[LANES];
+        double at[5] = {args[0], args[1] + a * args[5] + b * args[7], args[2] + a * args[6] + b * args[8]};
+        reference_imageBilinear(context, at, sample);
+        for (int lane = 0; lane < LANES; lane++)
+            result[lane] += sample[lane] / (SIDE * SIDE);
+    }
+}
