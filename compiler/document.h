@@ -7,7 +7,7 @@
 struct MatcDocument {
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     Tree *tree;
     Graph *graph; /* NULL: faults */
 };
@@ -17,9 +17,9 @@ typedef struct {
     locale_t ours, before;
 } Locale;
 /* Diagnostics of `c` are about places in the document. */
-void document_lend(const MatcDocument *document, Compile *c);
+void document_lend(const MatcDocument *document, Session *session);
 Locale locale_enter(void);
 void locale_leave(Locale locale);
 /* A compilation by these options, which outlive it. */
-Compile compile_with(const MatcOptions *options, Arena *arena);
+Session compile_with(const MatcOptions *options, Arena *arena);
 #endif

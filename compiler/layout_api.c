@@ -14,13 +14,13 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
         abort();
     Locale locale = locale_enter();
     layout->options = options_whole(options);
-    Compile *c = &layout->c;
-    *c = (Compile){.options = &layout->options, .arena = &layout->arena};
-    Source source = {arena_string(c->arena, name, strlen(name)), arena_string(c->arena, text, size), size};
-    ARENA_PUSH(c->arena, c->sources, c->source_count, c->source_room, source);
-    const Tree *tree = read_document(c, 0);
-    const LayoutRow *row = tree ? layout_read(c, tree) : NULL;
-    layout->row = c->diags.errors ? NULL : row;
+    Session *session = &layout->session;
+    *session = (Session){.options = &layout->options, .arena = &layout->arena};
+    Source source = {arena_string(session->arena, name, strlen(name)), arena_string(session->arena, text, size), size};
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    const Tree *tree = read_document(session, 0);
+    const LayoutRow *row = tree ? layout_read(session, tree) : NULL;
+    layout->row = session->diags.errors ? NULL : row;
     if (layout->row)
         layout_describe(layout);
     locale_leave(locale);
@@ -45,7 +45,7 @@ void matc_layout_free(MatcLayout *layout)
 }
 
 bool matc_layout_ok(const MatcLayout *layout) { return layout->row != NULL; }
-const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form) { return diag_all(&layout->c, form); }
+const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form) { return diag_all(&layout->session, form); }
 const char *matc_layout_name(const MatcLayout *layout) { return layout->row ? layout->row->name : NULL; }
 int matc_layout_bytes(const MatcLayout *layout) { return layout->row ? layout_bytes(layout->row) : 0; }
 const char *matc_layout_text(const MatcLayout *layout) { return layout->text; }

@@ -23,9 +23,9 @@ void locale_leave(Locale l)
     freelocale(l.ours);
 }
 
-Compile compile_with(const MatcOptions *options, Arena *arena)
+Session compile_with(const MatcOptions *options, Arena *arena)
 {
-    return (Compile){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
+    return (Session){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
 }
 
 const char *matc_version(void) { return MATC_VERSION; }
@@ -37,22 +37,22 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
         abort();
     Locale locale = locale_enter();
     d->options = options_whole(options);
-    d->c = compile_with(&d->options, &d->arena);
-    d->c.measure = d->options.measure;
-    d->c.stage_start = stage_now();
+    d->session = compile_with(&d->options, &d->arena);
+    d->session.measure = d->options.measure;
+    d->session.stage_start = stage_now();
     Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
-    ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
-    depend_on(&d->c, source.name);
-    d->graph = compile_front(&d->c, 0, &d->tree);
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
+    depend_on(&d->session, source.name);
+    d->graph = compile_front(&d->session, 0, &d->tree);
     locale_leave(locale);
     return d;
 }
 
-void document_lend(const MatcDocument *d, Compile *c)
+void document_lend(const MatcDocument *d, Session *session)
 {
-    c->sources = d->c.sources;
-    c->source_count = d->c.source_count;
-    c->depends = d->c.depends;
+    session->sources = d->session.sources;
+    session->source_count = d->session.source_count;
+    session->depends = d->session.depends;
 }
 
 void matc_document_free(MatcDocument *d)
@@ -74,9 +74,9 @@ int matc_material_find(const MatcDocument *d, const char *name)
     return -1;
 }
 
-int matc_depend_count(const MatcDocument *d) { return (int)d->c.depends.count; }
-const char *matc_depend(const MatcDocument *d, int index) { return d->c.depends.at[index]; }
-int matc_error_count(const MatcDocument *d) { return d->c.diags.errors; }
+int matc_depend_count(const MatcDocument *d) { return (int)d->session.depends.count; }
+const char *matc_depend(const MatcDocument *d, int index) { return d->session.depends.at[index]; }
+int matc_error_count(const MatcDocument *d) { return d->session.diags.errors; }
 
 const char *matc_tree_text(MatcDocument *d)
 {
@@ -87,7 +87,7 @@ const char *matc_tree_text(MatcDocument *d)
     return out.at;
 }
 
-const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return diag_all(&d->c, form); }
+const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return diag_all(&d->session, form); }
 
 /* "u=0.3 v=0.4 front=0" */
 static const char *read_point(Surface *surface, const char *point)

@@ -14,7 +14,7 @@ enum { OUTPUT_COUNT = 10 }; /* bits of MatcOutput */
 struct MatcProgram {
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     const MatcDocument *document;
     int material;
     Job job;
@@ -58,7 +58,7 @@ static Opacity find_opacity(const MatcProgram *p)
     transparency.from_buffer = false;
     options.member_count = 0;
     options.optimize = 2;
-    Compile quiet = compile_with(&options, &arena);
+    Session quiet = compile_with(&options, &arena);
     const Ir *ir = compile_ir(&quiet, graph, graph->materials[p->material].node, &transparency);
     if (ir && ir_is(ir, ir->outputs[0].value, OP_const)) {
         const double *t = ir_numbers(ir, ir->outputs[0].value);
@@ -80,24 +80,24 @@ const char *matc_opacity(MatcProgram *p)
     return names[p->ir->opacity];
 }
 
-static void print_stats(Text *out, const Compile *c, const char *heading)
+static void print_stats(Text *out, const Session *session, const char *heading)
 {
     double total = 0;
     text_format(out, "%-10s %12s %8s %13s\n", heading, "microseconds", "nodes", "instructions");
-    for (size_t i = 0; i < c->stat_count; i++) {
-        const StageStats *s = &c->stats[i];
+    for (size_t i = 0; i < session->stat_count; i++) {
+        const StageStats *s = &session->stats[i];
         total += s->seconds;
         text_format(out, "%-10s %12.1f", s->name, s->seconds * 1e6);
         text_format(out, s->nodes ? " %8d %13d\n" : "\n", s->nodes, s->cost);
     }
-    text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, c->arena->used / 1024);
+    text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, session->arena->used / 1024);
 }
 
 static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *job)
 {
     Text out = text_new(&p->arena);
-    print_stats(&out, &d->c, "document");
-    print_stats(&out, &p->c, "program");
+    print_stats(&out, &d->session, "document");
+    print_stats(&out, &p->session, "program");
     choices_explain(&out, &p->options, job);
     size_t lines = 0;
     for (const char *c = p->products.fragment; *c; c++)
@@ -109,21 +109,21 @@ static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *
 
 static void fill_outputs(MatcProgram *p, unsigned outputs)
 {
-    Compile *c = &p->c;
+    Session *session = &p->session;
     const NamedMaterial *named = &p->document->graph->materials[p->material];
     Text ir = text_new(&p->arena), dot = text_new(&p->arena);
     Products *made = &p->products;
     if (!made->vertex && outputs & MATC_VERTEX)
-        made->vertex = emit_vertex(c, &p->job, &made->interface);
+        made->vertex = emit_vertex(session, &p->job, &made->interface);
     keep(p, MATC_FRAGMENT, made->fragment, made->fragment_size);
     keep(p, MATC_VERTEX, made->vertex, made->vertex ? strlen(made->vertex) : 0);
     if (outputs & MATC_UNPACK) {
-        const char *unpack = emit_unpack(c, &p->job);
+        const char *unpack = emit_unpack(session, &p->job);
         keep(p, MATC_UNPACK, unpack, strlen(unpack));
     }
     if (outputs & MATC_REFLECT) {
         const char *json =
-            emit_reflection(c, p->ir, &p->job, &made->interface, named->name, matc_opacity(p), made->fragment);
+            emit_reflection(session, p->ir, &p->job, &made->interface, named->name, matc_opacity(p), made->fragment);
         keep(p, MATC_REFLECT, json, strlen(json));
     }
     if (outputs & MATC_IR) {
@@ -156,12 +156,12 @@ static bool fill_spirv(MatcProgram *p)
     vulkan.target = TARGET_spirv;
     if (p->job.target != TARGET_spirv) {
         Interface interface;
-        Ir *ir = compile_ir(&p->c, p->document->graph, material_of(p), &vulkan);
-        fragment = ir ? emit_fragment(&p->c, ir, &vulkan, &interface, &size) : NULL;
+        Ir *ir = compile_ir(&p->session, p->document->graph, material_of(p), &vulkan);
+        fragment = ir ? emit_fragment(&p->session, ir, &vulkan, &interface, &size) : NULL;
     }
-    const char *words = fragment ? make_spirv(&p->c, fragment, &size, &log) : NULL;
+    const char *words = fragment ? make_spirv(&p->session, fragment, &size, &log) : NULL;
     if (!words)
-        diag_add(&p->c, NO_SPAN, DIAG_not_valid, target_table[vulkan.target].name, log);
+        diag_add(&p->session, NO_SPAN, DIAG_not_valid, target_table[vulkan.target].name, log);
     keep(p, MATC_SPIRV, words, size);
     return words != NULL;
 }
@@ -198,7 +198,7 @@ static void list_constants(MatcProgram *p)
 static bool compile_program(MatcProgram *p)
 {
     const Graph *graph = p->document->graph;
-    p->ir = compile_ir(&p->c, graph, material_of(p), &p->job);
+    p->ir = compile_ir(&p->session, graph, material_of(p), &p->job);
     if (!p->ir)
         return false;
     if (p->job.pass == PASS_shadow && !p->ir->output_count)
@@ -207,17 +207,17 @@ static bool compile_program(MatcProgram *p)
         p->layout = p->job.layout;
     list_uniforms(p, graph);
     list_constants(p);
-    p->texture_count = texture_list(&p->c, p->ir, NULL, &p->textures, &p->texture_made_by);
+    p->texture_count = texture_list(&p->session, p->ir, NULL, &p->textures, &p->texture_made_by);
     return true;
 }
 
 static bool write_program(MatcProgram *p, unsigned outputs)
 {
-    if (!p->written && !compile_back(&p->c, p->ir, &p->job, &p->products))
+    if (!p->written && !compile_back(&p->session, p->ir, &p->job, &p->products))
         return false;
     p->written = true;
     fill_outputs(p, outputs);
-    p->texture_count = texture_list(&p->c, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
+    p->texture_count = texture_list(&p->session, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
     return !(outputs & MATC_SPIRV) || fill_spirv(p);
 }
 
@@ -230,12 +230,12 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->options = options_whole(options);
     p->document = d;
     p->material = material;
-    p->c = compile_with(&p->options, &p->arena);
-    p->c.measure = (outputs & MATC_STATS) != 0;
-    document_lend(d, &p->c);
-    p->c.stage_start = stage_now();
+    p->session = compile_with(&p->options, &p->arena);
+    p->session.measure = (outputs & MATC_STATS) != 0;
+    document_lend(d, &p->session);
+    p->session.stage_start = stage_now();
     p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(&p->options, &p->job) &&
-            compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->c.diags.errors;
+            compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->session.diags.errors;
     locale_leave(locale);
     return p;
 }
@@ -243,12 +243,12 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
 bool matc_emit(MatcProgram *p, unsigned outputs)
 {
     Locale locale = locale_enter();
-    p->ok = p->ok && write_program(p, outputs) && !p->c.diags.errors;
+    p->ok = p->ok && write_program(p, outputs) && !p->session.diags.errors;
     locale_leave(locale);
     return p->ok;
 }
 
-const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return diag_all(&p->c, form); }
+const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return diag_all(&p->session, form); }
 
 bool matc_ok(const MatcProgram *p) { return p->ok; }
 
@@ -272,7 +272,7 @@ int matc_texture_count(const MatcProgram *p) { return p->texture_count; }
 
 const MatcTexture *matc_texture(MatcProgram *p, int index)
 {
-    texture_fill(&p->c, p->ir, &p->textures[index], p->texture_made_by[index]);
+    texture_fill(&p->session, p->ir, &p->textures[index], p->texture_made_by[index]);
     return &p->textures[index];
 }
 
@@ -300,7 +300,7 @@ static void list_places(MatcProgram *p)
 static const IrKey *key_of(MatcProgram *p)
 {
     if (!p->keyed) {
-        p->key = ir_key(&p->c, p->ir, &p->job);
+        p->key = ir_key(&p->session, p->ir, &p->job);
         key_text(p->key.key, p->key_digits);
         key_text(p->key.shape, p->shape_digits);
         list_places(p);

@@ -119,7 +119,7 @@ static inline void unit3(R *a)
 typedef struct {
     MatcOptions options;
     Arena arena;
-    Compile c;
+    Session session;
     Graph *graph;
     Oracle *oracle;
 } Read;
@@ -129,12 +129,12 @@ static inline void read_open(Read *r, const char *text, ReferenceNoise noise)
     Tree *tree;
     *r = (Read){0};
     matc_options_init(&r->options);
-    r->c = (Compile){.options = &r->options, .arena = &r->arena};
+    r->session = (Session){.options = &r->options, .arena = &r->arena};
     Source source = {"exact.yaml", text, strlen(text)};
-    ARENA_PUSH(&r->arena, r->c.sources, r->c.source_count, r->c.source_room, source);
-    r->graph = compile_front(&r->c, 0, &tree);
-    if (!r->graph || r->c.diags.errors)
-        fail_msg("%s: %s", text, r->c.diags.count ? r->c.diags.at[0].message : "");
+    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room, source);
+    r->graph = compile_front(&r->session, 0, &tree);
+    if (!r->graph || r->session.diags.errors)
+        fail_msg("%s: %s", text, r->session.diags.count ? r->session.diags.at[0].message : "");
     r->oracle = oracle_open(r->graph, &(ReferenceContext){.noise = noise});
 }
 

@@ -6,7 +6,7 @@
 typedef struct {
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     Tree *tree; /* NULL: refused */
 } ReadText;
 
@@ -15,10 +15,10 @@ static inline void read_text(ReadText *r, const char *name, const char *text, si
 {
     *r = (ReadText){0};
     matc_options_init(&r->options);
-    r->c = (Compile){.options = &r->options, .arena = &r->arena};
+    r->session = (Session){.options = &r->options, .arena = &r->arena};
     Source source = {name, text, size};
-    ARENA_PUSH(&r->arena, r->c.sources, r->c.source_count, r->c.source_room, source);
-    r->tree = read_document(&r->c, 0);
+    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room, source);
+    r->tree = read_document(&r->session, 0);
 }
 
 static inline void read_text_done(ReadText *r) { arena_free(&r->arena); }

@@ -254,11 +254,11 @@ static void run_pass(Run *run, const char *name)
     size_t size;
     const char *fault = "no such pass", *base = strrchr(name, '/') + 1;
     Arena arena = {0};
-    Compile c = {.arena = &arena};
+    Session session = {.arena = &arena};
     Graph graph = {0};
     Text out = text_new(&arena);
     char *text = read_whole(name, &size);
-    Ir *ir = ir_read(&c, text, &graph, &fault);
+    Ir *ir = ir_read(&session, text, &graph, &fault);
     for (size_t i = 0; ir && i < sizeof passes / sizeof *passes; i++)
         if (!strncmp(base, passes[i].name, strlen(passes[i].name)))
             passes[i].run(ir);

@@ -25,7 +25,7 @@ typedef struct {
 typedef struct {
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     Graph graph;
     Job job;
     Lower l;
@@ -52,8 +52,8 @@ static void open_trial(Trial *t, uint64_t seed, bool simplify)
     t->options.coordinates = "long";
     t->options.pass = "value";
     assert_null(job_of(&t->options, &t->job));
-    t->c = (Compile){.options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
-    t->l = (Lower){.c = &t->c, .graph = &t->graph, .ir = ir_new(&t->c, &t->graph), .job = &t->job};
+    t->session = (Session){.options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
+    t->l = (Lower){.session = &t->session, .graph = &t->graph, .ir = ir_new(&t->session, &t->graph), .job = &t->job};
     t->l.ir->simplify = simplify ? opt_simplify : NULL;
     t->value = ir_input(t->l.ir, INPUT_X);
     for (int i = 0; i < LANES; i++)

@@ -53,7 +53,7 @@ typedef struct {
     const Area *row;
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     const Ir *ir[AA_COUNT];
     ReferenceTexture textures[AA_COUNT][EVALUATE_TEXTURES];
     uint64_t state;
@@ -76,17 +76,17 @@ static void open_map(Test *t)
     t->options.read_file = generate_file;
     t->options.pass = "value";
     t->options.slot = t->row->slot;
-    t->c = (Compile){.options = &t->options, .arena = &t->arena, .optimize = 2, .check = true};
+    t->session = (Session){.options = &t->options, .arena = &t->arena, .optimize = 2, .check = true};
     Source source = {"area.yaml", text, (size_t)size};
-    ARENA_PUSH(&t->arena, t->c.sources, t->c.source_count, t->c.source_room, source);
-    Graph *graph = compile_front(&t->c, 0, &tree);
-    if (!graph || t->c.diags.errors)
-        fail_msg("%s\n%s", text, t->c.diags.count ? t->c.diags.at[0].message : "");
+    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room, source);
+    Graph *graph = compile_front(&t->session, 0, &tree);
+    if (!graph || t->session.diags.errors)
+        fail_msg("%s\n%s", text, t->session.diags.count ? t->session.diags.at[0].message : "");
     for (int i = 0; i < AA_COUNT; i++) {
         Job job;
         t->options.aa = aa_names[i];
         assert_null(job_of(&t->options, &job));
-        t->ir[i] = compile_ir(&t->c, graph, graph->materials[0].node, &job);
+        t->ir[i] = compile_ir(&t->session, graph, graph->materials[0].node, &job);
         assert_non_null(t->ir[i]);
         assert_true(evaluate_textures(&t->arena, t->ir[i], t->textures[i]));
     }

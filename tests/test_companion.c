@@ -32,10 +32,10 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
     bool old = target == TARGET_glsl110;
     matc_options_init(&options);
     options.target = target_table[target].name;
-    Compile c = {.options = &options, .arena = &arena};
+    Session session = {.options = &options, .arena = &arena};
     assert_null(job_of(&options, &job));
     job.layout = layout;
-    const char *unpack = emit_unpack(&c, &job);
+    const char *unpack = emit_unpack(&session, &job);
     Text text = text_new(&arena);
     text_format(&text, "#version %s\n%s", target_table[target].version, unpack);
     text_format(&text, "%svoid main() {\n    Surface s = unpackSurface(%s);\n    float sum = 0.0;\n",
@@ -47,7 +47,7 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
         if (layout_has_slot(layout, (Slot)slot))
             text_format(&text, "    sum += length(s.%s);\n", slot_table[slot].name);
     text_format(&text, "    %s = vec4(sum);\n}\n", old ? "gl_FragColor" : "color");
-    bool fine = validate(&c, target, vertex, text.at, 0, &log);
+    bool fine = validate(&session, target, vertex, text.at, 0, &log);
     if (!fine)
         print_error("%s, %s: %s\n%s", layout->name, target_table[target].name, log, text.at);
     arena_free(&arena);
@@ -172,13 +172,13 @@ static void vertex_programs_are_whole(void **state)
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
     for (int i = 0; i < TARGET_COUNT * PASS_COUNT; i++) {
         Arena arena = {0};
-        Compile c = {.options = &options, .arena = &arena};
+        Session session = {.options = &options, .arena = &arena};
         const char *log = NULL;
         options.target = target_table[i % TARGET_COUNT].name;
         options.pass = pass_table[i / TARGET_COUNT].name;
         MatcProgram *program = matc_compile(document, 0, MATC_VERTEX, &options);
         const char *vertex = matc_output(program, MATC_VERTEX, NULL);
-        if (!vertex || !validate(&c, (Target)(i % TARGET_COUNT), vertex, NULL, 0, &log))
+        if (!vertex || !validate(&session, (Target)(i % TARGET_COUNT), vertex, NULL, 0, &log))
             fail_msg("%s, %s: %s\n%s", options.target, options.pass, log ? log : "none", vertex ? vertex : "");
         matc_program_free(program);
         arena_free(&arena);

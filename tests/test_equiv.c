@@ -81,14 +81,14 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
     arena_free(&arena);
 }
 
-static void check_text(Test *t, int material, Slot slot, Compile *c, const Ir *ir)
+static void check_text(Test *t, int material, Slot slot, Session *session, const Ir *ir)
 {
     const char *why = ir_check(ir), *wrong = "";
-    Text first = text_new(c->arena), second = text_new(c->arena);
+    Text first = text_new(session->arena), second = text_new(session->arena);
     if (why)
         fault(t, material, slot, "ir_check: %s", why);
     ir_print(&first, ir);
-    const Ir *back = ir_read(c, first.at, t->document.graph, &wrong);
+    const Ir *back = ir_read(session, first.at, t->document.graph, &wrong);
     if (!back) {
         fault(t, material, slot, "ir_read: %s", wrong);
         return;
@@ -102,14 +102,14 @@ static void check_slot(Test *t, int material, Slot slot)
 {
     for (int level = 0; level <= 2; level += 2) {
         Arena arena = {0};
-        Compile c = {.options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
+        Session session = {.options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
         Job job;
         job_of(&(MatcOptions){.pass = "value"}, &job);
         job.slot = slot;
-        const Ir *ir = compile_ir(&c, t->document.graph, t->document.graph->materials[material].node, &job);
+        const Ir *ir = compile_ir(&session, t->document.graph, t->document.graph->materials[material].node, &job);
         if (ir) {
             check_values(t, material, slot, level, ir);
-            check_text(t, material, slot, &c, ir);
+            check_text(t, material, slot, &session, ir);
         } else {
             fault(t, material, slot, "-O%d: no IR", level);
         }
@@ -173,11 +173,11 @@ static void a_blend_at_an_items_value_is_that_item(void **state)
         fail_msg("%s", document_fault(&d));
     for (int level = 0; level <= 2; level += 2) {
         Arena arena = {0};
-        Compile c = {.options = &d.options, .arena = &arena, .optimize = level, .check = true};
+        Session session = {.options = &d.options, .arena = &arena, .optimize = level, .check = true};
         Job job;
         job_of(&(MatcOptions){.pass = "value"}, &job);
         job.slot = SLOT_emissive;
-        const Ir *ir = compile_ir(&c, d.graph, d.graph->materials[0].node, &job);
+        const Ir *ir = compile_ir(&session, d.graph, d.graph->materials[0].node, &job);
         ReferenceContext context = {.noise = ir->noise};
         for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
             double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];

@@ -136,7 +136,7 @@ static bool says(const char *fault, const char *wanted)
 static int check(const Case *c)
 {
     Arena arena = {0};
-    Compile compile = {.arena = &arena};
+    Session compile = {.arena = &arena};
     Graph graph = {0};
     const char *fault = NULL;
     Ir *ir = ir_read(&compile, c->text, &graph, &fault);

@@ -157,9 +157,9 @@ static void test_refused(void **state)
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
         ReadText r;
         read_text(&r, "a.json", refused[i].text, refused[i].size);
-        if (r.tree || r.c.diags.errors != 1 || r.c.diags.at[0].span.start != refused[i].at)
-            fail_msg("%s: %d errors, at %u for %u", refused[i].text, r.c.diags.errors,
-                     r.c.diags.count ? r.c.diags.at[0].span.start : 0, refused[i].at);
+        if (r.tree || r.session.diags.errors != 1 || r.session.diags.at[0].span.start != refused[i].at)
+            fail_msg("%s: %d errors, at %u for %u", refused[i].text, r.session.diags.errors,
+                     r.session.diags.count ? r.session.diags.at[0].span.start : 0, refused[i].at);
         if (cjson_accepts(refused[i].text, refused[i].size) != (refused[i].cjson == ACCEPTS))
             fail_msg("%s: cJSON's verdict is another", refused[i].text);
         read_text_done(&r);
@@ -172,8 +172,9 @@ static void test_accepted(void **state)
     for (size_t i = 0; i < sizeof accepted / sizeof *accepted; i++) {
         ReadText r;
         read_text(&r, "a.json", accepted[i].text, accepted[i].size);
-        if (!r.tree || r.c.diags.count || r.tree->kind != TREE_list || r.tree->count != 1)
-            fail_msg("%s: refused: %s", accepted[i].text, r.c.diags.count ? r.c.diags.at[0].message : "no list");
+        if (!r.tree || r.session.diags.count || r.tree->kind != TREE_list || r.tree->count != 1)
+            fail_msg("%s: refused: %s", accepted[i].text,
+                     r.session.diags.count ? r.session.diags.at[0].message : "no list");
         const Tree *value = r.tree->items[0];
         if (value->kind != TREE_scalar || value->plain != accepted[i].plain || value->count != accepted[i].value_size ||
             memcmp(value->text, accepted[i].value, value->count + 1) != 0)
@@ -197,9 +198,9 @@ static void test_zero_bytes(void **state)
     assert_memory_equal(r.tree->members[2].key, "a\0c", 4);
     assert_int_equal(r.tree->members[2].value->count, 3);
     assert_ptr_equal(tree_find(r.tree, "a"), &r.tree->members[0]);
-    assert_int_equal(r.c.diags.errors, 1);
-    assert_int_equal(r.c.diags.at[0].kind, DIAG_zero_byte);
-    assert_int_equal(r.c.diags.at[0].span.start, strchr(text, '\\') - 2 - text);
+    assert_int_equal(r.session.diags.errors, 1);
+    assert_int_equal(r.session.diags.at[0].kind, DIAG_zero_byte);
+    assert_int_equal(r.session.diags.at[0].span.start, strchr(text, '\\') - 2 - text);
     read_text_done(&r);
 }
 
@@ -219,7 +220,7 @@ static void test_long(void **state)
     text_put(&text, "}");
     read_text(&r, "a.json", text.at, text.size);
     assert_non_null(r.tree);
-    assert_int_equal(r.c.diags.count, 0);
+    assert_int_equal(r.session.diags.count, 0);
     assert_int_equal(r.tree->members[0].size, LONG_KEY);
     double number;
     assert_true(tree_number(r.tree->members[0].value, &number));
@@ -254,10 +255,10 @@ static void test_duplicates(void **state)
     ReadText r;
     static const char text[] = "{\"ab\": 1, \"b\": 2, \"\\u0061b\": 3}";
     read_text(&r, "a.json", text, sizeof text - 1);
-    assert_int_equal(r.c.diags.count, 2);
-    assert_int_equal(r.c.diags.at[0].kind, DIAG_duplicate_key);
-    assert_int_equal(r.c.diags.at[0].span.start, strstr(text, "\"\\u") - text);
-    assert_int_equal(r.c.diags.at[1].span.start, 1);
+    assert_int_equal(r.session.diags.count, 2);
+    assert_int_equal(r.session.diags.at[0].kind, DIAG_duplicate_key);
+    assert_int_equal(r.session.diags.at[0].span.start, strstr(text, "\"\\u") - text);
+    assert_int_equal(r.session.diags.at[1].span.start, 1);
     read_text_done(&r);
 }
 
@@ -270,7 +271,7 @@ static void check_depth(int depth, bool fine)
     read_text(&r, "a.json", text, 2 * (size_t)depth);
     assert_int_equal(r.tree != NULL, fine);
     if (!fine)
-        assert_int_equal(r.c.diags.at[0].span.start, LIMIT_DEPTH + 1);
+        assert_int_equal(r.session.diags.at[0].span.start, LIMIT_DEPTH + 1);
     read_text_done(&r);
     free(text);
 }

@@ -63,14 +63,14 @@ static bool calls(const Ir *ir, int function)
     return false;
 }
 
-static const Ir *compile_long(Document *d, Compile *c)
+static const Ir *compile_long(Document *d, Session *session)
 {
     Job job;
     job_of(&(MatcOptions){.pass = "value", .coordinates = "long"}, &job);
     job.slot = SLOT_diffuse;
-    const Ir *ir = compile_ir(c, d->graph, d->graph->materials[0].node, &job);
+    const Ir *ir = compile_ir(session, d->graph, d->graph->materials[0].node, &job);
     assert_non_null(ir);
-    assert_true(!c->optimize ||
+    assert_true(!session->optimize ||
                 calls(ir, FN_affineFraction)); /* cosines of angles are no numbers before they are folded */
     return ir;
 }
@@ -79,8 +79,8 @@ static const Ir *compile_long(Document *d, Compile *c)
 static double worst_of(Document *d, int level, const Point *points, const Hull *hulls, int count)
 {
     Arena arena = {0};
-    Compile c = {.options = &d->options, .arena = &arena, .optimize = level, .check = true};
-    const Ir *ir = compile_long(d, &c);
+    Session session = {.options = &d->options, .arena = &arena, .optimize = level, .check = true};
+    const Ir *ir = compile_long(d, &session);
     ReferenceContext context = {.noise = ir->noise};
     double worst = 0;
     for (int i = 0; i < count; i++) {

@@ -23,7 +23,7 @@ typedef struct {
 typedef struct {
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     Graph *graph;
     const Ir *ir[2];
     ReferenceTexture textures[2][EVALUATE_TEXTURES];
@@ -36,19 +36,19 @@ static void side_open(Side *s, const char *text, Slot slot)
     matc_options_init(&s->options);
     s->options.pixels = true;
     s->options.read_file = generate_file;
-    s->c = (Compile){.options = &s->options, .arena = &s->arena, .check = true};
+    s->session = (Session){.options = &s->options, .arena = &s->arena, .check = true};
     Source source = {"same.yaml", text, strlen(text)};
-    ARENA_PUSH(&s->arena, s->c.sources, s->c.source_count, s->c.source_room, source);
-    s->graph = compile_front(&s->c, 0, &tree);
-    if (!s->graph || s->c.diags.errors)
-        fail_msg("%s\n%s", text, s->c.diags.count ? s->c.diags.at[0].message : "");
+    ARENA_PUSH(&s->arena, s->session.sources, s->session.source_count, s->session.source_room, source);
+    s->graph = compile_front(&s->session, 0, &tree);
+    if (!s->graph || s->session.diags.errors)
+        fail_msg("%s\n%s", text, s->session.diags.count ? s->session.diags.at[0].message : "");
     Job job;
     job_of(&s->options, &job);
     job.pass = PASS_value;
     job.slot = slot;
     for (int i = 0; i < 2; i++) {
-        s->c.optimize = 2 * i;
-        s->ir[i] = compile_ir(&s->c, s->graph, s->graph->materials[0].node, &job);
+        s->session.optimize = 2 * i;
+        s->ir[i] = compile_ir(&s->session, s->graph, s->graph->materials[0].node, &job);
         assert_non_null(s->ir[i]);
         assert_true(evaluate_textures(&s->arena, s->ir[i], s->textures[i]));
     }

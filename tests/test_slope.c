@@ -109,18 +109,22 @@ static void compare(Test *t, const Node *map, int axis, const Ir *ir, const Refe
 static void check_axis(Test *t, const Node *map, int axis)
 {
     Arena arena = {0};
-    Compile c = {.options = &t->document.options, .arena = &arena, .optimize = 2, .check = true};
+    Session session = {.options = &t->document.options, .arena = &arena, .optimize = 2, .check = true};
     Job job;
     ReferenceTexture textures[EVALUATE_TEXTURES];
     job_of(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &job);
-    Lower l = {.c = &c, .graph = t->document.graph, .ir = ir_new(&c, t->document.graph), .job = &job, .cheap = true};
+    Lower l = {.session = &session,
+               .graph = t->document.graph,
+               .ir = ir_new(&session, t->document.graph),
+               .job = &job,
+               .cheap = true};
     l.uniform_use = ARENA_ARRAY(&arena, uint8_t, l.graph->uniform_count);
     Env env = surface_env(&l);
     Ref height = ir_swizzle(l.ir, ask(&l, map, GROUP_R, &env), "x");
     Ref slope = slope_of(&l, height, axis ? DIRECTION_v : DIRECTION_u);
     ir_output(l.ir, OUT_color, 0, ir_convert(l.ir, slope ? slope : ir_float(l.ir, 0), TYPE_vec4));
     assert_null(ir_check(l.ir));
-    assert_true(optimize(&c, l.ir));
+    assert_true(optimize(&session, l.ir));
     opt_dead(l.ir);
     assert_true(evaluate_textures(&arena, l.ir, textures));
     ReferenceContext context = {l.ir->noise, textures};

@@ -16,7 +16,7 @@ enum { TRIES = 40, OPERANDS = 5, CALLS = 200 };
 
 typedef struct {
     Arena arena;
-    Compile c;
+    Session session;
     Job job;
     Lower l;
     uint64_t random;
@@ -33,9 +33,9 @@ static void begin(Test *t)
 {
     static const Graph none;
     t->arena = (Arena){0};
-    t->c = (Compile){.arena = &t->arena};
+    t->session = (Session){.arena = &t->arena};
     assert_null(job_of(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &t->job));
-    t->l = (Lower){.c = &t->c, .graph = &none, .ir = ir_new(&t->c, &none), .job = &t->job};
+    t->l = (Lower){.session = &t->session, .graph = &none, .ir = ir_new(&t->session, &none), .job = &t->job};
 }
 
 static void end(Test *t)

@@ -44,7 +44,7 @@ typedef struct {
     int cost;         /* their cost in scalar operations */
 } StageStats;
 
-typedef struct Compile {
+typedef struct Session {
     const MatcOptions *options;
     Arena *arena; /* lives as long as the result */
     DiagList diags;
@@ -58,7 +58,7 @@ typedef struct Compile {
     int optimize; /* level of -O */
     bool check;   /* ir_check after every pass */
     bool measure; /* keep statistics of every stage */
-} Compile;
+} Session;
 
 /* What a program is written for. */
 typedef struct {
@@ -72,17 +72,17 @@ typedef struct {
 } Job;
 
 /* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
-void *diag_add(Compile *c, Span span, DiagKind kind, ...);
+void *diag_add(Session *session, Span span, DiagKind kind, ...);
 /* Further ones are only counted. */
-bool diag_full(const Compile *c);
+bool diag_full(const Session *session);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
-const char *diag_all(Compile *c, MatcForm form);
+const char *diag_all(Session *session, MatcForm form);
 /* Marks the end of a stage for --stats. */
-void stage_done(Compile *c, const char *name, int nodes, int cost);
+void stage_done(Session *session, const char *name, int nodes, int cost);
 /* Reads a file through the options' reader; NULL and a message when it cannot. The text is zero-terminated. */
-char *read_file(Compile *c, const char *path, size_t *size, const char **why);
+char *read_file(Session *session, const char *path, size_t *size, const char **why);
 /* Adds a file to the list of what the result depends on, once. */
-void depend_on(Compile *c, const char *path);
+void depend_on(Session *session, const char *path);
 /* `path` as seen from the file `from`: relative paths are relative to its folder. */
-const char *path_beside(Compile *c, const char *from, const char *path);
+const char *path_beside(Session *session, const char *from, const char *path);
 #endif

@@ -64,7 +64,7 @@ static const Chunk *variant(const char *name, int length, const Job *job)
     return chunk ? chunk : find(&variants, "", false);
 }
 
-static bool add(Compile *c, Chunks *chunks, const char *name, int length, const Job *job)
+static bool add(Session *session, Chunks *chunks, const char *name, int length, const Job *job)
 {
     const Chunk *chunk = variant(name, length, job);
     if (!chunk)
@@ -74,16 +74,16 @@ static bool add(Compile *c, Chunks *chunks, const char *name, int length, const 
             return true;
     for (const char *need = chunk->needs; *need;) {
         int size = (int)strcspn(need, " ");
-        if (!add(c, chunks, need, size, job))
+        if (!add(session, chunks, need, size, job))
             return false;
         need += size;
         need += strspn(need, " ");
     }
-    ARENA_PUSH(c->arena, chunks->at, chunks->count, chunks->room, chunk);
+    ARENA_PUSH(session->arena, chunks->at, chunks->count, chunks->room, chunk);
     return true;
 }
 
-bool chunks_add(Compile *c, Chunks *chunks, const char *name, const Job *job)
+bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job)
 {
-    return add(c, chunks, name, (int)strlen(name), job);
+    return add(session, chunks, name, (int)strlen(name), job);
 }

@@ -19,5 +19,5 @@ typedef struct {
 } Chunks;
 
 /* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False if there is none. */
-bool chunks_add(Compile *c, Chunks *chunks, const char *name, const Job *job);
+bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job);
 #endif

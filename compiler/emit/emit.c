@@ -205,9 +205,9 @@ static void put_needed(Scope *e, Text *out, Ref root, int depth)
             put_statement(e, out, ref, depth);
 }
 
-static Scope new_scope(Compile *c, const Ir *ir, const Job *job, Interface *interface, Arena *scratch)
+static Scope new_scope(Session *session, const Ir *ir, const Job *job, Interface *interface, Arena *scratch)
 {
-    Scope e = {.c = c, .ir = ir, .job = job, .interface = interface, .scratch = scratch};
+    Scope e = {.session = session, .ir = ir, .job = job, .interface = interface, .scratch = scratch};
     e.s = schedule_new(ir, scratch);
     e.names = ARENA_ARRAY(scratch, const char *, ir->count);
     e.size = ARENA_ARRAY(scratch, uint16_t, ir->count);
@@ -222,7 +222,7 @@ static void open_scope(Scope *e, const IrFunction *function, const Ref *roots, i
     e->last_hint = -1;
     memset(e->heads, 0, sizeof e->heads);
     memset(e->steps, 0, sizeof e->steps);
-    schedule(&e->s, e->ir, roots, count, e->c->optimize > 0);
+    schedule(&e->s, e->ir, roots, count, e->session->optimize > 0);
     for (size_t i = 0; i < e->s.nodes.count; i++) {
         Ref ref = e->s.nodes.at[i];
         e->names[ref] = NULL;
@@ -251,10 +251,10 @@ static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
 }
 
 /* The sum over the neighbourhood, as a loop that a driver need not unroll. */
-static void put_kernel(Compile *c, Text *out, const Ir *ir, int number)
+static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
 {
     const IrFunction *function = &ir->functions[number];
-    const char *type = type_table[ir_type(ir, function->result)].name, *name = function_name(c, ir, number);
+    const char *type = type_table[ir_type(ir, function->result)].name, *name = function_name(session, ir, number);
     text_format(out, "%s %sSum(", type, name);
     put_parameters(out, ir, function);
     bool scalar = ir_type(ir, function->result) == TYPE_float;
@@ -279,7 +279,7 @@ static void put_function(Scope *e, Text *out, int number)
     const Ir *ir = e->ir;
     const IrFunction *function = &ir->functions[number];
     open_scope(e, function, &function->result, 1);
-    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(e->c, ir, number));
+    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(e->session, ir, number));
     put_parameters(out, ir, function);
     text_put(out, ") {\n");
     put_block(e, out, 0, 1);
@@ -294,7 +294,7 @@ static void put_functions(Scope *e, Text *out)
     for (int f = 0; f < (int)e->ir->function_count; f++) {
         put_function(e, out, f);
         if (summed[f])
-            put_kernel(e->c, out, e->ir, f);
+            put_kernel(e->session, out, e->ir, f);
     }
 }
 
@@ -345,7 +345,7 @@ static void put_main(Scope *e, Text *out)
 {
     const Ir *ir = e->ir;
     Ref roots[MOST_OUTPUTS];
-    Text body = text_new(e->c->arena);
+    Text body = text_new(e->session->arena);
     for (int i = 0; i < ir->output_count; i++)
         roots[i] = ir->outputs[i].value;
     open_scope(e, NULL, roots, ir->output_count);
@@ -357,18 +357,18 @@ static void put_main(Scope *e, Text *out)
     text_put(out, "}\n");
 }
 
-const char *emit_fragment(Compile *c, const Ir *ir, const Job *job, Interface *interface, size_t *size)
+const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size)
 {
     Arena scratch = {0};
-    *interface = (Interface){.uniforms = ARENA_ARRAY(c->arena, bool, ir->graph->uniform_count),
-                             .counts = ARENA_ARRAY(c->arena, bool, ir->graph->uniform_count),
-                             .textures = ARENA_ARRAY(c->arena, bool, ir->texture_count)};
-    Text functions = text_new(c->arena), body = text_new(c->arena), out = text_new(c->arena);
-    Scope e = new_scope(c, ir, job, interface, &scratch);
+    *interface = (Interface){.uniforms = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
+                             .counts = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
+                             .textures = ARENA_ARRAY(session->arena, bool, ir->texture_count)};
+    Text functions = text_new(session->arena), body = text_new(session->arena), out = text_new(session->arena);
+    Scope e = new_scope(session, ir, job, interface, &scratch);
     put_functions(&e, &functions);
     put_main(&e, &body);
     arena_free(&scratch);
-    emit_declarations(c, &out, ir, job, interface);
+    emit_declarations(session, &out, ir, job, interface);
     interface->declarations = out.size;
     for (size_t i = 0; i < interface->chunks.count; i++) {
         text_put(&out, interface->chunks.at[i]->body);

@@ -15,17 +15,17 @@ typedef struct {
 } Interface;
 
 /* The fragment program. */
-const char *emit_fragment(Compile *c, const Ir *ir, const Job *job, Interface *interface, size_t *size);
+const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size);
 /* The vertex program that feeds it: only the varyings in use. */
-const char *emit_vertex(Compile *c, const Job *job, const Interface *interface);
+const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
 /* GLSL that reads the layout back: struct Surface and unpackSurface(). */
-const char *emit_unpack(Compile *c, const Job *job);
+const char *emit_unpack(Session *session, const Job *job);
 /* JSON: inputs, uniforms with defaults, textures, outputs, opacity class, source files, content hash. */
-const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Interface *interface, const char *material,
-                            const char *opacity, const char *fragment);
+const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Interface *interface,
+                            const char *material, const char *opacity, const char *fragment);
 
 /* Names in the shader. */
-const char *texture_name(Compile *c, const Ir *ir, int texture);
+const char *texture_name(Session *session, const Ir *ir, int texture);
 /* Of a varying's location, the same in both programs. */
 int input_location(Input input);
 /* "version" and, for ES, precisions. */

@@ -3,7 +3,7 @@
 #define MATC_EMIT_DECLARE_H
 #include "compiler/emit/emit.h"
 
-void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface);
+void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface);
 /* Bindings of targets that have them: one block of plain uniforms for each program, and the textures where no block is. */
 enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_BLOCK = 17 };
 /* The block of numbers that tell materials of one program apart (constants.h). */

@@ -51,9 +51,9 @@ void emit_constant(Text *out, const Ir *ir, Ref ref)
     text_char(out, ')');
 }
 
-const char *function_name(Compile *c, const Ir *ir, int function)
+const char *function_name(Session *session, const Ir *ir, int function)
 {
-    Text name = text_new(c->arena);
+    Text name = text_new(session->arena);
     uint8_t hint = ir->functions[function].hint;
     const char *kind = hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
     text_format(&name, "%sInput%d", kind, function);
@@ -97,7 +97,7 @@ static void put_leaf(Scope *e, Text *out, Ref ref)
         break;
     case OP_texture:
         e->interface->textures[node->payload] = true;
-        text_put(out, texture_name(e->c, e->ir, (int)node->payload));
+        text_put(out, texture_name(e->session, e->ir, (int)node->payload));
         break;
     case OP_argument:
         put_argument_name(e, out, ref);
@@ -248,13 +248,13 @@ static void put_special(Scope *e, Text *out, Ref ref)
             text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
         break;
     case OP_call:
-        chunks_add(e->c, &e->interface->chunks, function_row((int)node->payload)->name, e->job);
+        chunks_add(e->session, &e->interface->chunks, function_row((int)node->payload)->name, e->job);
         text_put(out, function_row((int)node->payload)->name);
         put_list(e, out, ref);
         break;
     case OP_apply:
     case OP_kernel:
-        text_put(out, function_name(e->c, e->ir, (int)node->payload));
+        text_put(out, function_name(e->session, e->ir, (int)node->payload));
         text_put(out, node->op == OP_kernel ? "Sum" : "");
         put_list(e, out, ref);
         break;

@@ -5,7 +5,7 @@
 #include "compiler/emit/schedule.h"
 
 typedef struct {
-    Compile *c;
+    Session *session;
     const Ir *ir;
     const Job *job;
     Interface *interface;
@@ -39,5 +39,5 @@ enum {
     PRECEDENCE_prefix,
     PRECEDENCE_postfix
 };
-const char *function_name(Compile *c, const Ir *ir, int function);
+const char *function_name(Session *session, const Ir *ir, int function);
 #endif

@@ -72,9 +72,9 @@ int table_binding(const Ir *ir, const Interface *interface, const char *name)
     return -1;
 }
 
-const char *texture_name(Compile *c, const Ir *ir, int texture)
+const char *texture_name(Session *session, const Ir *ir, int texture)
 {
-    Text name = text_new(c->arena);
+    Text name = text_new(session->arena);
     text_format(&name, "%sTexture%d", ir->textures[texture].kind == TEXTURE_image ? "image" : "carpenter", texture);
     return name.at;
 }
@@ -135,14 +135,14 @@ static void put_sampler(Text *out, Target target, int *index, const char *declar
     text_format(out, "uniform %.*s;\n", size, declaration);
 }
 
-static void put_samplers(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     int index = 0;
     for (size_t i = 0; i < ir->texture_count; i++) {
-        Text declaration = text_new(c->arena);
+        Text declaration = text_new(session->arena);
         if (!interface->textures[i])
             continue;
-        text_format(&declaration, "sampler2D %s", texture_name(c, ir, (int)i));
+        text_format(&declaration, "sampler2D %s", texture_name(session, ir, (int)i));
         put_sampler(out, job->target, &index, declaration.at, (int)declaration.size);
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
@@ -154,7 +154,7 @@ static void put_samplers(Compile *c, Text *out, const Ir *ir, const Job *job, co
         }
 }
 
-void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     emit_version(out, job->target);
     text_format(out, "// matc " MATC_VERSION ": pass %s", pass_table[job->pass].name);
@@ -169,7 +169,7 @@ void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, cons
     for (int i = 0; i < INPUT_COUNT; i++)
         if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
             emit_varying(out, job->target, (Input)i, "in");
-    Text uniforms = text_new(c->arena);
+    Text uniforms = text_new(session->arena);
     bool block = has_locations(job->target);
     if (put_uniforms(&uniforms, ir, interface, block ? "    " : "uniform ")) {
         if (block)
@@ -178,7 +178,7 @@ void emit_declarations(Compile *c, Text *out, const Ir *ir, const Job *job, cons
         text_put(out, block ? "};\n" : "");
     }
     put_constants(out, ir, job->target);
-    put_samplers(c, out, ir, job, interface);
+    put_samplers(session, out, ir, job, interface);
     for (int i = 0; i < ir->output_count; i++)
         if (ir->outputs[i].kind == OUT_color && job->target != TARGET_glsl110)
             text_format(out, "layout(location = %d) out %s fragment%d;\n", ir->outputs[i].index,

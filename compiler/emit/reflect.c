@@ -130,10 +130,10 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, "}");
 }
 
-static void put_textures(Compile *c, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+static void put_textures(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     MatcTexture *textures;
-    int *made_by, count = texture_list(c, ir, interface, &textures, &made_by);
+    int *made_by, count = texture_list(session, ir, interface, &textures, &made_by);
     List list = open_list(out, "textures");
     for (int i = 0; i < count; i++) {
         const MatcTexture *t = &textures[i];
@@ -174,10 +174,10 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     close_list(&list);
 }
 
-const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Interface *interface, const char *material,
-                            const char *opacity, const char *fragment)
+const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Interface *interface,
+                            const char *material, const char *opacity, const char *fragment)
 {
-    Text text = text_new(c->arena), *out = &text;
+    Text text = text_new(session->arena), *out = &text;
     XXH128_hash_t hash = XXH3_128bits(fragment, strlen(fragment));
     text_put(out, "{\n  ");
     json_member(out, "matc", MATC_VERSION);
@@ -196,13 +196,13 @@ const char *emit_reflection(Compile *c, const Ir *ir, const Job *job, const Inte
     put_inputs(out, job, interface, &block);
     put_uniforms(out, ir, job, interface, &block);
     put_constants(out, ir, job);
-    put_textures(c, out, ir, job, interface);
+    put_textures(session, out, ir, job, interface);
     put_outputs(out, ir, job);
     describe_vertex(out, job, interface);
     List files = open_list(out, "sources");
-    for (size_t i = 0; i < c->depends.count; i++) {
+    for (size_t i = 0; i < session->depends.count; i++) {
         next(&files);
-        json_string(out, c->depends.at[i]);
+        json_string(out, session->depends.at[i]);
     }
     close_list(&files);
     text_format(out, ",\n  \"hash\": \"%016llx%016llx\"\n}\n", (unsigned long long)hash.high64,

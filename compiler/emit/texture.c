@@ -18,9 +18,9 @@ static const Table tables[] = {
 };
 
 /* Those whose mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10, which takes samples). */
-static bool *averaged_textures(Compile *c, const Ir *ir, const Interface *interface)
+static bool *averaged_textures(Session *session, const Ir *ir, const Interface *interface)
 {
-    bool from_mipmaps = false, *averaged = ARENA_ARRAY(c->arena, bool, ir->texture_count + 1);
+    bool from_mipmaps = false, *averaged = ARENA_ARRAY(session->arena, bool, ir->texture_count + 1);
     for (size_t i = 0; interface && i < interface->chunks.count; i++)
         from_mipmaps |= !strcmp(interface->chunks.at[i]->name, "imageFiltered");
     for (Ref ref = 1; from_mipmaps && ref < ir->count; ref++)
@@ -29,10 +29,10 @@ static bool *averaged_textures(Compile *c, const Ir *ir, const Interface *interf
     return averaged;
 }
 
-static MatcTexture of_document(Compile *c, const Ir *ir, int i, bool averaged)
+static MatcTexture of_document(Session *session, const Ir *ir, int i, bool averaged)
 {
     const IrTexture *t = &ir->textures[i];
-    MatcTexture texture = {.name = texture_name(c, ir, i), .width = t->width, .height = t->height, .lanes = 1};
+    MatcTexture texture = {.name = texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1};
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
         texture.lanes = 4;
@@ -50,17 +50,17 @@ static bool declares(const Interface *interface, const char *name)
     return false;
 }
 
-int texture_list(Compile *c, const Ir *ir, const Interface *interface, MatcTexture **list, int **made_by)
+int texture_list(Session *session, const Ir *ir, const Interface *interface, MatcTexture **list, int **made_by)
 {
     enum { TABLE_COUNT = sizeof tables / sizeof *tables };
     int count = 0;
-    const bool *averaged = averaged_textures(c, ir, interface);
-    *list = ARENA_ARRAY(c->arena, MatcTexture, ir->texture_count + TABLE_COUNT);
-    *made_by = ARENA_ARRAY(c->arena, int, ir->texture_count + TABLE_COUNT);
+    const bool *averaged = averaged_textures(session, ir, interface);
+    *list = ARENA_ARRAY(session->arena, MatcTexture, ir->texture_count + TABLE_COUNT);
+    *made_by = ARENA_ARRAY(session->arena, int, ir->texture_count + TABLE_COUNT);
     for (size_t i = 0; i < ir->texture_count; i++)
         if (!interface || interface->textures[i]) {
             (*made_by)[count] = (int)i;
-            (*list)[count++] = of_document(c, ir, (int)i, averaged[i]);
+            (*list)[count++] = of_document(session, ir, (int)i, averaged[i]);
         }
     for (int i = 0; interface && i < TABLE_COUNT; i++)
         if (declares(interface, tables[i].name)) {
@@ -71,50 +71,50 @@ int texture_list(Compile *c, const Ir *ir, const Interface *interface, MatcTextu
     return count;
 }
 
-static const float *relief(Compile *c, const Node *node)
+static const float *relief(Session *session, const Node *node)
 {
     double n[6][4];
     for (int i = 0; i < 6; i++)
         value_number(&node->params[i + 1], TYPE_float, n[i]);
-    float *texels = arena_alloc(c->arena, sizeof(float) * (size_t)n[4][0] * (size_t)n[5][0]);
+    float *texels = arena_alloc(session->arena, sizeof(float) * (size_t)n[4][0] * (size_t)n[5][0]);
     carpenter_bake(n[0][0], n[1][0], n[2][0], (int64_t)n[3][0], (int)n[4][0], (int)n[5][0], texels);
     return texels;
 }
 
-static const float *permutation_table(Compile *c)
+static const float *permutation_table(Session *session)
 {
-    float *texels = arena_alloc(c->arena, sizeof(float) * SIDE * SIDE);
+    float *texels = arena_alloc(session->arena, sizeof(float) * SIDE * SIDE);
     for (int i = 0; i < SIDE * SIDE; i++)
         texels[i] = reference_permutation()[i];
     return texels;
 }
 
-static const float *random_table(Compile *c)
+static const float *random_table(Session *session)
 {
-    float *texels = arena_alloc(c->arena, sizeof(float) * 4 * RANDOM_COUNT);
+    float *texels = arena_alloc(session->arena, sizeof(float) * 4 * RANDOM_COUNT);
     for (int i = 0; i < 4 * RANDOM_COUNT; i++)
         texels[i] = reference_random_table()[(i / 4 + i % 4) % RANDOM_COUNT];
     return texels;
 }
 
-static const unsigned char *xor_table(Compile *c)
+static const unsigned char *xor_table(Session *session)
 {
-    unsigned char *texels = arena_alloc(c->arena, SIDE * SIDE);
+    unsigned char *texels = arena_alloc(session->arena, SIDE * SIDE);
     for (int i = 0; i < SIDE * SIDE; i++)
         texels[i] = (unsigned char)((i % SIDE) ^ (i / SIDE));
     return texels;
 }
 
-void texture_fill(Compile *c, const Ir *ir, MatcTexture *texture, int made_by)
+void texture_fill(Session *session, const Ir *ir, MatcTexture *texture, int made_by)
 {
     if (texture->bytes || texture->floats)
         return;
     if (made_by == TABLE_PERMUTATION)
-        texture->floats = permutation_table(c);
+        texture->floats = permutation_table(session);
     else if (made_by == TABLE_RANDOM)
-        texture->floats = random_table(c);
+        texture->floats = random_table(session);
     else if (made_by == TABLE_XOR)
-        texture->bytes = xor_table(c);
+        texture->bytes = xor_table(session);
     else if (ir->textures[made_by].kind == TEXTURE_carpenter)
-        texture->floats = relief(c, ir->textures[made_by].node);
+        texture->floats = relief(session, ir->textures[made_by].node);
 }

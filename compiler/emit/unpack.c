@@ -4,14 +4,14 @@
 #include <string.h>
 
 /* The chunks that decode the layout's fields, each once. */
-static void put_chunks(Compile *c, Text *out, const Job *job)
+static void put_chunks(Session *session, Text *out, const Job *job)
 {
     Chunks chunks = {0};
     for (int i = 0; i < job->layout->case_count; i++)
         for (int k = 0; k < job->layout->cases[i].field_count; k++) {
             const char *name = encoding_table[job->layout->cases[i].fields[k].encoding].unpack;
             if (*name)
-                chunks_add(c, &chunks, name, job);
+                chunks_add(session, &chunks, name, job);
         }
     for (size_t i = 0; i < chunks.count; i++) {
         text_put(out, chunks.at[i]->body);
@@ -181,16 +181,16 @@ static void put_cases(Text *out, const LayoutRow *layout)
     }
 }
 
-const char *emit_unpack(Compile *c, const Job *job)
+const char *emit_unpack(Session *session, const Job *job)
 {
-    Text out = text_new(c->arena);
+    Text out = text_new(session->arena);
     text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
                 job->layout->name);
     if (target_table[job->target].es)
         text_put(&out, "precision highp float;\nprecision highp int;\n");
     put_samplers(&out, job);
     put_struct(&out, job->layout);
-    put_chunks(c, &out, job);
+    put_chunks(session, &out, job);
     text_format(&out, "Surface unpackSurface(%s) {\n",
                 job->target == TARGET_glsl110 ? "vec2 coordinate" : "ivec2 pixel");
     put_fetches(&out, job);

@@ -17,7 +17,7 @@ typedef struct {
     glslang_shader_t *shaders[2];
     int shader_count;
     glslang_program_t *program;
-} Session;
+} Validation;
 
 static glslang_input_t input_for(Target target, glslang_stage_t stage, const char *code)
 {
@@ -39,15 +39,15 @@ static glslang_input_t input_for(Target target, glslang_stage_t stage, const cha
     return input;
 }
 
-static const char *keep(Compile *c, const char *log)
+static const char *keep(Session *session, const char *log)
 {
-    return arena_string(c->arena, log ? log : "", log ? strlen(log) : 0);
+    return arena_string(session->arena, log ? log : "", log ? strlen(log) : 0);
 }
 
 /* The text without what follows `//`: glslang reads every letter, and the lines keep their numbers. */
-static const char *without_comments(Compile *c, const char *code)
+static const char *without_comments(Session *session, const char *code)
 {
-    char *bare = arena_alloc(c->arena, strlen(code) + 1), *to = bare;
+    char *bare = arena_alloc(session->arena, strlen(code) + 1), *to = bare;
     for (const char *comment; (comment = strstr(code, "//")); code = comment + strcspn(comment, "\n")) {
         memcpy(to, code, (size_t)(comment - code));
         to += comment - code;
@@ -56,44 +56,44 @@ static const char *without_comments(Compile *c, const char *code)
     return bare;
 }
 
-static bool parse(Compile *c, Session *session, Target target, glslang_stage_t stage, const char *code,
+static bool parse(Session *session, Validation *v, Target target, glslang_stage_t stage, const char *code,
                   const char **log)
 {
-    const glslang_input_t input = input_for(target, stage, without_comments(c, code));
+    const glslang_input_t input = input_for(target, stage, without_comments(session, code));
     glslang_shader_t *shader = glslang_shader_create(&input);
     if (!shader)
         return false;
-    session->shaders[session->shader_count++] = shader;
+    v->shaders[v->shader_count++] = shader;
     if (glslang_shader_preprocess(shader, &input) && glslang_shader_parse(shader, &input)) {
-        glslang_program_add_shader(session->program, shader);
+        glslang_program_add_shader(v->program, shader);
         return true;
     }
-    *log = keep(c, glslang_shader_get_info_log(shader));
+    *log = keep(session, glslang_shader_get_info_log(shader));
     return false;
 }
 
-static bool link_session(Compile *c, Session *session, Target target, const char *vertex, const char *fragment,
-                         const char **log)
+static bool link_stages(Session *session, Validation *v, Target target, const char *vertex, const char *fragment,
+                        const char **log)
 {
     *log = "glslang cannot be started";
     pthread_once(&initialised, initialise);
-    session->program = glslang_program_create();
-    if (!session->program || (vertex && !parse(c, session, target, GLSLANG_STAGE_VERTEX, vertex, log)) ||
-        (fragment && !parse(c, session, target, GLSLANG_STAGE_FRAGMENT, fragment, log)))
+    v->program = glslang_program_create();
+    if (!v->program || (vertex && !parse(session, v, target, GLSLANG_STAGE_VERTEX, vertex, log)) ||
+        (fragment && !parse(session, v, target, GLSLANG_STAGE_FRAGMENT, fragment, log)))
         return false;
     int messages = (int)input_for(target, GLSLANG_STAGE_FRAGMENT, "").messages;
-    if (glslang_program_link(session->program, messages))
+    if (glslang_program_link(v->program, messages))
         return true;
-    *log = keep(c, glslang_program_get_info_log(session->program));
+    *log = keep(session, glslang_program_get_info_log(v->program));
     return false;
 }
 
-static void close_session(Session *session)
+static void close_session(Validation *v)
 {
-    if (session->program)
-        glslang_program_delete(session->program);
-    for (int i = 0; i < session->shader_count; i++)
-        glslang_shader_delete(session->shaders[i]);
+    if (v->program)
+        glslang_program_delete(v->program);
+    for (int i = 0; i < v->shader_count; i++)
+        glslang_shader_delete(v->shaders[i]);
 }
 
 /* All that a fragment program and its vertex program can disagree about: the one's declarations, and the other. */
@@ -108,30 +108,30 @@ static Key interface_key(Target target, const char *vertex, const char *fragment
     return key;
 }
 
-bool validate(Compile *c, Target target, const char *vertex, const char *fragment, size_t declarations,
+bool validate(Session *session, Target target, const char *vertex, const char *fragment, size_t declarations,
               const char **log)
 {
-    Session session = {0};
-    MatcLinked *linked = c->options ? c->options->linked : NULL;
+    Validation v = {0};
+    MatcLinked *linked = session->options ? session->options->linked : NULL;
     Key key = linked ? interface_key(target, vertex, fragment, declarations) : (Key){0, 0};
     bool known = linked_before(linked, key),
-         fine = link_session(c, &session, target, known ? NULL : vertex, fragment, log);
+         fine = link_stages(session, &v, target, known ? NULL : vertex, fragment, log);
     if (fine && !known)
         linked_add(linked, key);
-    close_session(&session);
+    close_session(&v);
     return fine;
 }
 
-const char *make_spirv(Compile *c, const char *fragment, size_t *size, const char **log)
+const char *make_spirv(Session *session, const char *fragment, size_t *size, const char **log)
 {
-    Session session = {0};
+    Validation v = {0};
     const char *words = NULL;
-    if (link_session(c, &session, TARGET_spirv, NULL, fragment, log)) {
+    if (link_stages(session, &v, TARGET_spirv, NULL, fragment, log)) {
         glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
-        glslang_program_SPIRV_generate_with_options(session.program, GLSLANG_STAGE_FRAGMENT, &options);
-        *size = glslang_program_SPIRV_get_size(session.program) * sizeof(unsigned);
-        words = arena_string(c->arena, (const char *)glslang_program_SPIRV_get_ptr(session.program), *size);
+        glslang_program_SPIRV_generate_with_options(v.program, GLSLANG_STAGE_FRAGMENT, &options);
+        *size = glslang_program_SPIRV_get_size(v.program) * sizeof(unsigned);
+        words = arena_string(session->arena, (const char *)glslang_program_SPIRV_get_ptr(v.program), *size);
     }
-    close_session(&session);
+    close_session(&v);
     return words;
 }

@@ -5,8 +5,8 @@
 
 /* Parses both programs and links them. The fragment program begins with so many bytes of declarations: where MatcLinked knows
  * them beside this vertex program, the fragment program is parsed and linked alone. False: *log tells why. */
-bool validate(Compile *c, Target target, const char *vertex, const char *fragment, size_t declarations,
+bool validate(Session *session, Target target, const char *vertex, const char *fragment, size_t declarations,
               const char **log);
 /* The fragment program as SPIR-V, in the arena; NULL: *log tells why. */
-const char *make_spirv(Compile *c, const char *fragment, size_t *size, const char **log);
+const char *make_spirv(Session *session, const char *fragment, size_t *size, const char **log);
 #endif

@@ -112,9 +112,9 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
-const char *emit_vertex(Compile *c, const Job *job, const Interface *interface)
+const char *emit_vertex(Session *session, const Job *job, const Interface *interface)
 {
-    Text out = text_new(c->arena);
+    Text out = text_new(session->arena);
     emit_version(&out, job->target);
     text_format(&out, "// matc " MATC_VERSION ": vertex program of pass %s\n\n", pass_table[job->pass].name);
     if (job->pass == PASS_plane || job->pass == PASS_sky)

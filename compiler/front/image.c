@@ -8,7 +8,7 @@
 
 /* All that decoding needs. It outlives the longjmp of libpng's errors, so nothing of it is lost. */
 typedef struct {
-    Compile *c;
+    Session *session;
     const char *at, *end; /* what is not read yet */
     size_t room;          /* bytes that pictures may still take */
     png_structp png;
@@ -23,7 +23,7 @@ enum { MOST_DEFLATED = 1032 }; /* bytes that deflate makes of one, at most */
 static void on_error(png_structp png, png_const_charp message)
 {
     Decoder *d = png_get_error_ptr(png);
-    d->why = arena_string(d->c->arena, message, strlen(message));
+    d->why = arena_string(d->session->arena, message, strlen(message));
     png_longjmp(png, 1);
 }
 
@@ -67,8 +67,8 @@ static void allocate(Decoder *d)
     const size_t stride = (size_t)d->image->width * 4, height = (size_t)d->image->height;
     if (png_get_rowbytes(d->png, d->info) != stride)
         png_error(d->png, "unknown kind of pixels");
-    uint8_t *bytes = arena_alloc(d->c->arena, stride * height);
-    d->rows = arena_alloc(d->c->arena, height * sizeof *d->rows);
+    uint8_t *bytes = arena_alloc(d->session->arena, stride * height);
+    d->rows = arena_alloc(d->session->arena, height * sizeof *d->rows);
     for (size_t row = 0; row < height; row++)
         d->rows[row] = bytes + stride * (height - 1 - row);
     d->image->bytes = bytes;
@@ -93,7 +93,7 @@ static void read_picture(Decoder *d)
     if (setjmp(png_jmpbuf(d->png)))
         return;
     read_header(d);
-    if (!d->c->options->pixels)
+    if (!d->session->options->pixels)
         return;
     check_size(d, png_get_rowbytes(d->png, d->info));
     convert_to_rgba(d);
@@ -124,27 +124,27 @@ static size_t bytes_of_all(const Resolver *r)
 
 const Image *image_load(Resolver *r, const char *path, Span span)
 {
-    Compile *c = r->c;
-    const char *full = path_beside(c, c->sources[span.file].name, path), *why = "";
+    Session *session = r->session;
+    const char *full = path_beside(session, session->sources[span.file].name, path), *why = "";
     int found = names_find(&r->image_paths, full);
     if (found >= 0)
         return r->images[found];
     size_t size;
-    depend_on(c, full);
-    char *file = read_file(c, full, &size, &why);
+    depend_on(session, full);
+    char *file = read_file(session, full, &size, &why);
     if (!file)
-        return diag_add(c, span, DIAG_no_image, path, why);
-    Image *image = ARENA_NEW(c->arena, Image);
+        return diag_add(session, span, DIAG_no_image, path, why);
+    Image *image = ARENA_NEW(session->arena, Image);
     image->path = full;
     image->index = (int)r->image_count;
-    Decoder decoder = {.c = c, .at = file, .end = file + size, .image = image};
+    Decoder decoder = {.session = session, .at = file, .end = file + size, .image = image};
     decoder.room = ((size_t)LIMIT_PIXELS_MIB << 20) - bytes_of_all(r);
     why = decode(&decoder);
     free(file);
     if (why)
-        return diag_add(c, span, DIAG_no_image, path, why);
+        return diag_add(session, span, DIAG_no_image, path, why);
     const Image *kept = image;
-    ARENA_PUSH(c->arena, r->images, r->image_count, r->image_room, kept);
-    names_add(c->arena, &r->image_paths, full);
+    ARENA_PUSH(session->arena, r->images, r->image_count, r->image_room, kept);
+    names_add(session->arena, &r->image_paths, full);
     return image;
 }

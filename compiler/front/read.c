@@ -15,7 +15,7 @@ static bool check_utf8(const TreeBuilder *b, const Source *source)
         int length = utf8_length(at, end);
         if (!length) {
             uint32_t offset = (uint32_t)(at - text);
-            diag_add(b->c, (Span){offset, offset + 1, b->file}, DIAG_bad_utf8);
+            diag_add(b->session, (Span){offset, offset + 1, b->file}, DIAG_bad_utf8);
             return false;
         }
         at += length;
@@ -23,12 +23,12 @@ static bool check_utf8(const TreeBuilder *b, const Source *source)
     return true;
 }
 
-Tree *read_document(Compile *c, uint32_t file)
+Tree *read_document(Session *session, uint32_t file)
 {
-    const Source *source = &c->sources[file];
+    const Source *source = &session->sources[file];
     if (source->size > (size_t)LIMIT_DOCUMENT_MIB << 20)
-        return diag_add(c, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
-    TreeBuilder builder = {.c = c, .file = file};
+        return diag_add(session, (Span){0, 0, file}, DIAG_too_large, LIMIT_DOCUMENT_MIB);
+    TreeBuilder builder = {.session = session, .file = file};
     if (source->size >= 3 && !memcmp(source->text, "\xEF\xBB\xBF", 3))
         builder.start = 3;
     if (!check_utf8(&builder, source))
@@ -36,6 +36,6 @@ Tree *read_document(Compile *c, uint32_t file)
     Tree *tree = is_json_name(source->name) ? read_json(&builder) : read_yaml(&builder);
     build_done(&builder);
     if (tree && builder.zero.end)
-        diag_add(c, builder.zero, DIAG_zero_byte);
+        diag_add(session, builder.zero, DIAG_zero_byte);
     return tree;
 }

@@ -28,7 +28,7 @@ static const char *token_end(const Json *j, const char *at)
 /* The fault that everything else is: another thing stands where the grammar wants `wanted`. Always NULL. */
 static void *wants(const Json *j, const char *at, const char *wanted)
 {
-    Text found = text_new(j->b->c->arena);
+    Text found = text_new(j->b->session->arena);
     const char *end = token_end(j, at);
     if (at == j->end)
         text_put(&found, "the end of the text");
@@ -36,12 +36,12 @@ static void *wants(const Json *j, const char *at, const char *wanted)
         text_format(&found, "the control character U+%04X", *at);
     else
         text_format(&found, "'%.*s'", end - at < LIMIT_NAME ? (int)(end - at) : LIMIT_NAME, at);
-    return diag_add(j->b->c, span_of(j, at, end > at ? end : at + 1), DIAG_json_wants, wanted, found.at);
+    return diag_add(j->b->session, span_of(j, at, end > at ? end : at + 1), DIAG_json_wants, wanted, found.at);
 }
 
 static void *has_no(const Json *j, const char *at, const char *end, const char *what)
 {
-    return diag_add(j->b->c, span_of(j, at, end), DIAG_json_has_no, what);
+    return diag_add(j->b->session, span_of(j, at, end), DIAG_json_has_no, what);
 }
 
 static void skip_space(Json *j)
@@ -119,7 +119,7 @@ static void *bad_escape(const Json *j, const char *at)
     if (at + 1 < j->end && at[1] == 'u' && hex_code(j, at + 2) >= 0)
         return has_no(j, at, at + 6, "half of a surrogate pair");
     const char *end = at + 1 < j->end ? token_end(j, at + 1) : at + 1;
-    Text what = text_new(j->b->c->arena);
+    Text what = text_new(j->b->session->arena);
     text_format(&what, "escape '%.*s'", end - at < 8 ? (int)(end - at) : 8, at);
     return has_no(j, at, end, what.at);
 }
@@ -139,7 +139,7 @@ static char *put_utf8(char *to, int32_t code)
 static bool open_text(const Json *j, const char *from)
 {
     wants(j, j->end, "'\"'");
-    return diag_add(j->b->c, span_of(j, from, from + 1), DIAG_json_open);
+    return diag_add(j->b->session, span_of(j, from, from + 1), DIAG_json_open);
 }
 
 /* Goes to the end of the text whose quote stands at j->at; *size: its bytes when it is written. */
@@ -245,7 +245,7 @@ static int next_part(Json *j, Span whole, char close)
         else
             wants(j, j->at, close == ']' ? "',' or ']'" : "',' or '}'");
         if (j->at == j->end)
-            diag_add(j->b->c, (Span){whole.start, whole.start + 1, whole.file}, DIAG_json_open);
+            diag_add(j->b->session, (Span){whole.start, whole.start + 1, whole.file}, DIAG_json_open);
         return -1;
     }
     j->at++;
@@ -322,7 +322,7 @@ static Tree *read_collection(Json *j, TreeKind kind, int depth)
 {
     const char *from = j->at++;
     if (depth > LIMIT_DEPTH)
-        return diag_add(j->b->c, span_of(j, from, j->at), DIAG_too_deep, LIMIT_DEPTH);
+        return diag_add(j->b->session, span_of(j, from, j->at), DIAG_too_deep, LIMIT_DEPTH);
     Tree *tree = build_value(j->b, kind, span_of(j, from, j->at));
     if (!tree || !(kind == TREE_list ? read_list(j, tree, depth) : read_object(j, tree, depth)))
         return NULL;
@@ -346,7 +346,7 @@ static Tree *read_value(Json *j, int depth)
 
 Tree *read_json(TreeBuilder *b)
 {
-    const Source *source = &b->c->sources[b->file];
+    const Source *source = &b->session->sources[b->file];
     Json j = {b, source->text, source->text + b->start, source->text + source->size};
     Tree *tree = read_value(&j, 0);
     if (!tree)

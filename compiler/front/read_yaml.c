@@ -13,7 +13,7 @@ typedef struct {
 
 typedef struct {
     TreeBuilder *b;
-    Compile *c;
+    Session *session;
     yaml_parser_t parser;
     const uint32_t *bytes; /* byte offset of every MARK_STEP'th character; NULL for ASCII, where they are the same */
     size_t characters;     /* of the whole text */
@@ -34,7 +34,7 @@ static void map_characters(Reader *r, const Source *source)
     if (at == end)
         return;
     r->characters = 0;
-    uint32_t *bytes = arena_alloc(r->c->arena, (source->size / MARK_STEP + 1) * sizeof *bytes);
+    uint32_t *bytes = arena_alloc(r->session->arena, (source->size / MARK_STEP + 1) * sizeof *bytes);
     for (at = text + r->b->start; at < end; at += utf8_length(at, end), r->characters++)
         if (r->characters % MARK_STEP == 0)
             bytes[r->characters / MARK_STEP] = (uint32_t)(at - text);
@@ -43,7 +43,7 @@ static void map_characters(Reader *r, const Source *source)
 
 static uint32_t offset_of(const Reader *r, yaml_mark_t mark)
 {
-    const Source *source = &r->c->sources[r->b->file];
+    const Source *source = &r->session->sources[r->b->file];
     const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size;
     if (mark.index >= r->characters)
         return (uint32_t)source->size;
@@ -69,10 +69,10 @@ static bool next_event(Reader *r, yaml_event_t *event)
     uint32_t at = offset_of(r, mark);
     if (r->parser.error == YAML_READER_ERROR)
         at = r->b->start + (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
-    diag_add(r->c, (Span){at, at + 1, r->b->file}, DIAG_syntax, problem);
+    diag_add(r->session, (Span){at, at + 1, r->b->file}, DIAG_syntax, problem);
     if (r->parser.context && r->parser.context_mark.line != mark.line) {
         uint32_t context = offset_of(r, r->parser.context_mark);
-        diag_add(r->c, (Span){context, context + 1, r->b->file}, DIAG_syntax_in, r->parser.context);
+        diag_add(r->session, (Span){context, context + 1, r->b->file}, DIAG_syntax_in, r->parser.context);
     }
     return false;
 }
@@ -120,10 +120,10 @@ static Tree *find_anchor(Reader *r, const char *name, Span span)
 {
     uint32_t found = r->anchor_table ? *anchor_slot(r, name) : 0;
     if (!found)
-        return diag_add(r->c, span, DIAG_unknown_anchor, name);
+        return diag_add(r->session, span, DIAG_unknown_anchor, name);
     Tree *tree = r->anchors[found - 1].tree;
     if (tree->open)
-        return diag_add(r->c, span, DIAG_anchor_cycle, name);
+        return diag_add(r->session, span, DIAG_anchor_cycle, name);
     tree->shared = true;
     return tree;
 }
@@ -175,7 +175,7 @@ static bool read_key(Reader *r, yaml_event_t *event, Member *member, bool *merge
         *merge = !strcmp(member->key, "<<") && event->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
         name = !event->data.scalar.anchor || keep_key(r, event, member);
     } else {
-        diag_add(r->c, member->span, DIAG_key_not_name);
+        diag_add(r->session, member->span, DIAG_key_not_name);
     }
     yaml_event_delete(event);
     return name;
@@ -208,7 +208,7 @@ static bool read_object(Reader *r, Tree *object, int depth)
         if (!(member.value = read_value(r, &event, depth + 1)))
             return false;
         if (merge && base)
-            return diag_add(r->c, member.span, DIAG_duplicate_key, member.key);
+            return diag_add(r->session, member.span, DIAG_duplicate_key, member.key);
         if (merge)
             base = member.value;
         else
@@ -221,7 +221,7 @@ static bool read_object(Reader *r, Tree *object, int depth)
 static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_char_t *anchor, int depth)
 {
     if (depth > LIMIT_DEPTH)
-        return diag_add(r->c, span, DIAG_too_deep, LIMIT_DEPTH);
+        return diag_add(r->session, span, DIAG_too_deep, LIMIT_DEPTH);
     Tree *tree = build_value(r->b, kind, span);
     if (!tree)
         return NULL;
@@ -256,7 +256,7 @@ static Tree *read_value(Reader *r, yaml_event_t *event, int depth)
         tree = find_anchor(r, (char *)event->data.alias.anchor, span);
         break;
     default:
-        diag_add(r->c, span, DIAG_empty_document);
+        diag_add(r->session, span, DIAG_empty_document);
         break;
     }
     yaml_event_delete(event);
@@ -274,11 +274,11 @@ static Tree *read_stream(Reader *r)
         Span span = span_of(r, &event);
         yaml_event_delete(&event);
         if (type == YAML_STREAM_END_EVENT)
-            return tree ? tree : diag_add(r->c, span, DIAG_empty_document);
+            return tree ? tree : diag_add(r->session, span, DIAG_empty_document);
         if (type != YAML_DOCUMENT_START_EVENT)
             continue;
         if (tree)
-            return diag_add(r->c, span, DIAG_many_documents);
+            return diag_add(r->session, span, DIAG_many_documents);
         if (!next_event(r, &event) || !(tree = read_value(r, &event, 0)))
             return NULL;
     }
@@ -294,7 +294,8 @@ static bool check_tags(const TreeBuilder *b, const Source *source)
     for (const char *at = source->text + b->start; at && (size_t)(end - at) >= size;) {
         uint32_t offset = (uint32_t)(at - source->text);
         if (!memcmp(at, tag, size) && ++count > LIMIT_TAGS)
-            return diag_add(b->c, (Span){offset, offset + (uint32_t)size, b->file}, DIAG_too_many_tags, LIMIT_TAGS);
+            return diag_add(b->session, (Span){offset, offset + (uint32_t)size, b->file}, DIAG_too_many_tags,
+                            LIMIT_TAGS);
         at = memchr(at, '\n', (size_t)(end - at));
         at = at ? at + 1 : NULL;
     }
@@ -303,10 +304,10 @@ static bool check_tags(const TreeBuilder *b, const Source *source)
 
 Tree *read_yaml(TreeBuilder *b)
 {
-    const Source *source = &b->c->sources[b->file];
+    const Source *source = &b->session->sources[b->file];
     if (!check_tags(b, source))
         return NULL;
-    Reader reader = {.b = b, .c = b->c};
+    Reader reader = {.b = b, .session = b->session};
     map_characters(&reader, source);
     if (!yaml_parser_initialize(&reader.parser))
         abort(); /* out of memory */

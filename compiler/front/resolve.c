@@ -34,8 +34,8 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
 {
     *preset = NULL;
     if (name->kind != TREE_scalar) {
-        diag_add(r->c, name->span, DIAG_wrong_type, material ? "`material:`" : "`map:`", "a name",
-                 tree_describe(r->c, name));
+        diag_add(r->session, name->span, DIAG_wrong_type, material ? "`material:`" : "`map:`", "a name",
+                 tree_describe(r->session, name));
         return false;
     }
     for (int i = 0; i < kind_name_count(); i++) {
@@ -45,11 +45,11 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
             *preset = name->text;
         if (is_material(*kind) == material)
             return true;
-        diag_add(r->c, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
+        diag_add(r->session, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
         return false;
     }
-    const char *near = suggest(r->c, name->text, name_of_group, &material, kind_name_count());
-    diag_add(r->c, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
+    const char *near = suggest(r->session, name->text, name_of_group, &material, kind_name_count());
+    diag_add(r->session, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
     return false;
 }
 
@@ -64,9 +64,9 @@ Value default_value(Resolver *r, const ParamRow *row)
     memcpy(value.number, row->init, sizeof row->init);
     if (row->type != PARAM_Map)
         return value;
-    Value *constant = ARENA_NEW(r->c->arena, Value);
+    Value *constant = ARENA_NEW(r->session->arena, Value);
     *constant = value;
-    Node *node = ARENA_NEW(r->c->arena, Node);
+    Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant};
     return (Value){.kind = VALUE_node, .node = node};
 }
@@ -87,11 +87,11 @@ static bool in_range(Resolver *r, const ParamRow *row, const Tree *tree, const V
     for (int i = 0; i < type_table[value->type].lanes; i++) {
         if (lanes[i] >= row->low && lanes[i] <= row->high)
             continue;
-        Text is = text_new(r->c->arena), low = text_new(r->c->arena), high = text_new(r->c->arena);
+        Text is = text_new(r->session->arena), low = text_new(r->session->arena), high = text_new(r->session->arena);
         put_number(&is, row, lanes[i]);
         put_number(&low, row, row->low);
         put_number(&high, row, row->high);
-        diag_add(r->c, tree->span, DIAG_out_of_range, row->name, is.at, low.at, high.at);
+        diag_add(r->session, tree->span, DIAG_out_of_range, row->name, is.at, low.at, high.at);
         return false;
     }
     return true;
@@ -102,7 +102,7 @@ static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, co
     const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
     if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* an int of GLSL */
         return true;
-    diag_add(r->c, tree->span, DIAG_not_whole, row->name, tree_describe(r->c, tree));
+    diag_add(r->session, tree->span, DIAG_not_whole, row->name, tree_describe(r->session, tree));
     return false;
 }
 
@@ -110,7 +110,7 @@ static bool resolve_bool(Resolver *r, const ParamRow *row, const Tree *tree, Val
 {
     bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");
     if (!yes && !(tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "false"))) {
-        diag_add(r->c, tree->span, DIAG_wrong_type, row->name, "true or false", tree_describe(r->c, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "true or false", tree_describe(r->session, tree));
         return false;
     }
     *value = (Value){.kind = VALUE_number, .type = TYPE_bool, .number = {yes}};
@@ -129,8 +129,8 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
     *item = (Item){.span = tree->span};
     item->value = (Value){.kind = VALUE_number, .type = TYPE_float};
     if (tree->kind != TREE_object) {
-        diag_add(r->c, tree->span, DIAG_wrong_type, "an item", "`{ value: number, input: map }`",
-                 tree_describe(r->c, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, "an item", "`{ value: number, input: map }`",
+                 tree_describe(r->session, tree));
         return false;
     }
     bool fine = true, fault = false;
@@ -141,7 +141,8 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
         } else if (!strcmp(member->key, "input")) {
             item->input = resolve_map(r, member->value, &fault);
         } else {
-            diag_add(r->c, member->span, DIAG_item_keys, member->key, suggest(r->c, member->key, item_key, NULL, 2));
+            diag_add(r->session, member->span, DIAG_item_keys, member->key,
+                     suggest(r->session, member->key, item_key, NULL, 2));
             fine = false;
         }
     }
@@ -151,15 +152,15 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
 static bool resolve_items(Resolver *r, Tree *tree, Value *value)
 {
     if (tree->kind != TREE_list) {
-        diag_add(r->c, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->c, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->session, tree));
         return false;
     }
     if (tree->made == MADE_items) {
         *value = (Value){.kind = VALUE_items, .items = tree->items_made};
         return true;
     }
-    Item *item = ARENA_ARRAY(r->c->arena, Item, tree->count);
-    Items *items = ARENA_NEW(r->c->arena, Items);
+    Item *item = ARENA_ARRAY(r->session->arena, Item, tree->count);
+    Items *items = ARENA_NEW(r->session->arena, Items);
     *items = (Items){(int)tree->count, item};
     bool fine = true;
     const Item *descends = NULL;
@@ -170,7 +171,7 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
                 descends = &item[i];
     }
     if (descends)
-        diag_add(r->c, descends->span, DIAG_unordered_items);
+        diag_add(r->session, descends->span, DIAG_unordered_items);
     *value = (Value){.kind = VALUE_items, .items = items};
     if (fine) {
         tree->items_made = items;
@@ -182,7 +183,8 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
 static bool resolve_image(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
 {
     if (tree->kind != TREE_scalar) {
-        diag_add(r->c, tree->span, DIAG_wrong_type, row->name, "the name of a PNG file", tree_describe(r->c, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "the name of a PNG file",
+                 tree_describe(r->session, tree));
         return false;
     }
     *value = (Value){.kind = VALUE_image, .image = image_load(r, tree->text, tree->span)};
@@ -208,14 +210,15 @@ static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value 
 /* `diffuse: #ff0000` gives nothing, and a comment. */
 static void warn_of_comment(Resolver *r, const Tree *tree)
 {
-    const Source *source = &r->c->sources[tree->span.file];
+    const Source *source = &r->session->sources[tree->span.file];
     if (tree->count || tree->span.start >= source->size)
         return;
     const char *at = source->text + tree->span.start;
     at += strspn(at, " ");
     uint32_t start = (uint32_t)(at - source->text);
     if (*at == '#')
-        diag_add(r->c, (Span){start, start + 1 + (uint32_t)strspn(at + 1, "0123456789abcdefABCDEF"), tree->span.file},
+        diag_add(r->session,
+                 (Span){start, start + 1 + (uint32_t)strspn(at + 1, "0123456789abcdefABCDEF"), tree->span.file},
                  DIAG_unquoted_color);
 }
 
@@ -251,7 +254,7 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         fine = resolve_wave(r, tree, &value->wave);
         break;
     case PARAM_Transform: {
-        Transform *transform = ARENA_NEW(r->c->arena, Transform);
+        Transform *transform = ARENA_NEW(r->session->arena, Transform);
         *value = (Value){.kind = VALUE_transform, .transform = transform};
         fine = resolve_transform(r, tree, transform);
         break;
@@ -277,8 +280,8 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     for (int i = 0; i < row->count; i++)
         if (!strcmp(param_table[row->first + i].name, member->key))
             return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
-    const char *near = suggest(r->c, member->key, param_name, row, row->count);
-    diag_add(r->c, member->span, DIAG_unknown_key, name, member->key, near);
+    const char *near = suggest(r->session, member->key, param_name, row, row->count);
+    diag_add(r->session, member->span, DIAG_unknown_key, name, member->key, near);
     return false;
 }
 
@@ -304,9 +307,9 @@ static bool measure(Resolver *r, Node *node)
     }
     node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
     if (node->depth > LIMIT_GRAPH_DEPTH)
-        diag_add(r->c, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
+        diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
     else if (node->filters > LIMIT_FILTERS)
-        diag_add(r->c, node->span, DIAG_too_many_filters, LIMIT_FILTERS);
+        diag_add(r->session, node->span, DIAG_too_many_filters, LIMIT_FILTERS);
     else
         return true;
     return false;
@@ -321,12 +324,12 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     if (!name) {
         const char *hint =
             tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
-        return diag_add(r->c, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
+        return diag_add(r->session, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
     }
     if (!find_kind(r, name->value, material, &kind, &preset))
         return NULL;
     const KindRow *row = &kind_table[kind];
-    Value *params = ARENA_ARRAY(r->c->arena, Value, row->count);
+    Value *params = ARENA_ARRAY(r->session->arena, Value, row->count);
     bool fine = true;
     for (int i = 0; i < row->count; i++)
         if (!tree_find(tree, param_table[row->first + i].name))
@@ -337,7 +340,7 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
         if (strcmp(member->key, key) != 0 && !(outermost && is_document_key(member->key)))
             fine &= resolve_member(r, member, kind, name->value->text, params);
     }
-    Node *node = ARENA_NEW(r->c->arena, Node);
+    Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){kind, r->node_count++, name->value->span, params, 0, 0};
     return fine && measure(r, node) ? node : NULL;
 }
@@ -358,10 +361,10 @@ static const Member *find_def(Resolver *r, Tree *tree)
 {
     const Tree *name = tree_find(tree, "ref")->value;
     if (tree->count > 1)
-        return diag_add(r->c, tree->members[&tree->members[0] == tree_find(tree, "ref")].span, DIAG_ref_keys,
+        return diag_add(r->session, tree->members[&tree->members[0] == tree_find(tree, "ref")].span, DIAG_ref_keys,
                         tree->members[&tree->members[0] == tree_find(tree, "ref")].key);
     if (name->kind != TREE_scalar)
-        return diag_add(r->c, name->span, DIAG_wrong_type, "ref", "a name", tree_describe(r->c, name));
+        return diag_add(r->session, name->span, DIAG_wrong_type, "ref", "a name", tree_describe(r->session, name));
     const char *near = "";
     for (size_t i = 0; i < r->def_count; i++) {
         const Member *member = tree_find(r->defs[i], name->text);
@@ -369,18 +372,18 @@ static const Member *find_def(Resolver *r, Tree *tree)
             return member;
         DefNames names = {r, i};
         if (!*near)
-            near = suggest(r->c, name->text, def_name, &names, (int)r->defs[i]->count);
+            near = suggest(r->session, name->text, def_name, &names, (int)r->defs[i]->count);
     }
-    return diag_add(r->c, name->span, DIAG_unknown_ref, name->text, near);
+    return diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
 }
 
 /* Constant node of a number, a list, a colour or a param. */
 static const Node *resolve_constant(Resolver *r, Tree *tree)
 {
-    Value *value = ARENA_NEW(r->c->arena, Value);
+    Value *value = ARENA_NEW(r->session->arena, Value);
     if (!resolve_number(r, "a map", tree, 1, 4, value))
         return NULL;
-    Node *node = ARENA_NEW(r->c->arena, Node);
+    Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){KIND_Constant, r->node_count++, tree->span, value, 0, 0};
     return node;
 }
@@ -393,11 +396,11 @@ static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool oute
         if (!def)
             return NULL;
         if (def->value->open)
-            return diag_add(r->c, tree->span, DIAG_cycle, def->key);
+            return diag_add(r->session, tree->span, DIAG_cycle, def->key);
         return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
     }
     if (material && tree->kind != TREE_object)
-        return diag_add(r->c, tree->span, DIAG_missing_material_kind, "");
+        return diag_add(r->session, tree->span, DIAG_missing_material_kind, "");
     if (tree->kind != TREE_object || (!material && tree_find(tree, "param")))
         return resolve_constant(r, tree);
     return resolve_node(r, tree, material, outermost);
@@ -411,7 +414,7 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
         return tree->node;
     const Node *node = NULL;
     if (r->depth >= LIMIT_DEPTH)
-        diag_add(r->c, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
     else if (!tree->failed) {
         r->depth++;
         tree->open = true;

@@ -5,7 +5,7 @@
 
 /* What resolving keeps at hand. */
 typedef struct {
-    Compile *c;
+    Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     size_t def_count, def_room;
     const Uniform **uniforms;
@@ -19,7 +19,7 @@ typedef struct {
 } Resolver;
 
 /* NULL: see the diagnostics. */
-Graph *resolve(Compile *c, Tree *document);
+Graph *resolve(Session *session, Tree *document);
 
 /* Keys of the outermost level that stand beside a material's own. */
 bool is_document_key(const char *key);
@@ -43,7 +43,7 @@ bool is_name(const char *name);
 bool name_is_reserved(const char *name);
 
 /* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
-const char *suggest(Compile *c, const char *name, const char *(*names)(const void *user, int i), const void *user,
+const char *suggest(Session *session, const char *name, const char *(*names)(const void *user, int i), const void *user,
                     int count);
 
 /* Loads a PNG file; NULL and a diagnostic when it cannot. Equal paths are one image. */

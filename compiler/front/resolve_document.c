@@ -16,46 +16,47 @@ bool is_name(const char *name)
 }
 
 /* "dir/rock.yaml" -> "rock" */
-static const char *stem(Compile *c, const char *path)
+static const char *stem(Session *session, const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
-    return arena_string(c->arena, start, dot && dot != start ? (size_t)(dot - start) : strlen(start));
+    return arena_string(session->arena, start, dot && dot != start ? (size_t)(dot - start) : strlen(start));
 }
 
 static bool read_defs(Resolver *r, Tree *document, int depth);
 
 static bool read_include(Resolver *r, const Tree *name, int depth)
 {
-    Compile *c = r->c;
+    Session *session = r->session;
     if (name->kind != TREE_scalar) {
-        diag_add(c, name->span, DIAG_wrong_type, "include", "a file name or a list of them", tree_describe(c, name));
+        diag_add(session, name->span, DIAG_wrong_type, "include", "a file name or a list of them",
+                 tree_describe(session, name));
         return false;
     }
     if (depth >= LIMIT_INCLUDE_DEPTH) {
-        diag_add(c, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
+        diag_add(session, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
         return false;
     }
-    const char *path = path_beside(c, c->sources[name->span.file].name, name->text), *why = "";
-    for (size_t i = 0; i < c->source_count; i++)
-        if (!strcmp(c->sources[i].name, path))
+    const char *path = path_beside(session, session->sources[name->span.file].name, name->text), *why = "";
+    for (size_t i = 0; i < session->source_count; i++)
+        if (!strcmp(session->sources[i].name, path))
             return true; /* read already */
-    if (c->depends.count > LIMIT_INCLUDES) {
-        diag_add(c, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
+    if (session->depends.count > LIMIT_INCLUDES) {
+        diag_add(session, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
         return false;
     }
     Source source = {.name = path};
-    depend_on(c, path);
-    char *text = read_file(c, path, &source.size, &why);
+    depend_on(session, path);
+    char *text = read_file(session, path, &source.size, &why);
     if (!text) {
-        diag_add(c, name->span, DIAG_cannot_read, name->text, why);
+        diag_add(session, name->span, DIAG_cannot_read, name->text, why);
         return false;
     }
-    source.text = arena_string(c->arena, text, source.size);
+    source.text = arena_string(session->arena, text, source.size);
     free(text);
-    ARENA_PUSH(c->arena, c->sources, c->source_count, c->source_room, source);
-    Tree *tree = read_document(c, (uint32_t)c->source_count - 1);
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    Tree *tree = read_document(session, (uint32_t)session->source_count - 1);
     if (tree && tree->kind != TREE_object) {
-        diag_add(c, tree->span, DIAG_include_not_object);
+        diag_add(session, tree->span, DIAG_include_not_object);
         return false;
     }
     return tree && read_defs(r, tree, depth + 1);
@@ -68,10 +69,11 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
     bool fine = true;
     if (defs && !tree_is_null(defs->value)) {
         if (defs->value->kind != TREE_object) {
-            diag_add(r->c, defs->value->span, DIAG_wrong_type, "defs", "an object", tree_describe(r->c, defs->value));
+            diag_add(r->session, defs->value->span, DIAG_wrong_type, "defs", "an object",
+                     tree_describe(r->session, defs->value));
             return false;
         }
-        ARENA_PUSH(r->c->arena, r->defs, r->def_count, r->def_room, defs->value);
+        ARENA_PUSH(r->session->arena, r->defs, r->def_count, r->def_room, defs->value);
     }
     if (include && tree_is_null(include->value))
         return fine;
@@ -91,12 +93,12 @@ static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials
         const Member *member = &list->members[i];
         bool fault = false;
         if (!is_name(member->key)) {
-            diag_add(r->c, member->span, DIAG_bad_name, member->key, LIMIT_NAME);
+            diag_add(r->session, member->span, DIAG_bad_name, member->key, LIMIT_NAME);
             fine = false;
         }
         materials[i] = (NamedMaterial){member->key, resolve_material(r, member->value, &fault)};
         if (!materials[i].node && !fault)
-            diag_add(r->c, member->span, DIAG_missing_material_kind, "");
+            diag_add(r->session, member->span, DIAG_missing_material_kind, "");
         fine &= materials[i].node != NULL;
     }
     return fine;
@@ -117,8 +119,8 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
         if (is_document_key(member->key) || !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material");
-        const char *near = suggest(r->c, member->key, top_key, NULL, 4);
-        diag_add(r->c, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
+        const char *near = suggest(r->session, member->key, top_key, NULL, 4);
+        diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
         fine = false;
     }
     return fine;
@@ -136,28 +138,29 @@ static void check_defs(Resolver *r)
         }
 }
 
-Graph *resolve(Compile *c, Tree *document)
+Graph *resolve(Session *session, Tree *document)
 {
-    Resolver r = {.c = c};
+    Resolver r = {.session = session};
     if (document->kind != TREE_object)
-        return diag_add(c, document->span, DIAG_document_not_object);
+        return diag_add(session, document->span, DIAG_document_not_object);
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
     if (!many && !one)
-        return diag_add(c, document->span, DIAG_no_material);
+        return diag_add(session, document->span, DIAG_no_material);
     bool fine = check_top(&r, document, many), fault = false;
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)
-        return diag_add(c, many->value->span, DIAG_wrong_type, "materials", "an object", tree_describe(c, many->value));
+        return diag_add(session, many->value->span, DIAG_wrong_type, "materials", "an object",
+                        tree_describe(session, many->value));
     if (many && !many->value->count)
-        return diag_add(c, many->value->span, DIAG_no_materials);
-    Graph *graph = ARENA_NEW(c->arena, Graph);
+        return diag_add(session, many->value->span, DIAG_no_materials);
+    Graph *graph = ARENA_NEW(session->arena, Graph);
     graph->material_count = many ? (int)many->value->count : 1;
-    NamedMaterial *materials = ARENA_ARRAY(c->arena, NamedMaterial, graph->material_count);
+    NamedMaterial *materials = ARENA_ARRAY(session->arena, NamedMaterial, graph->material_count);
     graph->materials = materials;
     if (many)
         fine &= resolve_list(&r, many->value, materials);
     else
-        materials[0] = (NamedMaterial){stem(c, c->sources[document->span.file].name),
+        materials[0] = (NamedMaterial){stem(session, session->sources[document->span.file].name),
                                        resolve_any(&r, document, true, true, &fault)};
     check_defs(&r);
     graph->node_count = r.node_count;
@@ -166,5 +169,5 @@ Graph *resolve(Compile *c, Tree *document)
     graph->uniform_names = r.uniform_names;
     graph->images = r.images;
     graph->image_count = (int)r.image_count;
-    return fine && !fault && !c->diags.errors ? graph : NULL;
+    return fine && !fault && !session->diags.errors ? graph : NULL;
 }

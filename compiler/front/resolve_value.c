@@ -34,7 +34,7 @@ static bool color(Resolver *r, const Tree *tree, Value *value)
 {
     if (tree->text[0] == '#') {
         if (!hex_color(tree->text, value))
-            diag_add(r->c, tree->span, DIAG_bad_color, tree->text);
+            diag_add(r->session, tree->span, DIAG_bad_color, tree->text);
         return value->type != TYPE_bool;
     }
     for (int i = 0; i < color_count; i++) {
@@ -45,8 +45,8 @@ static bool color(Resolver *r, const Tree *tree, Value *value)
         value->type = TYPE_vec3;
         return true;
     }
-    const char *near = suggest(r->c, tree->text, color_name, NULL, color_count);
-    diag_add(r->c, tree->span, DIAG_unknown_color, tree->text, near);
+    const char *near = suggest(r->session, tree->text, color_name, NULL, color_count);
+    diag_add(r->session, tree->span, DIAG_unknown_color, tree->text, near);
     return false;
 }
 
@@ -54,27 +54,27 @@ static bool fits_float(Resolver *r, const char *what, const Tree *tree, double n
 {
     if (fabs(number) <= FLT_MAX)
         return true;
-    diag_add(r->c, tree->span, DIAG_too_large_number, what, tree->text);
+    diag_add(r->session, tree->span, DIAG_too_large_number, what, tree->text);
     return false;
 }
 
 static bool number_list(Resolver *r, const char *what, const Tree *tree, int least, int most, Value *value)
 {
     if (tree->count < 2 || (int)tree->count < least || (int)tree->count > most) {
-        Text wanted = text_new(r->c->arena);
+        Text wanted = text_new(r->session->arena);
         if (most == 1)
             text_put(&wanted, "a number");
         else if (least == most)
             text_format(&wanted, "%d numbers", least);
         else
             text_format(&wanted, "%d to %d numbers", least > 2 ? least : 2, most);
-        diag_add(r->c, tree->span, DIAG_wrong_count, what, wanted.at, (int)tree->count);
+        diag_add(r->session, tree->span, DIAG_wrong_count, what, wanted.at, (int)tree->count);
         return false;
     }
     for (uint32_t i = 0; i < tree->count; i++) {
         const Tree *item = tree->items[i];
         if (!tree_number(item, &value->number[i])) {
-            diag_add(r->c, item->span, DIAG_not_number, what, tree_describe(r->c, item));
+            diag_add(r->session, item->span, DIAG_not_number, what, tree_describe(r->session, item));
             return false;
         }
         if (!fits_float(r, what, item, value->number[i]))
@@ -107,23 +107,23 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
     if (found >= 0) {
         const Uniform *known = r->uniforms[found];
         if (!same_default(known, value)) {
-            diag_add(r->c, name->span, DIAG_param_conflict, name->text);
-            diag_add(r->c, known->span, DIAG_first_given);
+            diag_add(r->session, name->span, DIAG_param_conflict, name->text);
+            diag_add(r->session, known->span, DIAG_first_given);
             return false;
         }
         value->uniform = known;
         return true;
     }
     if (r->uniform_count >= LIMIT_PARAMS) {
-        diag_add(r->c, name->span, DIAG_too_many_params, LIMIT_PARAMS);
+        diag_add(r->session, name->span, DIAG_too_many_params, LIMIT_PARAMS);
         return false;
     }
-    Uniform *uniform = ARENA_NEW(r->c->arena, Uniform);
+    Uniform *uniform = ARENA_NEW(r->session->arena, Uniform);
     *uniform = (Uniform){.name = name->text, .type = value->type, .span = name->span, .index = (int)r->uniform_count};
     memcpy(uniform->initial, value->number, sizeof value->number);
     const Uniform *kept = uniform;
-    ARENA_PUSH(r->c->arena, r->uniforms, r->uniform_count, r->uniform_room, kept);
-    names_add(r->c->arena, &r->uniform_names, uniform->name);
+    ARENA_PUSH(r->session->arena, r->uniforms, r->uniform_count, r->uniform_room, kept);
+    names_add(r->session->arena, &r->uniform_names, uniform->name);
     value->uniform = uniform;
     return true;
 }
@@ -136,25 +136,25 @@ static bool param(Resolver *r, const char *what, Tree *tree, int least, int most
     for (uint32_t i = 0; i < tree->count; i++) {
         const char *key = tree->members[i].key;
         if (strcmp(key, "param") != 0 && strcmp(key, "default") != 0) {
-            diag_add(r->c, tree->members[i].span, DIAG_param_keys, key);
+            diag_add(r->session, tree->members[i].span, DIAG_param_keys, key);
             return false;
         }
     }
     if (name->kind != TREE_scalar || !is_identifier(name->text)) {
-        diag_add(r->c, name->span, DIAG_param_name, tree_describe(r->c, name));
+        diag_add(r->session, name->span, DIAG_param_name, tree_describe(r->session, name));
         return false;
     }
     if (name_is_reserved(name->text)) {
-        diag_add(r->c, name->span, DIAG_param_reserved, name->text);
+        diag_add(r->session, name->span, DIAG_param_reserved, name->text);
         return false;
     }
     if (!initial) {
-        diag_add(r->c, tree->span, DIAG_missing_key, "a param", "default");
+        diag_add(r->session, tree->span, DIAG_missing_key, "a param", "default");
         return false;
     }
     if (initial->value->kind == TREE_object) {
-        diag_add(r->c, initial->value->span, DIAG_wrong_type, "the default of a param", "a number, a list or a colour",
-                 "an object");
+        diag_add(r->session, initial->value->span, DIAG_wrong_type, "the default of a param",
+                 "a number, a list or a colour", "an object");
         return false;
     }
     if (!resolve_number(r, what, initial->value, least, most, value) || !name_uniform(r, name, value))
@@ -178,13 +178,13 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int mo
         return fits_float(r, what, tree, number);
     }
     if (tree->kind == TREE_scalar && tree->plain && tree->count && strchr("+-.0123456789", tree->text[0])) {
-        diag_add(r->c, tree->span, DIAG_bad_number, tree->text);
+        diag_add(r->session, tree->span, DIAG_bad_number, tree->text);
         return false;
     }
     if (tree->kind == TREE_scalar && most >= 3 && !tree_is_null(tree))
         return color(r, tree, value);
-    diag_add(r->c, tree->span, DIAG_wrong_type, what,
-             most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->c, tree));
+    diag_add(r->session, tree->span, DIAG_wrong_type, what,
+             most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->session, tree));
     return false;
 }
 
@@ -202,10 +202,11 @@ static bool wave_kind(Resolver *r, const Tree *name, WaveKind *kind)
             return true;
         }
     if (name->kind != TREE_scalar)
-        diag_add(r->c, name->span, DIAG_wrong_type, "a wave", "a name or `{ wave: name }`", tree_describe(r->c, name));
+        diag_add(r->session, name->span, DIAG_wrong_type, "a wave", "a name or `{ wave: name }`",
+                 tree_describe(r->session, name));
     else
-        diag_add(r->c, name->span, DIAG_unknown_wave, name->text,
-                 suggest(r->c, name->text, wave_name, NULL, WAVE_COUNT + 1));
+        diag_add(r->session, name->span, DIAG_unknown_wave, name->text,
+                 suggest(r->session, name->text, wave_name, NULL, WAVE_COUNT + 1));
     return false;
 }
 
@@ -219,7 +220,7 @@ static bool chain_member(Resolver *r, const Member *member, Wave *wave)
         return resolve_number(r, "factor", member->value, 1, 1, &wave->factor);
     if (!strcmp(member->key, "shift"))
         return resolve_number(r, "shift", member->value, 1, 1, &wave->shift);
-    diag_add(r->c, member->span, DIAG_unknown_key, "Chain", member->key, "");
+    diag_add(r->session, member->span, DIAG_unknown_key, "Chain", member->key, "");
     return false;
 }
 
@@ -243,10 +244,10 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
     if (tree->failed)
         return false;
     if (++r->depth > LIMIT_DEPTH) {
-        diag_add(r->c, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
         return false;
     }
-    Wave *wave = ARENA_NEW(r->c->arena, Wave);
+    Wave *wave = ARENA_NEW(r->session->arena, Wave);
     wave->factor = (Value){.kind = VALUE_number, .type = TYPE_float, .number = {1}};
     wave->shift = (Value){.kind = VALUE_number, .type = TYPE_float};
     const Member *name = tree_find(tree, "wave");
@@ -255,13 +256,13 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
         fine = chain(r, tree, wave);
     else if (fine && name && tree->count > 1) {
         const Member *extra = &tree->members[&tree->members[0] == name];
-        diag_add(r->c, extra->span, DIAG_unknown_key, wave_name(NULL, (int)wave->kind), extra->key, "");
+        diag_add(r->session, extra->span, DIAG_unknown_key, wave_name(NULL, (int)wave->kind), extra->key, "");
         fine = false;
     }
     r->depth--;
     wave->length = wave->kind == WAVE_Chain ? wave_length(wave->first) + wave_length(wave->second) : 1;
     if (wave->length > LIMIT_WAVES) {
-        diag_add(r->c, tree->span, DIAG_wave_too_long, LIMIT_WAVES);
+        diag_add(r->session, tree->span, DIAG_wave_too_long, LIMIT_WAVES);
         fine = false;
     }
     tree->failed = !fine;
@@ -276,17 +277,18 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
 static bool matrix(Resolver *r, const Tree *tree, Transform *transform)
 {
     if (tree->kind == TREE_list && tree->count != 16) {
-        diag_add(r->c, tree->span, DIAG_wrong_count, "matrix", "16 numbers, by rows", (int)tree->count);
+        diag_add(r->session, tree->span, DIAG_wrong_count, "matrix", "16 numbers, by rows", (int)tree->count);
         return false;
     }
     if (tree->kind != TREE_list) {
-        diag_add(r->c, tree->span, DIAG_wrong_type, "matrix", "a list of 16 numbers, by rows",
-                 tree_describe(r->c, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, "matrix", "a list of 16 numbers, by rows",
+                 tree_describe(r->session, tree));
         return false;
     }
     for (int i = 0; i < 16; i++) {
         if (!tree_number(tree->items[i], &transform->matrix[i])) {
-            diag_add(r->c, tree->items[i]->span, DIAG_not_number, "matrix", tree_describe(r->c, tree->items[i]));
+            diag_add(r->session, tree->items[i]->span, DIAG_not_number, "matrix",
+                     tree_describe(r->session, tree->items[i]));
             return false;
         }
         if (!fits_float(r, "matrix", tree->items[i], transform->matrix[i]))
@@ -295,7 +297,7 @@ static bool matrix(Resolver *r, const Tree *tree, Transform *transform)
     const double *last = transform->matrix + 12;
     if (last[0] == 0 && last[1] == 0 && last[2] == 0 && last[3] == 1)
         return true;
-    diag_add(r->c, tree->span, DIAG_bad_matrix);
+    diag_add(r->session, tree->span, DIAG_bad_matrix);
     return false;
 }
 
@@ -310,8 +312,8 @@ static const char *transform_key(const void *user, int i)
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
 {
     if (tree->kind != TREE_object || !tree->count) {
-        diag_add(r->c, tree->span, DIAG_wrong_type, "transform",
-                 "an object with scale, translation, rotation, shear or matrix", tree_describe(r->c, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, "transform",
+                 "an object with scale, translation, rotation, shear or matrix", tree_describe(r->session, tree));
         return false;
     }
     const Value zero = {.kind = VALUE_number, .type = TYPE_vec3};
@@ -325,14 +327,14 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
         while (key < 5 && strcmp(transform_key(NULL, key), member->key) != 0)
             key++;
         if (key == 5) {
-            diag_add(r->c, member->span, DIAG_unknown_key, "a transform", member->key,
-                     suggest(r->c, member->key, transform_key, NULL, 5));
+            diag_add(r->session, member->span, DIAG_unknown_key, "a transform", member->key,
+                     suggest(r->session, member->key, transform_key, NULL, 5));
             fine = false;
         } else if (key == 4) {
             fine &= matrix(r, member->value, transform);
             transform->kind = TRANSFORM_matrix;
             if (tree->count > 1) {
-                diag_add(r->c, tree->members[i == 0].span, DIAG_unknown_key, "a transform with a matrix",
+                diag_add(r->session, tree->members[i == 0].span, DIAG_unknown_key, "a transform with a matrix",
                          tree->members[i == 0].key, "");
                 fine = false;
             }

@@ -30,13 +30,14 @@ static int distance(const char *a, const char *b, int most)
     return row[n % 3][m];
 }
 
-const char *suggest(Compile *c, const char *name, const char *(*names)(const void *, int), const void *user, int count)
+const char *suggest(Session *session, const char *name, const char *(*names)(const void *, int), const void *user,
+                    int count)
 {
     const char *best = NULL;
     if (strnlen(name, LONGEST + 1) > LONGEST)
         return "";
     int size = (int)strlen(name), best_distance = size < 5 ? 1 : size / 3 + 1;
-    for (int i = 0; i < count && !diag_full(c); i++) { /* what is not said needs no suggestion */
+    for (int i = 0; i < count && !diag_full(session); i++) { /* what is not said needs no suggestion */
         const char *candidate = names(user, i);
         int d = candidate ? distance(name, candidate, best_distance) : LONGEST;
         if (d <= best_distance && (!best || d < best_distance)) {
@@ -46,7 +47,7 @@ const char *suggest(Compile *c, const char *name, const char *(*names)(const voi
     }
     if (!best)
         return "";
-    Text text = text_new(c->arena);
+    Text text = text_new(session->arena);
     text_format(&text, "; did you mean '%s'?", best);
     return text.at;
 }

@@ -15,17 +15,17 @@ bool tree_number(const Tree *tree, double *value)
     return tree->kind == TREE_scalar && tree->plain && text_number(tree->text, tree->count, value);
 }
 
-const char *tree_describe(Compile *c, const Tree *tree)
+const char *tree_describe(Session *session, const Tree *tree)
 {
     double number;
-    Text text = text_new(c->arena);
+    Text text = text_new(session->arena);
     if (tree->kind == TREE_list)
         return "a list";
     if (tree->kind == TREE_object)
         return "an object";
     if (tree_is_null(tree))
         return "nothing";
-    if (diag_full(c))
+    if (diag_full(session))
         return "something";
     text_format(&text, tree_number(tree, &number) ? "the number %.*s" : "'%.*s'", LIMIT_NAME, tree->text);
     return text.at;
@@ -33,10 +33,7 @@ const char *tree_describe(Compile *c, const Tree *tree)
 
 enum { LARGE_OBJECT = 16 }; /* members from which on a hash table pays */
 
-uint32_t tree_hash(const char *key, size_t size)
-{
-    return (uint32_t)key_of_bytes(key, size).low;
-}
+uint32_t tree_hash(const char *key, size_t size) { return (uint32_t)key_of_bytes(key, size).low; }
 
 static bool has_key(const Member *member, const char *key, size_t size)
 {
@@ -62,14 +59,14 @@ static uint32_t *table_place(const Tree *object, const char *key, size_t size)
     return &table[at];
 }
 
-void tree_set_members(Compile *c, Tree *object, const Member *members, size_t count)
+void tree_set_members(Session *session, Tree *object, const Member *members, size_t count)
 {
     const size_t size = count * sizeof *members;
     const size_t table = count > LARGE_OBJECT ? table_size((uint32_t)count) * sizeof(uint32_t) : 0;
     object->count = (uint32_t)count;
     if (!count)
         return;
-    object->members = arena_alloc(c->arena, size + table);
+    object->members = arena_alloc(session->arena, size + table);
     memcpy(object->members, members, size);
     memset(object->members + count, 0, table);
     for (uint32_t i = 0; table && i < count; i++) {

@@ -44,10 +44,10 @@ struct Tree {
 };
 
 /* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into c->sources. */
-Tree *read_document(Compile *c, uint32_t source);
+Tree *read_document(Session *session, uint32_t source);
 uint32_t tree_hash(const char *key, size_t size);
 /* The object's members are a copy of these. Of those with one key tree_find gives the first. */
-void tree_set_members(Compile *c, Tree *object, const Member *members, size_t count);
+void tree_set_members(Session *session, Tree *object, const Member *members, size_t count);
 /* The first member of that key, or NULL. */
 const Member *tree_find(const Tree *object, const char *key);
 const Member *tree_find_bytes(const Tree *object, const char *key, size_t size);
@@ -55,7 +55,7 @@ bool tree_is_null(const Tree *tree);
 /* A plain scalar that is a finite number. */
 bool tree_number(const Tree *tree, double *value);
 /* What a value is, for messages: "a list", "the number 3", "'text'". */
-const char *tree_describe(Compile *c, const Tree *tree);
+const char *tree_describe(Session *session, const Tree *tree);
 /* The tree as indented YAML-like text, with places; a shared subtree is printed once. */
 void tree_print(Text *out, Tree *tree);
 #endif

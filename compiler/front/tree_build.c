@@ -8,9 +8,9 @@ enum { VALUES_ROOM = 16, TEXT_ROOM = 1024, LONG_TEXT = 128 };
 Tree *build_value(TreeBuilder *b, TreeKind kind, Span span)
 {
     if (++b->values > LIMIT_TREE_NODES)
-        return diag_add(b->c, span, DIAG_too_many, LIMIT_TREE_NODES);
+        return diag_add(b->session, span, DIAG_too_many, LIMIT_TREE_NODES);
     if (!b->values_left_count) {
-        b->values_left = ARENA_ARRAY(b->c->arena, Tree, VALUES_ROOM);
+        b->values_left = ARENA_ARRAY(b->session->arena, Tree, VALUES_ROOM);
         b->values_left_count = VALUES_ROOM;
     }
     b->values_left_count--;
@@ -23,9 +23,9 @@ Tree *build_value(TreeBuilder *b, TreeKind kind, Span span)
 char *build_text(TreeBuilder *b, size_t size)
 {
     if (size >= LONG_TEXT)
-        return arena_zero(b->c->arena, size + 1);
+        return arena_zero(b->session->arena, size + 1);
     if ((size_t)(b->text_end - b->text) < size + 1) {
-        b->text = arena_alloc(b->c->arena, TEXT_ROOM);
+        b->text = arena_alloc(b->session->arena, TEXT_ROOM);
         b->text_end = b->text + TEXT_ROOM;
     }
     char *text = b->text;
@@ -68,7 +68,7 @@ void build_list(TreeBuilder *b, Tree *list, size_t from)
 {
     const size_t size = (b->item_count - from) * sizeof *list->items;
     list->count = (uint32_t)(b->item_count - from);
-    list->items = size ? memcpy(arena_alloc(b->c->arena, size), b->items + from, size) : NULL;
+    list->items = size ? memcpy(arena_alloc(b->session->arena, size), b->items + from, size) : NULL;
     b->item_count = from;
 }
 
@@ -79,15 +79,15 @@ static void check_duplicates(TreeBuilder *b, const Tree *object)
         const Member *member = &object->members[i], *first = tree_find_bytes(object, member->key, member->size);
         if (first == member)
             continue;
-        diag_add(b->c, member->span, DIAG_duplicate_key, member->key);
-        diag_add(b->c, first->span, DIAG_first_given);
+        diag_add(b->session, member->span, DIAG_duplicate_key, member->key);
+        diag_add(b->session, first->span, DIAG_first_given);
     }
 }
 
 static void set_members(TreeBuilder *b, Tree *object, size_t from)
 {
     const size_t count = b->member_count - from;
-    tree_set_members(b->c, object, count ? b->members + from : NULL, count);
+    tree_set_members(b->session, object, count ? b->members + from : NULL, count);
     b->member_count = from;
 }
 
@@ -118,10 +118,10 @@ bool build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count)
         build_member(b, object->members[i]);
     for (size_t k = 0; k < count; k++) {
         if (bases[k]->kind != TREE_object)
-            return diag_add(b->c, bases[k]->span, DIAG_bad_merge, tree_describe(b->c, bases[k]));
+            return diag_add(b->session, bases[k]->span, DIAG_bad_merge, tree_describe(b->session, bases[k]));
         b->values += (int)bases[k]->count; /* merging is the one thing that copies */
         if (b->values > LIMIT_TREE_NODES)
-            return diag_add(b->c, object->span, DIAG_too_many, LIMIT_TREE_NODES);
+            return diag_add(b->session, object->span, DIAG_too_many, LIMIT_TREE_NODES);
         for (uint32_t i = 0; i < bases[k]->count; i++)
             if (!tree_find_bytes(object, bases[k]->members[i].key, bases[k]->members[i].size))
                 build_member(b, bases[k]->members[i]);

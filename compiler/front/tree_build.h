@@ -5,7 +5,7 @@
 #include "compiler/front/tree.h"
 
 typedef struct {
-    Compile *c;
+    Session *session;
     uint32_t file;  /* the source */
     uint32_t start; /* of its text, behind a byte order mark */
     int values;

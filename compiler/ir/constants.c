@@ -213,19 +213,19 @@ static void take_users_hints(const Ir *ir, const uint32_t *number, IrConstant *k
         }
 }
 
-void constants_finish(Compile *c, Ir *ir, const int *list, size_t count)
+void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
 {
     int named[HINT_COUNT] = {0}, size = 0;
-    uint32_t *number = ARENA_ARRAY(c->arena, uint32_t, ir->constant_count + 1); /* from 1, in the given order */
-    IrConstant *kept = ARENA_ARRAY(c->arena, IrConstant, ir->constant_count + 1);
-    size_t *from = ARENA_ARRAY(c->arena, size_t, ir->constant_count + 1);
+    uint32_t *number = ARENA_ARRAY(session->arena, uint32_t, ir->constant_count + 1); /* from 1, in the given order */
+    IrConstant *kept = ARENA_ARRAY(session->arena, IrConstant, ir->constant_count + 1);
+    size_t *from = ARENA_ARRAY(session->arena, size_t, ir->constant_count + 1);
     for (size_t i = 0; i < count; i++) {
         kept[i] = ir->constants[list[i]];
         number[list[i]] = (uint32_t)i + 1;
     }
     take_users_hints(ir, number, kept);
-    IrConstant *laid = ARENA_ARRAY(c->arena, IrConstant, count + 1);
-    uint32_t *moved = ARENA_ARRAY(c->arena, uint32_t, count + 1);
+    IrConstant *laid = ARENA_ARRAY(session->arena, IrConstant, count + 1);
+    uint32_t *moved = ARENA_ARRAY(session->arena, uint32_t, count + 1);
     order(kept, count, from);
     for (size_t i = 0; i < count; i++) {
         laid[i] = kept[from[i]];

@@ -23,7 +23,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
 
 /* Names the live constants, given as ir_key lists them, and lays them out as a std140 block: widest first, a number behind each
  * triple. The Ir's list is then in the order of the offsets, the same for programs of one key. */
-void constants_finish(Compile *c, Ir *ir, const int *list, size_t count);
+void constants_finish(Session *session, Ir *ir, const int *list, size_t count);
 /* A buffer can hold numbers of the type: floats and words. */
 bool constant_storable(Type type);
 /* A lane as a buffer holds it: a float, or a word as it is. */

@@ -10,14 +10,14 @@ const OpRow op_table[OP_COUNT] = {
 
 enum { FIRST_TABLE = 256 };
 
-Ir *ir_new(Compile *c, const Graph *graph)
+Ir *ir_new(Session *session, const Graph *graph)
 {
-    Ir *ir = ARENA_NEW(c->arena, Ir);
-    *ir = (Ir){.c = c, .arena = c->arena, .graph = graph};
-    ir->table = ARENA_ARRAY(c->arena, Ref, FIRST_TABLE);
+    Ir *ir = ARENA_NEW(session->arena, Ir);
+    *ir = (Ir){.session = session, .arena = session->arena, .graph = graph};
+    ir->table = ARENA_ARRAY(session->arena, Ref, FIRST_TABLE);
     ir->mask = FIRST_TABLE - 1;
     const IrNode none = {0};
-    ARENA_PUSH(c->arena, ir->nodes, ir->count, ir->room, none); /* node 0 */
+    ARENA_PUSH(session->arena, ir->nodes, ir->count, ir->room, none); /* node 0 */
     return ir;
 }
 

@@ -81,7 +81,7 @@ enum { MOST_OUTPUTS = 16 }; /* render targets, or all slots, with discard and de
 _Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
 typedef struct Ir {
-    Compile *c;
+    Session *session;
     Arena *arena;
     Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
     IrNode *nodes;
@@ -120,7 +120,7 @@ typedef struct Ir {
 
 /* The lattice noise that a target's programs compute, for the references. lower.c */
 ReferenceNoise noise_for(Choice noise, Target target);
-Ir *ir_new(Compile *c, const Graph *graph);
+Ir *ir_new(Session *session, const Graph *graph);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);
 
@@ -229,7 +229,7 @@ const char *ir_check(const Ir *ir);
 void ir_print(Text *out, const Ir *ir);
 void ir_dot(Text *out, const Ir *ir);
 /* Reads what ir_print wrote (tests); NULL and a message. Textures and uniforms are those of `graph`. */
-Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault);
+Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault);
 
 /* The value of a node on constant operands; false when it has none (a texture, an input). fold.c. */
 /* One lane of an operation that works by lane; false when it is not finite. */

@@ -216,11 +216,11 @@ static bool read_line(Scanner *s)
     return (s->named[number] = read_node(s)) != 0;
 }
 
-Ir *ir_read(Compile *c, const char *text, const Graph *graph, const char **fault)
+Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault)
 {
     size_t size = strlen(text) + 1; /* a node takes more than a byte */
-    Scanner s = {.ir = ir_new(c, graph), .at = text, .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
-    s.named = ARENA_ARRAY(c->arena, Ref, s.named_room);
+    Scanner s = {.ir = ir_new(session, graph), .at = text, .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
+    s.named = ARENA_ARRAY(session->arena, Ref, s.named_room);
     while (*s.at && !s.fault) {
         if (!read_line(&s))
             break;

@@ -142,12 +142,12 @@ static void put_job(Walk *w, const Job *job, int optimize)
 
 static Key key_of(XXH128_hash_t hash) { return (Key){hash.low64, hash.high64}; }
 
-IrKey ir_key(Compile *c, const Ir *ir, const Job *job)
+IrKey ir_key(Session *session, const Ir *ir, const Job *job)
 {
     Arena scratch = {0};
     Walk w = {.arena = &scratch, .ir = ir, .number = ARENA_ARRAY(&scratch, uint32_t, ir->count)};
     put_text(&w, MATC_VERSION);
-    put_job(&w, job, c->optimize);
+    put_job(&w, job, session->optimize);
     for (int i = 0; i < ir->output_count; i++) {
         visit(&w, ir->outputs[i].value);
         put(&w, (uint32_t)ir->outputs[i].kind << 8 | (uint32_t)ir->outputs[i].index);
@@ -160,11 +160,11 @@ IrKey ir_key(Compile *c, const Ir *ir, const Job *job)
     XXH3_128bits_update(&both, &shape, sizeof shape);
     XXH3_128bits_update(&both, w.numbers, w.number_count * sizeof *w.numbers);
     IrKey key = {key_of(shape), key_of(XXH3_128bits_digest(&both)), NULL, (int)w.place_count, NULL, 0};
-    NumberPlace *places = ARENA_ARRAY(c->arena, NumberPlace, w.place_count + 1);
+    NumberPlace *places = ARENA_ARRAY(session->arena, NumberPlace, w.place_count + 1);
     if (w.place_count)
         memcpy(places, w.places, w.place_count * sizeof *places);
     key.places = places;
-    int *members = ARENA_ARRAY(c->arena, int, w.member_count + 1);
+    int *members = ARENA_ARRAY(session->arena, int, w.member_count + 1);
     if (w.member_count)
         memcpy(members, w.members, w.member_count * sizeof *members);
     key.members = members;

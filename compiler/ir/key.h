@@ -15,5 +15,5 @@ typedef struct {
 
 /* Walks the DAG from its outputs; equal programs are walked alike however their nodes are numbered. `ir` is free of dead
  * functions and textures (opt_dead). The places are in the compilation's arena. */
-IrKey ir_key(Compile *c, const Ir *ir, const Job *job);
+IrKey ir_key(Session *session, const Ir *ir, const Job *job);
 #endif

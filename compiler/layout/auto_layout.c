@@ -90,7 +90,7 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
     Division division;
     Locale locale = locale_enter();
     layout->options = options_whole(options);
-    layout->c = (Compile){.options = &layout->options, .arena = &layout->arena};
+    layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
     if (ranges->materials) {
         const double scale = error > 0 ? error / class_table[CLASS_color].error : 1;
         layout->row = make_row(&layout->arena, ranges, plans, scale, &division);
@@ -100,7 +100,7 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
         text_put(&report, layout->report);
         layout->report = report.at;
     } else {
-        diag_add(&layout->c, NO_SPAN, DIAG_layout_of_none);
+        diag_add(&layout->session, NO_SPAN, DIAG_layout_of_none);
     }
     locale_leave(locale);
     return layout;

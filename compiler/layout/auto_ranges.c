@@ -128,13 +128,13 @@ static void drop_unneeded(MatcRanges *one)
             one->slot[slot] = none.slot[slot];
 }
 
-static bool add_material(Compile *c, const Graph *graph, int material, const Job *job, MatcRanges *one)
+static bool add_material(Session *session, const Graph *graph, int material, const Job *job, MatcRanges *one)
 {
-    const Ir *ir = compile_ir(c, graph, graph->materials[material].node, job);
+    const Ir *ir = compile_ir(session, graph, graph->materials[material].node, job);
     if (!ir)
         return false;
-    const Ranges ranges = ranges_find(ir, c->arena, FIELD_LANES);
-    const uint8_t *same = find_same(ir, c->arena);
+    const Ranges ranges = ranges_find(ir, session->arena, FIELD_LANES);
+    const uint8_t *same = find_same(ir, session->arena);
     one->materials = 1;
     for (int i = 0; i < ir->output_count; i++)
         read_slot(ir, &ranges, same, &ir->outputs[i], &one->slot[ir->outputs[i].index]);
@@ -155,19 +155,19 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     own.member_count = 0;
     own.custom = NULL;
     own.optimize = 2;
-    Compile c = compile_with(&own, &arena);
+    Session session = compile_with(&own, &arena);
     const Graph *graph = document->graph;
-    document_lend(document, &c);
+    document_lend(document, &session);
     const char *wrong = job_of(&own, &job);
     bool fine = !wrong && graph && material >= 0 && material < graph->material_count;
     job.pass = PASS_value;
     job.all_slots = true;
     matc_ranges_init(&one);
-    fine = fine && add_material(&c, graph, material, &job, &one);
+    fine = fine && add_material(&session, graph, material, &job, &one);
     *fault = NULL;
     if (fine)
         matc_ranges_join(ranges, &one);
-    else if (!(*fault = strdup(c.diags.count ? diag_all(&c, MATC_TEXT) : "no such material or option")))
+    else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material or option")))
         abort();
     locale_leave(locale);
     arena_free(&arena);

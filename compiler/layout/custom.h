@@ -6,7 +6,7 @@
 struct MatcLayout {
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     const LayoutRow *row; /* NULL: faults */
     const char *text, *report;
 };

@@ -3,14 +3,14 @@
 #include "compiler/layout/layout_read.h"
 
 typedef struct {
-    Compile *c;
+    Session *session;
     const LayoutRow *row;
     bool fine;
 } Checker;
 
 static const char *number_text(Checker *k, double value)
 {
-    Text text = text_new(k->c->arena);
+    Text text = text_new(k->session->arena);
     describe_number(&text, value);
     return text.at;
 }
@@ -18,7 +18,7 @@ static const char *number_text(Checker *k, double value)
 /* "shininess", or "diffuse.g" of a slot with lanes. */
 static const char *lane_text(Checker *k, SlotLane at)
 {
-    Text text = text_new(k->c->arena);
+    Text text = text_new(k->session->arena);
     text_put(&text, slot_table[at.slot].name);
     if (type_table[slot_table[at.slot].type].lanes > 1)
         text_format(&text, ".%c", "rgba"[at.lane]);
@@ -28,11 +28,11 @@ static const char *lane_text(Checker *k, SlotLane at)
 static void check_groups(Checker *k, const FieldRow *field, Span span)
 {
     const EncodingRow *encoding = &encoding_table[field->encoding];
-    Text takes = text_new(k->c->arena);
+    Text takes = text_new(k->session->arena);
     if (!field->count || !encoding->takes || field->count % encoding->takes == 0)
         return;
     text_format(&takes, "%d lanes", encoding->takes);
-    diag_add(k->c, span, DIAG_field_lanes, encoding->name, takes.at, field->count);
+    diag_add(k->session, span, DIAG_field_lanes, encoding->name, takes.at, field->count);
     k->fine = false;
 }
 
@@ -45,9 +45,9 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
     for (int i = 0; i < field->count && fine; i++) {
         const SlotRow *slot = &slot_table[field->source[i].slot];
         if (directions && (field->source[i].slot != SLOT_normal || field->source[i].lane != i))
-            fine = diag_add(k->c, span, DIAG_field_normal, encoding->name);
+            fine = diag_add(k->session, span, DIAG_field_normal, encoding->name);
         else if (!directions && slot->low < 0 && field_low(field) >= 0)
-            fine = diag_add(k->c, span, DIAG_field_sign, encoding->name, number_text(k, field_low(field)),
+            fine = diag_add(k->session, span, DIAG_field_sign, encoding->name, number_text(k, field_low(field)),
                             number_text(k, field_high(field)), slot->name, number_text(k, slot->low),
                             number_text(k, slot->high));
     }
@@ -63,7 +63,7 @@ static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
             const SlotLane at = row->fields[i].source[lane];
             const int lanes = row->fields[i].gray ? type_table[slot_table[at.slot].type].lanes : 1;
             if (last[at.slot][at.lane])
-                k->fine = diag_add(k->c, trees[i]->span, DIAG_slot_twice, lane_text(k, at));
+                k->fine = diag_add(k->session, trees[i]->span, DIAG_slot_twice, lane_text(k, at));
             for (int n = 0; n < lanes; n++)
                 last[at.slot][at.lane + n] = i + 1;
         }
@@ -73,7 +73,7 @@ static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
             stored = last[slot][lane] ? last[slot][lane] : stored;
         for (int lane = 0; stored && lane < type_table[slot_table[slot].type].lanes; lane++)
             if (!last[slot][lane])
-                k->fine = diag_add(k->c, trees[stored - 1]->span, DIAG_slot_in_part,
+                k->fine = diag_add(k->session, trees[stored - 1]->span, DIAG_slot_in_part,
                                    lane_text(k, (SlotLane){(Slot)slot, lane}), slot_table[slot].name);
     }
 }
@@ -81,7 +81,7 @@ static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
 /* "left are 3 bits of 0.r, 32 bits of 1.g", "left are 0.a, 2.r", ...: what the fields before leave. */
 static const char *left_text(Checker *k, const Placement *placement, bool words)
 {
-    Text text = text_new(k->c->arena);
+    Text text = text_new(k->session->arena);
     bool any = false;
     for (int target = 0; target < layout_targets(k->row); target++) {
         const FormatRow *format = &format_table[k->row->formats[target]];
@@ -111,22 +111,22 @@ static void check_room(Checker *k, int number, Tree *const *trees)
     if (!fault)
         return;
     const bool words = encoding_table[fault->encoding].words;
-    Text encoding = text_new(k->c->arena), size = text_new(k->c->arena);
+    Text encoding = text_new(k->session->arena), size = text_new(k->session->arena);
     describe_encoding(&encoding, fault);
     text_format(&size, words ? "%d bits of one word" : "%d lanes of one target", field_size(fault));
-    k->fine = diag_add(k->c, trees[fault - k->row->cases[number].fields]->span, DIAG_field_full, encoding.at,
+    k->fine = diag_add(k->session, trees[fault - k->row->cases[number].fields]->span, DIAG_field_full, encoding.at,
                        slot_table[fault->source[0].slot].name, size.at, left_text(k, &placement, words));
 }
 
 static void check_cases(Checker *k, const Tree *file)
 {
     if (layout_case_bits(k->row) && !format_table[k->row->formats[0]].words)
-        k->fine = diag_add(k->c, tree_find(file, "targets")->value->span, DIAG_case_words);
+        k->fine = diag_add(k->session, tree_find(file, "targets")->value->span, DIAG_case_words);
 }
 
-bool layout_check(Compile *c, const LayoutRow *row, const Tree *file, Tree *const *const *trees)
+bool layout_check(Session *session, const LayoutRow *row, const Tree *file, Tree *const *const *trees)
 {
-    Checker k = {c, row, true};
+    Checker k = {session, row, true};
     for (int number = 0; number < row->case_count; number++) {
         for (int i = 0; i < row->cases[number].field_count; i++) {
             check_groups(&k, &row->cases[number].fields[i], trees[number][i]->span);

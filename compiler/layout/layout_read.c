@@ -5,7 +5,7 @@
 #include <string.h>
 
 typedef struct {
-    Compile *c;
+    Session *session;
     LayoutRow *row;
     Tree *const **trees; /* of every case: where its fields stand */
     bool fine;
@@ -24,7 +24,7 @@ static void *fail(Reader *r)
 
 static void wrong_type(Reader *r, const Tree *tree, const char *what, const char *wants)
 {
-    diag_add(r->c, tree->span, DIAG_wrong_type, what, wants, tree_describe(r->c, tree));
+    diag_add(r->session, tree->span, DIAG_wrong_type, what, wants, tree_describe(r->session, tree));
     fail(r);
 }
 
@@ -37,8 +37,8 @@ static void check_keys(Reader *r, const Tree *object, const char *what, const ch
             k++;
         if (k < count)
             continue;
-        const char *near = suggest(r->c, object->members[i].key, key_name, keys, count);
-        diag_add(r->c, object->members[i].span, DIAG_layout_key, what, object->members[i].key, near);
+        const char *near = suggest(r->session, object->members[i].key, key_name, keys, count);
+        diag_add(r->session, object->members[i].span, DIAG_layout_key, what, object->members[i].key, near);
         fail(r);
     }
 }
@@ -50,7 +50,7 @@ static Tree *member(Reader *r, const Tree *object, const char *what, const char 
     if (found && !tree_is_null(found->value))
         return found->value;
     if (must) {
-        diag_add(r->c, object->span, DIAG_missing_key, what, key);
+        diag_add(r->session, object->span, DIAG_missing_key, what, key);
         fail(r);
     }
     return NULL;
@@ -79,7 +79,7 @@ static Tree **items_of(Reader *r, const Tree *object, const char *what, const ch
         return NULL;
     }
     if (list->count > (uint32_t)most) {
-        diag_add(r->c, list->span, DIAG_layout_length, key, (int)list->count, most);
+        diag_add(r->session, list->span, DIAG_layout_length, key, (int)list->count, most);
         return fail(r);
     }
     *count = (int)list->count;
@@ -97,7 +97,7 @@ static int row_of(Reader *r, const Tree *tree, const char *what, const char *(*n
     for (int i = 0; i < count; i++)
         if (!strcmp(names(NULL, i), tree->text))
             return i;
-    diag_add(r->c, tree->span, unknown, tree->text, suggest(r->c, tree->text, names, NULL, count));
+    diag_add(r->session, tree->span, unknown, tree->text, suggest(r->session, tree->text, names, NULL, count));
     fail(r);
     return -1;
 }
@@ -111,12 +111,12 @@ static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
     }
     size_t size = strcspn(tree->text, ".");
     Tree name = *tree;
-    name.text = arena_string(r->c->arena, tree->text, size);
+    name.text = arena_string(r->session->arena, tree->text, size);
     int slot = row_of(r, &name, "slot", slot_name, SLOT_COUNT, DIAG_unknown_slot);
     if (slot < 0)
         return;
     const int lanes = type_table[slot_table[slot].type].lanes;
-    const char *all = arena_string(r->c->arena, "rgba", (size_t)lanes);
+    const char *all = arena_string(r->session->arena, "rgba", (size_t)lanes);
     const char *letters = tree->text[size] ? tree->text + size + 1 : all;
     if (!*letters)
         letters = "?";
@@ -124,7 +124,7 @@ static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
         const char *rgba = strchr(all, *letters), *at = strchr("xyzw", *letters);
         int lane = rgba ? (int)(rgba - all) : at ? (int)(at - "xyzw") : FIELD_LANES;
         if (lane >= lanes || field->count == FIELD_LANES) {
-            diag_add(r->c, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name, all);
+            diag_add(r->session, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name, all);
             fail(r);
             return;
         }
@@ -152,10 +152,10 @@ static void read_bits(Reader *r, const Tree *object, FieldRow *field)
     if (tree && (!tree_number(tree, &bits) || bits != floor(bits))) {
         wrong_type(r, tree, "bits", "a whole number");
     } else if (bits < encoding->least || bits > encoding->most) {
-        Text least = text_new(r->c->arena), most = text_new(r->c->arena);
+        Text least = text_new(r->session->arena), most = text_new(r->session->arena);
         text_int(&least, encoding->least);
         text_int(&most, encoding->most);
-        diag_add(r->c, tree->span, DIAG_out_of_range, "bits", tree->text, least.at, most.at);
+        diag_add(r->session, tree->span, DIAG_out_of_range, "bits", tree->text, least.at, most.at);
         fail(r);
     }
     field->bits = r->fine ? (int)bits : encoding->least;
@@ -175,7 +175,8 @@ static void read_range(Reader *r, const Tree *object, FieldRow *field)
     bool told = fabs(field->low) < most && fabs(field->high) < most &&
                 field->high - field->low > least * fmax(fabs(field->low), fabs(field->high));
     if (!told || !encoding_takes_range(field->encoding)) {
-        diag_add(r->c, tree->span, told ? DIAG_field_range : DIAG_bad_range, encoding_table[field->encoding].name);
+        diag_add(r->session, tree->span, told ? DIAG_field_range : DIAG_bad_range,
+                 encoding_table[field->encoding].name);
         fail(r);
     }
 }
@@ -194,7 +195,7 @@ static void read_gray(Reader *r, const Tree *object, FieldRow *field)
     for (int i = 0; i < field->count; i++)
         whole &= field->source[i].slot == field->source[0].slot && field->source[i].lane == i;
     if (yes && (!whole || encoding_table[field->encoding].takes > 1)) {
-        diag_add(r->c, tree->span, DIAG_field_gray);
+        diag_add(r->session, tree->span, DIAG_field_gray);
         fail(r);
     }
     field->gray = yes;
@@ -224,7 +225,7 @@ static CaseRow read_case(Reader *r, const Tree *object, const char *what, int nu
 {
     int count;
     Tree **items = items_of(r, object, what, "fields", LIMIT_LAYOUT_FIELDS, &count);
-    FieldRow *fields = ARENA_ARRAY(r->c->arena, FieldRow, count + 1);
+    FieldRow *fields = ARENA_ARRAY(r->session->arena, FieldRow, count + 1);
     r->trees[number] = items;
     for (int i = 0; i < count; i++)
         read_field(r, items[i], &fields[i]);
@@ -238,8 +239,8 @@ static void read_cases(Reader *r, const Tree *file)
     int more = 0;
     const bool has = member(r, file, "a layout", "cases", false) != NULL;
     Tree **items = has ? items_of(r, file, "a layout", "cases", LIMIT_LAYOUT_CASES - 1, &more) : NULL;
-    CaseRow *cases = ARENA_ARRAY(r->c->arena, CaseRow, 1 + more);
-    r->trees = ARENA_ARRAY(r->c->arena, Tree *const *, 1 + more);
+    CaseRow *cases = ARENA_ARRAY(r->session->arena, CaseRow, 1 + more);
+    r->trees = ARENA_ARRAY(r->session->arena, Tree *const *, 1 + more);
     cases[0] = read_case(r, file, "a layout", 0);
     for (int i = 0; i < more; i++) {
         if (items[i]->kind != TREE_object) {
@@ -284,7 +285,7 @@ static void read_constants(Reader *r, const Tree *file)
         wrong_type(r, object, "constants", "an object");
         return;
     }
-    FixedRow *fixed = ARENA_ARRAY(r->c->arena, FixedRow, object->count + 1);
+    FixedRow *fixed = ARENA_ARRAY(r->session->arena, FixedRow, object->count + 1);
     for (uint32_t i = 0; i < object->count; i++) {
         Tree key = {.kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
         int slot = row_of(r, &key, "constants", slot_name, SLOT_COUNT, DIAG_unknown_slot);
@@ -294,28 +295,28 @@ static void read_constants(Reader *r, const Tree *file)
         read_constant(r, &object->members[i], &fixed[r->row->fixed_count++]);
         for (int number = 0; number < r->row->case_count; number++)
             if (case_has_slot(&r->row->cases[number], (Slot)slot)) {
-                diag_add(r->c, key.span, DIAG_fixed_stored, slot_table[slot].name);
+                diag_add(r->session, key.span, DIAG_fixed_stored, slot_table[slot].name);
                 fail(r);
             }
     }
     r->row->fixed = fixed;
 }
 
-const LayoutRow *layout_read(Compile *c, const Tree *tree)
+const LayoutRow *layout_read(Session *session, const Tree *tree)
 {
     static const char *const keys[] = {"layout", "doc", "targets", "fields", "cases", "constants"};
-    Reader r = {.c = c, .row = ARENA_NEW(c->arena, LayoutRow), .fine = true};
+    Reader r = {.session = session, .row = ARENA_NEW(session->arena, LayoutRow), .fine = true};
     if (tree->kind != TREE_object || !tree_find(tree, "layout"))
-        return diag_add(c, tree->span, DIAG_layout_not_object);
+        return diag_add(session, tree->span, DIAG_layout_not_object);
     check_keys(&r, tree, "a layout", keys, sizeof keys / sizeof *keys);
     r.row->name = text_of(&r, tree, "a layout", "layout", true);
     r.row->doc = text_of(&r, tree, "a layout", "doc", false);
     if (r.fine && !is_name(r.row->name)) {
-        diag_add(c, tree_find(tree, "layout")->value->span, DIAG_bad_name, r.row->name, LIMIT_NAME);
+        diag_add(session, tree_find(tree, "layout")->value->span, DIAG_bad_name, r.row->name, LIMIT_NAME);
         fail(&r);
     }
     read_targets(&r, tree);
     read_cases(&r, tree);
     read_constants(&r, tree);
-    return r.fine && layout_check(c, r.row, tree, r.trees) ? r.row : NULL;
+    return r.fine && layout_check(session, r.row, tree, r.trees) ? r.row : NULL;
 }

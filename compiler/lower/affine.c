@@ -139,7 +139,7 @@ static bool is_finite(const Line *line)
 static void follow(Lower *l, Ref last)
 {
     Affine *affine = &l->affine;
-    affine->first = arena_reach(l->c->arena, affine->first, last, &affine->first_room, sizeof *affine->first);
+    affine->first = arena_reach(l->session->arena, affine->first, last, &affine->first_room, sizeof *affine->first);
     for (; affine->done <= last; affine->done++) {
         Ref ref = affine->done;
         if (!is_affine(ir_at(l->ir, ref)))
@@ -149,7 +149,7 @@ static void follow(Lower *l, Ref last)
             Line line = new_line(l, ref, lane);
             if ((line.closed && line.root != ref) || !is_finite(&line))
                 line = start(ref, lane);
-            ARENA_PUSH(l->c->arena, affine->lines, affine->count, affine->room, line);
+            ARENA_PUSH(l->session->arena, affine->lines, affine->count, affine->room, line);
         }
         affine->first[ref] = first;
     }

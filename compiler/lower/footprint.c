@@ -113,13 +113,13 @@ Ref box_corner(Lower *l, Ref x, Ref edge)
 
 void variance_set(Lower *l, Ref value, Ref variance)
 {
-    l->variances = arena_reach(l->c->arena, l->variances, value, &l->variance_room, sizeof *l->variances);
+    l->variances = arena_reach(l->session->arena, l->variances, value, &l->variance_room, sizeof *l->variances);
     l->variances[value] = variance ? variance : NO_VARIANCE;
 }
 
 void split_set(Lower *l, Ref value, Split split)
 {
-    l->splits = arena_reach(l->c->arena, l->splits, value, &l->split_room, sizeof *l->splits);
+    l->splits = arena_reach(l->session->arena, l->splits, value, &l->split_room, sizeof *l->splits);
     l->splits[value] = split;
 }
 
@@ -206,7 +206,7 @@ static Ref known_variance(const Lower *l, Ref value) { return value < l->varianc
 static void push_unknown(Lower *l, Ref ref)
 {
     if (!known_variance(l, ref))
-        ARENA_PUSH(l->c->arena, l->to_vary, l->to_vary_count, l->to_vary_room, ref);
+        ARENA_PUSH(l->session->arena, l->to_vary, l->to_vary_count, l->to_vary_room, ref);
 }
 
 /* Operands of which a variance is made; the others are taken to have none. */

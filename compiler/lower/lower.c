@@ -25,7 +25,7 @@ static void note_use(Lower *l, const Value *value, bool count)
 {
     uint8_t *use = &l->uniform_use[value->uniform->index], now = count ? 1 : 2;
     if (*use && *use != now) {
-        diag_add(l->c, value->span, DIAG_param_both, value->uniform->name);
+        diag_add(l->session, value->span, DIAG_param_both, value->uniform->name);
         l->failed = true;
     }
     *use = now;
@@ -52,7 +52,7 @@ void reject_uniform(Lower *l, const Value *value, const char *name, const char *
 {
     if (value->kind != VALUE_uniform)
         return;
-    diag_add(l->c, value->span, DIAG_param_here, name, why);
+    diag_add(l->session, value->span, DIAG_param_here, name, why);
     l->failed = true;
 }
 
@@ -66,7 +66,7 @@ Ref as_group(Lower *l, Ref value, Group group)
 static void memo_grow(Lower *l)
 {
     size_t size = l->memo ? 2 * (l->memo_mask + 1) : 256;
-    Memo *old = l->memo, *grown = ARENA_ARRAY(l->c->arena, Memo, size);
+    Memo *old = l->memo, *grown = ARENA_ARRAY(l->session->arena, Memo, size);
     for (size_t i = 0; old && i <= l->memo_mask; i++) {
         if (!old[i].key)
             continue;
@@ -109,7 +109,7 @@ Ref ask(Lower *l, const Node *map, Group group, const Env *env)
         return memo->value;
     if (l->ir->count > LIMIT_IR_NODES) {
         if (!l->failed)
-            diag_add(l->c, map->span, DIAG_graph_too_large, LIMIT_IR_NODES);
+            diag_add(l->session, map->span, DIAG_graph_too_large, LIMIT_IR_NODES);
         l->failed = true;
         return env->root[group];
     }

@@ -38,7 +38,7 @@ typedef struct {
 } Turn;
 
 typedef struct {
-    Compile *c;
+    Session *session;
     Ir *ir;
     const Graph *graph;
     Memo *memo;
@@ -69,7 +69,7 @@ typedef struct {
 /* The point of a rasterised surface. lower_pass.c */
 Env surface_env(Lower *l);
 /* What a job's program computes of a material. NULL: see the diagnostics. */
-Ir *lower(Compile *c, const Graph *graph, const Node *material, const Job *job);
+Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
 Ref ask(Lower *l, const Node *map, Group group, const Env *env);

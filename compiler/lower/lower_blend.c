@@ -217,7 +217,7 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         return ask(l, input, group, env);
     Ref x = ask(l, input, GROUP_X, env);
     ir_swizzle(l->ir, x, "x"); /* before what the items make */
-    Stop *stops = ARENA_ARRAY(l->c->arena, Stop, count);
+    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, count);
     Type type = TYPE_float;
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
@@ -228,7 +228,7 @@ Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);
     if (count > LIMIT_WALK && !ascending(l->ir, stops, count, true)) {
-        diag_add(l->c, blend->span, DIAG_long_walk, LIMIT_WALK);
+        diag_add(l->session, blend->span, DIAG_long_walk, LIMIT_WALK);
         l->failed = true;
         return stops[0].result;
     }

@@ -168,11 +168,11 @@ unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
 void lower_no_case(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
-    Text slots = text_new(l->c->arena);
+    Text slots = text_new(l->session->arena);
     for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
         if (is_stored(row, (Slot)slot) && is_needed(l, material, (Slot)slot, env))
             text_format(&slots, slots.size ? ", %s" : "%s", slot_table[slot].name);
-    diag_add(l->c, material ? material->span : NO_SPAN, DIAG_case_none, row->name, slots.at);
+    diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name, slots.at);
     l->failed = true;
 }
 
@@ -182,11 +182,11 @@ static bool place(Lower *l, int number, Placement *placement)
     const LayoutRow *row = l->job->layout;
     const FieldRow *fault = layout_place(row, number, placement);
     if (fault)
-        diag_add(l->c, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
+        diag_add(l->session, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
                  slot_table[fault->source[0].slot].name);
     if (!fault && l->job->target == TARGET_glsl110 && layout_has_words(row))
-        diag_add(l->c, NO_SPAN, DIAG_layout_words, row->name, target_table[l->job->target].name);
-    return !l->c->diags.errors;
+        diag_add(l->session, NO_SPAN, DIAG_layout_words, row->name, target_table[l->job->target].name);
+    return !l->session->diags.errors;
 }
 
 /* The value surely differs from what the layout gives back; where it is not simplified, that is not seen. */
@@ -204,7 +204,7 @@ static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, co
 {
     for (int i = 0; i < row->fixed_count; i++)
         if (differs(l, &row->fixed[i], material, env))
-            diag_add(l->c, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
+            diag_add(l->session, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
 }
 
 void lower_layout(Lower *l, int number, const Node *material, const Env *env)

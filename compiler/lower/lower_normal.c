@@ -64,7 +64,7 @@ static Turn turned_at(Lower *l, const Turn *below, const Node *node)
 
 static Turn *turn_at(Lower *l, const Node *node)
 {
-    l->turns = arena_reach(l->c->arena, l->turns, (size_t)node->index, &l->turn_room, sizeof *l->turns);
+    l->turns = arena_reach(l->session->arena, l->turns, (size_t)node->index, &l->turn_room, sizeof *l->turns);
     return &l->turns[node->index];
 }
 
@@ -75,7 +75,7 @@ static Turn turn_of(Lower *l, const Node *node)
     size_t count = 0, room = 0;
     Turn turn = {.known = true};
     for (; node && !turn_at(l, node)->known; node = param_node(node, kind_table[node->kind].first))
-        ARENA_PUSH(l->c->arena, chain, count, room, node);
+        ARENA_PUSH(l->session->arena, chain, count, room, node);
     if (node)
         turn = *turn_at(l, node);
     while (count--) {

@@ -29,7 +29,7 @@ static Ref settled(Lower *l, Ref ref)
 {
     if (l->cheap)
         return ir_is(l->ir, ref, OP_const) ? ref : 0;
-    l->settled = arena_reach(l->c->arena, l->settled, ref, &l->settled_room, sizeof *l->settled);
+    l->settled = arena_reach(l->session->arena, l->settled, ref, &l->settled_room, sizeof *l->settled);
     for (; l->settled_count <= ref; l->settled_count++)
         l->settled[l->settled_count] = l->settled_count ? fold(l, l->settled_count) : 0;
     return l->settled[ref];
@@ -45,7 +45,5 @@ Ref settled_operand(Lower *l, Ref ref)
         return 0;
     if (is_select)
         return ir_arg(l->ir, ref, ir_numbers(l->ir, by)[0] != 0 ? 1 : 2);
-    return ir_is_number(l->ir, by, 0)   ? ir_arg(l->ir, ref, 0)
-           : ir_is_number(l->ir, by, 1) ? ir_arg(l->ir, ref, 1)
-                                        : 0;
+    return ir_is_number(l->ir, by, 0) ? ir_arg(l->ir, ref, 0) : ir_is_number(l->ir, by, 1) ? ir_arg(l->ir, ref, 1) : 0;
 }

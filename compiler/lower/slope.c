@@ -8,7 +8,7 @@ static const Ref FLAT = UINT32_MAX; /* in the memo: it does not change */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
 {
-    l->slopes = arena_reach(l->c->arena, l->slopes, value, &l->slope_room, sizeof *l->slopes);
+    l->slopes = arena_reach(l->session->arena, l->slopes, value, &l->slope_room, sizeof *l->slopes);
     return &l->slopes[value][direction];
 }
 
@@ -312,7 +312,7 @@ static Ref part_of(const Ir *ir, Ref ref, int i)
 static void push_unknown(Lower *l, Ref ref, Direction direction)
 {
     if (*memo_of(l, ref, direction) == UNKNOWN)
-        ARENA_PUSH(l->c->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
+        ARENA_PUSH(l->session->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
 }
 
 /* Its operands' are known. */

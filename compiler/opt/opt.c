@@ -102,37 +102,37 @@ uint32_t *opt_uses(const Ir *ir, Arena *arena)
     return uses;
 }
 
-static bool run_pass(Compile *c, Ir *ir, const PassRun *pass, bool *progress)
+static bool run_pass(Session *session, Ir *ir, const PassRun *pass, bool *progress)
 {
     *progress |= pass->run(ir);
     arena_reset(&ir->scratch);
-    const char *fault = c->check ? ir_check(ir) : NULL;
+    const char *fault = session->check ? ir_check(ir) : NULL;
     if (fault)
-        diag_add(c, NO_SPAN, DIAG_broken_ir, pass->name, fault);
-    if (c->measure) {
+        diag_add(session, NO_SPAN, DIAG_broken_ir, pass->name, fault);
+    if (session->measure) {
         int nodes, cost;
         ir_measure(ir, &nodes, &cost);
-        stage_done(c, pass->name, nodes, cost);
+        stage_done(session, pass->name, nodes, cost);
     }
     return !fault;
 }
 
 /* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
  * and each gain may make room for another. Ranges and functions gain nothing new where nothing changed. */
-bool optimize(Compile *c, Ir *ir)
+bool optimize(Session *session, Ir *ir)
 {
     static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range},
                          function = {"function", opt_function}, merge = {"merge", opt_merge};
     bool changed = true, merged = false;
-    if (!run_pass(c, ir, &merge, &merged))
+    if (!run_pass(session, ir, &merge, &merged))
         return false;
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        if (!run_pass(c, ir, &polish, &changed))
+        if (!run_pass(session, ir, &polish, &changed))
             return false;
         if (!changed)
             break;
         changed = false;
-        if (!run_pass(c, ir, &range, &changed) || !run_pass(c, ir, &function, &changed))
+        if (!run_pass(session, ir, &range, &changed) || !run_pass(session, ir, &function, &changed))
             return false;
     }
     return true;

@@ -4,7 +4,7 @@
 #include "compiler/ir/ir.h"
 
 /* All passes until none changes anything. False: the IR is broken after a pass (a fault of matc; reported). */
-bool optimize(Compile *c, Ir *ir);
+bool optimize(Session *session, Ir *ir);
 
 bool opt_fold(Ir *ir);         /* constant operands -> constant */
 bool opt_algebra(Ir *ir);      /* grammar/rules.def */

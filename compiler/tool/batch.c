@@ -86,10 +86,7 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
     batch_fault(b);
 }
 
-void batch_warn(Batch *b, const char *what, const char *why)
-{
-    say_of_file(b, NULL, SEVERITY_warning, what, why);
-}
+void batch_warn(Batch *b, const char *what, const char *why) { say_of_file(b, NULL, SEVERITY_warning, what, why); }
 
 /* -- the queue's calls: first all materials, then what must be written again */
 

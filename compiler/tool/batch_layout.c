@@ -80,10 +80,10 @@ void batch_write_layout(Batch *b)
         if (program->first->pass != PASS_gbuffer && program->first->pass != PASS_plane)
             continue;
         Arena arena = {0};
-        Compile c = compile_with(&b->options, &arena);
+        Session session = compile_with(&b->options, &arena);
         Job job;
         job_of(&b->options, &job);
-        const char *unpack = emit_unpack(&c, &job);
+        const char *unpack = emit_unpack(&session, &job);
         Text layout = text_new(&arena);
         layout_write(&layout, job.layout);
         if (b->line->emit[EMIT_unpack])

@@ -73,8 +73,8 @@ static bool link_pair(const Pair *pair)
     MatcOptions options;
     const char *log = "";
     matc_options_init(&options);
-    Compile c = {.options = &options, .arena = &arena};
-    bool fine = validate(&c, TARGET_glsl330, pair->vertex, pair->fragment, 0, &log);
+    Session session = {.options = &options, .arena = &arena};
+    bool fine = validate(&session, TARGET_glsl330, pair->vertex, pair->fragment, 0, &log);
     if (!fine)
         fprintf(stderr, "matbench: %s\n", log);
     arena_free(&arena);

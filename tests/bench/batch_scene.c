@@ -122,8 +122,7 @@ static void put_row(const BatchOutput *output, const Setting *setting, double na
     int passes = count_programs(output, NULL, &all) - programs;
     const cJSON *bytes = cJSON_GetObjectItem(cJSON_GetObjectItem(output->manifest, "layout"), "bytes");
     printf("%-9s%-10s %8d %10zu %12d %10zu %8d %8zu %9s\n", setting->layout, setting->constants, programs, gbuffer,
-           passes, all - gbuffer, bytes ? bytes->valueint : 0, unpack_bytes(output),
-           NUMBER(2, nanoseconds));
+           passes, all - gbuffer, bytes ? bytes->valueint : 0, unpack_bytes(output), NUMBER(2, nanoseconds));
 }
 
 bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed)
@@ -141,7 +140,8 @@ bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed)
         printf("\na scene of %d materials\n%-19s %8s %10s %12s %10s %8s %8s %9s\n%-9s%-10s %8s %10s %12s %10s %8s %8s "
                "%9s\n",
                MATERIALS, "", "G-buffer", "bytes of", "shadow and", "bytes of", "bytes", "bytes of", "ns a pixel",
-               "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL", "a pixel", "unpack", gl == GL_KIND_osmesa ? "(llvmpipe)" : "(GPU)");
+               "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL", "a pixel", "unpack",
+               gl == GL_KIND_osmesa ? "(llvmpipe)" : "(GPU)");
     for (int i = 0; i < SETTINGS; i++) {
         if (fine)
             put_row(&outputs[i], &settings[i], timed ? means[i] : NAN);

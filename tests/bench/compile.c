@@ -95,19 +95,19 @@ static void print_stages(bool timed)
     MatcOptions options = options_for(false);
     for (int run = 0; run < (timed ? RUNS : 1); run++) {
         Arena arena = {0};
-        Compile c = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
+        Session session = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
         Source source = {"bench.yaml", peers_document, sizeof peers_document - 1};
-        ARENA_PUSH(&arena, c.sources, c.source_count, c.source_room, source);
+        ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
         Tree *tree;
         Products products;
         Job job;
         job_of(&(MatcOptions){0}, &job);
-        c.stage_start = stage_now();
-        Graph *graph = compile_front(&c, 0, &tree);
-        Ir *ir = compile_ir(&c, graph, graph->materials[0].node, &job);
-        compile_back(&c, ir, &job, &products);
-        for (size_t i = 0; i < c.stat_count; i++)
-            add_time(stages, &count, c.stats[i].name, c.stats[i].seconds, run);
+        session.stage_start = stage_now();
+        Graph *graph = compile_front(&session, 0, &tree);
+        Ir *ir = compile_ir(&session, graph, graph->materials[0].node, &job);
+        compile_back(&session, ir, &job, &products);
+        for (size_t i = 0; i < session.stat_count; i++)
+            add_time(stages, &count, session.stats[i].name, session.stats[i].seconds, run);
         arena_free(&arena);
     }
     printf("stage        microseconds (median of %d)\n", RUNS);
@@ -236,9 +236,9 @@ int bench_glslang(int argc, char **argv)
     Arena arena = {0};
     const char *log;
     MatcOptions options = options_for(true);
-    Compile c = {.options = &options, .arena = &arena};
+    Session session = {.options = &options, .arena = &arena};
     char *vertex = read_program(argv[1]), *fragment = read_program(argv[2]);
-    bool fine = validate(&c, TARGET_glsl330, vertex, fragment, 0, &log);
+    bool fine = validate(&session, TARGET_glsl330, vertex, fragment, 0, &log);
     free(vertex);
     free(fragment);
     arena_free(&arena);

@@ -96,9 +96,9 @@ static int by_hand(const char *name)
     Arena arena = {0};
     MatcOptions options;
     matc_options_init(&options);
-    Compile c = {.arena = &arena, .options = &options};
+    Session session = {.arena = &arena, .options = &options};
     char *text = read_text(name, ".frag", path, &size);
-    const char *spirv = text ? make_spirv(&c, text, &spirv_size, &log) : NULL;
+    const char *spirv = text ? make_spirv(&session, text, &spirv_size, &log) : NULL;
     int count = spirv ? optimised_count(spirv, spirv_size) : -1;
     if (!spirv)
         fprintf(stderr, "%s: %s\n", path, log);

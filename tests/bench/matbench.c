@@ -36,7 +36,8 @@ static const struct {
     {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute"},
     {"batch", bench_batch, "many materials in one process, beside glslang's time; what a scene's materials share"},
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
-    {"functions", bench_functions, "what the driver makes of exponentials, sines and their inverses, beside what is stated"},
+    {"functions", bench_functions,
+     "what the driver makes of exponentials, sines and their inverses, beside what is stated"},
     {"growth", bench_growth, "time at n, 2 n, 4 n, 8 n of documents of every kind, and the exponent"},
     {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk"},
 };

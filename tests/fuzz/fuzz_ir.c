@@ -18,17 +18,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     MatcOptions options;
     Arena arena = {0};
     matc_options_init(&options);
-    Compile c = {.options = &options, .arena = &arena, .optimize = 2, .check = true};
+    Session session = {.options = &options, .arena = &arena, .optimize = 2, .check = true};
     const char *fault = NULL, *text = arena_string(&arena, (const char *)bytes, size);
-    Ir *ir = ir_read(&c, text, &none, &fault);
+    Ir *ir = ir_read(&session, text, &none, &fault);
     if (ir && !ir_check(ir)) {
         opt_dead(ir); /* what is not reached is not printed */
         const char *first = printed(&arena, ir);
-        const Ir *again = ir_read(&c, first, &none, &fault);
+        const Ir *again = ir_read(&session, first, &none, &fault);
         if (!again || ir_check(again) || strcmp(printed(&arena, again), first) != 0)
             abort();
         ir->simplify = opt_simplify;
-        if (optimize(&c, ir) && ir_check(ir))
+        if (optimize(&session, ir) && ir_check(ir))
             abort();
     }
     if (ir)

@@ -55,7 +55,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         memcpy(text, bytes, size);
     text[size] = 0;
     read_text(&r, "fuzz.json", text, size);
-    if (!r.tree && !r.c.diags.errors)
+    if (!r.tree && !r.session.diags.errors)
         abort();
     if (r.tree && !long_number(r.tree)) {
         cJSON *json = cJSON_ParseWithLengthOpts(text, size + 1, NULL, true);

@@ -29,11 +29,11 @@ bool trial_fault(Trial *t, FaultKind kind, const char *format, ...)
     return false;
 }
 
-static const char *said(Compile *c)
+static const char *said(Session *session)
 {
-    Text out = text_new(c->arena);
-    for (size_t i = 0; i < c->diags.count; i++)
-        diag_print(&out, &c->diags.at[i], c->sources);
+    Text out = text_new(session->arena);
+    for (size_t i = 0; i < session->diags.count; i++)
+        diag_print(&out, &session->diags.at[i], session->sources);
     return out.at ? out.at : "";
 }
 
@@ -43,12 +43,12 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->options.pixels = true;
     t->options.validate = false;
     t->options.read_file = generate_file;
-    t->c = (Compile){.options = &t->options, .arena = &t->arena, .check = true};
+    t->session = (Session){.options = &t->options, .arena = &t->arena, .check = true};
     Source source = {"stress.yaml", text, size};
-    ARENA_PUSH(&t->arena, t->c.sources, t->c.source_count, t->c.source_room, source);
-    t->graph = compile_front(&t->c, 0, &t->tree);
-    if (!t->graph || t->c.diags.errors || !t->graph->material_count)
-        return trial_fault(t, FAULT_refused, "%s", said(&t->c));
+    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room, source);
+    t->graph = compile_front(&t->session, 0, &t->tree);
+    if (!t->graph || t->session.diags.errors || !t->graph->material_count)
+        return trial_fault(t, FAULT_refused, "%s", said(&t->session));
     t->material = t->graph->materials[0].node;
     Job job;
     job_of(&t->options, &job);
@@ -61,15 +61,16 @@ static bool open_document(Trial *t, const char *text, size_t size)
 
 const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level)
 {
-    Compile c = {.options = &t->options, .arena = arena, .optimize = level, .check = true};
+    Session session = {.options = &t->options, .arena = arena, .optimize = level, .check = true};
     Job job;
     job_of(&t->options, &job);
     job.pass = pass;
     job.slot = slot;
-    c.sources = t->c.sources;
-    const Ir *ir = compile_ir(&c, t->graph, t->material, &job);
+    session.sources = t->session.sources;
+    const Ir *ir = compile_ir(&session, t->graph, t->material, &job);
     if (!ir)
-        trial_fault(t, FAULT_no_ir, "%s %s -O%d: %s", pass_table[pass].name, slot_table[slot].name, level, said(&c));
+        trial_fault(t, FAULT_no_ir, "%s %s -O%d: %s", pass_table[pass].name, slot_table[slot].name, level,
+                    said(&session));
     return ir;
 }
 
@@ -91,13 +92,13 @@ static void find_slots(Trial *t)
 
 static bool reads_back(Trial *t, Arena *arena, const Ir *ir)
 {
-    Compile c = {.options = &t->options, .arena = arena};
+    Session session = {.options = &t->options, .arena = arena};
     const char *wrong = "";
     if (!ir->output_count)
         return true; /* the shadow of what is opaque */
     Text first = text_new(arena), second = text_new(arena);
     ir_print(&first, ir);
-    const Ir *back = ir_read(&c, first.at, t->graph, &wrong);
+    const Ir *back = ir_read(&session, first.at, t->graph, &wrong);
     if (!back)
         return trial_fault(t, FAULT_text, "ir_read: %s\n%s", wrong, first.at);
     ir_print(&second, back);

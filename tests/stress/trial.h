@@ -56,7 +56,7 @@ typedef struct {
     const TrialPlan *plan;
     Arena arena;
     MatcOptions options;
-    Compile c;
+    Session session;
     Tree *tree;
     Graph *graph;
     const Node *material;

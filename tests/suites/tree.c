@@ -42,8 +42,8 @@ static bool put_file(const char *path)
     read_text(&r, path, text, size);
     Text out = text_new(&r.arena);
     text_put(&out, "{\"faults\": [");
-    for (size_t i = 0; i < r.c.diags.count; i++)
-        text_format(&out, "%s\"%s\"", i ? ", " : "", diag_table[r.c.diags.at[i].kind].name);
+    for (size_t i = 0; i < r.session.diags.count; i++)
+        text_format(&out, "%s\"%s\"", i ? ", " : "", diag_table[r.session.diags.at[i].kind].name);
     text_put(&out, "], \"tree\": ");
     if (r.tree)
         put_value(&out, r.tree);

@@ -118,7 +118,7 @@ bool call_gather(Caller *c, int function, const Job *job)
 {
     MatcOptions options = {0};
     Arena arena = {0};
-    Compile compile = {.options = &options, .arena = &arena};
+    Session compile = {.options = &options, .arena = &arena};
     Chunks chunks = {0};
     bool found = chunks_add(&compile, &chunks, function_row(function)->name, job);
     c->text[0] = 0;

@@ -34,7 +34,7 @@ static bool gather(const char *functions, char library[LIBRARY_ROOM])
 {
     MatcOptions options = {0};
     Arena arena = {0};
-    Compile c = {.options = &options, .arena = &arena};
+    Session session = {.options = &options, .arena = &arena};
     Chunks chunks = {0};
     Job job = {.target = TARGET_glsl330, .layout = &layout_table[LAYOUT_thesis]};
     bool found = true;
@@ -44,7 +44,7 @@ static bool gather(const char *functions, char library[LIBRARY_ROOM])
         int size = (int)strcspn(name, " ");
         char one[64];
         snprintf(one, sizeof one, "%.*s", size, name);
-        found = chunks_add(&c, &chunks, one, &job);
+        found = chunks_add(&session, &chunks, one, &job);
         name += size;
         name += strspn(name, " ");
     }

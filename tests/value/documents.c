@@ -70,10 +70,10 @@ static bool take_text(Document *d, const char *path, const char *text, size_t si
     matc_options_init(&d->options);
     d->options.pixels = true;
     d->document = matc_read(path, text, size, &d->options);
-    d->c = (Compile){.options = &d->options, .arena = &d->arena, .optimize = 2, .check = true};
+    d->session = (Session){.options = &d->options, .arena = &d->arena, .optimize = 2, .check = true};
     Source source = {path, text, size};
-    ARENA_PUSH(&d->arena, d->c.sources, d->c.source_count, d->c.source_room, source);
-    d->graph = compile_front(&d->c, 0, &d->tree);
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
+    d->graph = compile_front(&d->session, 0, &d->tree);
     return d->graph && matc_error_count(d->document) == 0;
 }
 
@@ -93,7 +93,7 @@ bool document_open_text(Document *d, const char *text)
 
 bool document_is_library(const Document *d)
 {
-    return d->c.diags.count == 1 && d->c.diags.at[0].kind == DIAG_no_material;
+    return d->session.diags.count == 1 && d->session.diags.at[0].kind == DIAG_no_material;
 }
 
 const char *document_fault(Document *d)

@@ -21,7 +21,7 @@ typedef struct {
     MatcOptions options; /* pictures are decoded */
     MatcDocument *document;
     Arena arena; /* of what follows */
-    Compile c;
+    Session session;
     Tree *tree;
     Graph *graph; /* material i is the document's material i */
 } Document;

@@ -100,12 +100,12 @@ bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *d, const LayoutRo
     if (job_of(options, &job))
         return fail(g, "no such option");
     job.layout = layout;
-    d->c.optimize = options->optimize;
-    d->c.check = true;
-    Ir *ir = compile_ir(&d->c, d->graph, d->graph->materials[0].node, &job);
-    if (!ir || !compile_back(&d->c, ir, &job, &products))
-        return fail(g, d->c.diags.count ? d->c.diags.at[0].message : "it does not compile");
-    g->unpack = emit_unpack(&d->c, &job);
+    d->session.optimize = options->optimize;
+    d->session.check = true;
+    Ir *ir = compile_ir(&d->session, d->graph, d->graph->materials[0].node, &job);
+    if (!ir || !compile_back(&d->session, ir, &job, &products))
+        return fail(g, d->session.diags.count ? d->session.diags.at[0].message : "it does not compile");
+    g->unpack = emit_unpack(&d->session, &job);
     g->shading = (Shading){.fragment = products.fragment, .target = job.target, .graph = d->graph};
     return make_programs(g);
 }

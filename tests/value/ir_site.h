@@ -5,7 +5,7 @@
 
 typedef struct {
     Arena arena;
-    Compile compile;
+    Session compile;
     Graph graph;
     Ir *ir;
 } Site;
