@@ -2,7 +2,8 @@
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
 #include "compiler/base/bytes.h"
-#include "compiler/base/compile.h"
+#include "compiler/ir/job.h"
+#include "compiler/matc.h"
 #include "compiler/base/text.h"
 
 /* All that decides what a program is, as bytes. */

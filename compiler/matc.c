@@ -7,27 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-Locale locale_enter(void)
-{
-    Locale l = {newlocale(LC_ALL_MASK, "C", (locale_t)0), (locale_t)0};
-    if (l.ours)
-        l.before = uselocale(l.ours);
-    return l;
-}
-
-void locale_leave(Locale l)
-{
-    if (!l.ours)
-        return;
-    uselocale(l.before);
-    freelocale(l.ours);
-}
-
-Session compile_with(const MatcOptions *options, Arena *arena)
-{
-    return (Session){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
-}
-
 const char *matc_version(void) { return MATC_VERSION; }
 
 MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
@@ -37,12 +16,12 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
         abort();
     Locale locale = locale_enter();
     d->options = options_whole(options);
-    d->session = compile_with(&d->options, &d->arena);
+    d->session = session_open(&d->options, &d->arena);
     d->session.measure = d->options.measure;
-    d->session.stage_start = stage_now();
+    d->session.stage_start = session_now();
     Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
     ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
-    depend_on(&d->session, source.name);
+    session_depend_on(&d->session, source.name);
     d->graph = compile_front(&d->session, 0, &d->tree);
     locale_leave(locale);
     return d;

@@ -16,7 +16,6 @@ Graph *compile_front(Session *session, uint32_t source, Tree **tree);
 Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const Job *job);
 /* Ir -> GLSL -> valid. */
 bool compile_back(Session *session, const Ir *ir, const Job *job, Products *products);
-double stage_now(void);
 /* The job that options name; otherwise which of them does not exist. choice.c */
 const char *job_of(const MatcOptions *options, Job *job);
 #endif

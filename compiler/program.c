@@ -58,7 +58,7 @@ static Opacity find_opacity(const MatcProgram *p)
     transparency.from_buffer = false;
     options.member_count = 0;
     options.optimize = 2;
-    Session quiet = compile_with(&options, &arena);
+    Session quiet = session_open(&options, &arena);
     const Ir *ir = compile_ir(&quiet, graph, graph->materials[p->material].node, &transparency);
     if (ir && ir_is(ir, ir->outputs[0].value, OP_const)) {
         const double *t = ir_numbers(ir, ir->outputs[0].value);
@@ -230,10 +230,10 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->options = options_whole(options);
     p->document = d;
     p->material = material;
-    p->session = compile_with(&p->options, &p->arena);
+    p->session = session_open(&p->options, &p->arena);
     p->session.measure = (outputs & MATC_STATS) != 0;
     document_lend(d, &p->session);
-    p->session.stage_start = stage_now();
+    p->session.stage_start = session_now();
     p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(&p->options, &p->job) &&
             compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->session.diags.errors;
     locale_leave(locale);

@@ -40,7 +40,7 @@ pairs() {
 
 [ $# -gt 0 ] || set -- compiler/*.c compiler/*/*.c
 for file in "$@"; do
-    clang-query -f "$work/query" "$file" -- -std=c11 -D_GNU_SOURCE -I. -Icompiler -I/usr/include/cjson >"$work/out" 2>&1
+    clang-query -f "$work/query" "$file" -- -std=c11 -D_GNU_SOURCE -I. -I/usr/include/cjson >"$work/out" 2>&1
     grep -A1 -E '"root" binds here|error:' "$work/out" >>"$work/found" || :
 done
 [ ! -s "$work/found" ] || { cat "$work/found"; exit 1; }

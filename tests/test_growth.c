@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include "tests/growth/growth.h"
 #include <math.h>
 #include <stdio.h>

@@ -89,7 +89,7 @@ static void in_root(const World *w, const char *name, char path[PATH_ROOM])
     snprintf(path, PATH_ROOM, "%s/%s", w->root, name);
 }
 
-static char *read_file(const char *path, size_t *size)
+static char *session_read_file(const char *path, size_t *size)
 {
     struct stat info;
     FILE *file = fopen(path, "rb");
@@ -143,7 +143,7 @@ static Bytes tree_of(const char *path, bool hidden)
             continue;
         }
         bytes_text(&tree, name);
-        char *text = S_ISREG(info.st_mode) ? read_file(walked.paths[i], &size) : NULL;
+        char *text = S_ISREG(info.st_mode) ? session_read_file(walked.paths[i], &size) : NULL;
         bytes_block(&tree, text ? text : "", text ? size : 0); /* a folder has none */
         free(text);
         free(walked.paths[i]);
@@ -188,7 +188,7 @@ static int copy_one(const char *path, const struct stat *info, int kind, struct 
     snprintf(to, sizeof to, "%s%s", copied.to, path + copied.skip);
     if (kind == FTW_D)
         return mkdir(to, 0777);
-    char *bytes = read_file(path, &size);
+    char *bytes = session_read_file(path, &size);
     write_file(to, bytes, size);
     free(bytes);
     return 0;
@@ -256,7 +256,7 @@ static bool says(const World *w, const char *what)
     char path[PATH_ROOM];
     size_t size;
     in_root(w, "said", path);
-    char *said = read_file(path, &size);
+    char *said = session_read_file(path, &size);
     bool any = said && strstr(said, what);
     free(said);
     return any;
@@ -398,7 +398,7 @@ static void read_calls(World *w)
     char path[PATH_ROOM], *rest;
     size_t size;
     in_root(w, "calls", path);
-    char *text = read_file(path, &size);
+    char *text = session_read_file(path, &size);
     forget_calls(w);
     for (char *name = strtok_r(text, "\n", &rest); name && w->call_count + 1 < MOST_CALLS;
          name = strtok_r(NULL, "\n", &rest))

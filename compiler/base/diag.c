@@ -1,5 +1,5 @@
 /* Diagnostics as text: place, message, source line, caret; or as JSON. */
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include "compiler/base/json_write.h"
 #include <limits.h>
 #include <stdio.h>

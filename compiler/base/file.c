@@ -1,6 +1,6 @@
 /* Reading whole files. */
 #include "compiler/base/file.h"
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>

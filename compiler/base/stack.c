@@ -1,6 +1,6 @@
 /* A thread as a stack: nothing runs beside it. */
 #include "compiler/base/stack.h"
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include <locale.h>
 #include <pthread.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 /* matc --schema=manifest and so on: JSON Schema (2020-12) of the files of files.def. */
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"

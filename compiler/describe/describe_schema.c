@@ -1,6 +1,6 @@
 /* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what it
  * refuses, matc refuses too. describe_files.c has the schemas of other files. */
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"

@@ -1,7 +1,8 @@
 /* Library chunks: which are needed, in dependency order, and the uniforms they declare. */
 #ifndef MATC_CHUNKS_H
 #define MATC_CHUNKS_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
+#include "compiler/ir/job.h"
 
 /* An embedded GLSL file of runtime/. Made by grammar/gen/embed.c. */
 typedef struct {

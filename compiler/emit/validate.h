@@ -1,7 +1,8 @@
 /* glslang: parse and link, and SPIR-V. */
 #ifndef MATC_VALIDATE_H
 #define MATC_VALIDATE_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
+#include "grammar/tables.h"
 
 /* Parses both programs and links them. The fragment program begins with so many bytes of declarations: where MatcLinked knows
  * them beside this vertex program, the fragment program is parsed and linked alone. False: *log tells why. */

@@ -125,13 +125,13 @@ static size_t bytes_of_all(const Resolver *r)
 const Image *image_load(Resolver *r, const char *path, Span span)
 {
     Session *session = r->session;
-    const char *full = path_beside(session, session->sources[span.file].name, path), *why = "";
+    const char *full = session_path_beside(session, session->sources[span.file].name, path), *why = "";
     int found = names_find(&r->image_paths, full);
     if (found >= 0)
         return r->images[found];
     size_t size;
-    depend_on(session, full);
-    char *file = read_file(session, full, &size, &why);
+    session_depend_on(session, full);
+    char *file = session_read_file(session, full, &size, &why);
     if (!file)
         return diag_add(session, span, DIAG_no_image, path, why);
     Image *image = ARENA_NEW(session->arena, Image);

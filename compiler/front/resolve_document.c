@@ -36,7 +36,7 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
         diag_add(session, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
         return false;
     }
-    const char *path = path_beside(session, session->sources[name->span.file].name, name->text), *why = "";
+    const char *path = session_path_beside(session, session->sources[name->span.file].name, name->text), *why = "";
     for (size_t i = 0; i < session->source_count; i++)
         if (!strcmp(session->sources[i].name, path))
             return true; /* read already */
@@ -45,8 +45,8 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
         return false;
     }
     Source source = {.name = path};
-    depend_on(session, path);
-    char *text = read_file(session, path, &source.size, &why);
+    session_depend_on(session, path);
+    char *text = session_read_file(session, path, &source.size, &why);
     if (!text) {
         diag_add(session, name->span, DIAG_cannot_read, name->text, why);
         return false;

@@ -1,7 +1,8 @@
 /* The document as it was written: objects, lists and scalars, each with its place. Aliases share their anchor's node. */
 #ifndef MATC_TREE_H
 #define MATC_TREE_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
+#include "compiler/front/graph.h"
 
 typedef enum {
     TREE_scalar, /* text, plain */

@@ -2,7 +2,9 @@
  * Operands come before their users: node numbers are a topological order, and a sweep over them meets operands first. */
 #ifndef MATC_IR_H
 #define MATC_IR_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
+#include "compiler/front/graph.h"
+#include "compiler/ir/job.h"
 #include "runtime/library/reference.h"
 
 typedef enum {

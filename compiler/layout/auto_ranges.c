@@ -155,7 +155,7 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     own.member_count = 0;
     own.custom = NULL;
     own.optimize = 2;
-    Session session = compile_with(&own, &arena);
+    Session session = session_open(&own, &arena);
     const Graph *graph = document->graph;
     document_lend(document, &session);
     const char *wrong = job_of(&own, &job);

@@ -1,7 +1,8 @@
 /* A layout of the user's own, as the library's surface holds it: layout_api.c and auto_layout.c make it. */
 #ifndef MATC_CUSTOM_H
 #define MATC_CUSTOM_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
+#include "grammar/tables.h"
 
 struct MatcLayout {
     Arena arena;

@@ -112,7 +112,7 @@ static bool run_pass(Session *session, Ir *ir, const PassRun *pass, bool *progre
     if (session->measure) {
         int nodes, cost;
         ir_measure(ir, &nodes, &cost);
-        stage_done(session, pass->name, nodes, cost);
+        session_stage_done(session, pass->name, nodes, cost);
     }
     return !fault;
 }

@@ -1,7 +1,7 @@
 /* What the files of the oracle share: an environment to ask maps in, and the answer of every kind of map. */
 #ifndef MATC_ORACLE_MAPS_H
 #define MATC_ORACLE_MAPS_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include "compiler/oracle/oracle.h"
 
 /* Numbers of the nodes that were met, in that order. */

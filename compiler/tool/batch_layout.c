@@ -80,7 +80,7 @@ void batch_write_layout(Batch *b)
         if (program->first->pass != PASS_gbuffer && program->first->pass != PASS_plane)
             continue;
         Arena arena = {0};
-        Session session = compile_with(&b->options, &arena);
+        Session session = session_open(&b->options, &arena);
         Job job;
         job_of(&b->options, &job);
         const char *unpack = emit_unpack(&session, &job);

@@ -128,7 +128,7 @@ static bool read_pixels(Reader *reader)
     return true;
 }
 
-static bool read_file(Reader *reader)
+static bool session_read_file(Reader *reader)
 {
     reader->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, reader, on_error, on_warning);
     if (reader->png)
@@ -151,7 +151,7 @@ bool png_read(const char *path, PngPicture *picture, char *error, size_t room)
     reader.file = fopen(path, "rb");
     if (!reader.file)
         return message_fail(error, room, "%s: %s", path, strerror(errno));
-    bool done = read_file(&reader);
+    bool done = session_read_file(&reader);
     fclose(reader.file);
     if (!done)
         return message_fail(error, room, "%s: %s", path, reader.message);

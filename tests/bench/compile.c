@@ -102,7 +102,7 @@ static void print_stages(bool timed)
         Products products;
         Job job;
         job_of(&(MatcOptions){0}, &job);
-        session.stage_start = stage_now();
+        session.stage_start = session_now();
         Graph *graph = compile_front(&session, 0, &tree);
         Ir *ir = compile_ir(&session, graph, graph->materials[0].node, &job);
         compile_back(&session, ir, &job, &products);

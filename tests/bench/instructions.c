@@ -1,7 +1,7 @@
 /* matbench instructions: our shader and one written by hand for the same material, both through glslang and spirv-opt -O,
  * counted in SPIR-V instructions within functions. The documents and the shaders lie in tests/bench/. */
 #include "matbench.h"
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
 #include "compiler/matc.h"
 #include "compiler/emit/validate.h"
 #include <stdint.h>

@@ -1,7 +1,8 @@
 /* Calls a library function of GLSL with many tuples of arguments at once: one fragment a tuple, the arguments from a texture. */
 #ifndef MATC_VALUE_CALL_H
 #define MATC_VALUE_CALL_H
-#include "compiler/base/compile.h"
+#include "compiler/base/session.h"
+#include "compiler/ir/job.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/library/reference.h"
 

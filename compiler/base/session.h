@@ -1,14 +1,14 @@
-/* One compilation's state: options, memory, sources, diagnostics. Every stage gets it as its first argument. */
-#ifndef MATC_COMPILE_H
-#define MATC_COMPILE_H
+/* What every stage shares: options, memory, sources, diagnostics, the files that were read. Each gets it as its first argument.
+ * A session knows no material. */
+#ifndef MATC_SESSION_H
+#define MATC_SESSION_H
 #include "compiler/base/arena.h"
 #include "compiler/base/diag.h"
-#include "grammar/tables.h"
-#include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "compiler/base/names.h"
 #include "compiler/base/source.h"
-#include <time.h>
+#include <locale.h>
+#include <stdbool.h>
 
 /* Every limit of the compiler. */
 enum {
@@ -60,29 +60,29 @@ typedef struct Session {
     bool measure; /* keep statistics of every stage */
 } Session;
 
-/* What a program is written for. */
-typedef struct {
-    Target target;
-    Pass pass;
-    const LayoutRow *layout;
-    Slot slot;
-    bool all_slots; /* of the pass value: each slot is an output of that number */
-    Choice choice[AXIS_COUNT];
-    bool from_buffer; /* numbers of the document come from a buffer */
-} Job;
-
 /* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
 void *diag_add(Session *session, Span span, DiagKind kind, ...);
 /* Further ones are only counted. */
 bool diag_full(const Session *session);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
 const char *diag_all(Session *session, MatcForm form);
+/* Seconds of a clock that never goes back. */
+double session_now(void);
 /* Marks the end of a stage for --stats. */
-void stage_done(Session *session, const char *name, int nodes, int cost);
+void session_stage_done(Session *session, const char *name, int nodes, int cost);
 /* Reads a file through the options' reader; NULL and a message when it cannot. The text is zero-terminated. */
-char *read_file(Session *session, const char *path, size_t *size, const char **why);
+char *session_read_file(Session *session, const char *path, size_t *size, const char **why);
 /* Adds a file to the list of what the result depends on, once. */
-void depend_on(Session *session, const char *path);
+void session_depend_on(Session *session, const char *path);
 /* `path` as seen from the file `from`: relative paths are relative to its folder. */
-const char *path_beside(Session *session, const char *from, const char *path);
+const char *session_path_beside(Session *session, const char *from, const char *path);
+
+/* Numbers are read and written the same in every locale; the caller's is put back. */
+typedef struct {
+    locale_t ours, before;
+} Locale;
+Locale locale_enter(void);
+void locale_leave(Locale locale);
+/* A session by these options, which outlive it. */
+Session session_open(const MatcOptions *options, Arena *arena);
 #endif

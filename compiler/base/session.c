@@ -1,0 +1,141 @@
+/* The session: diagnostics, files, statistics, the locale. */
+#include "compiler/base/session.h"
+#include "compiler/base/file.h"
+#include <string.h>
+#include <time.h>
+
+Locale locale_enter(void)
+{
+    Locale l = {newlocale(LC_ALL_MASK, "C", (locale_t)0), (locale_t)0};
+    if (l.ours)
+        l.before = uselocale(l.ours);
+    return l;
+}
+
+void locale_leave(Locale l)
+{
+    if (!l.ours)
+        return;
+    uselocale(l.before);
+    freelocale(l.ours);
+}
+
+Session session_open(const MatcOptions *options, Arena *arena)
+{
+    return (Session){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
+}
+
+bool diag_full(const Session *session) { return session->diags.count >= MOST_DIAGS; }
+
+void *diag_add(Session *session, Span span, DiagKind kind, ...)
+{
+    if (diag_full(session)) {
+        session->diags.errors += diag_table[kind].severity == SEVERITY_error;
+        return NULL;
+    }
+    va_list args;
+    session->message.arena = session->arena;
+    session->message.size = 0;
+    va_start(args, kind);
+    diag_message(&session->message, kind, args);
+    va_end(args);
+    for (size_t i = 0; i < session->diags.count; i++) { /* what is asked for several slots is said once */
+        const Diag *said = &session->diags.at[i];
+        if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) &&
+            !strcmp(said->message, session->message.at))
+            return NULL;
+    }
+    const char *message = arena_string(session->arena, session->message.at, session->message.size);
+    Diag diag = {kind, diag_table[kind].severity, span, message};
+    ARENA_PUSH(session->arena, session->diags.at, session->diags.count, session->diags.room, diag);
+    session->diags.errors += diag.severity == SEVERITY_error;
+    return NULL;
+}
+
+const char *diag_all(Session *session, MatcForm form)
+{
+    Text out = text_new(session->arena);
+    if (form == MATC_JSON)
+        text_put(&out, "[");
+    for (size_t i = 0; i < session->diags.count; i++) {
+        if (form == MATC_TEXT) {
+            diag_print(&out, &session->diags.at[i], session->sources);
+        } else {
+            text_put(&out, i ? ",\n " : "\n ");
+            diag_print_json(&out, &session->diags.at[i], session->sources);
+        }
+    }
+    if (form == MATC_JSON)
+        text_put(&out, session->diags.count ? "\n]\n" : "]\n");
+    return out.at ? out.at : "";
+}
+
+double session_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+void session_stage_done(Session *session, const char *name, int nodes, int cost)
+{
+    if (!session->measure)
+        return;
+    double now = session_now();
+    StageStats stats = {name, now - session->stage_start, nodes, cost};
+    ARENA_PUSH(session->arena, session->stats, session->stat_count, session->stat_room, stats);
+    session->stage_start = session_now(); /* what statistics cost does not count */
+}
+
+char *session_read_file(Session *session, const char *path, size_t *size, const char **why)
+{
+    if (session->options->read_file)
+        return session->options->read_file(session->options->user, path, size, why);
+    return file_read(path, size, why);
+}
+
+void session_depend_on(Session *session, const char *path) { names_add(session->arena, &session->depends, path); }
+
+/* Drops `.` and `//` and takes `a/..` together, so that a file has one name. In place. */
+static void normalise(char *path)
+{
+    char *to = path, *start = path + (path[0] == '/');
+    to = start;
+    for (char *part = start; *part;) {
+        size_t size = strcspn(part, "/");
+        char *next = part + size + (part[size] == '/');
+        bool up = size == 2 && part[0] == '.' && part[1] == '.', slash = part[size] == '/';
+        bool can_pop =
+            to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) && (to - 3 == start || to[-4] == '/'));
+        if (size == 0 || (size == 1 && part[0] == '.')) {
+            part = next;
+            continue;
+        }
+        if (up && can_pop) {
+            for (to--; to > start && to[-1] != '/';)
+                to--;
+        } else {
+            memmove(to, part, size);
+            to += size;
+            if (slash)
+                *to++ = '/';
+        }
+        part = next;
+    }
+    *to = 0;
+}
+
+const char *session_path_beside(Session *session, const char *from, const char *path)
+{
+    const char *slash = strrchr(from, '/');
+    Text joined = text_new(session->arena);
+    if (path[0] != '/' && slash)
+        text_add(&joined, from, (size_t)(slash - from) + 1);
+    text_put(&joined, path);
+    normalise(joined.at);
+    if (joined.at[0] != '<')
+        return joined.at;
+    Text here = text_new(session->arena); /* what is read from standard input is called <stdin>, and no file is */
+    text_format(&here, "./%s", joined.at);
+    return here.at;
+}
