@@ -78,7 +78,7 @@ static int choose(const MatcOptions *o, Axis axis, int precision, ChoiceSource *
     return -1;
 }
 
-const char *job_of(const MatcOptions *o, Job *job)
+const char *choice_job(const MatcOptions *o, Job *job)
 {
     int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
     int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
@@ -117,7 +117,7 @@ void matc_options_init_sized(MatcOptions *options, size_t size)
     memcpy(options, &all, size < sizeof all ? size : sizeof all);
 }
 
-MatcOptions options_whole(const MatcOptions *given)
+MatcOptions choice_whole_options(const MatcOptions *given)
 {
     MatcOptions options;
     matc_options_init(&options);
@@ -126,7 +126,7 @@ MatcOptions options_whole(const MatcOptions *given)
     return options;
 }
 
-void options_store(Bytes *to, const MatcOptions *options)
+void choice_store_options(Bytes *to, const MatcOptions *options)
 {
     for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
         const char *value;
@@ -141,13 +141,13 @@ void options_store(Bytes *to, const MatcOptions *options)
 
 const char *matc_options_fault(const MatcOptions *options)
 {
-    const MatcOptions whole = options_whole(options);
-    return job_of(&whole, &(Job){0});
+    const MatcOptions whole = choice_whole_options(options);
+    return choice_job(&whole, &(Job){0});
 }
 
 static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }
 
-void choices_explain(Text *out, const MatcOptions *options, const Job *job)
+void choice_explain(Text *out, const MatcOptions *options, const Job *job)
 {
     static const char *const by[] = {[CHOSEN_default] = "default",
                                      [CHOSEN_by_name] = "by name",

@@ -1,4 +1,4 @@
-/* What a program is written with: the choices of a job as text. choice.c also has job_of (pipeline.h). */
+/* What a program is written with: the choices of a job as text. choice.c also has choice_job (pipeline.h). */
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
 #include "compiler/base/bytes.h"
@@ -7,11 +7,11 @@
 #include "compiler/base/text.h"
 
 /* All that decides what a program is, as bytes. */
-void options_store(Bytes *to, const MatcOptions *options);
+void choice_store_options(Bytes *to, const MatcOptions *options);
 /* The options of a caller that may know fewer members, or more: what it does not know has its default. */
-MatcOptions options_whole(const MatcOptions *given);
+MatcOptions choice_whole_options(const MatcOptions *given);
 /* A line an axis: its choice and what settled it. For --stats. */
-void choices_explain(Text *out, const MatcOptions *options, const Job *job);
+void choice_explain(Text *out, const MatcOptions *options, const Job *job);
 /* "// choices: aa=box powers=pow", those that are not their axis' default; nothing when there is none. */
 void choices_comment(Text *out, const Job *job);
 /* {"noise": "lattice", ...} */

@@ -60,7 +60,7 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
     const char *fault = session->check ? ir_check(ir) : NULL;
     if (fault)
         return diag_add(session, NO_SPAN, DIAG_broken_ir, "lower", fault);
-    if (session->optimize > 0 && !optimize(session, ir))
+    if (session->optimize > 0 && !opt_run(session, ir))
         return NULL;
     if (job->choice[AXIS_trigonometry] == CHOICE_trigonometry_bounded)
         opt_trigonometry(ir);

@@ -13,7 +13,7 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     if (!layout)
         abort();
     Locale locale = locale_enter();
-    layout->options = options_whole(options);
+    layout->options = choice_whole_options(options);
     Session *session = &layout->session;
     *session = (Session){.options = &layout->options, .arena = &layout->arena};
     Source source = {arena_string(session->arena, name, strlen(name)), arena_string(session->arena, text, size), size};

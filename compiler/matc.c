@@ -15,7 +15,7 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
     if (!d)
         abort();
     Locale locale = locale_enter();
-    d->options = options_whole(options);
+    d->options = choice_whole_options(options);
     d->session = session_open(&d->options, &d->arena);
     d->session.measure = d->options.measure;
     d->session.stage_start = session_now();
@@ -92,8 +92,8 @@ bool document_evaluate(const MatcDocument *d, int material, const MatcOptions *o
                        int count, SlotValues *values)
 {
     Job job;
-    job_of(options, &job);
-    const ReferenceContext context = {.noise = noise_for(job.choice[AXIS_noise], job.target)};
+    choice_job(options, &job);
+    const ReferenceContext context = {.noise = lower_noise_for(job.choice[AXIS_noise], job.target)};
     Oracle *oracle = oracle_open(d->graph, &context);
     oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
     bool known = true;
@@ -116,9 +116,9 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     Arena arena = {0};
     Text out = text_new(&arena);
     Locale locale = locale_enter();
-    const MatcOptions whole = options_whole(options);
+    const MatcOptions whole = choice_whole_options(options);
     oracle_surface_default(&surface);
-    *fault = job_of(&whole, &job) ? "no such option" : read_point(&surface, point);
+    *fault = choice_job(&whole, &job) ? "no such option" : read_point(&surface, point);
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault && !document_evaluate(d, material, &whole, &surface, 1, &values))

@@ -17,5 +17,5 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
 /* Ir -> GLSL -> valid. */
 bool compile_back(Session *session, const Ir *ir, const Job *job, Products *products);
 /* The job that options name; otherwise which of them does not exist. choice.c */
-const char *job_of(const MatcOptions *options, Job *job);
+const char *choice_job(const MatcOptions *options, Job *job);
 #endif

@@ -98,7 +98,7 @@ static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *
     Text out = text_new(&p->arena);
     print_stats(&out, &d->session, "document");
     print_stats(&out, &p->session, "program");
-    choices_explain(&out, &p->options, job);
+    choice_explain(&out, &p->options, job);
     size_t lines = 0;
     for (const char *c = p->products.fragment; *c; c++)
         lines += *c == '\n';
@@ -159,7 +159,7 @@ static bool fill_spirv(MatcProgram *p)
         Ir *ir = compile_ir(&p->session, p->document->graph, material_of(p), &vulkan);
         fragment = ir ? emit_fragment(&p->session, ir, &vulkan, &interface, &size) : NULL;
     }
-    const char *words = fragment ? make_spirv(&p->session, fragment, &size, &log) : NULL;
+    const char *words = fragment ? validate_to_spirv(&p->session, fragment, &size, &log) : NULL;
     if (!words)
         diag_add(&p->session, NO_SPAN, DIAG_not_valid, target_table[vulkan.target].name, log);
     keep(p, MATC_SPIRV, words, size);
@@ -227,14 +227,14 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     if (!p)
         abort();
     Locale locale = locale_enter();
-    p->options = options_whole(options);
+    p->options = choice_whole_options(options);
     p->document = d;
     p->material = material;
     p->session = session_open(&p->options, &p->arena);
     p->session.measure = (outputs & MATC_STATS) != 0;
     document_lend(d, &p->session);
     p->session.stage_start = session_now();
-    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !job_of(&p->options, &p->job) &&
+    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !choice_job(&p->options, &p->job) &&
             compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->session.diags.errors;
     locale_leave(locale);
     return p;

@@ -51,7 +51,7 @@ static void open_trial(Trial *t, uint64_t seed, bool simplify)
     matc_options_init(&t->options);
     t->options.coordinates = "long";
     t->options.pass = "value";
-    assert_null(job_of(&t->options, &t->job));
+    assert_null(choice_job(&t->options, &t->job));
     t->session = (Session){.options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
     t->l = (Lower){.session = &t->session, .graph = &t->graph, .ir = ir_new(&t->session, &t->graph), .job = &t->job};
     t->l.ir->simplify = simplify ? opt_simplify : NULL;
@@ -216,7 +216,7 @@ static void check_point(Trial *t, double scale, const double point[LANES])
 static void check(Trial *t, double scale)
 {
     LongCoordinate parts;
-    bool is_long = long_coordinate(&t->l, t->value, scale, &parts);
+    bool is_long = affine_coordinate(&t->l, t->value, scale, &parts);
     assert_int_equal(is_long, !nothing_rounds(&t->exact));
     if (!is_long)
         return;
@@ -308,12 +308,12 @@ static void other_starts_are_left(void **state)
     open_trial(&t, 0, false);
     Ref other = ir_input(t.l.ir, INPUT_P), three = ir_const(t.l.ir, TYPE_vec3, (double[]){3, 3, 3});
     Ref both = ir_binary(t.l.ir, OP_mul, ir_binary(t.l.ir, OP_add, t.value, other), three);
-    assert_true(long_coordinate(&t.l, both, 1, &parts)); /* of their sum, as it is */
+    assert_true(affine_coordinate(&t.l, both, 1, &parts)); /* of their sum, as it is */
     assert_int_equal(ir_arg(t.l.ir, parts.whole, 0), ir_arg(t.l.ir, both, 0));
     Ref four = ir_vec(t.l.ir, TYPE_vec4, (Ref[]){t.value, ir_swizzle(t.l.ir, other, "x")}, 2);
     Ref root = ir_unary(t.l.ir, OP_fract, four), last = ir_swizzle(t.l.ir, root, "wwx");
     Ref scaled = ir_binary(t.l.ir, OP_mul, last, three);
-    bool is_long = long_coordinate(&t.l, scaled, 1, &parts);
+    bool is_long = affine_coordinate(&t.l, scaled, 1, &parts);
     assert_false(is_long && ir_arg(t.l.ir, parts.whole, 0) != last);
     close_trial(&t);
 }
@@ -327,7 +327,7 @@ static void overflow_is_not_followed(void **state)
     open_trial(&t, 0, false);
     for (int i = 0; i < 21; i++)
         t.value = ir_binary(t.l.ir, OP_mul, t.value, ir_float(t.l.ir, 3e30));
-    assert_true(long_coordinate(&t.l, t.value, 2, &parts));
+    assert_true(affine_coordinate(&t.l, t.value, 2, &parts));
     assert_null(ir_check(t.l.ir));
     for (Ref ref = 1; ref < t.l.ir->count; ref++)
         for (int i = 0; ir_is(t.l.ir, ref, OP_const) && i < ir_lanes(t.l.ir, ref); i++)

@@ -85,7 +85,7 @@ static void open_map(Test *t)
     for (int i = 0; i < AA_COUNT; i++) {
         Job job;
         t->options.aa = aa_names[i];
-        assert_null(job_of(&t->options, &job));
+        assert_null(choice_job(&t->options, &job));
         t->ir[i] = compile_ir(&t->session, graph, graph->materials[0].node, &job);
         assert_non_null(t->ir[i]);
         assert_true(evaluate_textures(&t->arena, t->ir[i], t->textures[i]));

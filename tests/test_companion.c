@@ -33,7 +33,7 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
     matc_options_init(&options);
     options.target = target_table[target].name;
     Session session = {.options = &options, .arena = &arena};
-    assert_null(job_of(&options, &job));
+    assert_null(choice_job(&options, &job));
     job.layout = layout;
     const char *unpack = emit_unpack(&session, &job);
     Text text = text_new(&arena);

@@ -285,7 +285,7 @@ static void test_precision(void **state)
         MatcOptions options;
         matc_options_init(&options);
         options.precision = rows[i].name;
-        assert_null(job_of(&options, &job));
+        assert_null(choice_job(&options, &job));
         assert_int_equal(job.choice[AXIS_noise], rows[i].noise);
         assert_int_equal(job.choice[AXIS_coordinates], rows[i].coordinates);
         assert_int_equal(job.choice[AXIS_powers], rows[i].powers);

@@ -54,7 +54,7 @@ static Ref as_color(Ir *ir, Ref value)
 static Job job_for(Target target)
 {
     Job job;
-    job_of(&(MatcOptions){.pass = "value"}, &job);
+    choice_job(&(MatcOptions){.pass = "value"}, &job);
     job.target = target;
     return job;
 }

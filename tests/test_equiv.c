@@ -104,7 +104,7 @@ static void check_slot(Test *t, int material, Slot slot)
         Arena arena = {0};
         Session session = {.options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
         Job job;
-        job_of(&(MatcOptions){.pass = "value"}, &job);
+        choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = slot;
         const Ir *ir = compile_ir(&session, t->document.graph, t->document.graph->materials[material].node, &job);
         if (ir) {
@@ -175,7 +175,7 @@ static void a_blend_at_an_items_value_is_that_item(void **state)
         Arena arena = {0};
         Session session = {.options = &d.options, .arena = &arena, .optimize = level, .check = true};
         Job job;
-        job_of(&(MatcOptions){.pass = "value"}, &job);
+        choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = SLOT_emissive;
         const Ir *ir = compile_ir(&session, d.graph, d.graph->materials[0].node, &job);
         ReferenceContext context = {.noise = ir->noise};

@@ -188,7 +188,7 @@ static void call_variants(Test *t)
         options.target = target_table[t->caller.target].name;
         options.noise = noises[i / 2];
         options.trigonometry = trigonometry[i % 2];
-        assert_null(job_of(&options, &job));
+        assert_null(choice_job(&options, &job));
         assert_true(call_gather(&t->caller, t->function, &job));
         bool seen = false;
         for (int k = 0; k < count; k++)
@@ -197,7 +197,7 @@ static void call_variants(Test *t)
             continue;
         texts[count++] = strdup(t->caller.text);
         t->choices = names[i / 2][i % 2];
-        t->context = (ReferenceContext){noise_for(job.choice[AXIS_noise], t->caller.target), call_textures};
+        t->context = (ReferenceContext){lower_noise_for(job.choice[AXIS_noise], t->caller.target), call_textures};
         call(t);
     }
     while (count)

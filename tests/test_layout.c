@@ -268,7 +268,7 @@ static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
     f->last_case = number;
     assert_null(layout_place(g->layout, number, &placement));
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (case_has_slot(&g->layout->cases[number], (Slot)slot))
+        if (layout_case_has_slot(&g->layout->cases[number], (Slot)slot))
             check_slot(f, g, (Slot)slot, &placement, &values, front);
         else if (layout_has_slot(g->layout, (Slot)slot))
             check_absent(f, g, (Slot)slot, &values);
@@ -380,7 +380,7 @@ static void pieces_have_places_of_their_own(void **state)
         const LayoutRow *row = &layout_table[i];
         for (int slot = 0; slot < SLOT_COUNT; slot++)
             assert_true(layout_has_slot(row, (Slot)slot) ==
-                        case_has_slot(&row->cases[row->case_count - 1], (Slot)slot));
+                        layout_case_has_slot(&row->cases[row->case_count - 1], (Slot)slot));
         for (int number = 0; number < row->case_count; number++)
             check_places(row, number);
     }

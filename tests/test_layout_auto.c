@@ -155,7 +155,7 @@ static int all_bits(const Set *set)
 {
     int bits = 0;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        bits += field_of(set, (Slot)slot) ? field_bits(field_of(set, (Slot)slot)) : 0;
+        bits += field_of(set, (Slot)slot) ? auto_field_bits(field_of(set, (Slot)slot)) : 0;
     return bits;
 }
 

@@ -38,7 +38,7 @@ static MatcRanges ranges_of(unsigned slots)
             ranges.slot[slot].low[lane] = slot_table[slot].low;
             ranges.slot[slot].high[lane] = slot_table[slot].high;
         }
-    sets_of_slots_add(&ranges, (MatcSlotSet){slots, 1});
+    auto_sets_add(&ranges, (MatcSlotSet){slots, 1});
     return ranges;
 }
 
@@ -66,7 +66,7 @@ static unsigned slots_of(const CaseRow *row)
 {
     unsigned slots = 0;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        slots |= (unsigned)case_has_slot(row, (Slot)slot) << slot;
+        slots |= (unsigned)layout_case_has_slot(row, (Slot)slot) << slot;
     return slots;
 }
 
@@ -150,7 +150,7 @@ static int all_fields(const MatcRanges *ranges, FieldRow fields[SLOT_COUNT])
 {
     int count = 0;
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
-        const Plan plan = plan_slot((Slot)slot, &ranges->slot[slot], 1);
+        const Plan plan = auto_plan_slot((Slot)slot, &ranges->slot[slot], 1);
         if (plan.fate == FATE_field)
             fields[count++] = plan.field;
     }
@@ -161,7 +161,7 @@ static int group_bits(const FieldRow *fields, int count, unsigned slots)
 {
     int bits = 0;
     for (int i = 0; i < count; i++)
-        bits += slots >> fields[i].source[0].slot & 1 ? field_bits(&fields[i]) : 0;
+        bits += slots >> fields[i].source[0].slot & 1 ? auto_field_bits(&fields[i]) : 0;
     return bits;
 }
 

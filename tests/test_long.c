@@ -66,7 +66,7 @@ static bool calls(const Ir *ir, int function)
 static const Ir *compile_long(Document *d, Session *session)
 {
     Job job;
-    job_of(&(MatcOptions){.pass = "value", .coordinates = "long"}, &job);
+    choice_job(&(MatcOptions){.pass = "value", .coordinates = "long"}, &job);
     job.slot = SLOT_diffuse;
     const Ir *ir = compile_ir(session, d->graph, d->graph->materials[0].node, &job);
     assert_non_null(ir);

@@ -43,7 +43,7 @@ static void side_open(Side *s, const char *text, Slot slot)
     if (!s->graph || s->session.diags.errors)
         fail_msg("%s\n%s", text, s->session.diags.count ? s->session.diags.at[0].message : "");
     Job job;
-    job_of(&s->options, &job);
+    choice_job(&s->options, &job);
     job.pass = PASS_value;
     job.slot = slot;
     for (int i = 0; i < 2; i++) {

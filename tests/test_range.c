@@ -314,7 +314,7 @@ static void intervals_of_expressions_are_those_worked_out(void **state)
         site_open(&site);
         Ref ref = expression_read(site.ir, known[i].text);
         assert_int_not_equal(ref, 0);
-        Ranges ranges = ranges_find(site.ir, &site.arena, known[i].lanes);
+        Ranges ranges = range_find(site.ir, &site.arena, known[i].lanes);
         Interval got = range_of(&ranges, site.ir, ref, known[i].lane);
         if (!is_near(got.low, known[i].low) || !is_near(got.high, known[i].high)) {
             print_error("%s lane %d of %d: [%.9g, %.9g] instead of [%.9g, %.9g]\n", known[i].text, known[i].lane,
@@ -339,7 +339,7 @@ static void functions_of_the_program_have_the_range_of_their_result(void **state
         int function = ir_function(s.ir, arguments, 1, result);
         args[0] = expression_read(s.ir, "v");
         Ref once = ir_apply(s.ir, function, args), kernel = ir_kernel(s.ir, function, args, args[0]);
-        Ranges ranges = ranges_find(s.ir, &s.arena, lanes);
+        Ranges ranges = range_find(s.ir, &s.arena, lanes);
         Interval one = range_of(&ranges, s.ir, once, 1), all = range_of(&ranges, s.ir, kernel, 1);
         assert_true(one.low == -0.25 && one.high == 0.75);
         assert_true(all.low == -0.25 * 27 && all.high == 0.75 * 27);

@@ -162,7 +162,7 @@ static void values_of_random_programs_lie_within_their_intervals(void **state)
     static Program p;
     for (int number = 0; number < PROGRAMS; number++) {
         program_make(&p, number);
-        Ranges ranges[2] = {ranges_find(p.site.ir, &p.site.arena, 1), ranges_find(p.site.ir, &p.site.arena, 4)};
+        Ranges ranges[2] = {range_find(p.site.ir, &p.site.arena, 1), range_find(p.site.ir, &p.site.arena, 4)};
         for (int i = 0; i < p.float_count; i += MOST_OUTPUTS)
             check_nodes(&p, ranges, &p.floats[i], p.float_count - i < MOST_OUTPUTS ? p.float_count - i : MOST_OUTPUTS);
         for (int i = 0; i < p.vector_count; i += MOST_OUTPUTS)

@@ -112,19 +112,19 @@ static void check_axis(Test *t, const Node *map, int axis)
     Session session = {.options = &t->document.options, .arena = &arena, .optimize = 2, .check = true};
     Job job;
     ReferenceTexture textures[EVALUATE_TEXTURES];
-    job_of(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &job);
+    choice_job(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &job);
     Lower l = {.session = &session,
                .graph = t->document.graph,
                .ir = ir_new(&session, t->document.graph),
                .job = &job,
                .cheap = true};
     l.uniform_use = ARENA_ARRAY(&arena, uint8_t, l.graph->uniform_count);
-    Env env = surface_env(&l);
-    Ref height = ir_swizzle(l.ir, ask(&l, map, GROUP_R, &env), "x");
+    Env env = lower_surface_env(&l);
+    Ref height = ir_swizzle(l.ir, lower_ask(&l, map, GROUP_R, &env), "x");
     Ref slope = slope_of(&l, height, axis ? DIRECTION_v : DIRECTION_u);
     ir_output(l.ir, OUT_color, 0, ir_convert(l.ir, slope ? slope : ir_float(l.ir, 0), TYPE_vec4));
     assert_null(ir_check(l.ir));
-    assert_true(optimize(&session, l.ir));
+    assert_true(opt_run(&session, l.ir));
     opt_dead(l.ir);
     assert_true(evaluate_textures(&arena, l.ir, textures));
     ReferenceContext context = {l.ir->noise, textures};

@@ -34,7 +34,7 @@ static void begin(Test *t)
     static const Graph none;
     t->arena = (Arena){0};
     t->session = (Session){.arena = &t->arena};
-    assert_null(job_of(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &t->job));
+    assert_null(choice_job(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &t->job));
     t->l = (Lower){.session = &t->session, .graph = &none, .ir = ir_new(&t->session, &none), .job = &t->job};
 }
 

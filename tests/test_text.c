@@ -146,10 +146,10 @@ static void only_unicode_is_utf8(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const unsigned char *at = (const unsigned char *)cases[i].bytes;
         size_t size = cases[i].bytes[0] ? strlen(cases[i].bytes) : 1;
-        if (utf8_length(at, at + size) != cases[i].length)
-            fail_msg("case %d: %d", (int)i, utf8_length(at, at + size));
+        if (text_utf8_length(at, at + size) != cases[i].length)
+            fail_msg("case %d: %d", (int)i, text_utf8_length(at, at + size));
         if (size > 1 && cases[i].length)
-            assert_int_equal(utf8_length(at, at + size - 1), 0); /* cut off */
+            assert_int_equal(text_utf8_length(at, at + size - 1), 0); /* cut off */
     }
 }
 

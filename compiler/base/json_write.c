@@ -21,7 +21,7 @@ void json_bytes(Text *out, const char *bytes, size_t size)
     const char *end = bytes + size;
     text_char(out, '"');
     for (int length; bytes < end; bytes += length ? length : 1) {
-        length = utf8_length((const unsigned char *)bytes, (const unsigned char *)end);
+        length = text_utf8_length((const unsigned char *)bytes, (const unsigned char *)end);
         if (length)
             put_character(out, bytes, length);
         else

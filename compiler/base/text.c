@@ -192,7 +192,7 @@ bool text_number(const char *string, size_t size, double *value)
     return end == string + size;
 }
 
-int utf8_length(const unsigned char *at, const unsigned char *end)
+int text_utf8_length(const unsigned char *at, const unsigned char *end)
 {
     if (at[0] < 0x80)
         return 1;
@@ -211,7 +211,7 @@ int utf8_length(const unsigned char *at, const unsigned char *end)
 void text_visible(Text *text, const char *string, size_t size)
 {
     for (const char *end = string + size; string < end;) {
-        int length = utf8_length((const unsigned char *)string, (const unsigned char *)end);
+        int length = text_utf8_length((const unsigned char *)string, (const unsigned char *)end);
         bool shown = length && (!text_is_control(string, length) || *string == '\t');
         const char *next = string + (length ? length : 1);
         if (shown)

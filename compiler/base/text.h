@@ -27,7 +27,7 @@ void text_double(Text *text, double value);
  * the string's end does not continue a number: a zero, a space. */
 bool text_number(const char *string, size_t size, double *value);
 /* Length of the UTF-8 sequence at `at`, 0 if it is none: overlong forms, surrogates and numbers past U+10FFFF are none. */
-int utf8_length(const unsigned char *at, const unsigned char *end);
+int text_utf8_length(const unsigned char *at, const unsigned char *end);
 /* Whether a character of UTF-8 is a control character, below U+0020 or U+007F to U+009F: terminals may obey both kinds. */
 bool text_is_control(const char *at, int size);
 /* Text of a document as it can be shown: control characters but tabs, and what is not UTF-8, become \x and two digits a byte. */

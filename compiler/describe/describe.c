@@ -195,7 +195,10 @@ void describe_message(Text *out, const DiagRow *diag)
     }
 }
 
-bool is_preset_head(int row) { return !row || strcmp(preset_table[row].name, preset_table[row - 1].name) != 0; }
+bool describe_is_preset_head(int row)
+{
+    return !row || strcmp(preset_table[row].name, preset_table[row - 1].name) != 0;
+}
 
 char *describe_finish(Text *text)
 {

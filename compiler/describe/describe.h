@@ -33,7 +33,7 @@ void describe_message(Text *out, const DiagRow *diag);
 
 extern const char *const severity_names[];
 /* Is the row the first of its preset? A preset has one row a parameter. */
-bool is_preset_head(int row);
+bool describe_is_preset_head(int row);
 /* The text in memory from malloc; the arena is freed. */
 char *describe_finish(Text *text);
 #endif

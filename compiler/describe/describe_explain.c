@@ -84,11 +84,11 @@ static void put_presets(Text *out, Kind kind)
         const ParamRow *param = &param_table[preset_table[i].param];
         if (preset_table[i].kind != kind)
             continue;
-        if (is_preset_head(i))
+        if (describe_is_preset_head(i))
             text_format(out, "Preset %s: ", preset_table[i].name);
         text_format(out, "%s ", param->name);
         describe_number(out, preset_table[i].init);
-        text_put(out, i + 1 < preset_count && !is_preset_head(i + 1) ? ", " : ".\n");
+        text_put(out, i + 1 < preset_count && !describe_is_preset_head(i + 1) ? ", " : ".\n");
     }
 }
 
@@ -124,7 +124,7 @@ static void explain_kinds(const Query *q)
         if (begins(q, alias_table[i].alias))
             put_kind(q->out, alias_table[i].kind, NULL);
     for (int i = 0; i < preset_count; i++)
-        if (is_preset_head(i) && begins(q, preset_table[i].name))
+        if (describe_is_preset_head(i) && begins(q, preset_table[i].name))
             put_kind(q->out, preset_table[i].kind, preset_table[i].name);
 }
 

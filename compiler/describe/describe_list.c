@@ -26,7 +26,7 @@ static void list_presets(Text *out)
 {
     put_heading(out, "Presets (maps with other defaults)");
     for (int i = 0; i < preset_count; i++)
-        if (is_preset_head(i))
+        if (describe_is_preset_head(i))
             text_format(out, "  %-*s  %s: %s\n", NAME_WIDTH, preset_table[i].name,
                         kind_table[preset_table[i].kind].name, preset_table[i].doc);
 }

@@ -157,7 +157,7 @@ static void put_kind_names(Text *out, Kind kind)
         if (alias_table[i].kind == kind)
             put_name(out, alias_table[i].alias, &count);
     for (int i = 0; i < preset_count; i++)
-        if (preset_table[i].kind == kind && is_preset_head(i))
+        if (preset_table[i].kind == kind && describe_is_preset_head(i))
             put_name(out, preset_table[i].name, &count);
     text_put(out, more ? "], \"description\": " : ", \"description\": ");
     json_string(out, kind_table[kind].doc);

@@ -66,7 +66,7 @@ static void put_comment(Scope *e, Text *out, const IrNode *node, int depth)
 
 static int expression_size(const Scope *e, Ref ref)
 {
-    int size = is_leaf(e->ir, ref) ? 0 : 1;
+    int size = emit_is_leaf(e->ir, ref) ? 0 : 1;
     for (int i = 0; i < ir_at(e->ir, ref)->count; i++)
         size += e->size[ir_arg(e->ir, ref, i)];
     return size;
@@ -78,7 +78,7 @@ static bool needs_name(const Scope *e, Ref ref, int size)
     const IrNode *node = ir_at(e->ir, ref);
     if (e->s.arm[ref])
         return true;
-    if (is_leaf(e->ir, ref))
+    if (emit_is_leaf(e->ir, ref))
         return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0; /* of what is written in place */
     if (e->s.uses[ref] > 1)
         return true;
@@ -254,7 +254,7 @@ static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
 static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
 {
     const IrFunction *function = &ir->functions[number];
-    const char *type = type_table[ir_type(ir, function->result)].name, *name = function_name(session, ir, number);
+    const char *type = type_table[ir_type(ir, function->result)].name, *name = emit_function_name(session, ir, number);
     text_format(out, "%s %sSum(", type, name);
     put_parameters(out, ir, function);
     bool scalar = ir_type(ir, function->result) == TYPE_float;
@@ -279,7 +279,8 @@ static void put_function(Scope *e, Text *out, int number)
     const Ir *ir = e->ir;
     const IrFunction *function = &ir->functions[number];
     open_scope(e, function, &function->result, 1);
-    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name, function_name(e->session, ir, number));
+    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name,
+                emit_function_name(e->session, ir, number));
     put_parameters(out, ir, function);
     text_put(out, ") {\n");
     put_block(e, out, 0, 1);

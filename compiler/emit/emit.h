@@ -25,9 +25,9 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
                             const char *material, const char *opacity, const char *fragment);
 
 /* Names in the shader. */
-const char *texture_name(Session *session, const Ir *ir, int texture);
+const char *emit_texture_name(Session *session, const Ir *ir, int texture);
 /* Of a varying's location, the same in both programs. */
-int input_location(Input input);
+int emit_input_location(Input input);
 /* "version" and, for ES, precisions. */
 void emit_version(Text *out, Target target);
 #endif

@@ -2,7 +2,7 @@
 #include "compiler/emit/emit_scope.h"
 #include <string.h>
 
-bool is_leaf(const Ir *ir, Ref ref)
+bool emit_is_leaf(const Ir *ir, Ref ref)
 {
     switch (ir_at(ir, ref)->op) {
     case OP_const:
@@ -51,7 +51,7 @@ void emit_constant(Text *out, const Ir *ir, Ref ref)
     text_char(out, ')');
 }
 
-const char *function_name(Session *session, const Ir *ir, int function)
+const char *emit_function_name(Session *session, const Ir *ir, int function)
 {
     Text name = text_new(session->arena);
     uint8_t hint = ir->functions[function].hint;
@@ -97,7 +97,7 @@ static void put_leaf(Scope *e, Text *out, Ref ref)
         break;
     case OP_texture:
         e->interface->textures[node->payload] = true;
-        text_put(out, texture_name(e->session, e->ir, (int)node->payload));
+        text_put(out, emit_texture_name(e->session, e->ir, (int)node->payload));
         break;
     case OP_argument:
         put_argument_name(e, out, ref);
@@ -254,7 +254,7 @@ static void put_special(Scope *e, Text *out, Ref ref)
         break;
     case OP_apply:
     case OP_kernel:
-        text_put(out, function_name(e->session, e->ir, (int)node->payload));
+        text_put(out, emit_function_name(e->session, e->ir, (int)node->payload));
         text_put(out, node->op == OP_kernel ? "Sum" : "");
         put_list(e, out, ref);
         break;

@@ -24,7 +24,7 @@ void emit_expression(Scope *e, Text *out, Ref ref, int precedence);
 /* A number or vector. */
 void emit_constant(Text *out, const Ir *ir, Ref ref);
 /* Values that are never worth a temporary: constants, inputs, lanes of something named. */
-bool is_leaf(const Ir *ir, Ref ref);
+bool emit_is_leaf(const Ir *ir, Ref ref);
 enum {
     PRECEDENCE_any,
     PRECEDENCE_select,
@@ -39,5 +39,5 @@ enum {
     PRECEDENCE_prefix,
     PRECEDENCE_postfix
 };
-const char *function_name(Session *session, const Ir *ir, int function);
+const char *emit_function_name(Session *session, const Ir *ir, int function);
 #endif

@@ -13,7 +13,7 @@ void emit_version(Text *out, Target target)
         text_put(out, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
 }
 
-int input_location(Input input)
+int emit_input_location(Input input)
 {
     int location = 0;
     for (int i = 0; i < (int)input; i++)
@@ -21,7 +21,7 @@ int input_location(Input input)
     return location;
 }
 
-bool has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
+bool emit_has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
 
 int std140_offset(const char *type, int *size)
 {
@@ -48,7 +48,7 @@ int std140_size(int end)
 }
 
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
-int texture_binding(int index)
+int emit_texture_binding(int index)
 {
     const int below = DRAW_BLOCK - FIRST_TEXTURE_BINDING;
     return index < below ? FIRST_TEXTURE_BINDING + index : CONSTANT_BLOCK + 1 + index - below;
@@ -66,13 +66,13 @@ int table_binding(const Ir *ir, const Interface *interface, const char *name)
                 continue;
             size_t length = (size_t)(end - sampler) - strlen("sampler2D ");
             if (strlen(name) == length && !strncmp(sampler + strlen("sampler2D "), name, length))
-                return texture_binding(index);
+                return emit_texture_binding(index);
             index++;
         }
     return -1;
 }
 
-const char *texture_name(Session *session, const Ir *ir, int texture)
+const char *emit_texture_name(Session *session, const Ir *ir, int texture)
 {
     Text name = text_new(session->arena);
     text_format(&name, "%sTexture%d", ir->textures[texture].kind == TEXTURE_image ? "image" : "carpenter", texture);
@@ -82,8 +82,8 @@ const char *texture_name(Session *session, const Ir *ir, int texture)
 void emit_varying(Text *out, Target target, Input input, const char *word)
 {
     const InputRow *row = &input_table[input];
-    if (has_locations(target))
-        text_format(out, "layout(location = %d) ", input_location(input));
+    if (emit_has_locations(target))
+        text_format(out, "layout(location = %d) ", emit_input_location(input));
     text_format(out, "%s %s %s;\n", target == TARGET_glsl110 ? "varying" : word, type_table[row->type].name, row->glsl);
 }
 
@@ -93,7 +93,7 @@ static void put_constants(Text *out, const Ir *ir, Target target)
     bool block = target != TARGET_glsl110;
     if (!ir->constant_count)
         return;
-    if (has_locations(target))
+    if (emit_has_locations(target))
         text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n", CONSTANT_BLOCK);
     else if (block)
         text_put(out, "layout(std140) uniform " CONSTANT_BLOCK_NAME " {\n");
@@ -130,8 +130,8 @@ static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, con
 
 static void put_sampler(Text *out, Target target, int *index, const char *declaration, int size)
 {
-    if (has_locations(target))
-        text_format(out, "layout(binding = %d) ", texture_binding((*index)++));
+    if (emit_has_locations(target))
+        text_format(out, "layout(binding = %d) ", emit_texture_binding((*index)++));
     text_format(out, "uniform %.*s;\n", size, declaration);
 }
 
@@ -142,7 +142,7 @@ static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *j
         Text declaration = text_new(session->arena);
         if (!interface->textures[i])
             continue;
-        text_format(&declaration, "sampler2D %s", texture_name(session, ir, (int)i));
+        text_format(&declaration, "sampler2D %s", emit_texture_name(session, ir, (int)i));
         put_sampler(out, job->target, &index, declaration.at, (int)declaration.size);
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
@@ -170,7 +170,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
         if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
             emit_varying(out, job->target, (Input)i, "in");
     Text uniforms = text_new(session->arena);
-    bool block = has_locations(job->target);
+    bool block = emit_has_locations(job->target);
     if (put_uniforms(&uniforms, ir, interface, block ? "    " : "uniform ")) {
         if (block)
             text_format(out, "layout(std140, binding = %d) uniform Material {\n", MATERIAL_BLOCK);

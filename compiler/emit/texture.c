@@ -32,7 +32,8 @@ static bool *averaged_textures(Session *session, const Ir *ir, const Interface *
 static MatcTexture of_document(Session *session, const Ir *ir, int i, bool averaged)
 {
     const IrTexture *t = &ir->textures[i];
-    MatcTexture texture = {.name = texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1};
+    MatcTexture texture = {
+        .name = emit_texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1};
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
         texture.lanes = 4;

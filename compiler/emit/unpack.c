@@ -161,7 +161,7 @@ static void put_case(Text *out, const LayoutRow *layout, int number, const char 
     for (int i = 0; i < placement.count; i++)
         put_piece(out, layout, &placement.pieces[i], indent, i);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(layout, (Slot)slot) && !case_has_slot(&layout->cases[number], (Slot)slot))
+        if (layout_has_slot(layout, (Slot)slot) && !layout_case_has_slot(&layout->cases[number], (Slot)slot))
             put_known(out, layout, (Slot)slot, indent);
 }
 

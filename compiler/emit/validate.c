@@ -122,7 +122,7 @@ bool validate(Session *session, Target target, const char *vertex, const char *f
     return fine;
 }
 
-const char *make_spirv(Session *session, const char *fragment, size_t *size, const char **log)
+const char *validate_to_spirv(Session *session, const char *fragment, size_t *size, const char **log)
 {
     Validation v = {0};
     const char *words = NULL;

@@ -9,5 +9,5 @@
 bool validate(Session *session, Target target, const char *vertex, const char *fragment, size_t declarations,
               const char **log);
 /* The fragment program as SPIR-V, in the arena; NULL: *log tells why. */
-const char *make_spirv(Session *session, const char *fragment, size_t *size, const char **log);
+const char *validate_to_spirv(Session *session, const char *fragment, size_t *size, const char **log);
 #endif

@@ -44,7 +44,7 @@ static void put_attributes(Text *out, Target target, const bool *used)
 
 static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names, int count)
 {
-    bool block = has_locations(target);
+    bool block = emit_has_locations(target);
     if (block)
         text_format(out, "layout(std140, binding = %d) uniform Draw {\n", DRAW_BLOCK);
     for (int i = 0; i < count; i++)
@@ -139,7 +139,7 @@ static void describe(Text *out, const char *declaration, const char *key, int va
     text_char(out, '}');
 }
 
-void describe_vertex(Text *out, const Job *job, const Interface *interface)
+void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
 {
     bool screen = job->pass == PASS_plane || job->pass == PASS_sky, old = job->target == TARGET_glsl110;
     bool attribute[ATTRIBUTE_COUNT] = {screen && old},
@@ -159,11 +159,11 @@ void describe_vertex(Text *out, const Job *job, const Interface *interface)
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {
             text_put(out, first ? "" : ", ");
-            describe(out, names[i], "offset", has_locations(job->target) ? std140_offset(names[i], &size) : -1);
+            describe(out, names[i], "offset", emit_has_locations(job->target) ? std140_offset(names[i], &size) : -1);
             first = 0;
         }
     text_put(out, "]");
-    if (has_locations(job->target) && size)
+    if (emit_has_locations(job->target) && size)
         text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK,
                     std140_size(size));
     text_put(out, "}");

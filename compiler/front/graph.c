@@ -3,7 +3,7 @@
 #include <string.h>
 
 /* Narrowing to one lane takes the mean, to more the first lanes; widening copies one lane, else fills with 0, alpha with 1. */
-void convert_lanes(int from_lanes, const double *from, int to_lanes, double *to)
+void graph_convert(int from_lanes, const double *from, int to_lanes, double *to)
 {
     double result[4] = {0, 0, 0, 1};
     if (to_lanes == 1 && from_lanes > 1) {
@@ -21,5 +21,5 @@ void convert_lanes(int from_lanes, const double *from, int to_lanes, double *to)
 void value_number(const Value *value, Type want, double result[4])
 {
     const double *from = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    convert_lanes(type_table[value->type].lanes, from, type_table[want].lanes, result);
+    graph_convert(type_table[value->type].lanes, from, type_table[want].lanes, result);
 }

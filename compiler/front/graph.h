@@ -118,5 +118,5 @@ static inline const Value *node_param(const Node *node, int param)
 /* A number's or uniform's (default) lanes, converted to `want` by the conversion table. */
 void value_number(const Value *value, Type want, double result[4]);
 /* The conversion table on numbers: `lanes_from` numbers to `lanes_to`. */
-void convert_lanes(int lanes_from, const double *from, int lanes_to, double *to);
+void graph_convert(int lanes_from, const double *from, int lanes_to, double *to);
 #endif

@@ -22,7 +22,8 @@ static const char *token_end(const Json *j, const char *at)
     const char *from = at;
     while (at < j->end && (isalnum((unsigned char)*at) || (*at && strchr("_+-.", *at))))
         at++;
-    return at > from || at == j->end ? at : at + utf8_length((const unsigned char *)at, (const unsigned char *)j->end);
+    return at > from || at == j->end ? at
+                                     : at + text_utf8_length((const unsigned char *)at, (const unsigned char *)j->end);
 }
 
 /* The fault that everything else is: another thing stands where the grammar wants `wanted`. Always NULL. */

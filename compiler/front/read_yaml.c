@@ -35,7 +35,7 @@ static void map_characters(Reader *r, const Source *source)
         return;
     r->characters = 0;
     uint32_t *bytes = arena_alloc(r->session->arena, (source->size / MARK_STEP + 1) * sizeof *bytes);
-    for (at = text + r->b->start; at < end; at += utf8_length(at, end), r->characters++)
+    for (at = text + r->b->start; at < end; at += text_utf8_length(at, end), r->characters++)
         if (r->characters % MARK_STEP == 0)
             bytes[r->characters / MARK_STEP] = (uint32_t)(at - text);
     r->bytes = bytes;
@@ -51,7 +51,7 @@ static uint32_t offset_of(const Reader *r, yaml_mark_t mark)
         return r->b->start + (uint32_t)mark.index;
     const unsigned char *at = text + r->bytes[mark.index / MARK_STEP];
     for (size_t left = mark.index % MARK_STEP; left > 0 && at < end; left--)
-        at += utf8_length(at, end);
+        at += text_utf8_length(at, end);
     return (uint32_t)(at - text);
 }
 

@@ -53,7 +53,7 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     return false;
 }
 
-Value default_value(Resolver *r, const ParamRow *row)
+Value resolve_default(Resolver *r, const ParamRow *row)
 {
     static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3};
     Value value = {.kind = VALUE_none};
@@ -227,7 +227,7 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
     bool fine = true;
     if (tree_is_null(tree)) { /* null is as good as not written */
         warn_of_comment(r, tree);
-        *value = row->type == PARAM_Map && !row->lanes ? (Value){0} : default_value(r, row);
+        *value = row->type == PARAM_Map && !row->lanes ? (Value){0} : resolve_default(r, row);
         return true;
     }
     switch (row->type) {
@@ -265,7 +265,7 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
     return fine;
 }
 
-bool is_document_key(const char *key) { return !strcmp(key, "defs") || !strcmp(key, "include"); }
+bool resolve_is_document_key(const char *key) { return !strcmp(key, "defs") || !strcmp(key, "include"); }
 
 static void set_presets(const char *preset, Kind kind, Value *params)
 {
@@ -333,11 +333,11 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     bool fine = true;
     for (int i = 0; i < row->count; i++)
         if (!tree_find(tree, param_table[row->first + i].name))
-            params[i] = default_value(r, &param_table[row->first + i]);
+            params[i] = resolve_default(r, &param_table[row->first + i]);
     set_presets(preset, kind, params);
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
-        if (strcmp(member->key, key) != 0 && !(outermost && is_document_key(member->key)))
+        if (strcmp(member->key, key) != 0 && !(outermost && resolve_is_document_key(member->key)))
             fine &= resolve_member(r, member, kind, name->value->text, params);
     }
     Node *node = ARENA_NEW(r->session->arena, Node);

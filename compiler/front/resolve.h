@@ -22,7 +22,7 @@ typedef struct {
 Graph *resolve(Session *session, Tree *document);
 
 /* Keys of the outermost level that stand beside a material's own. */
-bool is_document_key(const char *key);
+bool resolve_is_document_key(const char *key);
 /* A map or a material, made once however often it is met; `outermost`: the document itself. resolve.c */
 const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault);
 /* A map: number, list, colour, param, reference or object. NULL for none and for a fault; *fault tells. */
@@ -30,7 +30,7 @@ const Node *resolve_map(Resolver *r, Tree *tree, bool *fault);
 const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);
 /* The value of one parameter. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
-Value default_value(Resolver *r, const ParamRow *row);
+Value resolve_default(Resolver *r, const ParamRow *row);
 
 /* A number, a list of numbers, a colour or a param, of lanes least..most; `what` is for messages. */
 bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int most, Value *value);
@@ -38,9 +38,9 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
-bool is_name(const char *name);
+bool resolve_is_name(const char *name);
 /* A name that a uniform cannot have: GLSL's own, or one that matc gives. reserved.c */
-bool name_is_reserved(const char *name);
+bool resolve_is_reserved(const char *name);
 
 /* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
 const char *suggest(Session *session, const char *name, const char *(*names)(const void *user, int i), const void *user,

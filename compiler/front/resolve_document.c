@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool is_name(const char *name)
+bool resolve_is_name(const char *name)
 {
     size_t size = strlen(name);
     if (!isalpha((unsigned char)name[0]) || size > LIMIT_NAME)
@@ -92,7 +92,7 @@ static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials
     for (uint32_t i = 0; i < list->count; i++) {
         const Member *member = &list->members[i];
         bool fault = false;
-        if (!is_name(member->key)) {
+        if (!resolve_is_name(member->key)) {
             diag_add(r->session, member->span, DIAG_bad_name, member->key, LIMIT_NAME);
             fine = false;
         }
@@ -116,7 +116,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     bool fine = true;
     for (uint32_t i = 0; many && i < document->count; i++) {
         const Member *member = &document->members[i];
-        if (is_document_key(member->key) || !strcmp(member->key, "materials"))
+        if (resolve_is_document_key(member->key) || !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material");
         const char *near = suggest(r->session, member->key, top_key, NULL, 4);

@@ -121,7 +121,7 @@ typedef struct Ir {
 } Ir;
 
 /* The lattice noise that a target's programs compute, for the references. lower.c */
-ReferenceNoise noise_for(Choice noise, Target target);
+ReferenceNoise lower_noise_for(Choice noise, Target target);
 Ir *ir_new(Session *session, const Graph *graph);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);

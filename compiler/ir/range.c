@@ -303,7 +303,7 @@ Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane)
     }
 }
 
-Ranges ranges_find(const Ir *ir, Arena *arena, int lanes)
+Ranges range_find(const Ir *ir, Arena *arena, int lanes)
 {
     Ranges r = {ARENA_ARRAY(arena, Interval, ir->count * (size_t)lanes), (Ref)ir->count, lanes, NULL};
     for (Ref ref = 1; ref < r.count; ref++)

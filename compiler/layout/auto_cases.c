@@ -21,7 +21,7 @@ typedef struct {
     uint8_t fits[1 << SLOT_COUNT]; /* by the slots of a case: 1 it does, 2 it does not, 0 not tried yet */
 } Search;
 
-void choose_formats(LayoutRow *row, int words)
+void auto_choose_formats(LayoutRow *row, int words)
 {
     int count = 0;
     for (; words >= 4; words -= 4)
@@ -90,7 +90,7 @@ static bool divide_into(Search *s, int words, int cases)
 {
     if (targets_of(words) > LAYOUT_TARGETS)
         return false;
-    choose_formats(&s->row, words);
+    auto_choose_formats(&s->row, words);
     s->row.case_count = cases;
     s->found->count = s->steps = 0;
     memset(s->fits, 0, sizeof s->fits);
@@ -105,7 +105,7 @@ static int slots_bits(const Search *s, unsigned slots)
     int bits = 0;
     for (int i = 0; i < s->field_count; i++)
         if (slots >> s->fields[i].source[0].slot & 1)
-            bits += field_bits(&s->fields[i]);
+            bits += auto_field_bits(&s->fields[i]);
     return bits;
 }
 
@@ -167,7 +167,7 @@ static bool find_division(Search *s, unsigned stored)
     return divide_into(&whole, found->words_of_one, 1);
 }
 
-bool divide_fields(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division)
+bool auto_divide(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division)
 {
     Search s = {.fields = fields, .field_count = count, .found = division};
     unsigned stored = 0;

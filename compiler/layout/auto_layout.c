@@ -66,13 +66,13 @@ static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan pl
     LayoutRow *row = ARENA_NEW(arena, LayoutRow);
     *row = (LayoutRow){.name = "auto", .doc = doc_of(arena, ranges->materials), .fixed = fixed, .cases = cases};
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
-        plans[slot] = plan_slot((Slot)slot, &ranges->slot[slot], scale);
+        plans[slot] = auto_plan_slot((Slot)slot, &ranges->slot[slot], scale);
         put_plan(&plans[slot], &ranges->slot[slot], fields, &count, fixed, &row->fixed_count);
     }
     qsort(fields, (size_t)count, sizeof *fields, by_size);
-    if (!divide_fields(fields, count, ranges, division))
+    if (!auto_divide(fields, count, ranges, division))
         return NULL;
-    choose_formats(row, division->words);
+    auto_choose_formats(row, division->words);
     row->case_count = division->count;
     for (int i = 0; i < division->count; i++) {
         cases[i] = make_case(arena, fields, count, division->slots[i]);
@@ -89,13 +89,13 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
     Plan plans[SLOT_COUNT];
     Division division;
     Locale locale = locale_enter();
-    layout->options = options_whole(options);
+    layout->options = choice_whole_options(options);
     layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
     if (ranges->materials) {
         const double scale = error > 0 ? error / class_table[CLASS_color].error : 1;
         layout->row = make_row(&layout->arena, ranges, plans, scale, &division);
         Text report = text_new(&layout->arena);
-        plan_report(&report, plans, ranges, layout->row, &division);
+        auto_report(&report, plans, ranges, layout->row, &division);
         layout_describe(layout);
         text_put(&report, layout->report);
         layout->report = report.at;

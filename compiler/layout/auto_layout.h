@@ -35,17 +35,17 @@ typedef struct {
 
 /* The fewest words that hold the fields, each one slot's, and then the fewest cases. A material finds all of its slots in a case.
  * False: no layout has so many words. auto_cases.c */
-bool divide_fields(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division);
+bool auto_divide(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division);
 /* Gives the row so many words: targets of four, two and one. */
-void choose_formats(LayoutRow *row, int words);
+void auto_choose_formats(LayoutRow *row, int words);
 /* Adds the slots of a material, or of several. What `other` has. auto_sets.c */
-void sets_of_slots_add(MatcRanges *ranges, MatcSlotSet set);
-void sets_of_slots_join(MatcRanges *ranges, const MatcRanges *other);
+void auto_sets_add(MatcRanges *ranges, MatcSlotSet set);
+void auto_sets_join(MatcRanges *ranges, const MatcRanges *other);
 /* Of all groups of a field. auto_plan.c */
-int field_bits(const FieldRow *field);
+int auto_field_bits(const FieldRow *field);
 /* What is to be done with a slot, at `scale` times the errors of classes.def. auto_plan.c */
-Plan plan_slot(Slot slot, const MatcSlotRange *range, double scale);
+Plan auto_plan_slot(Slot slot, const MatcSlotRange *range, double scale);
 /* A table of the slots and their fates. auto_report.c */
-void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row,
+void auto_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row,
                  const Division *division);
 #endif

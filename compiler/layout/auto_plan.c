@@ -37,7 +37,7 @@ static FieldRow make_field(const Wish *wish, Encoding encoding)
     return field;
 }
 
-int field_bits(const FieldRow *field)
+int auto_field_bits(const FieldRow *field)
 {
     const int takes = encoding_table[field->encoding].takes;
     return field_size(field) * (takes ? field->count / takes : 1);
@@ -56,7 +56,7 @@ static void try_encoding(const Wish *wish, Encoding encoding, double low, double
         if (class_error(wish->plan, &field) <= wish->plan->error * (1 + SAME))
             break;
     const bool does = class_error(wish->plan, &field) <= wish->plan->error * (1 + SAME);
-    const bool better = !best->bits || field_bits(&field) < field_bits(best);
+    const bool better = !best->bits || auto_field_bits(&field) < auto_field_bits(best);
     const bool best_does = best->bits && class_error(wish->plan, best) <= wish->plan->error * (1 + SAME);
     if (does ? !best_does || better : !best->bits)
         *best = field;
@@ -118,7 +118,7 @@ static MatcSlotRange with_drawn(Slot slot, MatcSlotRange range)
     return range;
 }
 
-Plan plan_slot(Slot slot, const MatcSlotRange *of, double scale)
+Plan auto_plan_slot(Slot slot, const MatcSlotRange *of, double scale)
 {
     const MatcSlotRange own = with_drawn(slot, *of), *range = &own;
     const SlotClassRow *row = &slot_class_table[slot];

@@ -36,7 +36,7 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
             to->high[lane] = fmax(to->high[lane], from->high[lane]);
         }
     }
-    sets_of_slots_join(ranges, other);
+    auto_sets_join(ranges, other);
 }
 
 /* Lanes that are the same by how they are computed. */
@@ -133,13 +133,13 @@ static bool add_material(Session *session, const Graph *graph, int material, con
     const Ir *ir = compile_ir(session, graph, graph->materials[material].node, job);
     if (!ir)
         return false;
-    const Ranges ranges = ranges_find(ir, session->arena, FIELD_LANES);
+    const Ranges ranges = range_find(ir, session->arena, FIELD_LANES);
     const uint8_t *same = find_same(ir, session->arena);
     one->materials = 1;
     for (int i = 0; i < ir->output_count; i++)
         read_slot(ir, &ranges, same, &ir->outputs[i], &one->slot[ir->outputs[i].index]);
     drop_unneeded(one);
-    sets_of_slots_add(one, (MatcSlotSet){ir->slots, 1});
+    auto_sets_add(one, (MatcSlotSet){ir->slots, 1});
     return true;
 }
 
@@ -149,7 +149,7 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     Job job;
     Arena arena = {0};
     MatcRanges one;
-    MatcOptions own = options_whole(options);
+    MatcOptions own = choice_whole_options(options);
     Locale locale = locale_enter();
     own.layout = own.pass = own.constants = NULL;
     own.member_count = 0;
@@ -158,7 +158,7 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     Session session = session_open(&own, &arena);
     const Graph *graph = document->graph;
     document_lend(document, &session);
-    const char *wrong = job_of(&own, &job);
+    const char *wrong = choice_job(&own, &job);
     bool fine = !wrong && graph && material >= 0 && material < graph->material_count;
     job.pass = PASS_value;
     job.all_slots = true;

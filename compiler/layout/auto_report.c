@@ -66,7 +66,7 @@ static void put_field(Text *out, const Plan *plan)
         text_put(&encoding, " over ");
         describe_stored_range(&encoding, field);
     }
-    text_format(out, "%-28s %4d  ", encoding.at, field_bits(field));
+    text_format(out, "%-28s %4d  ", encoding.at, auto_field_bits(field));
     put_error(out, plan);
     text_put(out, field->gray ? ", one for all lanes" : "");
 }
@@ -100,7 +100,7 @@ static void put_sizes(Text *out, const MatcRanges *ranges, const LayoutRow *row,
                 layout_bytes(&layout_table[LAYOUT_thesis]));
 }
 
-void plan_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row, const Division *division)
+void auto_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row, const Division *division)
 {
     put_sizes(out, ranges, row, division);
     text_format(out, "%-25s %-18s %-28s %4s  %s\n", "slot", "range", "stored as", "bits", "error at most");

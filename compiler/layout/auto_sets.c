@@ -18,7 +18,7 @@ static void add_other(MatcSlotSet *others, MatcSlotSet set)
     others->materials += set.materials;
 }
 
-void sets_of_slots_add(MatcRanges *ranges, MatcSlotSet set)
+void auto_sets_add(MatcRanges *ranges, MatcSlotSet set)
 {
     MatcSlotSet *at = ranges->sets, *end = ranges->sets + ranges->set_count;
     while (at < end && comes_before(at->slots, set.slots))
@@ -39,9 +39,9 @@ void sets_of_slots_add(MatcRanges *ranges, MatcSlotSet set)
     *at = set;
 }
 
-void sets_of_slots_join(MatcRanges *ranges, const MatcRanges *other)
+void auto_sets_join(MatcRanges *ranges, const MatcRanges *other)
 {
     for (int i = 0; i < other->set_count; i++)
-        sets_of_slots_add(ranges, other->sets[i]);
+        auto_sets_add(ranges, other->sets[i]);
     add_other(&ranges->others, other->others);
 }

@@ -31,7 +31,7 @@ bool layout_has_words(const LayoutRow *row)
     return false;
 }
 
-bool case_has_slot(const CaseRow *row, Slot slot)
+bool layout_case_has_slot(const CaseRow *row, Slot slot)
 {
     for (int i = 0; i < row->field_count; i++)
         for (int k = 0; k < row->fields[i].count; k++)
@@ -53,7 +53,7 @@ bool layout_has_slot(const LayoutRow *row, Slot slot)
     if (layout_fixed(row, slot))
         return true;
     for (int i = 0; i < row->case_count; i++)
-        if (case_has_slot(&row->cases[i], slot))
+        if (layout_case_has_slot(&row->cases[i], slot))
             return true;
     return false;
 }
@@ -61,7 +61,8 @@ bool layout_has_slot(const LayoutRow *row, Slot slot)
 static bool case_is_whole(const LayoutRow *row, const CaseRow *fields)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) && !case_has_slot(fields, (Slot)slot))
+        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) &&
+            !layout_case_has_slot(fields, (Slot)slot))
             return false;
     return true;
 }

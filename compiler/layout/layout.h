@@ -30,7 +30,7 @@ bool layout_has_words(const LayoutRow *row);
 /* The slot comes back: it is stored by any case, or fixed. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
 /* At least a lane of it is stored by that case. */
-bool case_has_slot(const CaseRow *row, Slot slot);
+bool layout_case_has_slot(const CaseRow *row, Slot slot);
 /* A case stores every slot of the layout that is not fixed, so that every material has one. Where none does, what changes
  * nothing need not be stored. */
 bool layout_is_whole(const LayoutRow *row);

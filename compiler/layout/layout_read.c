@@ -294,7 +294,7 @@ static void read_constants(Reader *r, const Tree *file)
         fixed[r->row->fixed_count].slot = (Slot)slot;
         read_constant(r, &object->members[i], &fixed[r->row->fixed_count++]);
         for (int number = 0; number < r->row->case_count; number++)
-            if (case_has_slot(&r->row->cases[number], (Slot)slot)) {
+            if (layout_case_has_slot(&r->row->cases[number], (Slot)slot)) {
                 diag_add(r->session, key.span, DIAG_fixed_stored, slot_table[slot].name);
                 fail(r);
             }
@@ -311,7 +311,7 @@ const LayoutRow *layout_read(Session *session, const Tree *tree)
     check_keys(&r, tree, "a layout", keys, sizeof keys / sizeof *keys);
     r.row->name = text_of(&r, tree, "a layout", "layout", true);
     r.row->doc = text_of(&r, tree, "a layout", "doc", false);
-    if (r.fine && !is_name(r.row->name)) {
+    if (r.fine && !resolve_is_name(r.row->name)) {
         diag_add(session, tree_find(tree, "layout")->value->span, DIAG_bad_name, r.row->name, LIMIT_NAME);
         fail(&r);
     }

@@ -221,7 +221,7 @@ static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
     return !exact && *root;
 }
 
-bool long_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts)
+bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts)
 {
     static const char *const lanes_of[] = {"", "x", "xy"};
     Line lines[LANES];

@@ -26,8 +26,8 @@ static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
     Ref values[MOST_TAPS] = {0}, all[8];
     LongCoordinate parts;
     int tap_count = footprint_taps(l, args[0], taps);
-    Ref edge = tap_count ? greatest_lane(l, taps[0].edges) : number(l, 0);
-    bool is_long = long_coordinate(l, args[0], 1, &parts);
+    Ref edge = tap_count ? footprint_greatest_lane(l, taps[0].edges) : number(l, 0);
+    bool is_long = affine_coordinate(l, args[0], 1, &parts);
     for (int i = 0; i < tap_count + !tap_count; i++) {
         int used = 0;
         Ref middle = tap_count ? taps[i].middle : args[0];
@@ -48,16 +48,16 @@ static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
         all[used++] = args[k];
     all[used++] = edge;
     Ref variance = mul(l, ir_call(l->ir, o->variance, all, used), number(l, o->factor));
-    variance_set(l, value,
-                 o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, REFS(l->ir, variance, variance, variance), 3)
-                                      : variance);
+    footprint_set_variance(l, value,
+                           o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, REFS(l->ir, variance, variance, variance), 3)
+                                                : variance);
     return value;
 }
 
 static bool is_plain(Lower *l, Ref p)
 {
     LongCoordinate parts;
-    return !footprint_edges(l, p) && !long_coordinate(l, p, 1, &parts);
+    return !footprint_edges(l, p) && !affine_coordinate(l, p, 1, &parts);
 }
 
 Ref area_turbulence(Lower *l, const Ref args[4])
@@ -94,7 +94,7 @@ static Ref sampled(Lower *l, Kind kind, const Ref *args, int count)
         Ref apart = sub(l, values[i], mean);
         squares[i] = mul(l, apart, apart);
     }
-    variance_set(l, mean, mean_of(l, squares, point_count));
+    footprint_set_variance(l, mean, mean_of(l, squares, point_count));
     return mean;
 }
 
@@ -133,7 +133,7 @@ Ref area_odd_share(Lower *l, Ref q)
     Ref edges = footprint_edges(l, q), product;
     if (!edges)
         return 0;
-    Ref part = ir_unary(l->ir, OP_fract, long_coordinate(l, q, 1, &parts) ? parts.fraction : q);
+    Ref part = ir_unary(l->ir, OP_fract, affine_coordinate(l, q, 1, &parts) ? parts.fraction : q);
     Ref longer = footprint_longer(l, q, &edges);
     if (longer) {
         product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, REFS(l->ir, part, longer, edges), 3);
@@ -150,7 +150,7 @@ Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
 {
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
     Ref right = slope_of(l, uv, DIRECTION_right), up = slope_of(l, uv, DIRECTION_up);
-    if (!is_filtered(l) || (!right && !up))
+    if (!footprint_is_filtered(l) || (!right && !up))
         return ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
     Ref none = ir_const(l->ir, TYPE_vec2, (double[]){0, 0});
     if (function == FN_imageBilinear)
@@ -162,7 +162,7 @@ Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
     return mean_of(l, values, count);
 }
 
-Ref known_inverse(Lower *l, Ref low, Ref high)
+Ref area_known_inverse(Lower *l, Ref low, Ref high)
 {
     const double width = ir_known(l->ir, high)[0] - ir_known(l->ir, low)[0];
     if (width == 0)
@@ -196,7 +196,7 @@ Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
     Ref more = mul(l, sub(l, wider, width), number(l, 0.5));
     Ref begin = add(l, from, more), end = sub(l, sub(l, t, high), more);
     Ref place = ir_ternary(l->ir, OP_clamp, begin, ir_unary(l->ir, OP_neg, wider), add(l, wider, wider));
-    Ref bends = sub(l, box_corner(l, begin, narrower), box_corner(l, end, narrower));
+    Ref bends = sub(l, footprint_box_corner(l, begin, narrower), footprint_box_corner(l, end, narrower));
     Ref share = ir_ternary(l->ir, OP_clamp, over_edge(l, place, wider), zero, one);
     return add(l, share, over_edge(l, bends, wider));
 }

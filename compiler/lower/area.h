@@ -14,7 +14,7 @@ Ref area_odd_share(Lower *l, Ref q);
 /* A picture's function (sampler, uv, size). */
 Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size);
 /* 1 / (high - low) of known numbers, computed in double here or where the buffer is filled; 0 where they are equal. */
-Ref known_inverse(Lower *l, Ref low, Ref high);
+Ref area_known_inverse(Lower *l, Ref low, Ref high);
 /* The share of the way from `low` to `high` that t has gone, in [0, 1], as a mean over a box of t; equal ones make a step. */
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high);
 #endif

@@ -6,7 +6,7 @@ static const double LEAST_DIVISOR = 1e-37; /* a float that is no denormal */
 
 static const Ref NO_VARIANCE = UINT32_MAX; /* in the memo: known to be none */
 
-bool is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none && !l->filters; }
+bool footprint_is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none && !l->filters; }
 
 static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
 
@@ -28,11 +28,11 @@ static Ref scaled(Lower *l, Ref value, double factor) { return mul(l, value, num
 Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges)
 {
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
-    if (l->job->choice[AXIS_aa] != CHOICE_aa_aniso || !is_filtered(l) || !right || !up)
+    if (l->job->choice[AXIS_aa] != CHOICE_aa_aniso || !footprint_is_filtered(l) || !right || !up)
         return 0;
     Ref wide = ir_binary(l->ir, OP_lt, ir_binary(l->ir, OP_dot, up, up), ir_binary(l->ir, OP_dot, right, right));
     Ref longer = ir_select(l->ir, wide, right, up), shorter = ir_select(l->ir, wide, up, right);
-    Ref part = scaled(l, longer, 1.0 / MOST_TAPS), variance = variance_of(l, coordinate);
+    Ref part = scaled(l, longer, 1.0 / MOST_TAPS), variance = footprint_variance(l, coordinate);
     *edges = together(l, part, shorter);
     if (variance)
         *edges = unary(l, OP_sqrt, add(l, mul(l, *edges, *edges), scaled(l, variance, BOX_VARIANCE)));
@@ -61,7 +61,7 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
         {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
     Type type = ir_type(l->ir, coordinate);
-    if (!is_filtered(l) || (!right && !up))
+    if (!footprint_is_filtered(l) || (!right && !up))
         return 0;
     right = filled(l, right, type);
     up = filled(l, up, type);
@@ -72,11 +72,11 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
 
 Ref footprint_edges(Lower *l, Ref value)
 {
-    if (!is_filtered(l))
+    if (!footprint_is_filtered(l))
         return 0;
     Ref right = slope_of(l, value, DIRECTION_right), up = slope_of(l, value, DIRECTION_up);
     Ref edges = together(l, right, up);
-    Ref variance = variance_of(l, value);
+    Ref variance = footprint_variance(l, value);
     if (variance) {
         Ref square = scaled(l, variance, BOX_VARIANCE);
         edges = unary(l, OP_sqrt, edges ? add(l, mul(l, edges, edges), square) : square);
@@ -84,7 +84,7 @@ Ref footprint_edges(Lower *l, Ref value)
     return edges;
 }
 
-Ref greatest_lane(Lower *l, Ref value)
+Ref footprint_greatest_lane(Lower *l, Ref value)
 {
     static const char *const lane[] = {"x", "y", "z", "w"};
     Ref greatest = ir_swizzle(l->ir, value, "x");
@@ -105,25 +105,25 @@ Ref over_edge(Lower *l, Ref part, Ref edge)
 }
 
 /* The quotient, at most 1/2, comes before the product, which is then neither too great nor too small for a float. */
-Ref box_corner(Lower *l, Ref x, Ref edge)
+Ref footprint_box_corner(Lower *l, Ref x, Ref edge)
 {
     Ref over = box_over(l, x, edge);
     return mul(l, scaled(l, over, 0.5), over_edge(l, over, edge));
 }
 
-void variance_set(Lower *l, Ref value, Ref variance)
+void footprint_set_variance(Lower *l, Ref value, Ref variance)
 {
     l->variances = arena_reach(l->session->arena, l->variances, value, &l->variance_room, sizeof *l->variances);
     l->variances[value] = variance ? variance : NO_VARIANCE;
 }
 
-void split_set(Lower *l, Ref value, Split split)
+void footprint_set_split(Lower *l, Ref value, Split split)
 {
     l->splits = arena_reach(l->session->arena, l->splits, value, &l->split_room, sizeof *l->splits);
     l->splits[value] = split;
 }
 
-Split split_of(Lower *l, Ref value)
+Split footprint_split(Lower *l, Ref value)
 {
     for (; value; value = settled_operand(l, value))
         if (value < l->split_room && l->splits[value].share)
@@ -137,7 +137,7 @@ static Ref sum_of(Lower *l, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0]
 static Ref lane_variance(Lower *l, Ref ref, const IrNode *node)
 {
     Ref a = ir_arg(l->ir, ref, 0), b = node->count > 1 ? ir_arg(l->ir, ref, 1) : 0;
-    Ref by_a = variance_of(l, a), by_b = b ? variance_of(l, b) : 0;
+    Ref by_a = footprint_variance(l, a), by_b = b ? footprint_variance(l, b) : 0;
     switch (node->op) {
     case OP_neg:
     case OP_fract:
@@ -157,7 +157,7 @@ static Ref lane_variance(Lower *l, Ref ref, const IrNode *node)
 
 static Ref linear_variance(Lower *l, Ref ref, const IrNode *node)
 {
-    Ref args[5] = {variance_of(l, ir_arg(l->ir, ref, 0))};
+    Ref args[5] = {footprint_variance(l, ir_arg(l->ir, ref, 0))};
     if (!args[0])
         return 0;
     for (int i = 1; i < node->count; i++)
@@ -170,7 +170,7 @@ static Ref vec_variance(Lower *l, Ref ref, const IrNode *node)
     Ref parts[4];
     bool any = false;
     for (int i = 0; i < node->count; i++) {
-        Ref part = ir_arg(l->ir, ref, i), variance = variance_of(l, part);
+        Ref part = ir_arg(l->ir, ref, i), variance = footprint_variance(l, part);
         any |= variance != 0;
         parts[i] = filled(l, variance, ir_type(l->ir, part));
     }
@@ -185,13 +185,13 @@ static Ref derive(Lower *l, Ref ref)
     if (!node.count)
         return 0;
     if (settled)
-        return variance_of(l, settled);
+        return footprint_variance(l, settled);
     if (node.op == OP_linear)
         return linear_variance(l, ref, &node);
     if (node.op == OP_vec)
         return vec_variance(l, ref, &node);
     if (node.op == OP_swizzle) {
-        Ref whole = variance_of(l, ir_arg(l->ir, ref, 0));
+        Ref whole = footprint_variance(l, ir_arg(l->ir, ref, 0));
         return whole ? ir_swizzle_lanes(l->ir, whole, node.payload, type_table[node.type].lanes) : 0;
     }
     Ref variance = lane_variance(l, ref, &node);
@@ -229,7 +229,7 @@ static void push_operands(Lower *l, Ref ref)
 }
 
 /* Operands first, the left one before the right, on a stack of its own. */
-Ref variance_of(Lower *l, Ref value)
+Ref footprint_variance(Lower *l, Ref value)
 {
     size_t before = l->to_vary_count;
     push_unknown(l, value);
@@ -242,7 +242,7 @@ Ref variance_of(Lower *l, Ref value)
             continue;
         l->to_vary_count--;
         if (!known_variance(l, ref))
-            variance_set(l, ref, derive(l, ref));
+            footprint_set_variance(l, ref, derive(l, ref));
     }
     Ref variance = known_variance(l, value);
     return variance == NO_VARIANCE ? 0 : variance;

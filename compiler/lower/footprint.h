@@ -14,7 +14,7 @@ typedef struct {
 } Tap;
 
 /* Whether maps are averaged over the pixel. What Smooth3D and Laplace3D evaluate many times is not: they sample it themselves. */
-bool is_filtered(const Lower *l);
+bool footprint_is_filtered(const Lower *l);
 /* The boxes that stand for the pixel's footprint on a coordinate, of equal weight: one, or MOST_TAPS along the longer side with
  * --aa=aniso. 0: the coordinate is the same all over the pixel. */
 int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS]);
@@ -27,13 +27,13 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
  * by an edge guards that. */
 Ref footprint_edges(Lower *l, Ref value);
 /* The greatest lane. */
-Ref greatest_lane(Lower *l, Ref value);
+Ref footprint_greatest_lane(Lower *l, Ref value);
 /* Variance within the pixel that a mean's slope does not show, by lane; 0 for none. It passes through linear operations. */
-void variance_set(Lower *l, Ref value, Ref variance);
-Ref variance_of(Lower *l, Ref value);
+void footprint_set_variance(Lower *l, Ref value, Ref variance);
+Ref footprint_variance(Lower *l, Ref value);
 /* Notes that a value is the mean of two within the pixel: what is not linear has to be asked of both. */
-void split_set(Lower *l, Ref value, Split split);
-Split split_of(Lower *l, Ref value);
+void footprint_set_split(Lower *l, Ref value, Split split);
+Split footprint_split(Lower *l, Ref value);
 /* The operand that a select or a mix is, because constants decide it; 0: they do not. settled.c */
 Ref settled_operand(Lower *l, Ref ref);
 /* `scale` times a coordinate that constants scaled, turned and moved, as a whole number and a fraction in [-1/2, 1/2], for
@@ -41,11 +41,11 @@ Ref settled_operand(Lower *l, Ref ref);
 typedef struct {
     Ref whole, fraction;
 } LongCoordinate;
-bool long_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts);
+bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts);
 /* max(b / 2 - |x|, 0): how far a box of edge b around x reaches over 0. */
 Ref box_over(Lower *l, Ref x, Ref edge);
 /* part / b of a part that is 0 where b is: 0 there. */
 Ref over_edge(Lower *l, Ref part, Ref edge);
 /* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than max(x, 0); 0 without a box. */
-Ref box_corner(Lower *l, Ref x, Ref edge);
+Ref footprint_box_corner(Lower *l, Ref x, Ref edge);
 #endif

@@ -14,7 +14,7 @@ static const LowerMap lower_map[KIND_COUNT] = {
 #include "grammar/maps.def"
 };
 
-const Node *param_node(const Node *node, int param)
+const Node *lower_param_node(const Node *node, int param)
 {
     const Value *value = node_param(node, param);
     return value->kind == VALUE_node ? value->node : NULL;
@@ -31,7 +31,7 @@ static void note_use(Lower *l, const Value *value, bool count)
     *use = now;
 }
 
-Ref param_value(Lower *l, const Value *value, Type type)
+Ref lower_param(Lower *l, const Value *value, Type type)
 {
     if (value->kind == VALUE_uniform) {
         const Uniform *uniform = value->uniform;
@@ -48,7 +48,7 @@ Ref param_value(Lower *l, const Value *value, Type type)
     return ir_const(l->ir, type, numbers);
 }
 
-void reject_uniform(Lower *l, const Value *value, const char *name, const char *why)
+void lower_reject_uniform(Lower *l, const Value *value, const char *name, const char *why)
 {
     if (value->kind != VALUE_uniform)
         return;
@@ -56,7 +56,7 @@ void reject_uniform(Lower *l, const Value *value, const char *name, const char *
     l->failed = true;
 }
 
-Ref as_group(Lower *l, Ref value, Group group)
+Ref lower_as_group(Lower *l, Ref value, Group group)
 {
     if (group == GROUP_R)
         return value;
@@ -90,7 +90,7 @@ static Memo *memo_find(Lower *l, uint64_t key)
 }
 
 /* The node is the value of a map or slot. One that is another's value already keeps that name. */
-void mark_head(Ir *ir, Ref value, uint8_t hint)
+void lower_mark_head(Ir *ir, Ref value, uint8_t hint)
 {
     IrNode *node = &ir->nodes[value];
     if (node->op == OP_const || node->op == OP_input || node->head)
@@ -99,7 +99,7 @@ void mark_head(Ir *ir, Ref value, uint8_t hint)
     node->head = 1;
 }
 
-Ref ask(Lower *l, const Node *map, Group group, const Env *env)
+Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env)
 {
     if (!map)
         return env->root[group];
@@ -117,7 +117,7 @@ Ref ask(Lower *l, const Node *map, Group group, const Env *env)
     l->ir->hint = (uint8_t)map->kind;
     Ref value = lower_map[map->kind](l, map, group, env);
     l->ir->hint = hint;
-    mark_head(l->ir, value, (uint8_t)map->kind);
+    lower_mark_head(l->ir, value, (uint8_t)map->kind);
     memo = memo_find(l, key); /* the table may have moved */
     *memo = (Memo){key, value};
     l->memo_count++;
@@ -129,8 +129,8 @@ static Ref through_wave(Lower *l, const Node *node, Ref f)
 {
     enum { WAVE_FORM = 1, FREQUENCY, PHASE };
     const Value *wave = &node->params[WAVE_FORM];
-    Ref v = mul(l, f, param_value(l, &node->params[FREQUENCY], TYPE_float));
-    v = add(l, v, param_value(l, &node->params[PHASE], TYPE_float));
+    Ref v = mul(l, f, lower_param(l, &node->params[FREQUENCY], TYPE_float));
+    v = add(l, v, lower_param(l, &node->params[PHASE], TYPE_float));
     return wave->kind == VALUE_wave ? lower_wave(l, wave->wave, v) : v;
 }
 
@@ -138,21 +138,22 @@ static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { FIRST_OWN = 4, MOST_ARGUMENTS = 8 };
     const KindRow *row = &kind_table[node->kind];
-    Ref args[MOST_ARGUMENTS] = {ask(l, node->params[0].kind == VALUE_node ? node->params[0].node : NULL, GROUP_X, env)};
+    Ref args[MOST_ARGUMENTS] = {
+        lower_ask(l, node->params[0].kind == VALUE_node ? node->params[0].node : NULL, GROUP_X, env)};
     int count = 1;
     for (int i = FIRST_OWN; i < row->count; i++) {
         static const Type type_of[] = {[PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
-        args[count++] = param_value(l, &node->params[i], type_of[param_table[row->first + i].type]);
+        args[count++] = lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
-    return as_group(l, through_wave(l, node, area_volume(l, node->kind, args, count)), group);
+    return lower_as_group(l, through_wave(l, node, area_volume(l, node->kind, args, count)), group);
 }
 
 /* Gradient: dot(p, direction). */
 Ref lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Ref p = ask(l, param_node(node, P_Gradient_input), GROUP_X, env);
-    Ref direction = param_value(l, node_param(node, P_Gradient_direction), TYPE_vec3);
-    return as_group(l, through_wave(l, node, ir_binary(l->ir, OP_dot, p, direction)), group);
+    Ref p = lower_ask(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
+    Ref direction = lower_param(l, node_param(node, P_Gradient_direction), TYPE_vec3);
+    return lower_as_group(l, through_wave(l, node, ir_binary(l->ir, OP_dot, p, direction)), group);
 }
 
 /* a = max(|omega|, 1)^(1 - n): keeps strong octaves from growing the sum. */
@@ -167,22 +168,22 @@ Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *e
 {
     enum { MOST_OCTAVES = 11 };
     const Value *octaves = node_param(node, P_VolumeTurbulence_octaves);
-    reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
+    lower_reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
     double given[4];
     value_number(octaves, TYPE_float, given);
     double n = clamp(given[0], 1, MOST_OCTAVES);
-    Ref p = ask(l, param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
-    Ref omega = param_value(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
-    Ref size = param_value(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
-    Ref frequency = param_value(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
+    Ref p = lower_ask(l, lower_param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
+    Ref omega = lower_param(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
+    Ref size = lower_param(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
+    Ref frequency = lower_param(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
     Ref scaled = mul(l, p, size), args[] = {scaled, ir_int(l->ir, n), frequency, omega};
     Ref f = mul(l, area_turbulence(l, args), octave_scale(l, omega, n));
-    return as_group(l, through_wave(l, node, f), group);
+    return lower_as_group(l, through_wave(l, node, f), group);
 }
 
 /* Left to right, operands behind their users. What has no cost of its own, lanes and vectors of them, may be met without end
  * where it is shared: a value of more than MOST_MET nodes is costly. */
-int cost_below(const Ir *ir, Ref ref, int limit)
+int lower_cost_below(const Ir *ir, Ref ref, int limit)
 {
     enum { MOST_MET = 1024 };
     Ref met[MOST_MET + UINT8_MAX] = {ref};
@@ -198,7 +199,7 @@ int cost_below(const Ir *ir, Ref ref, int limit)
     return cost;
 }
 
-ReferenceNoise noise_for(Choice noise, Target target)
+ReferenceNoise lower_noise_for(Choice noise, Target target)
 {
     bool old = target == TARGET_glsl110;
     if (noise == CHOICE_noise_groimp)

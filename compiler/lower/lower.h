@@ -67,25 +67,25 @@ typedef struct {
 } Lower;
 
 /* The point of a rasterised surface. lower_pass.c */
-Env surface_env(Lower *l);
+Env lower_surface_env(Lower *l);
 /* What a job's program computes of a material. NULL: see the diagnostics. */
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
-Ref ask(Lower *l, const Node *map, Group group, const Env *env);
-void mark_head(Ir *ir, Ref value, uint8_t hint);
+Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
+void lower_mark_head(Ir *ir, Ref value, uint8_t hint);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
-Ref as_group(Lower *l, Ref value, Group group);
+Ref lower_as_group(Lower *l, Ref value, Group group);
 /* The type that holds colours of both types lane by lane. A float stands for all lanes and a vec2 for two, hence a vec3. */
-Type common_type(Type a, Type b);
+Type lower_common_type(Type a, Type b);
 /* A parameter's value as IR, converted to the type. */
-Ref param_value(Lower *l, const Value *value, Type type);
+Ref lower_param(Lower *l, const Value *value, Type type);
 /* The map in a parameter, NULL if it has none. */
-const Node *param_node(const Node *node, int param);
+const Node *lower_param_node(const Node *node, int param);
 /* Reports a param where the value must be known. */
-void reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
+void lower_reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
 /* Cost of a value, up to `limit`: an upper bound, as shared parts count as often as they are met. */
-int cost_below(const Ir *ir, Ref ref, int limit);
+int lower_cost_below(const Ir *ir, Ref ref, int limit);
 /* One material slot, by its name. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The shading normal in eye space, unit length, turned to the viewer. */
@@ -103,7 +103,7 @@ unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
 Ref lower_wave(Lower *l, const Wave *wave, Ref v);
 /* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse of its matrix,
  * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */
-Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
+Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 /* M q for a Transform. */
 Ref lower_transform(Lower *l, const Transform *transform, Ref q);
 

@@ -20,7 +20,7 @@ static Ref position(Lower *l, Ref t, Ref low, Ref high)
     const double *from = ir_known(l->ir, low), *to = ir_known(l->ir, high);
     Ref along = sub(l, t, low);
     if (from && to)
-        return mul(l, along, known_inverse(l, low, high));
+        return mul(l, along, area_known_inverse(l, low, high));
     Ref width = sub(l, high, low);
     Ref flat = ir_binary(l->ir, OP_eq, width, number(l, 0));
     return ir_binary(l->ir, OP_div, along, ir_select(l->ir, flat, number(l, 1), width));
@@ -84,7 +84,7 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
 {
     int cost = 0;
     for (int i = 0; i < count && cost < CHEAP_ARMS; i++)
-        cost += cost_below(ir, stops[i].result, CHEAP_ARMS - cost);
+        cost += lower_cost_below(ir, stops[i].result, CHEAP_ARMS - cost);
     return cost < CHEAP_ARMS;
 }
 
@@ -198,32 +198,32 @@ static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
 /* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */
 static Ref blend_split(Lower *l, Ref x, const Stop *stops, int count, int depth)
 {
-    Split split = split_of(l, x);
+    Split split = footprint_split(l, x);
     if (!split.share || depth == 0)
         return blend_at(l, ir_swizzle(l->ir, x, "x"), stops, count);
     split.a = blend_split(l, split.a, stops, count, depth - 1);
     split.b = blend_split(l, split.b, stops, count, depth - 1);
     Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, split.share);
-    split_set(l, value, split);
+    footprint_set_split(l, value, split);
     return value;
 }
 
 Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *blend = node_param(node, P_Blend_blend);
-    const Node *input = param_node(node, P_Blend_input);
+    const Node *input = lower_param_node(node, P_Blend_input);
     int count = blend->kind == VALUE_items ? blend->items->count : 0;
     if (!count || l->failed)
-        return ask(l, input, group, env);
-    Ref x = ask(l, input, GROUP_X, env);
+        return lower_ask(l, input, group, env);
+    Ref x = lower_ask(l, input, GROUP_X, env);
     ir_swizzle(l->ir, x, "x"); /* before what the items make */
     Stop *stops = ARENA_ARRAY(l->session->arena, Stop, count);
     Type type = TYPE_float;
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
-        stops[i].value = param_value(l, &item->value, TYPE_float);
-        stops[i].result = ask(l, item->input, group, env);
-        type = i ? common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
+        stops[i].value = lower_param(l, &item->value, TYPE_float);
+        stops[i].result = lower_ask(l, item->input, group, env);
+        type = i ? lower_common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
     }
     for (int i = 0; i < count; i++)
         stops[i].result = ir_convert(l->ir, stops[i].result, type);

@@ -32,7 +32,7 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
             slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
     Env inner = shifted_env(l, env, arguments);
     l->filters++;
-    Ref result = without_alpha(l, ask(l, input, group, &inner));
+    Ref result = without_alpha(l, lower_ask(l, input, group, &inner));
     l->filters--;
     return ir_function(l->ir, arguments, 2, result);
 }
@@ -50,12 +50,12 @@ static Ref filter_size(Lower *l, const Node *node)
 {
     Ref size[3];
     for (int i = 0; i < 3; i++)
-        size[i] = param_value(l, &node->params[1 + i], TYPE_float);
+        size[i] = lower_param(l, &node->params[1 + i], TYPE_float);
     return ir_vec(l->ir, TYPE_vec3, size, 3);
 }
 
 /* What follows takes the result as it is, instead of differentiating every one of its evaluations. They have no variance either:
- * variance_of passes through no application. */
+ * footprint_variance passes through no application. */
 static Ref steady(Lower *l, Ref value)
 {
     slope_set(l, value, DIRECTION_right, 0);
@@ -67,9 +67,9 @@ static Ref steady(Lower *l, Ref value)
  * compile: it is summed in a loop. */
 Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
-    int function = make_function(l, param_node(node, P_Smooth3D_input), group, env);
+    int function = make_function(l, lower_param_node(node, P_Smooth3D_input), group, env);
     Ref size = filter_size(l, node), sum = 0;
-    bool costly = cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
+    bool costly = lower_cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
     if (costly)
         sum = ir_kernel(l->ir, function, REFS(l->ir, env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")),
                         size);
@@ -83,7 +83,7 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 /* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
 Ref lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
-    int function = make_function(l, param_node(node, P_Laplace3D_input), group, env);
+    int function = make_function(l, lower_param_node(node, P_Laplace3D_input), group, env);
     Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, 0, 0, 0), sum = 0;
     for (int n = 0; n < 6; n++) {
         int axis = n / 2, side = n % 2 * 2 - 1;

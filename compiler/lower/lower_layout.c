@@ -141,7 +141,7 @@ static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot 
 static bool stores_all(Lower *l, const LayoutRow *row, int number, const Node *material, const Env *env)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (is_stored(row, (Slot)slot) && !case_has_slot(&row->cases[number], (Slot)slot) &&
+        if (is_stored(row, (Slot)slot) && !layout_case_has_slot(&row->cases[number], (Slot)slot) &&
             is_asked(l, row, material, (Slot)slot, env))
             return false;
     return true;

@@ -14,26 +14,26 @@ static Ref black(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
 static Ref raw_normal(Lower *l, const Node *material, const Env *env)
 {
     if (material && material->kind == KIND_Phong)
-        return ask(l, param_node(material, P_Phong_input), GROUP_N, env);
+        return lower_ask(l, lower_param_node(material, P_Phong_input), GROUP_N, env);
     return env->root[GROUP_N];
 }
 
 static Ref color(Lower *l, const Node *map, const Env *env)
 {
-    return ir_convert(l->ir, ask(l, map, GROUP_R, env), TYPE_vec3);
+    return ir_convert(l->ir, lower_ask(l, map, GROUP_R, env), TYPE_vec3);
 }
 
 /* Alpha of a colour: only a vec4 has one, the conversion table makes 1 of all others. */
 static Ref alpha_of(Lower *l, const Node *map, const Env *env)
 {
-    Ref value = ask(l, map, GROUP_R, env);
+    Ref value = lower_ask(l, map, GROUP_R, env);
     return ir_type(l->ir, value) == TYPE_vec4 ? ir_swizzle(l->ir, value, "w") : number(l, 1);
 }
 
 /* Of a shininess that is one of two within the pixel: the mean of both exponents. */
 static Ref exponent_of(Lower *l, Ref shininess, int depth)
 {
-    Split split = split_of(l, shininess);
+    Split split = footprint_split(l, shininess);
     if (!split.share || depth == 0)
         return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, shininess, "x")}, 1);
     Ref a = exponent_of(l, split.a, depth - 1), b = exponent_of(l, split.b, depth - 1);
@@ -44,14 +44,14 @@ static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 {
     if (!map)
         return number(l, without);
-    return exponent_of(l, ask(l, map, GROUP_R, env), MOST_SPLITS);
+    return exponent_of(l, lower_ask(l, map, GROUP_R, env), MOST_SPLITS);
 }
 
 /* 1 + alpha (c - 1) */
 static Ref transparency(Lower *l, const Node *m, const Env *env)
 {
-    Ref alpha = alpha_of(l, param_node(m, P_Phong_diffuse), env);
-    Ref c = color(l, param_node(m, P_Phong_transparency), env);
+    Ref alpha = alpha_of(l, lower_param_node(m, P_Phong_diffuse), env);
+    Ref c = color(l, lower_param_node(m, P_Phong_transparency), env);
     if (ir_is_number(l->ir, alpha, 1))
         return c;
     return add(l, mul(l, alpha, sub(l, c, white(l))), white(l));
@@ -59,30 +59,30 @@ static Ref transparency(Lower *l, const Node *m, const Env *env)
 
 static Ref phong_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
-    const Node *diffuse = param_node(m, P_Phong_diffuse);
+    const Node *diffuse = lower_param_node(m, P_Phong_diffuse);
     switch (slot) {
     case SLOT_diffuse:
         return color(l, diffuse, env);
     case SLOT_alpha:
         return alpha_of(l, diffuse, env);
     case SLOT_specular:
-        return color(l, param_node(m, P_Phong_specular), env);
+        return color(l, lower_param_node(m, P_Phong_specular), env);
     case SLOT_shininess:
-        return exponent(l, param_node(m, P_Phong_shininess), DEFAULT_EXPONENT, env);
+        return exponent(l, lower_param_node(m, P_Phong_shininess), DEFAULT_EXPONENT, env);
     case SLOT_transparency:
         return transparency(l, m, env);
     case SLOT_transparencyShininess:
-        return exponent(l, param_node(m, P_Phong_transparencyShininess), MAX_EXPONENT, env);
+        return exponent(l, lower_param_node(m, P_Phong_transparencyShininess), MAX_EXPONENT, env);
     case SLOT_interpolatedTransparency:
-        return param_value(l, node_param(m, P_Phong_interpolatedTransparency), TYPE_float);
+        return lower_param(l, node_param(m, P_Phong_interpolatedTransparency), TYPE_float);
     case SLOT_diffuseTransparency:
-        return color(l, param_node(m, P_Phong_diffuseTransparency), env);
+        return color(l, lower_param_node(m, P_Phong_diffuseTransparency), env);
     case SLOT_ambient:
-        return color(l, param_node(m, P_Phong_ambient), env);
+        return color(l, lower_param_node(m, P_Phong_ambient), env);
     case SLOT_emissive:
-        return color(l, param_node(m, P_Phong_emissive), env);
+        return color(l, lower_param_node(m, P_Phong_emissive), env);
     case SLOT_ior:
-        return ask(l, param_node(m, P_Phong_input), GROUP_IOR, env);
+        return lower_ask(l, lower_param_node(m, P_Phong_input), GROUP_IOR, env);
     default:
         return black(l);
     }
@@ -113,10 +113,10 @@ static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *en
 
 static Ref rgba_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
-    Ref r = param_value(l, node_param(m, P_RGBA_r), TYPE_float),
-        g = param_value(l, node_param(m, P_RGBA_g), TYPE_float);
-    Ref b = param_value(l, node_param(m, P_RGBA_b), TYPE_float),
-        a = param_value(l, node_param(m, P_RGBA_a), TYPE_float);
+    Ref r = lower_param(l, node_param(m, P_RGBA_r), TYPE_float),
+        g = lower_param(l, node_param(m, P_RGBA_g), TYPE_float);
+    Ref b = lower_param(l, node_param(m, P_RGBA_b), TYPE_float),
+        a = lower_param(l, node_param(m, P_RGBA_a), TYPE_float);
     Ref diffuse = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3);
     return plain_slot(l, diffuse, sub(l, number(l, 1), a), slot, env);
 }
@@ -131,18 +131,18 @@ static Ref missing_slot(Lower *l, Slot slot, const Env *env)
 static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
 {
     const char *why = "the sky's coefficients are computed when the shader is written";
-    reject_uniform(l, node_param(m, P_SunSkyLight_sun), "sun", why);
-    reject_uniform(l, node_param(m, P_SunSkyLight_turbidity), "turbidity", why);
+    lower_reject_uniform(l, node_param(m, P_SunSkyLight_sun), "sun", why);
+    lower_reject_uniform(l, node_param(m, P_SunSkyLight_turbidity), "turbidity", why);
     double sun[4], turbidity[4], row[7][3];
     value_number(node_param(m, P_SunSkyLight_sun), TYPE_vec3, sun);
     value_number(node_param(m, P_SunSkyLight_turbidity), TYPE_float, turbidity);
     sky_coefficients(sun, turbidity[0], 1, row);
     /* skyRadiance(direction, sun, zenith over F(0, sun), A, B, C, D, E) */
     static const int order[] = {6, 0, 1, 2, 3, 4, 5};
-    Ref args[8] = {ask(l, NULL, GROUP_X, env)};
+    Ref args[8] = {lower_ask(l, NULL, GROUP_X, env)};
     for (int i = 0; i < 7; i++)
         args[i + 1] = ir_const(l->ir, TYPE_vec3, row[order[i]]);
-    Ref factor = param_value(l, node_param(m, P_SunSkyLight_radianceFactor), TYPE_float);
+    Ref factor = lower_param(l, node_param(m, P_SunSkyLight_radianceFactor), TYPE_float);
     return mul(l, ir_call(l->ir, FN_skyRadiance, args, 8), factor);
 }
 
@@ -157,16 +157,16 @@ static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 /* The material of a side. A missing back is as the front; a missing front stays missing. */
 static const Node *side(const Node *m, bool front)
 {
-    const Node *back = front ? NULL : param_node(m, P_SideSwitch_backShader);
-    return back ? back : param_node(m, P_SideSwitch_frontShader);
+    const Node *back = front ? NULL : lower_param_node(m, P_SideSwitch_backShader);
+    return back ? back : lower_param_node(m, P_SideSwitch_frontShader);
 }
 
 /* A preview takes the GUI's material; the others stand in where it is missing. */
 static const Node *algorithm(const Node *m)
 {
-    const Node *gui = param_node(m, P_AlgorithmSwitch_guiShader);
-    const Node *ray = param_node(m, P_AlgorithmSwitch_raytracerShader);
-    return gui ? gui : ray ? ray : param_node(m, P_AlgorithmSwitch_radiationShader);
+    const Node *gui = lower_param_node(m, P_AlgorithmSwitch_guiShader);
+    const Node *ray = lower_param_node(m, P_AlgorithmSwitch_raytracerShader);
+    return gui ? gui : ray ? ray : lower_param_node(m, P_AlgorithmSwitch_radiationShader);
 }
 
 /* The material that is seen of one side, through any number of switches: within one of them the side is known. */
@@ -240,7 +240,7 @@ Ref lower_eye_normal(Lower *l, const Node *material, const Env *env)
 {
     l->ir->hint = KIND_COUNT + SLOT_normal;
     Ref value = finished_normal(l, normal_of(l, material, env, true), env);
-    mark_head(l->ir, value, KIND_COUNT + SLOT_normal);
+    lower_mark_head(l->ir, value, KIND_COUNT + SLOT_normal);
     return value;
 }
 
@@ -250,6 +250,6 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
     Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
                                     : value_slot(l, material, slot, env);
     value = ir_convert(l->ir, value, slot_table[slot].type);
-    mark_head(l->ir, value, (uint8_t)(KIND_COUNT + slot));
+    lower_mark_head(l->ir, value, (uint8_t)(KIND_COUNT + slot));
     return value;
 }

@@ -10,9 +10,9 @@ typedef struct {
 static Frame input_frame(Lower *l, const Node *input, const Env *env)
 {
     const double least = 1e-30;
-    Ref n = ask(l, input, GROUP_N, env);
-    Frame f = {.tu = ask(l, input, GROUP_DU, env)};
-    f.tv = ask(l, input, GROUP_DV, env);
+    Ref n = lower_ask(l, input, GROUP_N, env);
+    Frame f = {.tu = lower_ask(l, input, GROUP_DU, env)};
+    f.tv = lower_ask(l, input, GROUP_DV, env);
     Ref size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, n), number(l, least));
     f.unit = mul(l, n, ir_binary(l->ir, OP_div, number(l, 1), size));
     return f;
@@ -37,8 +37,8 @@ static Ref filled(Lower *l, Ref slope) { return slope ? slope : number(l, 0); }
 
 static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
 {
-    Ref u = uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DU),
-        v = uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DV);
+    Ref u = lower_uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DU),
+        v = lower_uv_tangent(l, transform, slopes.u, slopes.v, GROUP_DV);
     return (Slopes){u, v};
 }
 
@@ -74,7 +74,7 @@ static Turn turn_of(Lower *l, const Node *node)
     const Node **chain = NULL;
     size_t count = 0, room = 0;
     Turn turn = {.known = true};
-    for (; node && !turn_at(l, node)->known; node = param_node(node, kind_table[node->kind].first))
+    for (; node && !turn_at(l, node)->known; node = lower_param_node(node, kind_table[node->kind].first))
         ARENA_PUSH(l->session->arena, chain, count, room, node);
     if (node)
         turn = *turn_at(l, node);
@@ -100,11 +100,11 @@ static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
 static Slopes height_slopes(Lower *l, const Node *displacement, const Node *input, const Env *env)
 {
     if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite) {
-        Ref by_u = ir_swizzle(l->ir, ask(l, displacement, GROUP_DU, env), "x");
-        Ref by_v = ir_swizzle(l->ir, ask(l, displacement, GROUP_DV, env), "x");
+        Ref by_u = ir_swizzle(l->ir, lower_ask(l, displacement, GROUP_DU, env), "x");
+        Ref by_v = ir_swizzle(l->ir, lower_ask(l, displacement, GROUP_DV, env), "x");
         return (Slopes){by_u, by_v};
     }
-    Ref height = ir_swizzle(l->ir, ask(l, displacement, GROUP_R, env), "x");
+    Ref height = ir_swizzle(l->ir, lower_ask(l, displacement, GROUP_R, env), "x");
     Ref by_u = filled(l, slope_of(l, height, DIRECTION_u)), by_v = filled(l, slope_of(l, height, DIRECTION_v));
     return along_tangents(l, input, (Slopes){by_u, by_v});
 }
@@ -112,11 +112,12 @@ static Slopes height_slopes(Lower *l, const Node *displacement, const Node *inpu
 Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     const double step = 0.02;
-    const Node *input = param_node(node, P_BumpMap_input), *displacement = param_node(node, P_BumpMap_displacement);
+    const Node *input = lower_param_node(node, P_BumpMap_input),
+               *displacement = lower_param_node(node, P_BumpMap_displacement);
     if (!is_frame(group) || !displacement)
-        return ask(l, input, group, env);
+        return lower_ask(l, input, group, env);
     Frame frame = input_frame(l, input, env);
-    Ref strength = param_value(l, node_param(node, P_BumpMap_strength), TYPE_float);
+    Ref strength = lower_param(l, node_param(node, P_BumpMap_strength), TYPE_float);
     Ref k = mul(l, strength, number(l, step));
     Slopes slopes = height_slopes(l, displacement, input, env);
     return tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group);
@@ -146,14 +147,14 @@ static Ref in_box_top(Lower *l, Ref u, Ref v)
 
 Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Node *input = param_node(node, P_WaveMap_input);
+    const Node *input = lower_param_node(node, P_WaveMap_input);
     if (!is_frame(group))
-        return ask(l, input, group, env);
+        return lower_ask(l, input, group, env);
     double box_top[4];
     value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
-    Ref uvw = ask(l, input, GROUP_U, env), u = ir_swizzle(l->ir, uvw, "x"), v = ir_swizzle(l->ir, uvw, "y");
-    Ref u_count = param_value(l, node_param(node, P_WaveMap_uCount), TYPE_float);
-    Ref v_count = param_value(l, node_param(node, P_WaveMap_vCount), TYPE_float);
+    Ref uvw = lower_ask(l, input, GROUP_U, env), u = ir_swizzle(l->ir, uvw, "x"), v = ir_swizzle(l->ir, uvw, "y");
+    Ref u_count = lower_param(l, node_param(node, P_WaveMap_uCount), TYPE_float);
+    Ref v_count = lower_param(l, node_param(node, P_WaveMap_vCount), TYPE_float);
     if (box_top[0] != 0) {
         u = sub(l, u, number(l, 1.0 / 4));
         v = sub(l, v, number(l, 1.0 / 3));
@@ -161,9 +162,9 @@ Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
         v_count = mul(l, v_count, number(l, 3));
     }
     Frame frame = input_frame(l, input, env);
-    Ref k = param_value(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
+    Ref k = lower_param(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
     Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
     Ref by_u = mul(l, k, mul(l, a.slope, b.height)), by_v = mul(l, k, mul(l, a.height, b.slope));
     Ref result = tilted(l, &frame, REFS(l->ir, by_u, by_v), group);
-    return box_top[0] != 0 ? ir_select(l->ir, in_box_top(l, u, v), result, ask(l, input, group, env)) : result;
+    return box_top[0] != 0 ? ir_select(l->ir, in_box_top(l, u, v), result, lower_ask(l, input, group, env)) : result;
 }

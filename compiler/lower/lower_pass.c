@@ -5,7 +5,7 @@
 #include "compiler/base/stack.h"
 #include <string.h>
 
-Env surface_env(Lower *l)
+Env lower_surface_env(Lower *l)
 {
     static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                    [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
@@ -41,7 +41,7 @@ static void set_root(Lower *l, Ref value, Ref by_u, Ref by_v)
 static Env plane_env(Lower *l)
 {
     Ir *ir = l->ir;
-    Env env = surface_env(l);
+    Env env = lower_surface_env(l);
     Ref u_axis = ir_input(ir, INPUT_planeU), v_axis = ir_input(ir, INPUT_planeV), ray = ir_input(ir, INPUT_ray);
     Ref eye = ir_input(ir, INPUT_eye), origin = ir_input(ir, INPUT_planeOrigin);
     Ref normal = ir_binary(ir, OP_cross, u_axis, v_axis), facing = dot(l, ray, normal);
@@ -76,7 +76,7 @@ static Env plane_env(Lower *l)
 static Env sky_env(Lower *l)
 {
     Ir *ir = l->ir;
-    Env env = surface_env(l);
+    Env env = lower_surface_env(l);
     Ref ray = ir_input(ir, INPUT_ray), direction = ir_call(ir, FN_safeNormalize, &ray, 1);
     Ref x = ir_swizzle(ir, direction, "x"), y = ir_swizzle(ir, direction, "y"), z = ir_swizzle(ir, direction, "z");
     Ref down = ir_ternary(ir, OP_clamp, ir_unary(ir, OP_neg, z), number(l, -1), number(l, 1));
@@ -118,7 +118,7 @@ static void write_slots(Lower *l, const Node *material, const Env *env)
 
 static Env pass_env(Lower *l)
 {
-    return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : surface_env(l);
+    return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : lower_surface_env(l);
 }
 
 static Lower start(Session *session, const Graph *graph, const Job *job, int optimize)
@@ -126,7 +126,7 @@ static Lower start(Session *session, const Graph *graph, const Job *job, int opt
     Lower l = {.session = session, .graph = graph, .ir = ir_new(session, graph), .job = job, .cheap = optimize > 0};
     l.ir->simplify = optimize > 0 ? opt_simplify : NULL;
     l.ir->keep_pow = job->choice[AXIS_powers] == CHOICE_powers_pow;
-    l.ir->noise = noise_for(job->choice[AXIS_noise], job->target);
+    l.ir->noise = lower_noise_for(job->choice[AXIS_noise], job->target);
     l.ir->hint = HINT_SURFACE;
     l.uniform_use = ARENA_ARRAY(session->arena, uint8_t, graph->uniform_count);
     return l;

@@ -9,32 +9,32 @@ static bool is_derivative(Group group) { return group == GROUP_DU || group == GR
 
 static Ref constant(Lower *l, Ref value, Group group)
 {
-    return is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : as_group(l, value, group);
+    return is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : lower_as_group(l, value, group);
 }
 
 Ref lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     const Value *value = &node->params[0];
-    return constant(l, param_value(l, value, value->type), group);
+    return constant(l, lower_param(l, value, value->type), group);
 }
 
 Ref lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
-    Ref r = param_value(l, node_param(node, P_RGBColor_r), TYPE_float);
-    Ref g = param_value(l, node_param(node, P_RGBColor_g), TYPE_float);
-    Ref b = param_value(l, node_param(node, P_RGBColor_b), TYPE_float);
+    Ref r = lower_param(l, node_param(node, P_RGBColor_r), TYPE_float);
+    Ref g = lower_param(l, node_param(node, P_RGBColor_g), TYPE_float);
+    Ref b = lower_param(l, node_param(node, P_RGBColor_b), TYPE_float);
     return constant(l, ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3), group);
 }
 
 Ref lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
-    return constant(l, param_value(l, node_param(node, P_Graytone_value), TYPE_float), group);
+    return constant(l, lower_param(l, node_param(node, P_Graytone_value), TYPE_float), group);
 }
 
-Type common_type(Type a, Type b)
+Type lower_common_type(Type a, Type b)
 {
     if ((a == TYPE_float && b == TYPE_vec2) || (a == TYPE_vec2 && b == TYPE_float))
         return TYPE_vec3;
@@ -44,18 +44,18 @@ Type common_type(Type a, Type b)
 /* a where the condition holds, else b, both widened to the type that holds both. */
 static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
 {
-    Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
+    Type type = lower_common_type(ir_type(l->ir, a), ir_type(l->ir, b));
     return ir_select(l->ir, condition, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type));
 }
 
 /* a for a share of the footprint, b for the rest. */
 static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
 {
-    Type type = common_type(ir_type(l->ir, a), ir_type(l->ir, b));
+    Type type = lower_common_type(ir_type(l->ir, a), ir_type(l->ir, b));
     Split split = {share, ir_convert(l->ir, a, type), 0};
     split.b = ir_convert(l->ir, b, type);
     Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, share);
-    split_set(l, value, split);
+    footprint_set_split(l, value, split);
     return value;
 }
 
@@ -76,7 +76,7 @@ static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *la
 static Ref odd_sum(Lower *l, Ref q)
 {
     LongCoordinate twice;
-    bool is_long = long_coordinate(l, q, 2, &twice);
+    bool is_long = affine_coordinate(l, q, 2, &twice);
     Ref part = is_long ? 0 : ir_unary(l->ir, OP_fract, q), odd = 0;
     for (int i = 0; i < ir_lanes(l->ir, q); i++) {
         const char *lane = lane_name[i];
@@ -107,28 +107,28 @@ static Ref checker_slope(Lower *l, const Node *color1, const Node *color2, Ref u
     const double step = 0.05;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
-    Ref a = ir_convert(l->ir, ask(l, color1, GROUP_R, env), TYPE_vec3);
-    Ref b = ir_convert(l->ir, ask(l, color2, GROUP_R, env), TYPE_vec3);
+    Ref a = ir_convert(l->ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
+    Ref b = ir_convert(l->ir, lower_ask(l, color2, GROUP_R, env), TYPE_vec3);
     Ref rise = mul(l, ir_select(l->ir, odd, sub(l, b, a), sub(l, a, b)), number(l, 1 / step));
-    Ref inside = ir_select(l->ir, odd, ask(l, color1, group, env), ask(l, color2, group, env));
+    Ref inside = ir_select(l->ir, odd, lower_ask(l, color1, group, env), lower_ask(l, color2, group, env));
     return ir_select(l->ir, ir_binary(l->ir, OP_ne, odd, beyond), rise, inside);
 }
 
 Ref lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Node *color1 = param_node(node, P_Checker_color1), *color2 = param_node(node, P_Checker_color2);
-    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Checker_input), GROUP_U, env), "xy");
+    const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
+    Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
         return checker_slope(l, color1, color2, uv, group, env);
-    Ref a = ask(l, color1, group, env), b = ask(l, color2, group, env), share = area_odd_share(l, uv);
+    Ref a = lower_ask(l, color1, group, env), b = lower_ask(l, color2, group, env), share = area_odd_share(l, uv);
     return share ? mixed(l, share, a, b) : choose(l, odd_square(l, uv, 0, 0), a, b);
 }
 
 Ref lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Ref p = ask(l, param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    Ref a = ask(l, param_node(node, P_VolumeChecker_color1), group, env);
-    Ref b = ask(l, param_node(node, P_VolumeChecker_color2), group, env);
+    Ref p = lower_ask(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
+    Ref a = lower_ask(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
+    Ref b = lower_ask(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
     Ref half = mul(l, p, number(l, 0.5)), share = area_odd_share(l, half);
     return share ? mixed(l, share, a, b) : choose(l, odd_sum(l, half), a, b);
 }
@@ -196,13 +196,13 @@ static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Re
     Ref size = ir_const(l->ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
     Ref sampler = texture(l, *wanted);
     if (!is_derivative(group))
-        return as_group(l, area_picture(l, function, sampler, uv, size), group);
+        return lower_as_group(l, area_picture(l, function, sampler, uv, size), group);
     Ref here = ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
     double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
     bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
     Ref beyond = turns ? stepped(l, uv, u, v) : add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){u, v}));
     Ref there = ir_call(l->ir, function, REFS(l->ir, sampler, beyond, size), 3);
-    return as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
+    return lower_as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
 }
 
 Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
@@ -212,7 +212,7 @@ Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
         return constant(l, number(l, 0.5), group);
     double bilinear[4];
     value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
-    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
+    Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
     const Image *picture = image->image;
     IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
     Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
@@ -227,11 +227,12 @@ Ref lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     const double step = 0.005;
     const KindRow *row = &kind_table[KIND_Carpenter];
     for (int i = 1; i < row->count; i++)
-        reject_uniform(l, &node->params[i], param_table[row->first + i].name, "the relief is made when the shader is");
+        lower_reject_uniform(l, &node->params[i], param_table[row->first + i].name,
+                             "the relief is made when the shader is");
     double width[4], height[4];
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
-    Ref uv = ir_swizzle(l->ir, ask(l, param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
+    Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     IrTexture wanted = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
     return sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step);
 }

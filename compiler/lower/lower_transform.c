@@ -23,11 +23,11 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
 /* The 2x2 part of a UVTransform: uv' = m (uv - offset). */
 static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
 {
-    Ref angle = param_value(l, node_param(node, P_UVTransform_angle), TYPE_float);
+    Ref angle = lower_param(l, node_param(node, P_UVTransform_angle), TYPE_float);
     Ref c = ir_unary(l->ir, OP_cos, angle), s = ir_unary(l->ir, OP_sin, angle);
-    Ref scale_u = param_value(l, node_param(node, P_UVTransform_scaleU), TYPE_float);
-    Ref scale_v = param_value(l, node_param(node, P_UVTransform_scaleV), TYPE_float);
-    Ref sheared = mul(l, param_value(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
+    Ref scale_u = lower_param(l, node_param(node, P_UVTransform_scaleU), TYPE_float);
+    Ref scale_v = lower_param(l, node_param(node, P_UVTransform_scaleV), TYPE_float);
+    Ref sheared = mul(l, lower_param(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
     m[0][0] = add(l, mul(l, scale_u, c), mul(l, sheared, s));
     m[0][1] = sub(l, mul(l, scale_u, s), mul(l, sheared, c));
     m[1][0] = ir_unary(l->ir, OP_neg, mul(l, scale_v, s));
@@ -42,7 +42,7 @@ static Ref guarded_inverse(Lower *l, Ref x)
     return ir_select(l->ir, flat, number(l, 0), inverse);
 }
 
-Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
+Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
 {
     Ref m[3][3];
     uv_matrix(l, node, m);
@@ -55,17 +55,17 @@ Ref uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
 
 Ref lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Node *input = param_node(node, P_UVTransform_input);
+    const Node *input = lower_param_node(node, P_UVTransform_input);
     if (group == GROUP_DU || group == GROUP_DV) {
-        Ref du = ask(l, input, GROUP_DU, env), dv = ask(l, input, GROUP_DV, env);
-        return uv_tangent(l, node, du, dv, group);
+        Ref du = lower_ask(l, input, GROUP_DU, env), dv = lower_ask(l, input, GROUP_DV, env);
+        return lower_uv_tangent(l, node, du, dv, group);
     }
     if (group != GROUP_U)
-        return ask(l, input, group, env);
-    Ref m[3][3], uvw = ask(l, input, GROUP_U, env);
+        return lower_ask(l, input, group, env);
+    Ref m[3][3], uvw = lower_ask(l, input, GROUP_U, env);
     uv_matrix(l, node, m);
-    Ref offset_u = param_value(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
-    Ref offset_v = param_value(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
+    Ref offset_u = lower_param(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
+    Ref offset_v = lower_param(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
     Ref offset = ir_vec(l->ir, TYPE_vec2, REFS(l->ir, offset_u, offset_v), 2);
     Ref from = sub(l, ir_swizzle(l->ir, uvw, "xy"), offset);
     return ir_vec(l->ir, TYPE_vec3, REFS(l->ir, times_matrix(l, m, 2, from), ir_swizzle(l->ir, uvw, "z")), 2);
@@ -104,8 +104,8 @@ static void rotation(Lower *l, int axis, Ref angle, Ref m[3][3])
 static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
 {
     static const char *const lane[] = {"x", "y", "z"};
-    Ref angles = param_value(l, &transform->rotation, TYPE_vec3), turn[3][3], before[3][3];
-    Ref scale = param_value(l, &transform->scale, TYPE_vec3), shear = param_value(l, &transform->shear, TYPE_vec3);
+    Ref angles = lower_param(l, &transform->rotation, TYPE_vec3), turn[3][3], before[3][3];
+    Ref scale = lower_param(l, &transform->scale, TYPE_vec3), shear = lower_param(l, &transform->shear, TYPE_vec3);
     identity(l, m);
     m[0][1] = ir_swizzle(l->ir, shear, "x");
     m[0][2] = ir_swizzle(l->ir, shear, "y");
@@ -126,9 +126,9 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q)
     Ref m[3][3], shift;
     switch (transform->kind) {
     case TRANSFORM_scale:
-        return mul(l, q, param_value(l, &transform->scale, TYPE_float));
+        return mul(l, q, lower_param(l, &transform->scale, TYPE_float));
     case TRANSFORM_translation:
-        return add(l, q, param_value(l, &transform->translation, TYPE_vec3));
+        return add(l, q, lower_param(l, &transform->translation, TYPE_vec3));
     case TRANSFORM_matrix:
         for (int i = 0; i < 9; i++)
             m[i / 3][i % 3] = number(l, transform->matrix[i / 3 * 4 + i % 3]);
@@ -136,7 +136,7 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q)
         break;
     default:
         component_matrix(l, transform, m);
-        shift = param_value(l, &transform->translation, TYPE_vec3);
+        shift = lower_param(l, &transform->translation, TYPE_vec3);
         break;
     }
     return add(l, times_matrix(l, m, 3, q), shift);
@@ -144,12 +144,12 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q)
 
 Ref lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Node *input = param_node(node, P_XYZTransform_input);
+    const Node *input = lower_param_node(node, P_XYZTransform_input);
     if (group != GROUP_X)
-        return ask(l, input, group, env);
+        return lower_ask(l, input, group, env);
     double global[4];
     value_number(node_param(node, P_XYZTransform_useGlobal), TYPE_float, global);
-    Ref q = ask(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
+    Ref q = lower_ask(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
     const Value *transform = node_param(node, P_XYZTransform_transform);
     return transform->kind == VALUE_transform ? lower_transform(l, transform->transform, q) : q;
 }
@@ -158,16 +158,16 @@ Ref lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
 Ref lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MOST_OCTAVES = 10 };
-    Ref q = ask(l, param_node(node, P_Turbulence_input), group, env);
+    Ref q = lower_ask(l, lower_param_node(node, P_Turbulence_input), group, env);
     if (group != GROUP_X && group != GROUP_U)
         return q;
     const Value *octaves = node_param(node, P_Turbulence_octaves);
-    reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
+    lower_reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
     double given[4];
     value_number(octaves, TYPE_float, given);
     Ref n = ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
-    Ref frequency = param_value(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
-    Ref args[] = {q, n, frequency, param_value(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
+    Ref frequency = lower_param(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
+    Ref args[] = {q, n, frequency, lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
     Ref offset = area_vector_turbulence(l, args);
-    return add(l, q, mul(l, param_value(l, node_param(node, P_Turbulence_amount), TYPE_vec3), offset));
+    return add(l, q, mul(l, lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3), offset));
 }

@@ -59,7 +59,7 @@ static void note_variance(Lower *l, Ref mean, Ref w, double variance, double per
     if (variance == 0)
         return;
     Ref share = ir_binary(l->ir, OP_min, mul(l, w, K(1 / period)), K(1));
-    variance_set(l, mean, MUL(MUL(MUL(share, share), share), K(variance)));
+    footprint_set_variance(l, mean, MUL(MUL(MUL(share, share), share), K(variance)));
 }
 
 static Ref one_wave(Lower *l, WaveKind kind, Ref v)
@@ -79,6 +79,6 @@ Ref lower_wave(Lower *l, const Wave *wave, Ref v)
     if (wave->kind != WAVE_Chain)
         return one_wave(l, wave->kind, v);
     Ref first = lower_wave(l, wave->first, v);
-    Ref scaled = mul(l, first, param_value(l, &wave->factor, TYPE_float));
-    return lower_wave(l, wave->second, add(l, scaled, param_value(l, &wave->shift, TYPE_float)));
+    Ref scaled = mul(l, first, lower_param(l, &wave->factor, TYPE_float));
+    return lower_wave(l, wave->second, add(l, scaled, lower_param(l, &wave->shift, TYPE_float)));
 }

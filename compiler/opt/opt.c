@@ -119,7 +119,7 @@ static bool run_pass(Session *session, Ir *ir, const PassRun *pass, bool *progre
 
 /* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
  * and each gain may make room for another. Ranges and functions gain nothing new where nothing changed. */
-bool optimize(Session *session, Ir *ir)
+bool opt_run(Session *session, Ir *ir)
 {
     static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range},
                          function = {"function", opt_function}, merge = {"merge", opt_merge};

@@ -4,7 +4,7 @@
 #include "compiler/ir/ir.h"
 
 /* All passes until none changes anything. False: the IR is broken after a pass (a fault of matc; reported). */
-bool optimize(Session *session, Ir *ir);
+bool opt_run(Session *session, Ir *ir);
 
 bool opt_fold(Ir *ir);         /* constant operands -> constant */
 bool opt_algebra(Ir *ir);      /* grammar/rules.def */
@@ -25,11 +25,11 @@ bool opt_dead(Ir *ir); /* drops what the outputs do not reach */
 typedef Ref (*Rewrite)(Ir *ir, Ref ref, const void *user);
 bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user);
 /* The local rules: what stands for a node, or the node itself. Swizzle's `user` is a Uses. */
-Ref rewrite_fold(Ir *ir, Ref ref, const void *user);
-Ref rewrite_algebra(Ir *ir, Ref ref, const void *user);
-Ref rewrite_swizzle(Ir *ir, Ref ref, const void *user);
-Ref rewrite_select(Ir *ir, Ref ref, const void *user);
-Ref rewrite_power(Ir *ir, Ref ref, const void *user);
+Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user);
+Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user);
+Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user);
+Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user);
+Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user);
 
 typedef struct {
     const uint32_t *uses;

@@ -108,7 +108,7 @@ static Ref lane_of(Ir *ir, Ref ref, int lane) { return ir_swizzle_lanes(ir, ref,
 #define OP1(op, x)         ir_unary(ir, OP_##op, x)
 #define OP2(op, x, y)      ir_binary(ir, OP_##op, x, y)
 
-Ref rewrite_algebra(Ir *ir, Ref ref, const void *user)
+Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     const IrNode *node = ir_at(ir, ref);
@@ -128,4 +128,4 @@ Ref rewrite_algebra(Ir *ir, Ref ref, const void *user)
     return ref;
 }
 
-bool opt_algebra(Ir *ir) { return opt_sweep(ir, rewrite_algebra, NULL); }
+bool opt_algebra(Ir *ir) { return opt_sweep(ir, opt_rewrite_algebra, NULL); }

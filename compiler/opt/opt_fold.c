@@ -1,7 +1,7 @@
 /* Constant operands -> constant, in double precision, library functions by their C reference. */
 #include "compiler/opt/opt.h"
 
-Ref rewrite_fold(Ir *ir, Ref ref, const void *user)
+Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     const IrNode *node = ir_at(ir, ref);
@@ -11,4 +11,4 @@ Ref rewrite_fold(Ir *ir, Ref ref, const void *user)
     return ir_const(ir, (Type)node->type, result);
 }
 
-bool opt_fold(Ir *ir) { return opt_sweep(ir, rewrite_fold, NULL); }
+bool opt_fold(Ir *ir) { return opt_sweep(ir, opt_rewrite_fold, NULL); }

@@ -32,7 +32,7 @@ static Ref composed(Ir *ir, Ref ref)
     return ir_make(ir, (Op)node.op, (Type)node.type, node.payload, REFS(ir, ir_arg(ir, inner, 0), exponent), 2);
 }
 
-Ref rewrite_power(Ir *ir, Ref ref, const void *user)
+Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     if (ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_powerCompensated)
@@ -53,4 +53,4 @@ Ref rewrite_power(Ir *ir, Ref ref, const void *user)
     return n > 0 ? product : ir_binary(ir, OP_div, one, product);
 }
 
-bool opt_power(Ir *ir) { return opt_sweep(ir, rewrite_power, NULL); }
+bool opt_power(Ir *ir) { return opt_sweep(ir, opt_rewrite_power, NULL); }

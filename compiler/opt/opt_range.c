@@ -68,6 +68,6 @@ static Ref apply_ranges(Ir *ir, Ref ref, const void *user) { return decide(ir, r
 
 bool opt_range(Ir *ir)
 {
-    Ranges ranges = ranges_find(ir, &ir->scratch, 1);
+    Ranges ranges = range_find(ir, &ir->scratch, 1);
     return opt_sweep(ir, apply_ranges, &ranges);
 }

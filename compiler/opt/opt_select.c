@@ -58,10 +58,10 @@ static Ref through_select(Ir *ir, Ref ref)
     return a == b ? a : ir_select(ir, condition, a, b);
 }
 
-Ref rewrite_select(Ir *ir, Ref ref, const void *user)
+Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     return ir_is(ir, ref, OP_select) ? simplify_select(ir, ref) : through_select(ir, ref);
 }
 
-bool opt_select(Ir *ir) { return opt_sweep(ir, rewrite_select, NULL); }
+bool opt_select(Ir *ir) { return opt_sweep(ir, opt_rewrite_select, NULL); }

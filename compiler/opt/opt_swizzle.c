@@ -148,7 +148,7 @@ static Ref flatten(Ir *ir, Ref ref)
     return nested ? ir_vec(ir, ir_type(ir, ref), parts, count) : ref;
 }
 
-Ref rewrite_swizzle(Ir *ir, Ref ref, const void *user)
+Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user)
 {
     if (ir_is(ir, ref, OP_swizzle))
         return simplify_swizzle(ir, ref, user);
@@ -164,6 +164,6 @@ bool opt_swizzle(Ir *ir)
 {
     Arena *scratch = &ir->scratch;
     Uses uses = {opt_uses(ir, scratch), (Ref)ir->count};
-    bool changed = opt_sweep(ir, rewrite_swizzle, &uses);
+    bool changed = opt_sweep(ir, opt_rewrite_swizzle, &uses);
     return changed;
 }

@@ -92,10 +92,10 @@ void batch_warn(Batch *b, const char *what, const char *why) { say_of_file(b, NU
 
 static void put_tree(Batch *b, BatchDocument *document)
 {
-    document_parsed(b, document);
+    batch_document_parsed(b, document);
     const char *text = matc_tree_text(document->parsed);
     for (int i = 0; i < document->material_count; i++)
-        put_file(b, document, document->materials[i].name, emit_table[EMIT_tree].suffix, text, strlen(text));
+        batch_put_file(b, document, document->materials[i].name, emit_table[EMIT_tree].suffix, text, strlen(text));
 }
 
 static int open_to_compile(void *user, int number)
@@ -104,22 +104,22 @@ static int open_to_compile(void *user, int number)
     BatchDocument *document = &b->documents[number];
     if (!batch_open(b, document))
         return 0;
-    stored_key(b, document);
-    if (!stored_document(b, document) && !document_list(b, document))
+    batch_stored_key(b, document);
+    if (!batch_stored_document(b, document) && !batch_document_list(b, document))
         return 0;
     if (b->line->emit[EMIT_tree])
         put_tree(b, document);
     return document->material_count;
 }
 
-static void work_on_material(void *user, int number, int material) { compile_material(user, number, material); }
+static void work_on_material(void *user, int number, int material) { batch_compile_material(user, number, material); }
 
 static void close_compiled(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
     join_said(document);
-    store_document(b, document);
+    batch_store_document(b, document);
     batch_close(document);
     pthread_mutex_lock(&b->mutex);
     document->closed = true;
@@ -137,7 +137,7 @@ static int open_again(void *user, int number)
     if (!document->again_count || !batch_open(b, document))
         return 0;
     Key before = document->key;
-    stored_key(b, document);
+    batch_stored_key(b, document);
     if (key_equal(before, document->key))
         return document->again_count;
     batch_complain(b, document, document->path, "it changed while it was compiled");
@@ -147,13 +147,13 @@ static int open_again(void *user, int number)
 static void work_again(void *user, int number, int part)
 {
     Batch *b = user;
-    compile_again(b, &b->documents[number], &b->programs[b->documents[number].again[part]]);
+    batch_compile_again(b, &b->documents[number], &b->programs[b->documents[number].again[part]]);
 }
 
 static void close_again(void *user, int number)
 {
     Batch *b = user;
-    store_document(b, &b->documents[number]);
+    batch_store_document(b, &b->documents[number]);
     batch_close(&b->documents[number]);
 }
 
@@ -167,8 +167,8 @@ static void drop_files(Batch *b)
                 continue;
             batch_name(b, unit, name);
             for (int emit = 0; emit < EMIT_COUNT; emit++) {
-                snprintf(file, sizeof file, "%s%s", name, emit_suffix(&b->options, emit));
-                if (b->line->emit[emit] && is_of_program(emit))
+                snprintf(file, sizeof file, "%s%s", name, options_emit_suffix(&b->options, emit));
+                if (b->line->emit[emit] && batch_is_of_program(emit))
                     stage_drop(b->stage, file);
             }
         }
@@ -195,8 +195,8 @@ static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet
 static bool is_utf8(const char *name)
 {
     const unsigned char *at = (const unsigned char *)name, *end = at + strlen(name);
-    while (at < end && utf8_length(at, end))
-        at += utf8_length(at, end);
+    while (at < end && text_utf8_length(at, end))
+        at += text_utf8_length(at, end);
     return at == end;
 }
 
@@ -303,8 +303,8 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
     for (int i = 0; i < line->pass_count; i++)
         b->turns[i] = line->passes[i];
     for (int emit = 0; emit < EMIT_COUNT; emit++)
-        if (line->emit[emit] && is_of_program(emit))
-            b->outputs |= emit_output(&b->options, emit);
+        if (line->emit[emit] && batch_is_of_program(emit))
+            b->outputs |= options_emit_output(&b->options, emit);
     b->outputs |= b->outputs ? 0 : MATC_FRAGMENT;
     b->document_count = line->input_count;
     b->documents = sets_resize(NULL, (size_t)b->document_count * sizeof *b->documents);
@@ -319,7 +319,7 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
         batch_complain(b, NULL, line->textures, why);
     else if (!(b->stage = outputs_open(&b->folders, line->folder, STAGE_new_folder, &why)))
         batch_complain(b, NULL, line->folder, why);
-    return b->stage && stored_open(b);
+    return b->stage && batch_stored_open(b);
 }
 
 /* For --watch: what decided the outcome, with faults, too. */
@@ -340,7 +340,7 @@ static void list_watched(const Batch *b)
 static void finish(Batch *b)
 {
     for (int d = 0; d < b->document_count; d++)
-        document_free(&b->documents[d], b->turn_count);
+        batch_document_free(&b->documents[d], b->turn_count);
     for (int i = 0; i < b->program_count; i++) {
         free(b->programs[i].members);
         free(b->programs[i].name);

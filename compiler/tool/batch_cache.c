@@ -59,7 +59,7 @@ static bool file_key(Batch *b, const char *path, Key *key)
     return text && known_file(b, path, key);
 }
 
-bool stored_open(Batch *b)
+bool batch_stored_open(Batch *b)
 {
     const char *why = NULL;
     const CommandLine *line = b->line;
@@ -79,7 +79,7 @@ static void put_settings(Bytes *to, const Batch *b)
     Key build = build_key();
     bytes_number(to, ENTRY_VERSION);
     bytes_add(to, &build, sizeof build);
-    options_store(to, &b->options);
+    choice_store_options(to, &b->options);
     bytes_number(to, (uint32_t)b->line->diagnostics);
     for (int i = 0; i < b->turn_count; i++)
         bytes_text(to, b->turns[i]);
@@ -89,7 +89,7 @@ static void put_settings(Bytes *to, const Batch *b)
     bytes_text(to, b->options.custom ? matc_layout_text((MatcLayout *)b->options.custom) : "");
 }
 
-void stored_key(const Batch *b, BatchDocument *document)
+void batch_stored_key(const Batch *b, BatchDocument *document)
 {
     Bytes bytes = {0};
     if (!b->cache) { /* so that a change is seen when it is read again */
@@ -130,7 +130,7 @@ static bool put_files(Batch *b, char *const *depends, int count, Bytes *to)
     return true;
 }
 
-bool stored_ranges(Batch *b, BatchDocument *document)
+bool batch_stored_ranges(Batch *b, BatchDocument *document)
 {
     size_t size;
     char *entry = b->cache ? cache_get(b->cache, document->key, &size) : NULL;
@@ -145,7 +145,7 @@ bool stored_ranges(Batch *b, BatchDocument *document)
     return ranges != NULL;
 }
 
-void store_ranges(Batch *b, const BatchDocument *document)
+void batch_store_ranges(Batch *b, const BatchDocument *document)
 {
     Bytes to = {0};
     if (!b->cache || !document->parsed || b->fault)
@@ -178,7 +178,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
     document->offset = (int)bytes_take_number(from);
     if (from->broken || depend_count < 1)
         return false;
-    document_make_room(document, count, b->turn_count, depend_count);
+    batch_document_make_room(document, count, b->turn_count, depend_count);
     bytes_take_number(&depends);
     document->depends[0] = sets_copy(document->path);
     for (int i = 1; i < depend_count; i++) {
@@ -196,7 +196,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
     return true;
 }
 
-bool stored_document(Batch *b, BatchDocument *document)
+bool batch_stored_document(Batch *b, BatchDocument *document)
 {
     size_t size;
     char *entry = b->cache ? cache_get(b->cache, document->key, &size) : NULL;
@@ -211,7 +211,7 @@ bool stored_document(Batch *b, BatchDocument *document)
         BatchDocument fresh = {.path = document->path, .text = document->text, .size = document->size, .key = key};
         pthread_mutex_init(&fresh.mutex, NULL);
         document->text = NULL;
-        document_free(document, turns);
+        batch_document_free(document, turns);
         *document = fresh;
     }
     return document->stored;
@@ -226,7 +226,7 @@ static bool has_changed(const BatchDocument *document, int turns)
     return false;
 }
 
-void store_document(Batch *b, BatchDocument *document)
+void batch_store_document(Batch *b, BatchDocument *document)
 {
     Bytes to = {0};
     document->spoke |= document->said.size > 0;
@@ -257,7 +257,7 @@ static Key members_key(const Unit *unit, const int *members)
     return members ? key_of_bytes(members, (size_t)unit->count * sizeof *members) : (Key){0};
 }
 
-bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, const char *base)
+bool batch_stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, const char *base)
 {
     size_t size;
     const Key *key = b->cache ? unit_find_files(unit, members_key(unit, members)) : NULL;
@@ -267,11 +267,11 @@ bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *me
     BytesReader from = {entry, entry + size, false};
     Written *written = written_load(&from);
     for (int emit = 0; emit < EMIT_COUNT && written; emit++) {
-        if (!b->line->emit[emit] || !is_of_program(emit))
+        if (!b->line->emit[emit] || !batch_is_of_program(emit))
             continue;
         const char *text = bytes_take_block(&from, &size);
         if (text)
-            put_file(b, document, base, emit_suffix(&b->options, emit), text, size);
+            batch_put_file(b, document, base, options_emit_suffix(&b->options, emit), text, size);
     }
     free(entry);
     if (from.broken) {
@@ -283,7 +283,7 @@ bool stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *me
     return written != NULL;
 }
 
-void store_program(Batch *b, Unit *unit, const int *members, MatcProgram *program)
+void batch_store_program(Batch *b, Unit *unit, const int *members, MatcProgram *program)
 {
     Bytes to = {0};
     if (!b->cache || b->fault)
@@ -291,9 +291,9 @@ void store_program(Batch *b, Unit *unit, const int *members, MatcProgram *progra
     written_store(&to, unit->written);
     for (int emit = 0; emit < EMIT_COUNT; emit++) {
         size_t size;
-        if (!b->line->emit[emit] || !is_of_program(emit))
+        if (!b->line->emit[emit] || !batch_is_of_program(emit))
             continue;
-        const char *text = matc_output(program, emit_output(&b->options, emit), &size);
+        const char *text = matc_output(program, options_emit_output(&b->options, emit), &size);
         bytes_block(&to, text, size);
     }
     Key key = key_of_bytes(to.at, to.size);

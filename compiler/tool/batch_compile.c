@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
+bool batch_is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
 
-void put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes, size_t size)
+void batch_put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
+                    size_t size)
 {
     char name[LONGEST_NAME + 16];
     snprintf(name, sizeof name, "%s%s", base, suffix);
@@ -27,14 +28,14 @@ static void write_program(Batch *b, BatchDocument *document, Unit *unit, const i
     }
     for (int emit = 0; emit < EMIT_COUNT; emit++) {
         size_t size;
-        if (!b->line->emit[emit] || !is_of_program(emit))
+        if (!b->line->emit[emit] || !batch_is_of_program(emit))
             continue;
-        const char *text = matc_output(program, emit_output(&b->options, emit), &size);
-        put_file(b, document, base, emit_suffix(&b->options, emit), text, size);
+        const char *text = matc_output(program, options_emit_output(&b->options, emit), &size);
+        batch_put_file(b, document, base, options_emit_suffix(&b->options, emit), text, size);
     }
     written_free(unit->written);
     unit->written = unit_written(program, b->numbers == NUMBERS_uniform);
-    store_program(b, unit, members, program);
+    batch_store_program(b, unit, members, program);
 }
 
 /* True for whoever asks first. */
@@ -70,7 +71,7 @@ static void write_textures(Batch *b, BatchDocument *document, const char *base, 
 /* The material's IR in a pass; with members, those numbers come from a buffer. NULL: a fault, said. */
 static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit, const int *members)
 {
-    const MatcDocument *parsed = document_parsed(b, document);
+    const MatcDocument *parsed = batch_document_parsed(b, document);
     int material = document->offset + unit->material;
     MatcOptions options = b->options;
     options.pass = b->turns[unit->turn];
@@ -119,7 +120,7 @@ static void stored_turn(Batch *b, BatchDocument *document, Unit *unit)
 {
     char name[LONGEST_NAME];
     batch_name(b, unit, name);
-    if (!first_of_program(b, unit) || stored_program(b, document, unit, NULL, name))
+    if (!first_of_program(b, unit) || batch_stored_program(b, document, unit, NULL, name))
         return;
     MatcProgram *program = compile(b, document, unit, NULL);
     if (program)
@@ -127,7 +128,7 @@ static void stored_turn(Batch *b, BatchDocument *document, Unit *unit)
     matc_program_free(program);
 }
 
-void compile_material(Batch *b, int number, int material)
+void batch_compile_material(Batch *b, int number, int material)
 {
     BatchDocument *document = &b->documents[number];
     BatchMaterial *own = &document->materials[material];
@@ -143,10 +144,10 @@ void compile_material(Batch *b, int number, int material)
     }
 }
 
-void compile_again(Batch *b, BatchDocument *document, BatchProgram *again)
+void batch_compile_again(Batch *b, BatchDocument *document, BatchProgram *again)
 {
     Unit *unit = again->first;
-    if (stored_program(b, document, unit, again->members, again->name))
+    if (batch_stored_program(b, document, unit, again->members, again->name))
         return;
     MatcProgram *program = compile(b, document, unit, again->members);
     if (program)

@@ -28,7 +28,7 @@ bool batch_open(Batch *b, BatchDocument *document)
     return document->text != NULL;
 }
 
-const MatcDocument *document_parsed(Batch *b, BatchDocument *document)
+const MatcDocument *batch_document_parsed(Batch *b, BatchDocument *document)
 {
     pthread_mutex_lock(&document->mutex);
     if (!document->parsed) {
@@ -62,7 +62,7 @@ static int count_materials(Batch *b, BatchDocument *document)
     return document->offset >= 0;
 }
 
-void document_make_room(BatchDocument *document, int materials, int turns, int depends)
+void batch_document_make_room(BatchDocument *document, int materials, int turns, int depends)
 {
     size_t units = (size_t)materials * (size_t)turns;
     document->material_count = materials;
@@ -76,11 +76,11 @@ void document_make_room(BatchDocument *document, int materials, int turns, int d
     document->depends = sets_resize(NULL, (size_t)depends * sizeof *document->depends);
 }
 
-bool document_list(Batch *b, BatchDocument *document)
+bool batch_document_list(Batch *b, BatchDocument *document)
 {
-    const MatcDocument *parsed = document_parsed(b, document);
+    const MatcDocument *parsed = batch_document_parsed(b, document);
     int count = count_materials(b, document);
-    document_make_room(document, count, b->turn_count, matc_depend_count(parsed));
+    batch_document_make_room(document, count, b->turn_count, matc_depend_count(parsed));
     for (int i = 0; i < count; i++)
         document->materials[i].name = sets_copy(matc_material_name(parsed, document->offset + i));
     for (int i = 0; i < document->depend_count; i++)
@@ -91,7 +91,7 @@ bool document_list(Batch *b, BatchDocument *document)
     return count > 0;
 }
 
-void document_free(BatchDocument *document, int turns)
+void batch_document_free(BatchDocument *document, int turns)
 {
     for (int m = 0; m < document->material_count; m++) {
         for (int t = 0; t < turns; t++)

@@ -13,12 +13,12 @@ static int open_to_measure(void *user, int number)
     BatchDocument *document = &b->documents[number];
     if (!batch_open(b, document))
         return 0;
-    stored_key(b, document);
+    batch_stored_key(b, document);
     document->ranges = sets_resize(NULL, sizeof *document->ranges);
     matc_ranges_init(document->ranges);
-    if (stored_ranges(b, document))
+    if (batch_stored_ranges(b, document))
         return 0;
-    int count = matc_material_count(document_parsed(b, document)); /* what is wrong with it is said later */
+    int count = matc_material_count(batch_document_parsed(b, document)); /* what is wrong with it is said later */
     return count;
 }
 
@@ -28,7 +28,7 @@ static void measure_material(void *user, int number, int material)
     BatchDocument *document = &b->documents[number];
     MatcRanges own;
     char *fault = NULL;
-    const MatcDocument *parsed = document_parsed(b, document);
+    const MatcDocument *parsed = batch_document_parsed(b, document);
     if (b->line->material && strcmp(b->line->material, matc_material_name(parsed, material)) != 0)
         return;
     matc_ranges_init(&own);
@@ -45,7 +45,7 @@ static void close_measured(void *user, int number)
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
     if (document->ranges) {
-        store_ranges(b, document);
+        batch_store_ranges(b, document);
         pthread_mutex_lock(&b->mutex);
         matc_ranges_join(&b->ranges, document->ranges);
         pthread_mutex_unlock(&b->mutex);
@@ -82,14 +82,14 @@ void batch_write_layout(Batch *b)
         Arena arena = {0};
         Session session = session_open(&b->options, &arena);
         Job job;
-        job_of(&b->options, &job);
+        choice_job(&b->options, &job);
         const char *unpack = emit_unpack(&session, &job);
         Text layout = text_new(&arena);
         layout_write(&layout, job.layout);
         if (b->line->emit[EMIT_unpack])
-            put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, unpack, strlen(unpack));
+            batch_put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, unpack, strlen(unpack));
         if (b->line->emit[EMIT_layout])
-            put_file(b, document, job.layout->name, emit_table[EMIT_layout].suffix, layout.at, layout.size);
+            batch_put_file(b, document, job.layout->name, emit_table[EMIT_layout].suffix, layout.at, layout.size);
         arena_free(&arena);
         return;
     }

@@ -113,33 +113,33 @@ void batch_write_layout(Batch *batch);
 /* -- batch_document.c */
 bool batch_open(Batch *batch, BatchDocument *document);
 /* Of an open document, from any thread. */
-const MatcDocument *document_parsed(Batch *batch, BatchDocument *document);
+const MatcDocument *batch_document_parsed(Batch *batch, BatchDocument *document);
 /* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
-bool document_list(Batch *batch, BatchDocument *document);
-void document_make_room(BatchDocument *document, int materials, int turns, int depends);
+bool batch_document_list(Batch *batch, BatchDocument *document);
+void batch_document_make_room(BatchDocument *document, int materials, int turns, int depends);
 void batch_close(BatchDocument *document);
-void document_free(BatchDocument *document, int turns);
+void batch_document_free(BatchDocument *document, int turns);
 
 /* -- batch_compile.c: a material's turns; a program again; the files of a program */
-void compile_material(Batch *batch, int document, int material);
-void compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
+void batch_compile_material(Batch *batch, int document, int material);
+void batch_compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
 /* A file of a program, or of the layout. */
-void put_file(Batch *batch, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
-              size_t size);
+void batch_put_file(Batch *batch, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
+                    size_t size);
 /* An output that every program has a file of. */
-bool is_of_program(int emit);
+bool batch_is_of_program(int emit);
 
 /* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache a key is of the text alone. */
-bool stored_open(Batch *batch);
-void stored_key(const Batch *batch, BatchDocument *document);
-bool stored_document(Batch *batch, BatchDocument *document);
+bool batch_stored_open(Batch *batch);
+void batch_stored_key(const Batch *batch, BatchDocument *document);
+bool batch_stored_document(Batch *batch, BatchDocument *document);
 /* Writes its entry, unless it is there as it would be. No thread works on the document. */
-void store_document(Batch *batch, BatchDocument *document);
-bool stored_ranges(Batch *batch, BatchDocument *document);
-void store_ranges(Batch *batch, const BatchDocument *document);
+void batch_store_document(Batch *batch, BatchDocument *document);
+bool batch_stored_ranges(Batch *batch, BatchDocument *document);
+void batch_store_ranges(Batch *batch, const BatchDocument *document);
 /* Writes the program's files. */
-bool stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
-void store_program(Batch *batch, Unit *unit, const int *members, MatcProgram *program);
+bool batch_stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
+void batch_store_program(Batch *batch, Unit *unit, const int *members, MatcProgram *program);
 
 /* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
  * must be written again. batch_group.c */

@@ -23,7 +23,7 @@ static void put_layout(Text *out, const Batch *b)
     bool any = false;
     for (int i = 0; i < b->program_count; i++)
         any |= b->programs[i].first->pass == PASS_gbuffer || b->programs[i].first->pass == PASS_plane;
-    if (!any || job_of(&b->options, &job))
+    if (!any || choice_job(&b->options, &job))
         return;
     text_put(out, ",\n  \"layout\": {");
     json_member(out, "name", job.layout->name);

@@ -226,12 +226,15 @@ static int emit_row(const MatcOptions *options, int emit)
     return emit == EMIT_glsl && options->target && !strcmp(options->target, "spirv") ? EMIT_spirv : emit;
 }
 
-MatcOutput emit_output(const MatcOptions *options, int emit)
+MatcOutput options_emit_output(const MatcOptions *options, int emit)
 {
     return (MatcOutput)emit_table[emit_row(options, emit)].output;
 }
 
-const char *emit_suffix(const MatcOptions *options, int emit) { return emit_table[emit_row(options, emit)].suffix; }
+const char *options_emit_suffix(const MatcOptions *options, int emit)
+{
+    return emit_table[emit_row(options, emit)].suffix;
+}
 
 static void add_input(CommandLine *line, const char *path)
 {

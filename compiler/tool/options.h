@@ -67,7 +67,7 @@ void options_free(CommandLine *line);
 enum { CHECK_ROOM = 256 };
 const char *options_check(const CommandLine *line, char room[CHECK_ROOM]);
 /* The output behind an --emit: for the target spirv, SPIR-V where GLSL would be written. */
-MatcOutput emit_output(const MatcOptions *options, int emit);
-const char *emit_suffix(const MatcOptions *options, int emit);
+MatcOutput options_emit_output(const MatcOptions *options, int emit);
+const char *options_emit_suffix(const MatcOptions *options, int emit);
 extern const char *const options_help;
 #endif

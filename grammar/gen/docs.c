@@ -149,7 +149,7 @@ static void put_presets(Text *out, Kind kind)
 {
     for (int i = 0; i < preset_count; i++) {
         const PresetRow *row = &preset_table[i];
-        if (row->kind != kind || !is_preset_head(i))
+        if (row->kind != kind || !describe_is_preset_head(i))
             continue;
         text_format(out, "\n#### %s\n\n%s `map: %s` is `map: %s` with", row->name, row->doc, row->name,
                     kind_table[kind].name);

@@ -8,7 +8,7 @@
 bool variant_of(const MatcOptions *options, Variant *variant)
 {
     Job job;
-    if (job_of(options, &job))
+    if (choice_job(options, &job))
         return false;
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         variant->choice[axis] = (int)job.choice[axis];

@@ -101,7 +101,7 @@ static void print_stages(bool timed)
         Tree *tree;
         Products products;
         Job job;
-        job_of(&(MatcOptions){0}, &job);
+        choice_job(&(MatcOptions){0}, &job);
         session.stage_start = session_now();
         Graph *graph = compile_front(&session, 0, &tree);
         Ir *ir = compile_ir(&session, graph, graph->materials[0].node, &job);

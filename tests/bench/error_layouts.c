@@ -120,7 +120,7 @@ static const CaseRow *case_of(const LayoutRow *row, int which)
         bool all = true;
         for (int slot = 0; slot < SLOT_COUNT; slot++)
             if (strstr(documents[which].text, slot_table[slot].name) && layout_has_slot(row, (Slot)slot))
-                all &= case_has_slot(&row->cases[number], (Slot)slot);
+                all &= layout_case_has_slot(&row->cases[number], (Slot)slot);
         if (all)
             break;
     }

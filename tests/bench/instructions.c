@@ -98,7 +98,7 @@ static int by_hand(const char *name)
     matc_options_init(&options);
     Session session = {.arena = &arena, .options = &options};
     char *text = read_text(name, ".frag", path, &size);
-    const char *spirv = text ? make_spirv(&session, text, &spirv_size, &log) : NULL;
+    const char *spirv = text ? validate_to_spirv(&session, text, &spirv_size, &log) : NULL;
     int count = spirv ? optimised_count(spirv, spirv_size) : -1;
     if (!spirv)
         fprintf(stderr, "%s: %s\n", path, log);

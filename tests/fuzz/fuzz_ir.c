@@ -28,7 +28,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         if (!again || ir_check(again) || strcmp(printed(&arena, again), first) != 0)
             abort();
         ir->simplify = opt_simplify;
-        if (optimize(&session, ir) && ir_check(ir))
+        if (opt_run(&session, ir) && ir_check(ir))
             abort();
     }
     if (ir)

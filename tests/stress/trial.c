@@ -51,8 +51,9 @@ static bool open_document(Trial *t, const char *text, size_t size)
         return trial_fault(t, FAULT_refused, "%s", said(&t->session));
     t->material = t->graph->materials[0].node;
     Job job;
-    job_of(&t->options, &job);
-    t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = noise_for(job.choice[AXIS_noise], job.target)});
+    choice_job(&t->options, &job);
+    t->oracle =
+        oracle_open(t->graph, &(ReferenceContext){.noise = lower_noise_for(job.choice[AXIS_noise], job.target)});
     t->exact = job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic;
     oracle_exact_derivatives(t->oracle, t->exact);
     t->count->nodes += t->graph->node_count;
@@ -63,7 +64,7 @@ const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level)
 {
     Session session = {.options = &t->options, .arena = arena, .optimize = level, .check = true};
     Job job;
-    job_of(&t->options, &job);
+    choice_job(&t->options, &job);
     job.pass = pass;
     job.slot = slot;
     session.sources = t->session.sources;
@@ -301,7 +302,7 @@ static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 static const LayoutRow *layout_of(const Trial *t, Pass pass)
 {
     Job job;
-    return pass != PASS_gbuffer && pass != PASS_plane ? NULL : job_of(&t->options, &job) ? NULL : job.layout;
+    return pass != PASS_gbuffer && pass != PASS_plane ? NULL : choice_job(&t->options, &job) ? NULL : job.layout;
 }
 
 /* An output at -O2 as at -O0: words by their fields. What neighbouring codes do not explain, roundings must. */

@@ -28,14 +28,14 @@ static const LayoutRow *half_layout(const Trial *t, Target target)
     Job job;
     MatcOptions options = t->options;
     options.target = target_table[target].name;
-    return job_of(&options, &job) || layout_has_words(job.layout) ? &layout_table[LAYOUT_thesis] : job.layout;
+    return choice_job(&options, &job) || layout_has_words(job.layout) ? &layout_table[LAYOUT_thesis] : job.layout;
 }
 
 /* GLSL 1.10 has no words. */
 static bool is_written(const MatcOptions *options, Target target)
 {
     Job job;
-    return target != TARGET_glsl110 || (!job_of(options, &job) && !layout_has_words(job.layout));
+    return target != TARGET_glsl110 || (!choice_job(options, &job) && !layout_has_words(job.layout));
 }
 
 bool trial_validate(Trial *t, const char *text, size_t size)

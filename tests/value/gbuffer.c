@@ -78,7 +78,7 @@ bool gbuffer_open_material(Gbuffer *g, Drawer *drawer, const MatcDocument *docum
 {
     Job job;
     *g = (Gbuffer){.drawer = drawer};
-    if (job_of(options, &job))
+    if (choice_job(options, &job))
         return fail(g, "no such option");
     g->layout = job.layout;
     g->program = matc_compile(document, material, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, options);
@@ -97,7 +97,7 @@ bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *d, const LayoutRo
     Job job;
     Products products;
     *g = (Gbuffer){.drawer = drawer, .layout = layout};
-    if (job_of(options, &job))
+    if (choice_job(options, &job))
         return fail(g, "no such option");
     job.layout = layout;
     d->session.optimize = options->optimize;

@@ -91,7 +91,7 @@ bool filtered_open(Filtered *f, Drawers *drawers)
     if (!document_open_text(&f->document, f->text))
         return fail(f, document_fault(&f->document));
     set_options(f, &options);
-    if (job_of(&options, &f->job))
+    if (choice_job(&options, &f->job))
         return fail(f, "no such option");
     f->program = matc_compile(f->document.document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(f->program))
@@ -115,7 +115,7 @@ void filtered_close(Filtered *f)
 
 Oracle *filtered_oracle(const Filtered *f)
 {
-    ReferenceContext context = {.noise = noise_for(f->job.choice[AXIS_noise], f->job.target)};
+    ReferenceContext context = {.noise = lower_noise_for(f->job.choice[AXIS_noise], f->job.target)};
     return oracle_open(f->document.graph, &context);
 }
 
