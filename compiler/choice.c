@@ -1,7 +1,6 @@
 /* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
 #include "compiler/choice.h"
 #include "compiler/layout/custom.h"
-#include "compiler/base/json_write.h"
 #include "compiler/pipeline.h"
 #include <stddef.h>
 #include <string.h>
@@ -167,26 +166,4 @@ void choice_explain(Text *out, const MatcOptions *options, const Job *job)
         text_format(out, "  %-12s %-12s %s%s\n", axis_table[axis].name, choice_name(job, axis), by[source],
                     source == CHOSEN_by_precision ? options->precision : "");
     }
-}
-
-void choices_comment(Text *out, const Job *job)
-{
-    bool any = false;
-    for (int axis = 0; axis < AXIS_COUNT; axis++) {
-        if ((int)job->choice[axis] == axis_table[axis].first)
-            continue;
-        text_format(out, "%s %s=%s", any ? "" : "// choices:", axis_table[axis].name, choice_name(job, axis));
-        any = true;
-    }
-    text_put(out, any ? "\n" : "");
-}
-
-void choices_json(Text *out, const Job *job)
-{
-    text_put(out, "{");
-    for (int axis = 0; axis < AXIS_COUNT; axis++) {
-        text_put(out, axis ? ", " : "");
-        json_member(out, axis_table[axis].name, choice_name(job, axis));
-    }
-    text_put(out, "}");
 }

@@ -12,8 +12,4 @@ void choice_store_options(Bytes *to, const MatcOptions *options);
 MatcOptions choice_whole_options(const MatcOptions *given);
 /* A line an axis: its choice and what settled it. For --stats. */
 void choice_explain(Text *out, const MatcOptions *options, const Job *job);
-/* "// choices: aa=box powers=pow", those that are not their axis' default; nothing when there is none. */
-void choices_comment(Text *out, const Job *job);
-/* {"noise": "lattice", ...} */
-void choices_json(Text *out, const Job *job);
 #endif

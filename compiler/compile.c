@@ -49,7 +49,7 @@ static Ir *place_members(Session *session, Ir *ir, const Job *job)
 /* Lowered and optimised; NULL: see the diagnostics. */
 Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const Job *job)
 {
-    Ir *ir = lower(session, graph, material, job);
+    Ir *ir = lower(session, graph, material, job, opt_simplify);
     if (!ir)
         return NULL;
     if (session->measure) {

@@ -1,11 +1,22 @@
-/* The library's surface: layouts from files. auto_layout.c makes them from ranges. */
+/* The library's surface: layouts from files, and from the ranges of a set's materials. */
 #include "compiler/describe/describe.h"
+#include "compiler/layout/auto_layout.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/choice.h"
 #include "compiler/layout/custom.h"
 #include "compiler/document.h"
 #include <stdlib.h>
 #include <string.h>
+
+/* Makes the text and the page of a layout whose row is there. */
+static void finish(MatcLayout *layout)
+{
+    Text text = text_new(&layout->arena), page = text_new(&layout->arena);
+    layout_write(&text, layout->row);
+    describe_layout(&page, layout->row);
+    layout->text = text.at;
+    layout->report = page.at;
+}
 
 MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
@@ -22,18 +33,64 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     const LayoutRow *row = tree ? layout_read(session, tree) : NULL;
     layout->row = session->diags.errors ? NULL : row;
     if (layout->row)
-        layout_describe(layout);
+        finish(layout);
     locale_leave(locale);
     return layout;
 }
 
-void layout_describe(MatcLayout *layout)
+MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOptions *options)
 {
-    Text text = text_new(&layout->arena), page = text_new(&layout->arena);
-    layout_write(&text, layout->row);
-    describe_layout(&page, layout->row);
-    layout->text = text.at;
-    layout->report = page.at;
+    MatcLayout *layout = calloc(1, sizeof *layout);
+    if (!layout)
+        abort();
+    Locale locale = locale_enter();
+    layout->options = choice_whole_options(options);
+    layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
+    if (ranges->materials) {
+        Text report = text_new(&layout->arena);
+        layout->row = auto_layout(&layout->arena, ranges, error, &report);
+        finish(layout);
+        text_put(&report, layout->report);
+        layout->report = report.at;
+    } else {
+        diag_add(&layout->session, NO_SPAN, DIAG_layout_of_none);
+    }
+    locale_leave(locale);
+    return layout;
+}
+
+bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int material, const MatcOptions *options,
+                     char **fault)
+{
+    Job job;
+    Arena arena = {0};
+    MatcRanges one;
+    MatcOptions own = choice_whole_options(options);
+    Locale locale = locale_enter();
+    own.layout = own.pass = own.constants = NULL;
+    own.member_count = 0;
+    own.custom = NULL;
+    own.optimize = 2;
+    Session session = session_open(&own, &arena);
+    const Graph *graph = document->graph;
+    document_lend(document, &session);
+    const char *wrong = choice_job(&own, &job);
+    bool fine = !wrong && graph && material >= 0 && material < graph->material_count;
+    job.pass = PASS_value;
+    job.all_slots = true;
+    matc_ranges_init(&one);
+    const Ir *ir = fine ? compile_ir(&session, graph, graph->materials[material].node, &job) : NULL;
+    fine = ir;
+    if (fine)
+        auto_ranges(ir, &one);
+    *fault = NULL;
+    if (fine)
+        matc_ranges_join(ranges, &one);
+    else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material or option")))
+        abort();
+    locale_leave(locale);
+    arena_free(&arena);
+    return fine;
 }
 
 void matc_layout_free(MatcLayout *layout)

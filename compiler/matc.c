@@ -93,7 +93,7 @@ bool document_evaluate(const MatcDocument *d, int material, const MatcOptions *o
 {
     Job job;
     choice_job(options, &job);
-    const ReferenceContext context = {.noise = lower_noise_for(job.choice[AXIS_noise], job.target)};
+    const ReferenceContext context = {.noise = job_noise(job.choice[AXIS_noise], job.target)};
     Oracle *oracle = oracle_open(d->graph, &context);
     oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
     bool known = true;

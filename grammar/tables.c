@@ -344,18 +344,6 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #include "variants.def"
 };
 
-#define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
-    void reference_##name(const void *, const double *, double *);
-#include "functions.def"
-
-/* The functions of volume maps: declared, their arguments, their rows. An OWN map has none. */
-#define OWN_DECLARATION(function)
-#define VOLUME_DECLARATION(function)             void reference_##function(const void *, const double *, double *);
-#define MAP(name, function, lowering, cost, doc) lowering##_DECLARATION(function)
-#undef VOLUME
-#undef OWN
-#include "maps.def"
-
 #define LETTER_Float     "f"
 #define LETTER_Int       "i"
 #define LETTER_Vec3      "3"
@@ -374,10 +362,12 @@ static const char *const map_arguments[KIND_COUNT] = {
 #include "maps.def"
 };
 
-#define OWN_ROW(function, cost, doc)    {NULL, TYPE_float, cost, NULL, doc},
-#define VOLUME_ROW(function, cost, doc) {#function, TYPE_float, cost, reference_##function, doc},
+#undef VOLUME
+#undef OWN
+#define OWN_ROW(function, cost, doc)    {NULL, TYPE_float, cost, doc},
+#define VOLUME_ROW(function, cost, doc) {#function, TYPE_float, cost, doc},
 static const FunctionRow function_table[FUNCTION_COUNT] = {
-#define FUNCTION(name, result, arguments, low, high, cost, doc) {#name, TYPE_##result, cost, reference_##name, doc},
+#define FUNCTION(name, result, arguments, low, high, cost, doc) {#name, TYPE_##result, cost, doc},
 #include "functions.def"
 #define MATERIAL(name, doc)                      OWN_ROW(name, 0, doc)
 #define MAP(name, function, lowering, cost, doc) lowering##_ROW(function, cost, doc)

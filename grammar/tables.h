@@ -165,12 +165,10 @@ typedef enum {
 /* A volume map's function is FN_FIRST_MAP + its Kind; not every value is in use. */
 enum { FUNCTION_COUNT = FN_FIRST_MAP + KIND_COUNT, FN_none = FUNCTION_COUNT };
 
-typedef void (*Reference)(const void *context, const double *args, double *result);
 typedef struct {
     const char *name; /* NULL: a map without a function */
     Type result;
     int cost;
-    Reference reference;
     const char *doc;
 } FunctionRow;
 const FunctionRow *function_row(int function);
@@ -178,7 +176,15 @@ const FunctionRow *function_row(int function);
 const char *function_arguments(int function);
 
 /* How a function is differentiated. */
-typedef enum { SLOPE_difference, SLOPE_flat, SLOPE_gradient, SLOPE_along, SLOPE_factor, SLOPE_limited, SLOPE_power } SlopeKind;
+typedef enum {
+    SLOPE_difference,
+    SLOPE_flat,
+    SLOPE_gradient,
+    SLOPE_along,
+    SLOPE_factor,
+    SLOPE_limited,
+    SLOPE_power
+} SlopeKind;
 typedef struct {
     SlopeKind kind;
     int argument;          /* by which */

@@ -5,7 +5,7 @@
  * difference before you commit it. Under CI it does not update. */
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,6 +8,7 @@
 #include "compiler/pipeline.h"
 #include "runtime/library/java_random.h"
 #include "tests/value/cases.h"
+#include "runtime/library/references.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +69,7 @@ static double scale_of(Test *t, int i, const double expected[CALL_LANES], int la
 
 static void reference(const Test *t, const double *args, double expected[CALL_LANES])
 {
-    function_row(t->function)->reference(&t->context, args, expected);
+    reference_of(t->function)(&t->context, args, expected);
 }
 
 /* From what the reference makes of the neighbours: from the nearest of them for codes, else from their hull, which is taken to be
@@ -197,7 +198,7 @@ static void call_variants(Test *t)
             continue;
         texts[count++] = strdup(t->caller.text);
         t->choices = names[i / 2][i % 2];
-        t->context = (ReferenceContext){lower_noise_for(job.choice[AXIS_noise], t->caller.target), call_textures};
+        t->context = (ReferenceContext){job_noise(job.choice[AXIS_noise], t->caller.target), call_textures};
         call(t);
     }
     while (count)

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include <stdlib.h>
 #include <string.h>
 

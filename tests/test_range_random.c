@@ -10,6 +10,7 @@
 #include "tests/stress/choices.h"
 #include "tests/value/expression.h"
 #include "tests/value/ir_site.h"
+#include "runtime/library/references.h"
 
 enum { PROGRAMS = 300, STEPS = 40, POINTS = 24 };
 
@@ -251,7 +252,7 @@ static void functions_have_values_within_their_intervals(void **state)
             choices.count = 0;
             for (const char *letter = function_arguments(function); *letter; letter++)
                 used += an_argument(&choices, *letter, &args[used]);
-            function_row(function)->reference(&context, args, result);
+            reference_of(function)(&context, args, result);
             for (int lane = 0; lane < type_table[function_row(function)->result].lanes; lane++)
                 if (isfinite(result[lane]) && !(result[lane] >= claimed.low && result[lane] <= claimed.high))
                     fail_msg("%s: %.9g, claimed [%.9g, %.9g]", function_row(function)->name, result[lane], claimed.low,

@@ -11,6 +11,7 @@
 #include "runtime/library/carpenter.h"
 #include "runtime/library/sky.h"
 #include "runtime/library/reference.h"
+#include "runtime/library/references.h"
 #include <string.h>
 
 REFERENCE(carpenterRelief);
@@ -450,7 +451,7 @@ static void any_number_may_be_a_count(void **state)
             for (const char *letter = letters; *letter; letter++)
                 for (int lane = 0; lane < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1); lane++)
                     args[used++] = *letter == 'i' ? counts[i] : 1;
-            function_row(function)->reference(&context, args, result);
+            reference_of(function)(&context, args, result);
             bool word = function_row(function)->result == TYPE_uint;
             for (int lane = 0; lane < 4; lane++)
                 if (!isfinite(result[lane]) || (word && !(result[lane] >= 0 && result[lane] < 4294967296.)))

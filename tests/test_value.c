@@ -248,7 +248,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
     Choice choice = c->variant->choice;
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
-    ReferenceNoise noise = lower_noise_for(basis, c->variant->target);
+    ReferenceNoise noise = job_noise(basis, c->variant->target);
     bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
     const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;

@@ -1,7 +1,7 @@
 /* Strings and keys, each once, numbered in the order in which they came. Memory is from malloc. */
 #ifndef MATC_SETS_H
 #define MATC_SETS_H
-#include "compiler/ir/key.h"
+#include "compiler/base/hash.h"
 
 typedef struct {
     char **at;

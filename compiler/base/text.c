@@ -221,3 +221,11 @@ void text_visible(Text *text, const char *string, size_t size)
         string = next;
     }
 }
+
+void text_plain(Text *out, double value)
+{
+    if (value == trunc(value) && fabs(value) < 1e9)
+        text_int(out, (long)value);
+    else
+        text_double(out, value);
+}

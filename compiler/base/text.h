@@ -32,4 +32,6 @@ int text_utf8_length(const unsigned char *at, const unsigned char *end);
 bool text_is_control(const char *at, int size);
 /* Text of a document as it can be shown: control characters but tabs, and what is not UTF-8, become \x and two digits a byte. */
 void text_visible(Text *text, const char *string, size_t size);
+/* A whole number without a point: "0.5", "12", "1000000". */
+void text_plain(Text *out, double value);
 #endif

@@ -6,14 +6,6 @@
 
 const char *const severity_names[] = {"note", "warning", "error"};
 
-void describe_number(Text *out, double value)
-{
-    if (value == trunc(value) && fabs(value) < 1e9)
-        text_int(out, (long)value);
-    else
-        text_double(out, value);
-}
-
 const char *describe_type(const ParamRow *param)
 {
     static const char *const names[] = {
@@ -39,11 +31,11 @@ void describe_default(Text *out, const ParamRow *param, const char *preset)
     } else if (param->type == PARAM_Bool) {
         text_put(out, initial(param, 0, preset) != 0 ? "true" : "false");
     } else if (param->lanes == 1) {
-        describe_number(out, initial(param, 0, preset));
+        text_plain(out, initial(param, 0, preset));
     } else {
         for (int i = 0; i < param->lanes; i++) {
             text_put(out, i ? ", " : "[");
-            describe_number(out, initial(param, i, preset));
+            text_plain(out, initial(param, i, preset));
         }
         text_char(out, ']');
     }
@@ -53,9 +45,9 @@ void describe_range(Text *out, const ParamRow *param)
 {
     if (!isfinite(param->low))
         return;
-    describe_number(out, param->low);
+    text_plain(out, param->low);
     text_put(out, " to ");
-    describe_number(out, param->high);
+    text_plain(out, param->high);
 }
 
 /* Something to begin with, where a parameter has no default. NULL: better left out. */
@@ -139,21 +131,8 @@ void describe_place(Text *out, const LayoutRow *layout, const Piece *piece)
         text_format(out, "%d.%c %d", piece->target, *letter, last);
 }
 
-void describe_encoding(Text *out, const FieldRow *field)
-{
-    const EncodingRow *encoding = &encoding_table[field->encoding];
-    text_put(out, encoding->name);
-    if (encoding->least != encoding->most)
-        text_format(out, " %d", field->bits);
-}
-
 /* To a figure that is easily read: three digits. */
 static void put_rounded(Text *out, double value) { text_format(out, "%.3g", value); }
-
-void describe_stored_range(Text *out, const FieldRow *field)
-{
-    text_format(out, "%.6g to %.6g", field_low(field), field_high(field));
-}
 
 void describe_error(Text *out, const FieldRow *field)
 {

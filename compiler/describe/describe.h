@@ -10,8 +10,6 @@
 
 /* JSON Schema of a file of files.def, "manifest", ...; from malloc, NULL if there is none of that name. describe_files.c */
 char *describe_file(const char *name);
-/* "0.5", "12", "1000000" */
-void describe_number(Text *out, double value);
 /* What a document writes in a parameter's place: "map", "number", ... */
 const char *describe_type(const ParamRow *param);
 /* "0.5", "[1, 0, 0]", "true", "none". With a preset, its default. */
@@ -20,11 +18,9 @@ void describe_default(Text *out, const ParamRow *param, const char *preset);
 void describe_range(Text *out, const ParamRow *param);
 /* A smallest document: the kind (by that name of it) with its defaults written out. */
 void describe_example(Text *out, Kind kind, const char *name);
-/* Of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "unorm 8"; "0 to 1"; "0.00196". */
+/* Of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "0.00196". */
 void describe_piece(Text *out, const Piece *piece);
 void describe_place(Text *out, const LayoutRow *layout, const Piece *piece);
-void describe_encoding(Text *out, const FieldRow *field);
-void describe_stored_range(Text *out, const FieldRow *field);
 void describe_error(Text *out, const FieldRow *field);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);

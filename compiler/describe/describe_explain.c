@@ -87,7 +87,7 @@ static void put_presets(Text *out, Kind kind)
         if (describe_is_preset_head(i))
             text_format(out, "Preset %s: ", preset_table[i].name);
         text_format(out, "%s ", param->name);
-        describe_number(out, preset_table[i].init);
+        text_plain(out, preset_table[i].init);
         text_put(out, i + 1 < preset_count && !describe_is_preset_head(i + 1) ? ", " : ".\n");
     }
 }
@@ -168,9 +168,9 @@ static void explain_slots(const Query *q)
         if (!begins(q, slot->name))
             continue;
         text_format(q->out, "%s (slot, %s)\n%s\nFrom ", slot->name, type_table[slot->type].name, slot->doc);
-        describe_number(q->out, slot->low);
+        text_plain(q->out, slot->low);
         text_put(q->out, " to ");
-        describe_number(q->out, slot->high);
+        text_plain(q->out, slot->high);
         text_put(q->out, " on a valid surface.\n");
     }
 }

@@ -15,8 +15,8 @@ static void put_pieces(Text *out, const LayoutRow *layout, int number)
             cells[k] = text_new(out->arena);
         describe_place(&cells[0], layout, piece);
         describe_piece(&cells[1], piece);
-        describe_encoding(&cells[2], piece->field);
-        describe_stored_range(&cells[3], piece->field);
+        layout_put_encoding(&cells[2], piece->field);
+        layout_put_range(&cells[3], piece->field);
         describe_error(&cells[4], piece->field);
         text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at, cells[3].at,
                     cells[4].at);

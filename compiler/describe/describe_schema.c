@@ -177,9 +177,9 @@ static const char *definition_of(const ParamRow *param)
 static void put_limits(Text *out, const ParamRow *param)
 {
     text_put(out, ", \"minimum\": ");
-    describe_number(out, param->low);
+    text_plain(out, param->low);
     text_put(out, ", \"maximum\": ");
-    describe_number(out, param->high);
+    text_plain(out, param->high);
 }
 
 static void put_param(Text *out, const ParamRow *param)

@@ -5,14 +5,7 @@
 
 enum { LARGEST_EXPRESSION = 6, INDENT = 4, LONGEST_INDENT = 64 };
 
-const char *hint_name(int hint)
-{
-    if (hint == HINT_SURFACE)
-        return "surface";
-    return hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
-}
-
-static const char *hint_title(int hint) { return hint < KIND_COUNT ? kind_table[hint].name : hint_name(hint); }
+static const char *hint_title(int hint) { return hint < KIND_COUNT ? kind_table[hint].name : ir_hint_name(hint); }
 
 static bool is_taken(const Scope *e, const char *name)
 {
@@ -36,7 +29,7 @@ static void put_suffix(Text *name, const char *mark, int number)
 static const char *new_name(Scope *e, const IrNode *node)
 {
     Text name = text_new(e->scratch);
-    text_put(&name, hint_name(node->hint));
+    text_put(&name, ir_hint_name(node->hint));
     if (!node->head)
         put_suffix(&name, "_", ++e->steps[node->hint]);
     else if (e->heads[node->hint]++)

@@ -10,18 +10,12 @@ enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_
 #define CONSTANT_BLOCK_NAME "Constants"
 /* The target wants a location or a binding for every part of the interface. */
 bool emit_has_locations(Target target);
-/* Offset of a member of that GLSL type in a std140 block that is `size` bytes so far, which grows. */
-int std140_offset(const char *type, int *size);
-/* Bytes of a block whose last member ends there: whole vectors, as drivers want a buffer to have. */
-int std140_size(int end);
 /* Of the program's texture of that number. */
 int emit_texture_binding(int index);
 /* Of a table of the library's, which comes behind the document's textures; -1: the program has none of that name. */
 int table_binding(const Ir *ir, const Interface *interface, const char *name);
 /* The vertex program's attributes and uniforms, as members of a JSON object. vertex.c */
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface);
-/* Of a node's hint, as temporaries are called. emit.c */
-const char *hint_name(int hint);
 /* A varying, on either side: `word` is "in" or "out". */
 void emit_varying(Text *out, Target target, Input input, const char *word);
 #endif

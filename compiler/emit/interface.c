@@ -1,5 +1,4 @@
 /* What a program declares, per target: version, inputs, uniforms, textures, outputs. */
-#include "compiler/choice.h"
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include <string.h>
@@ -22,30 +21,6 @@ int emit_input_location(Input input)
 }
 
 bool emit_has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
-
-int std140_offset(const char *type, int *size)
-{
-    static const struct {
-        const char *name;
-        int align, size;
-    } rows[] = {{"int", 4, 4},    {"uint", 4, 4},   {"uvec4", 16, 16}, {"float", 4, 4}, {"vec2", 8, 8},
-                {"vec3", 16, 12}, {"vec4", 16, 16}, {"mat3", 16, 48},  {"mat4", 16, 64}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        size_t length = strlen(rows[i].name);
-        if (strncmp(type, rows[i].name, length) != 0 || (type[length] && type[length] != ' '))
-            continue;
-        int offset = (*size + rows[i].align - 1) / rows[i].align * rows[i].align;
-        *size = offset + rows[i].size;
-        return offset;
-    }
-    return *size;
-}
-
-int std140_size(int end)
-{
-    enum { VECTOR = 16 };
-    return (end + VECTOR - 1) / VECTOR * VECTOR;
-}
 
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
 int emit_texture_binding(int index)
@@ -163,7 +138,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
     if (job->pass == PASS_value)
         text_format(out, ", slot %s", slot_table[job->slot].name);
     text_put(out, "\n");
-    choices_comment(out, job);
+    job_put_choices(out, job);
     text_put(out, "\n");
     size_t before = out->size;
     for (int i = 0; i < INPUT_COUNT; i++)

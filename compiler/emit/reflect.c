@@ -1,10 +1,10 @@
 /* What a program needs and gives, as JSON. */
-#include "compiler/choice.h"
 #include "compiler/ir/constants.h"
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/base/json_write.h"
 #include "compiler/emit/texture.h"
+#include "compiler/ir/std140.h"
 #include <string.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -191,7 +191,7 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
     put_line(out, "noise", choice_table[job->choice[AXIS_noise]].name);
     put_line(out, "opacity", opacity);
     text_put(out, ",\n  \"choices\": ");
-    choices_json(out, job);
+    job_put_json(out, job);
     int block = 0;
     put_inputs(out, job, interface, &block);
     put_uniforms(out, ir, job, interface, &block);

@@ -2,6 +2,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/base/json_write.h"
+#include "compiler/ir/std140.h"
 #include <string.h>
 
 /* How a varying comes about: attributes and uniforms it reads, and its expression. */

@@ -1,6 +1,6 @@
 /* Names that a param cannot have, since its uniform would clash with GLSL's words or with what matc declares. Temporaries are
  * not among them: emit.c names those around the uniforms. */
-#include "compiler/emit/chunks.h"
+#include "runtime/library/chunk.h"
 #include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <string.h>

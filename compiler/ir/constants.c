@@ -1,6 +1,6 @@
 /* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in places, laid out. */
 #include "compiler/ir/constants.h"
-#include "compiler/emit/emit_declare.h"
+#include "compiler/ir/std140.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -177,7 +177,7 @@ static const char *new_name(Ir *ir, size_t index, int *named)
     Text name = text_new(ir->arena);
     do {
         name.size = 0;
-        text_put(&name, hint_name(hint));
+        text_put(&name, ir_hint_name(hint));
         text_put(&name, "Constant");
         if (named[hint]++)
             text_int(&name, named[hint]);

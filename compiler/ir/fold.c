@@ -1,6 +1,7 @@
 /* The value of an operation on constants, in double precision: from the `fold` column of ops.def for what works lane by
  * lane, from the C references for library functions. Serves the constant folder and ir_eval. */
 #include "compiler/ir/fold.h"
+#include "runtime/library/references.h"
 #include <math.h>
 #include <string.h>
 
@@ -28,7 +29,7 @@ static bool fold_call(const ReferenceContext *context, int function, const FoldA
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < type_table[args[i].type].lanes; lane++)
             numbers[used++] = args[i].numbers[lane];
-    function_row(function)->reference(context, numbers, result);
+    reference_of(function)(context, numbers, result);
     return true;
 }
 

@@ -358,3 +358,10 @@ void ir_measure(const Ir *ir, int *nodes, int *cost)
     *cost = total > INT32_MAX ? INT32_MAX : (int)total;
     arena_free(&scratch);
 }
+
+const char *ir_hint_name(int hint)
+{
+    if (hint == HINT_SURFACE)
+        return "surface";
+    return hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
+}

@@ -82,6 +82,9 @@ typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_var
 enum { MOST_OUTPUTS = 16 }; /* render targets, or all slots, with discard and depth */
 _Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
+/* What stands for a node that was just made, or the node itself. */
+struct Ir;
+typedef Ref Simplify(struct Ir *ir, Ref ref);
 typedef struct Ir {
     Session *session;
     Arena *arena;
@@ -117,11 +120,11 @@ typedef struct Ir {
     size_t function_of_room;
     uint8_t hint; /* given to new nodes */
     /* What stands for a node that was just made; NULL leaves it as written. */
-    Ref (*simplify)(struct Ir *ir, Ref ref);
+    Simplify *simplify;
 } Ir;
 
-/* The lattice noise that a target's programs compute, for the references. lower.c */
-ReferenceNoise lower_noise_for(Choice noise, Target target);
+/* Of a node's hint, as temporaries are called. */
+const char *ir_hint_name(int hint);
 Ir *ir_new(Session *session, const Graph *graph);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);

@@ -1,7 +1,9 @@
 /* What a program is written for. */
 #ifndef MATC_JOB_H
 #define MATC_JOB_H
+#include "compiler/base/text.h"
 #include "grammar/tables.h"
+#include "runtime/library/reference.h"
 
 typedef struct {
     Target target;
@@ -12,4 +14,11 @@ typedef struct {
     Choice choice[AXIS_COUNT];
     bool from_buffer; /* numbers of the document come from a buffer */
 } Job;
+
+/* "// choices: aa=box powers=pow", those that are not their axis' default; nothing when there is none. */
+void job_put_choices(Text *out, const Job *job);
+/* {"noise": "lattice", ...} */
+void job_put_json(Text *out, const Job *job);
+/* The lattice noise that a target's programs compute, for the references. */
+ReferenceNoise job_noise(Choice noise, Target target);
 #endif

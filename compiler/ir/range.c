@@ -1,5 +1,6 @@
 /* Interval arithmetic over the IR, operands first. */
 #include "compiler/ir/range.h"
+#include "runtime/library/references.h"
 #include <math.h>
 
 static const Interval everything = {-INFINITY, INFINITY};
@@ -133,8 +134,8 @@ static Interval exponent_range(Interval a)
     Interval all = table_range(FN_phongExponent);
     if (!(a.low >= 0 && a.high <= 1 + 2 * SLACK))
         return all;
-    function_row(FN_phongExponent)->reference(NULL, &a.low, &low);
-    function_row(FN_phongExponent)->reference(NULL, &a.high, &high);
+    reference_of(FN_phongExponent)(NULL, &a.low, &low);
+    reference_of(FN_phongExponent)(NULL, &a.high, &high);
     high = a.high >= 1 ? all.high : high;
     return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
 }

@@ -1,9 +1,5 @@
 /* --layout=auto: fields by falling size, in as few words as hold them, in cases. */
 #include "compiler/layout/auto_layout.h"
-#include "compiler/describe/describe.h"
-#include "compiler/choice.h"
-#include "compiler/layout/custom.h"
-#include "compiler/document.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -81,27 +77,12 @@ static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan pl
     return row;
 }
 
-MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOptions *options)
+const LayoutRow *auto_layout(Arena *arena, const MatcRanges *ranges, double error, Text *report)
 {
-    MatcLayout *layout = calloc(1, sizeof *layout);
-    if (!layout)
-        abort();
     Plan plans[SLOT_COUNT];
     Division division;
-    Locale locale = locale_enter();
-    layout->options = choice_whole_options(options);
-    layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
-    if (ranges->materials) {
-        const double scale = error > 0 ? error / class_table[CLASS_color].error : 1;
-        layout->row = make_row(&layout->arena, ranges, plans, scale, &division);
-        Text report = text_new(&layout->arena);
-        auto_report(&report, plans, ranges, layout->row, &division);
-        layout_describe(layout);
-        text_put(&report, layout->report);
-        layout->report = report.at;
-    } else {
-        diag_add(&layout->session, NO_SPAN, DIAG_layout_of_none);
-    }
-    locale_leave(locale);
-    return layout;
+    const double scale = error > 0 ? error / class_table[CLASS_color].error : 1;
+    const LayoutRow *row = make_row(arena, ranges, plans, scale, &division);
+    auto_report(report, plans, ranges, row, &division);
+    return row;
 }

@@ -2,8 +2,15 @@
 #ifndef MATC_AUTO_LAYOUT_H
 #define MATC_AUTO_LAYOUT_H
 #include "compiler/layout/layout.h"
+#include "compiler/ir/ir.h"
 #include "compiler/matc.h"
 #include "compiler/base/text.h"
+
+/* What the slots of one material can be, by its optimised IR of the pass value with all slots. */
+void auto_ranges(const Ir *ir, MatcRanges *one);
+/* The layout of the materials that `ranges` were joined of; `error` is the colours', 0: that of classes.def. NULL: no layout has so
+ * many words. The report tells of every slot what became of it. */
+const LayoutRow *auto_layout(Arena *arena, const MatcRanges *ranges, double error, Text *report);
 
 /* What becomes of a slot. */
 typedef enum {

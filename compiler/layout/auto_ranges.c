@@ -1,10 +1,6 @@
 /* What a set of materials can be: the intervals of every slot, by the optimised IR. */
 #include "compiler/layout/auto_layout.h"
-#include "compiler/pipeline.h"
 #include "compiler/ir/range.h"
-#include "compiler/choice.h"
-#include "compiler/layout/custom.h"
-#include "compiler/document.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -128,48 +124,13 @@ static void drop_unneeded(MatcRanges *one)
             one->slot[slot] = none.slot[slot];
 }
 
-static bool add_material(Session *session, const Graph *graph, int material, const Job *job, MatcRanges *one)
+void auto_ranges(const Ir *ir, MatcRanges *one)
 {
-    const Ir *ir = compile_ir(session, graph, graph->materials[material].node, job);
-    if (!ir)
-        return false;
-    const Ranges ranges = range_find(ir, session->arena, FIELD_LANES);
-    const uint8_t *same = find_same(ir, session->arena);
+    const Ranges ranges = range_find(ir, ir->arena, FIELD_LANES);
+    const uint8_t *same = find_same(ir, ir->arena);
     one->materials = 1;
     for (int i = 0; i < ir->output_count; i++)
         read_slot(ir, &ranges, same, &ir->outputs[i], &one->slot[ir->outputs[i].index]);
     drop_unneeded(one);
     auto_sets_add(one, (MatcSlotSet){ir->slots, 1});
-    return true;
-}
-
-bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int material, const MatcOptions *options,
-                     char **fault)
-{
-    Job job;
-    Arena arena = {0};
-    MatcRanges one;
-    MatcOptions own = choice_whole_options(options);
-    Locale locale = locale_enter();
-    own.layout = own.pass = own.constants = NULL;
-    own.member_count = 0;
-    own.custom = NULL;
-    own.optimize = 2;
-    Session session = session_open(&own, &arena);
-    const Graph *graph = document->graph;
-    document_lend(document, &session);
-    const char *wrong = choice_job(&own, &job);
-    bool fine = !wrong && graph && material >= 0 && material < graph->material_count;
-    job.pass = PASS_value;
-    job.all_slots = true;
-    matc_ranges_init(&one);
-    fine = fine && add_material(&session, graph, material, &job, &one);
-    *fault = NULL;
-    if (fine)
-        matc_ranges_join(ranges, &one);
-    else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material or option")))
-        abort();
-    locale_leave(locale);
-    arena_free(&arena);
-    return fine;
 }

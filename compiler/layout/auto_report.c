@@ -1,6 +1,5 @@
 /* Why a layout is as it is: a line a slot. */
 #include "compiler/layout/auto_layout.h"
-#include "compiler/describe/describe.h"
 
 static void put_range(Text *out, double low, double high)
 {
@@ -61,10 +60,10 @@ static void put_field(Text *out, const Plan *plan)
 {
     const FieldRow *field = &plan->field;
     Text encoding = text_new(out->arena);
-    describe_encoding(&encoding, field);
+    layout_put_encoding(&encoding, field);
     if (field_has_range(field)) {
         text_put(&encoding, " over ");
-        describe_stored_range(&encoding, field);
+        layout_put_range(&encoding, field);
     }
     text_format(out, "%-28s %4d  ", encoding.at, auto_field_bits(field));
     put_error(out, plan);

@@ -1,4 +1,4 @@
-/* A layout of the user's own, as the library's surface holds it: layout_api.c and auto_layout.c make it. */
+/* A layout of the user's own, as the library's surface holds it: layout_api.c makes it. */
 #ifndef MATC_CUSTOM_H
 #define MATC_CUSTOM_H
 #include "compiler/base/session.h"
@@ -11,6 +11,4 @@ struct MatcLayout {
     const LayoutRow *row; /* NULL: faults */
     const char *text, *report;
 };
-/* Makes the text and the page of a layout whose row is there. layout_api.c */
-void layout_describe(MatcLayout *layout);
 #endif

@@ -163,3 +163,16 @@ const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placem
     }
     return NULL;
 }
+
+void layout_put_encoding(Text *out, const FieldRow *field)
+{
+    const EncodingRow *encoding = &encoding_table[field->encoding];
+    text_put(out, encoding->name);
+    if (encoding->least != encoding->most)
+        text_format(out, " %d", field->bits);
+}
+
+void layout_put_range(Text *out, const FieldRow *field)
+{
+    text_format(out, "%.6g to %.6g", field_low(field), field_high(field));
+}

@@ -1,6 +1,7 @@
 /* Where a layout's fields lie: each group of lanes that an encoding takes is one piece of a render target. */
 #ifndef MATC_LAYOUT_H
 #define MATC_LAYOUT_H
+#include "compiler/base/text.h"
 #include "grammar/tables.h"
 
 enum { MOST_PIECES = 128 };
@@ -40,4 +41,7 @@ const FixedRow *layout_fixed(const LayoutRow *row, Slot slot);
 bool piece_is_slot(const Piece *piece);
 /* Its encoding is told how many bits to use. */
 bool piece_takes_bits(const Piece *piece);
+/* "unorm 8"; "0 to 1" */
+void layout_put_encoding(Text *out, const FieldRow *field);
+void layout_put_range(Text *out, const FieldRow *field);
 #endif

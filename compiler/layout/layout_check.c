@@ -1,5 +1,4 @@
 /* Whether a layout that was read can be: its fields are possible, its slots whole, its targets large enough. */
-#include "compiler/describe/describe.h"
 #include "compiler/layout/layout_read.h"
 
 typedef struct {
@@ -11,7 +10,7 @@ typedef struct {
 static const char *number_text(Checker *k, double value)
 {
     Text text = text_new(k->session->arena);
-    describe_number(&text, value);
+    text_plain(&text, value);
     return text.at;
 }
 
@@ -112,7 +111,7 @@ static void check_room(Checker *k, int number, Tree *const *trees)
         return;
     const bool words = encoding_table[fault->encoding].words;
     Text encoding = text_new(k->session->arena), size = text_new(k->session->arena);
-    describe_encoding(&encoding, fault);
+    layout_put_encoding(&encoding, fault);
     text_format(&size, words ? "%d bits of one word" : "%d lanes of one target", field_size(fault));
     k->fine = diag_add(k->session, trees[fault - k->row->cases[number].fields]->span, DIAG_field_full, encoding.at,
                        slot_table[fault->source[0].slot].name, size.at, left_text(k, &placement, words));

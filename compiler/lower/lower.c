@@ -198,13 +198,3 @@ int lower_cost_below(const Ir *ir, Ref ref, int limit)
     }
     return cost;
 }
-
-ReferenceNoise lower_noise_for(Choice noise, Target target)
-{
-    bool old = target == TARGET_glsl110;
-    if (noise == CHOICE_noise_groimp)
-        return REFERENCE_GROIMP;
-    if (noise == CHOICE_noise_simplex)
-        return old ? REFERENCE_SIMPLEX_FLOAT : REFERENCE_SIMPLEX;
-    return old ? REFERENCE_LATTICE_FLOAT : REFERENCE_LATTICE;
-}

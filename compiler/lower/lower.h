@@ -44,6 +44,7 @@ typedef struct {
     Memo *memo;
     size_t memo_count, memo_mask;
     const Job *job;
+    Simplify *simplify;             /* the local rules; NULL in the IR at -O0 */
     int filters;                    /* under way: Smooth3D, Laplace3D */
     bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
@@ -69,7 +70,7 @@ typedef struct {
 /* The point of a rasterised surface. lower_pass.c */
 Env lower_surface_env(Lower *l);
 /* What a job's program computes of a material. NULL: see the diagnostics. */
-Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job);
+Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);

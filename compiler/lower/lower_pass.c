@@ -1,6 +1,5 @@
 /* What a pass computes: the environment it starts from and the outputs it writes. */
 #include "compiler/lower/lower.h"
-#include "compiler/opt/opt.h"
 #include "compiler/lower/slope.h"
 #include "compiler/base/stack.h"
 #include <string.h>
@@ -121,12 +120,17 @@ static Env pass_env(Lower *l)
     return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : lower_surface_env(l);
 }
 
-static Lower start(Session *session, const Graph *graph, const Job *job, int optimize)
+static Lower start(Session *session, const Graph *graph, const Job *job, Simplify *simplify, int optimize)
 {
-    Lower l = {.session = session, .graph = graph, .ir = ir_new(session, graph), .job = job, .cheap = optimize > 0};
-    l.ir->simplify = optimize > 0 ? opt_simplify : NULL;
+    Lower l = {.session = session,
+               .graph = graph,
+               .ir = ir_new(session, graph),
+               .job = job,
+               .simplify = simplify,
+               .cheap = optimize > 0};
+    l.ir->simplify = optimize > 0 ? simplify : NULL;
     l.ir->keep_pow = job->choice[AXIS_powers] == CHOICE_powers_pow;
-    l.ir->noise = lower_noise_for(job->choice[AXIS_noise], job->target);
+    l.ir->noise = job_noise(job->choice[AXIS_noise], job->target);
     l.ir->hint = HINT_SURFACE;
     l.uniform_use = ARENA_ARRAY(session->arena, uint8_t, graph->uniform_count);
     return l;
@@ -142,7 +146,7 @@ static int find_case(Lower *l, const Node *material, const Env *env)
         return number % none;
     Job job = *l->job;
     job.from_buffer = false;
-    Lower probe = start(l->session, l->graph, &job, 1);
+    Lower probe = start(l->session, l->graph, &job, l->simplify, 1);
     Env own = pass_env(&probe);
     number = lower_layout_case(&probe, material, &own);
     if (number == none)
@@ -201,9 +205,9 @@ static void write_on_stack(void *user)
     write_pass(writing->l, writing->material);
 }
 
-Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job)
+Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify)
 {
-    Lower l = start(session, graph, job, session->optimize);
+    Lower l = start(session, graph, job, simplify, session->optimize);
     stack_run(material ? material->depth : 0, write_on_stack, &(Writing){&l, material});
     return l.failed ? NULL : l.ir;
 }

@@ -1,6 +1,7 @@
 /* The oracle's core: surface points, environments with their memo, and delegation (semantics.md, section 1). */
 #include "compiler/oracle/oracle.h"
 #include "compiler/oracle/oracle_maps.h"
+#include "runtime/library/references.h"
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -124,7 +125,7 @@ void oracle_number3(const Node *node, int param, double result[3]) { oracle_vec3
 
 void oracle_call(const Environment *environment, int function, const double *args, double *result)
 {
-    function_row(function)->reference(&environment->oracle->context, args, result);
+    reference_of(function)(&environment->oracle->context, args, result);
 }
 
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface)

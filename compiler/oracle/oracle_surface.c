@@ -1,6 +1,7 @@
 /* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker of 2.3). */
 #include "compiler/oracle/oracle_maps.h"
 #include "runtime/library/carpenter.h"
+#include "runtime/library/references.h"
 
 /* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum would not. */
 static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
@@ -63,7 +64,7 @@ static double picture_at(const Picture *picture, double u, double v, int compone
     context.textures = &picture->texture;
     double args[5] = {0, u, v, picture->texture.width, picture->texture.height};
     double texel[4];
-    function_row(picture->function)->reference(&context, args, texel);
+    reference_of(picture->function)(&context, args, texel);
     if (picture->texture.lanes == 4)
         return texel[component];
     return component == 3 ? 1 : texel[0];

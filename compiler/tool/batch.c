@@ -6,7 +6,7 @@
 #include "compiler/base/diag.h"
 #include "compiler/base/file.h"
 #include "compiler/tool/layout_option.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include "compiler/base/queue.h"
 #include "compiler/tool/watch.h"
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* A material's program in every pass, to IR; and the files of those programs that are written. */
 #include "compiler/tool/batch_state.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

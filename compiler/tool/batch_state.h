@@ -4,7 +4,7 @@
 #include "compiler/tool/batch.h"
 #include "compiler/tool/cache.h"
 #include "compiler/base/sets.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include "compiler/tool/unit.h"
 #include <pthread.h>
 #include <stdatomic.h>

@@ -3,7 +3,7 @@
 #include "compiler/tool/depfile.h"
 #include "compiler/base/file.h"
 #include "compiler/tool/layout_option.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

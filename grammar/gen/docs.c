@@ -155,7 +155,7 @@ static void put_presets(Text *out, Kind kind)
                     kind_table[kind].name);
         for (int k = i; k < preset_count && !strcmp(preset_table[k].name, row->name); k++) {
             text_format(out, k > i ? ", `%s` " : " `%s` ", param_table[preset_table[k].param].name);
-            describe_number(out, preset_table[k].init);
+            text_plain(out, preset_table[k].init);
         }
         text_put(out, ".\n");
         put_example(out, kind, row->name);
@@ -235,9 +235,9 @@ static void put_case(Text *out, const LayoutRow *layout, int number)
         text_put(out, " | ");
         describe_piece(out, piece);
         text_put(out, " | ");
-        describe_encoding(out, piece->field);
+        layout_put_encoding(out, piece->field);
         text_put(out, " | ");
-        describe_stored_range(out, piece->field);
+        layout_put_range(out, piece->field);
         text_put(out, " | ");
         describe_error(out, piece->field);
         text_put(out, " |\n");

@@ -99,7 +99,7 @@ static int write_output(FILE *out, const char *symbol, const File *files, int co
     int fine = 1, chunks = !strcmp(symbol, "chunk_table");
     fputs("/* Made by grammar/gen/embed.c. */\n", out);
     if (chunks)
-        fputs("#include \"compiler/emit/chunks.h\"\nconst Chunk chunk_table[] = {\n", out);
+        fputs("#include \"runtime/library/chunk.h\"\nconst Chunk chunk_table[] = {\n", out);
     for (int i = 0; i < count; i++) {
         if (chunks) {
             fine &= put_chunk(out, &files[i]);

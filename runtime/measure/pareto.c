@@ -1,6 +1,6 @@
 /* Tables, plots and choices. */
 #include "runtime/measure/pareto.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include "runtime/measure/plot.h"
 #include "runtime/gl/message.h"
 #include <math.h>

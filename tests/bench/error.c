@@ -1,6 +1,6 @@
 /* matbench error: run time against error of every variant, as a CSV, a plot and a page. */
 #include "error.h"
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include "matbench.h"
 #include <stdarg.h>
 #include <stdlib.h>

@@ -133,7 +133,7 @@ static const char *encoding_of(Arena *arena, const CaseRow *row, Slot slot)
     for (int i = 0; i < row->field_count; i++)
         for (int k = 0; k < row->fields[i].count; k++)
             if (row->fields[i].source[k].slot == slot && !text.size)
-                describe_encoding(&text, &row->fields[i]);
+                layout_put_encoding(&text, &row->fields[i]);
     return text.size ? text.at : NULL;
 }
 

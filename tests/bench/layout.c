@@ -54,7 +54,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
     Text name = text_new(&arena), error = text_new(&arena);
     bool bits = strchr(function_arguments(row->pack), 'i') != NULL;
     int packed = row->words ? 1 : type_table[function_row(row->pack)->result].lanes;
-    describe_encoding(&name, field);
+    layout_put_encoding(&name, field);
     describe_error(&error, field);
     snprintf(empty, sizeof empty, "%s(%s%s)", "vec4", input,
              row->takes == 3   ? ", 0.0"

@@ -1,6 +1,7 @@
 /* Machines whose operations err, as roundings of ir_eval. */
 #include "spread.h"
 #include "choices.h"
+#include "runtime/library/references.h"
 #include <float.h>
 #include <string.h>
 
@@ -77,7 +78,7 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
             numbers[used] = whole ? v : v + 4 * FLOAT_ULP * toss(e, node, 1 + used) * fmax(1, fabs(v));
             used++;
         }
-    function_row((int)node->payload)->reference(e->context, numbers, result);
+    reference_of((int)node->payload)(e->context, numbers, result);
     for (int i = 0; i < type_table[node->type].lanes; i++) /* which lane this is, is not known: the nearest */
         most = i && fabs(result[i] - value) > most ? most : fabs(result[i] - value);
     return 2 * most;

@@ -52,8 +52,7 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->material = t->graph->materials[0].node;
     Job job;
     choice_job(&t->options, &job);
-    t->oracle =
-        oracle_open(t->graph, &(ReferenceContext){.noise = lower_noise_for(job.choice[AXIS_noise], job.target)});
+    t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = job_noise(job.choice[AXIS_noise], job.target)});
     t->exact = job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic;
     oracle_exact_derivatives(t->oracle, t->exact);
     t->count->nodes += t->graph->node_count;

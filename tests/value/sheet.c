@@ -115,7 +115,7 @@ void filtered_close(Filtered *f)
 
 Oracle *filtered_oracle(const Filtered *f)
 {
-    ReferenceContext context = {.noise = lower_noise_for(f->job.choice[AXIS_noise], f->job.target)};
+    ReferenceContext context = {.noise = job_noise(f->job.choice[AXIS_noise], f->job.target)};
     return oracle_open(f->document.graph, &context);
 }
 

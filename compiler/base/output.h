@@ -2,7 +2,7 @@
 #ifndef MATC_OUTPUT_H
 #define MATC_OUTPUT_H
 #include "compiler/matc.h"
-#include "compiler/tool/stage.h"
+#include "compiler/base/stage.h"
 
 enum { OUTPUT_FOLDERS = 4 };
 

@@ -11,7 +11,7 @@
  *
  * Undoing takes the index away first, and brings the old one back last. It may be interrupted, too: a step that is undone already
  * has neither "N.old" nor "N". What it removes is a file with the new one's bytes and no other. */
-#include "compiler/tool/stage_journal.h"
+#include "compiler/base/stage_journal.h"
 #include "compiler/base/bytes.h"
 #include "compiler/base/sets.h"
 #include <errno.h>

@@ -1,9 +1,9 @@
 /* Files wait in a folder within the folder (stage_folder.c), so that moving them is a rename, and a journal makes all the renames one
  * (stage_journal.c). The folder where they wait is made with the first file that differs from what is there: a run that changes
  * nothing writes nothing. */
-#include "compiler/tool/stage.h"
+#include "compiler/base/stage.h"
 #include "compiler/base/sets.h"
-#include "compiler/tool/stage_journal.h"
+#include "compiler/base/stage_journal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>

@@ -1,5 +1,5 @@
 /* Writing files, whole or not at all, and what they hold. */
-#include "compiler/tool/output.h"
+#include "compiler/base/output.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>

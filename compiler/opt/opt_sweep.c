@@ -1,0 +1,95 @@
+/* The sweep that most passes are. */
+#include "compiler/opt/opt.h"
+
+/* What stands for old nodes and functions during a sweep. */
+typedef struct {
+    Ref *node;
+    uint32_t *function;    /* a function whose result changed is a new one: its calls then come after the new result */
+    int *by_result, *next; /* functions of a result: head by Ref, from 1; then the next with the same */
+} Moves;
+
+static Moves new_moves(const Ir *ir, Arena *scratch)
+{
+    Moves moves = {.node = arena_alloc(scratch, sizeof(Ref) * ir->count)};
+    if (!ir->function_count)
+        return moves;
+    moves.function = ARENA_ARRAY(scratch, uint32_t, ir->function_count);
+    moves.next = ARENA_ARRAY(scratch, int, ir->function_count);
+    moves.by_result = ARENA_ARRAY(scratch, int, ir->count);
+    for (size_t f = 0; f < ir->function_count; f++) {
+        Ref result = ir->functions[f].result;
+        moves.function[f] = (uint32_t)f;
+        moves.next[f] = moves.by_result[result];
+        moves.by_result[result] = (int)f + 1;
+    }
+    return moves;
+}
+
+static Ref remake(Ir *ir, Ref ref, const Moves *moves)
+{
+    const IrNode node = ir->nodes[ref];
+    Ref args[UINT8_MAX];
+    uint32_t payload = ir_applies(ir, ref) ? moves->function[node.payload] : node.payload;
+    bool same = payload == node.payload;
+    for (int i = 0; i < node.count; i++) {
+        Ref old = ir->args[node.first + (uint32_t)i];
+        args[i] = moves->node[old];
+        same &= args[i] == old;
+    }
+    if (same)
+        return ref;
+    Ref made = ir_make(ir, (Op)node.op, (Type)node.type, payload, args, node.count);
+    if (!ir_is(ir, made, OP_const))
+        ir->nodes[made].head |= node.head;
+    return made;
+}
+
+static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
+{
+    for (int f = moves->by_result ? moves->by_result[old] : 0; f; f = moves->next[f - 1]) {
+        IrFunction function = ir->functions[f - 1];
+        function.result = result;
+        moves->function[f - 1] = (uint32_t)ir->function_count;
+        ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    }
+}
+
+bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user)
+{
+    Arena *scratch = &ir->scratch;
+    uint8_t *live = ir_live(ir, scratch);
+    Moves moves = new_moves(ir, scratch);
+    Ref count = (Ref)ir->count;
+    bool changed = false;
+    for (Ref ref = 1; ref < count; ref++) {
+        if (!live[ref])
+            continue;
+        uint8_t head = ir->nodes[ref].head;
+        ir->hint = ir->nodes[ref].hint;
+        Ref better = rewrite(ir, remake(ir, ref, &moves), user);
+        moves.node[ref] = better;
+        if (better == ref)
+            continue;
+        changed = true;
+        if (head && !ir->nodes[better].head && ir->nodes[better].hint == ir->hint)
+            ir->nodes[better].head = 1;
+        move_functions(ir, &moves, ref, better);
+    }
+    for (int i = 0; i < ir->output_count; i++)
+        ir->outputs[i].value = moves.node[ir->outputs[i].value];
+    return changed;
+}
+
+uint32_t *opt_uses(const Ir *ir, Arena *arena)
+{
+    uint8_t *live = ir_live(ir, arena);
+    uint32_t *uses = ARENA_ARRAY(arena, uint32_t, ir->count);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        for (int i = 0; live[ref] && i < ir->nodes[ref].count; i++)
+            uses[ir_arg(ir, ref, i)]++;
+    for (int i = 0; i < ir->output_count; i++)
+        uses[ir->outputs[i].value]++;
+    for (size_t f = 0; f < ir->function_count; f++)
+        uses[ir->functions[f].result]++;
+    return uses;
+}
