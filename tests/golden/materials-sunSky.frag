@@ -15,16 +15,21 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
+// Angle between two unit vectors in [0, pi], given its cosine. By atan, as acos has few digits near 0.
+float skyAngle(vec3 view, vec3 sun, float cosine) {
+    return atan(length(cross(view, sun)), cosine);
+}
+
 // Preetham's sky along a direction of any length, z up: linear sRGB, no component below 0, black below the horizon.
 // Luminance Y and chromaticity x, y are the lanes of the arguments, all from sky_coefficients (lib/sky.h): zenithOverF0 is the
 // zenith's value over F(0, angle of the sun), Y in W/(m2 sr) times the scale wanted; A to E are the coefficients of Perez' F;
-// sun is a unit vector. Relative error 2e-5. The angle to the sun is taken by atan, as acos has few digits near 0.
+// sun is a unit vector. Relative error 2e-5.
 vec3 skyRadiance(vec3 direction, vec3 sun, vec3 zenithOverF0, vec3 A, vec3 B, vec3 C, vec3 D, vec3 E) {
     vec3 view = safeNormalize(direction);
     if (view.z < 0.0) return vec3(0.0);
     view = normalize(vec3(view.xy, max(view.z, 0.001)));
     float cosine = dot(view, sun);
-    float angle = atan(length(cross(view, sun)), cosine);
+    float angle = skyAngle(view, sun, cosine);
     vec3 sky = zenithOverF0 * (1.0 + A * exp(B / view.z)) * (1.0 + C * exp(D * angle) + E * cosine * cosine);
     vec3 XYZ = max(sky.x, 0.0) * vec3(sky.y, sky.z, 1.0 - sky.y - sky.z) / max(sky.z, 0.001);
     vec3 rgb = XYZ.x * vec3(3.2404542, -0.9692660, 0.0556434) + XYZ.y * vec3(-1.5371385, 1.8760108, -0.2040259)

@@ -1,0 +1,5 @@
+// needs:
+// Angle between two unit vectors in [0, pi], given its cosine. By atan, as acos has few digits near 0.
+float skyAngle(vec3 view, vec3 sun, float cosine) {
+    return atan(length(cross(view, sun)), cosine);
+}
