@@ -55,6 +55,7 @@ matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>)
 matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
 matc_test(order sh tests/order.sh)
+matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
 matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
 add_executable(tree_json tests/suites/tree.c)
 target_link_libraries(tree_json PRIVATE libmatc)

@@ -16,78 +16,6 @@
 
 static const char manifest_name[] = "manifest.json", depfile_name[] = "manifest.d";
 
-Unit *batch_unit(const Batch *b, int document, int material, int turn)
-{
-    return &b->documents[document].materials[material].units[turn];
-}
-
-void batch_name(const Batch *b, const Unit *unit, char name[LONGEST_NAME])
-{
-    const char *material = b->documents[unit->document].materials[unit->material].name;
-    bool plain = b->turn_count == 1 || unit->pass == PASS_gbuffer;
-    snprintf(name, LONGEST_NAME, "%s%s%s", material, plain ? "" : ".", plain ? "" : pass_table[unit->pass].name);
-}
-
-/* Diagnostics up to the first document that is not done. The mutex is held. */
-static void say_complete(Batch *b)
-{
-    for (; b->said < b->document_count && b->documents[b->said].closed; b->said++) {
-        Bytes *said = &b->documents[b->said].said;
-        bytes_add(said, "", 1);
-        if (said->size > 1)
-            b->calls->say(b->calls->user, said->at);
-        bytes_free(said);
-    }
-}
-
-/* Adds to what is said of the document, if it is anything. */
-void batch_say(Batch *b, BatchDocument *document, const char *text)
-{
-    if (!*text || !strcmp(text, "[]\n"))
-        return;
-    pthread_mutex_lock(&b->mutex);
-    bytes_add(document ? &document->said : &b->general, text, strlen(text));
-    pthread_mutex_unlock(&b->mutex);
-}
-
-void batch_say_of(Batch *b, BatchDocument *document, int material, const char *text)
-{
-    if (!*text || !strcmp(text, "[]\n"))
-        return;
-    pthread_mutex_lock(&b->mutex);
-    bytes_add(&document->materials[material].said, text, strlen(text));
-    pthread_mutex_unlock(&b->mutex);
-}
-
-/* What was said of its materials, behind what was said of the document. No thread works on it. */
-static void join_said(BatchDocument *document)
-{
-    for (int i = 0; i < document->material_count; i++) {
-        Bytes *said = &document->materials[i].said;
-        bytes_add(&document->said, said->at, said->size);
-        bytes_free(said);
-    }
-}
-
-void batch_fault(Batch *b) { b->fault = true; }
-
-static void say_of_file(Batch *b, BatchDocument *document, Severity severity, const char *what, const char *why)
-{
-    Arena arena = {0};
-    Text text = text_new(&arena);
-    diag_complain(&text, severity, what, why);
-    batch_say(b, document, text.at);
-    arena_free(&arena);
-}
-
-void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
-{
-    say_of_file(b, document, SEVERITY_error, what, why);
-    batch_fault(b);
-}
-
-void batch_warn(Batch *b, const char *what, const char *why) { say_of_file(b, NULL, SEVERITY_warning, what, why); }
-
 /* -- the queue's calls: first all materials, then what must be written again */
 
 static void put_tree(Batch *b, BatchDocument *document)
@@ -95,7 +23,8 @@ static void put_tree(Batch *b, BatchDocument *document)
     batch_document_parsed(b, document);
     const char *text = matc_tree_text(document->parsed);
     for (int i = 0; i < document->material_count; i++)
-        batch_put_file(b, document, document->materials[i].name, emit_table[EMIT_tree].suffix, text, strlen(text));
+        batch_put_file(b, document, (BatchFile){document->materials[i].name, emit_table[EMIT_tree].suffix}, text,
+                       strlen(text));
 }
 
 static int open_to_compile(void *user, int number)
@@ -118,7 +47,7 @@ static void close_compiled(void *user, int number)
 {
     Batch *b = user;
     BatchDocument *document = &b->documents[number];
-    join_said(document);
+    batch_join_said(document);
     batch_store_document(b, document);
     batch_close(document);
     pthread_mutex_lock(&b->mutex);
@@ -126,7 +55,7 @@ static void close_compiled(void *user, int number)
     b->closed++;
     if (b->calls->progress)
         b->calls->progress(b->calls->user, b->closed, b->document_count);
-    say_complete(b);
+    batch_say_complete(b);
     pthread_mutex_unlock(&b->mutex);
 }
 
@@ -223,13 +152,6 @@ static void check_names(Batch *b)
         }
     strings_free(&materials);
     strings_free(&files);
-}
-
-void batch_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))
-{
-    int threads = b->line->max_error ? 1 : b->line->threads ? b->line->threads : queue_processors();
-    const Queue queue = {b->document_count, threads, open, work, close, b};
-    queue_run(&queue);
 }
 
 /* Where the manifest is, for what is said and for make. */
@@ -358,19 +280,6 @@ static void finish(Batch *b)
     pthread_mutex_destroy(&b->mutex);
 }
 
-/* What was found when all documents were known. */
-static void say_rest(Batch *b)
-{
-    for (int d = 0; d <= b->document_count; d++) {
-        if (d < b->document_count)
-            join_said(&b->documents[d]);
-        Bytes *said = d < b->document_count ? &b->documents[d].said : &b->general;
-        bytes_add(said, "", 1);
-        if (said->size > 1)
-            b->calls->say(b->calls->user, said->at);
-    }
-}
-
 static void count(const Batch *b, BatchResult *result)
 {
     *result =
@@ -411,7 +320,7 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
         commit(&b);
     if (!b.fault)
         count(&b, result);
-    say_rest(&b);
+    batch_say_rest(&b);
     list_watched(&b);
     const char *trouble = b.cache ? cache_trouble(b.cache) : NULL;
     if (trouble)

@@ -257,10 +257,11 @@ static Key members_key(const Unit *unit, const int *members)
     return members ? key_of_bytes(members, (size_t)unit->count * sizeof *members) : (Key){0};
 }
 
-bool batch_stored_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, const char *base)
+bool batch_stored_program(Batch *b, BatchDocument *document, const BatchEdition *edition)
 {
+    Unit *unit = edition->unit;
     size_t size;
-    const Key *key = b->cache ? unit_find_files(unit, members_key(unit, members)) : NULL;
+    const Key *key = b->cache ? unit_find_files(unit, members_key(unit, edition->members)) : NULL;
     char *entry = key ? cache_get(b->cache, *key, &size) : NULL;
     if (!entry)
         return false;
@@ -271,7 +272,7 @@ bool batch_stored_program(Batch *b, BatchDocument *document, Unit *unit, const i
             continue;
         const char *text = bytes_take_block(&from, &size);
         if (text)
-            batch_put_file(b, document, base, options_emit_suffix(&b->options, emit), text, size);
+            batch_put_file(b, document, (BatchFile){edition->base, options_emit_suffix(&b->options, emit)}, text, size);
     }
     free(entry);
     if (from.broken) {
@@ -283,8 +284,9 @@ bool batch_stored_program(Batch *b, BatchDocument *document, Unit *unit, const i
     return written != NULL;
 }
 
-void batch_store_program(Batch *b, Unit *unit, const int *members, MatcProgram *program)
+void batch_store_program(Batch *b, const BatchEdition *edition, MatcProgram *program)
 {
+    Unit *unit = edition->unit;
     Bytes to = {0};
     if (!b->cache || b->fault)
         return;
@@ -298,6 +300,6 @@ void batch_store_program(Batch *b, Unit *unit, const int *members, MatcProgram *
     }
     Key key = key_of_bytes(to.at, to.size);
     cache_keep(b->cache, key, to.at, to.size);
-    unit_add_files(unit, members_key(unit, members), key);
+    unit_add_files(unit, members_key(unit, edition->members), key);
     bytes_free(&to);
 }

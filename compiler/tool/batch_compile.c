@@ -5,22 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool batch_is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
-
-void batch_put_file(Batch *b, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
-                    size_t size)
-{
-    char name[LONGEST_NAME + 16];
-    snprintf(name, sizeof name, "%s%s", base, suffix);
-    const char *why = stage_put(b->stage, name, bytes, size);
-    if (why)
-        batch_complain(b, document, name, why);
-}
-
 /* Writes a program for one of its materials, and keeps what the manifest needs of it. */
-static void write_program(Batch *b, BatchDocument *document, Unit *unit, const int *members, MatcProgram *program,
-                          const char *base)
+static void write_program(Batch *b, BatchDocument *document, const BatchEdition *edition, MatcProgram *program)
 {
+    Unit *unit = edition->unit;
     if (!matc_emit(program, b->outputs)) {
         batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
         batch_fault(b);
@@ -31,11 +19,12 @@ static void write_program(Batch *b, BatchDocument *document, Unit *unit, const i
         if (!b->line->emit[emit] || !batch_is_of_program(emit))
             continue;
         const char *text = matc_output(program, options_emit_output(&b->options, emit), &size);
-        batch_put_file(b, document, base, options_emit_suffix(&b->options, emit), text, size);
+        const BatchFile file = {edition->base, options_emit_suffix(&b->options, emit)};
+        batch_put_file(b, document, file, text, size);
     }
     written_free(unit->written);
     unit->written = unit_written(program, b->numbers == NUMBERS_uniform);
-    batch_store_program(b, unit, members, program);
+    batch_store_program(b, edition, program);
 }
 
 /* True for whoever asks first. */
@@ -109,7 +98,7 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
         own->opacity = matc_opacity(program);
     bool first = first_of_program(b, unit);
     if (first)
-        write_program(b, document, unit, NULL, program, name);
+        write_program(b, document, &(BatchEdition){unit, NULL, name}, program);
     if (first || b->textures)
         write_textures(b, document, name, program);
     matc_program_free(program);
@@ -119,12 +108,13 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
 static void stored_turn(Batch *b, BatchDocument *document, Unit *unit)
 {
     char name[LONGEST_NAME];
+    const BatchEdition edition = {unit, NULL, name};
     batch_name(b, unit, name);
-    if (!first_of_program(b, unit) || batch_stored_program(b, document, unit, NULL, name))
+    if (!first_of_program(b, unit) || batch_stored_program(b, document, &edition))
         return;
     MatcProgram *program = compile(b, document, unit, NULL);
     if (program)
-        write_program(b, document, unit, NULL, program, name);
+        write_program(b, document, &edition, program);
     matc_program_free(program);
 }
 
@@ -146,11 +136,11 @@ void batch_compile_material(Batch *b, int number, int material)
 
 void batch_compile_again(Batch *b, BatchDocument *document, BatchProgram *again)
 {
-    Unit *unit = again->first;
-    if (batch_stored_program(b, document, unit, again->members, again->name))
+    const BatchEdition edition = {again->first, again->members, again->name};
+    if (batch_stored_program(b, document, &edition))
         return;
-    MatcProgram *program = compile(b, document, unit, again->members);
+    MatcProgram *program = compile(b, document, again->first, again->members);
     if (program)
-        write_program(b, document, unit, again->members, program, again->name);
+        write_program(b, document, &edition, program);
     matc_program_free(program);
 }

@@ -87,9 +87,11 @@ void batch_write_layout(Batch *b)
         Text layout = text_new(&arena);
         layout_write(&layout, job.layout);
         if (b->line->emit[EMIT_unpack])
-            batch_put_file(b, document, job.layout->name, emit_table[EMIT_unpack].suffix, unpack, strlen(unpack));
+            batch_put_file(b, document, (BatchFile){job.layout->name, emit_table[EMIT_unpack].suffix}, unpack,
+                           strlen(unpack));
         if (b->line->emit[EMIT_layout])
-            batch_put_file(b, document, job.layout->name, emit_table[EMIT_layout].suffix, layout.at, layout.size);
+            batch_put_file(b, document, (BatchFile){job.layout->name, emit_table[EMIT_layout].suffix}, layout.at,
+                           layout.size);
         arena_free(&arena);
         return;
     }

@@ -52,6 +52,17 @@ typedef struct {
     char *name;   /* of its files, without suffix */
 } BatchProgram;
 
+/* A program to be written: a unit's, with the numbers at those places from a buffer (NULL: none), under that name. */
+typedef struct {
+    Unit *unit;
+    const int *members;
+    const char *base;
+} BatchEdition;
+
+typedef struct {
+    const char *base, *suffix; /* of its name */
+} BatchFile;
+
 typedef struct {
     const CommandLine *line;
     const BatchCalls *calls;
@@ -80,7 +91,7 @@ typedef struct {
     atomic_bool fault;       /* any thread reads it */
 } Batch;
 
-/* -- batch.c */
+/* -- batch_say.c */
 /* Adds diagnostics to those of the document (NULL: of none), if there are any. */
 void batch_say(Batch *batch, BatchDocument *document, const char *text);
 /* The same of a material, from any thread: they are said in the order of the materials. */
@@ -90,10 +101,21 @@ void batch_fault(Batch *batch);
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
 /* Something to know, of no document, which is no fault. */
 void batch_warn(Batch *batch, const char *what, const char *why);
+/* Says the diagnostics up to the first document that is not done. The mutex is held. */
+void batch_say_complete(Batch *batch);
+/* Puts what was said of its materials behind what was said of the document. No thread works on it. */
+void batch_join_said(BatchDocument *document);
+/* What was found when all documents were known. */
+void batch_say_rest(Batch *batch);
+
+/* -- batch_state.c */
 Unit *batch_unit(const Batch *batch, int document, int material, int turn);
 /* Of the files of a material's program: its name, and the pass unless that goes without saying. */
 void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
-
+/* A file of a program, or of the layout. */
+void batch_put_file(Batch *batch, BatchDocument *document, BatchFile file, const char *bytes, size_t size);
+/* An output that every program has a file of. */
+bool batch_is_of_program(int emit);
 /* Every document is opened, its parts worked on and closed, by all threads. */
 void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int));
 
@@ -120,14 +142,9 @@ void batch_document_make_room(BatchDocument *document, int materials, int turns,
 void batch_close(BatchDocument *document);
 void batch_document_free(BatchDocument *document, int turns);
 
-/* -- batch_compile.c: a material's turns; a program again; the files of a program */
+/* -- batch_compile.c: a material's turns; a program again */
 void batch_compile_material(Batch *batch, int document, int material);
 void batch_compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
-/* A file of a program, or of the layout. */
-void batch_put_file(Batch *batch, BatchDocument *document, const char *base, const char *suffix, const char *bytes,
-                    size_t size);
-/* An output that every program has a file of. */
-bool batch_is_of_program(int emit);
 
 /* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache a key is of the text alone. */
 bool batch_stored_open(Batch *batch);
@@ -138,8 +155,8 @@ void batch_store_document(Batch *batch, BatchDocument *document);
 bool batch_stored_ranges(Batch *batch, BatchDocument *document);
 void batch_store_ranges(Batch *batch, const BatchDocument *document);
 /* Writes the program's files. */
-bool batch_stored_program(Batch *batch, BatchDocument *document, Unit *unit, const int *members, const char *base);
-void batch_store_program(Batch *batch, Unit *unit, const int *members, MatcProgram *program);
+bool batch_stored_program(Batch *batch, BatchDocument *document, const BatchEdition *edition);
+void batch_store_program(Batch *batch, const BatchEdition *edition, MatcProgram *program);
 
 /* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
  * must be written again. batch_group.c */

@@ -1,0 +1,77 @@
+/* What a batch says: each document's diagnostics in the order of the documents, whichever thread found them. */
+#include "compiler/tool/batch_state.h"
+#include "compiler/base/diag.h"
+#include <string.h>
+
+/* Diagnostics up to the first document that is not done. The mutex is held. */
+void batch_say_complete(Batch *b)
+{
+    for (; b->said < b->document_count && b->documents[b->said].closed; b->said++) {
+        Bytes *said = &b->documents[b->said].said;
+        bytes_add(said, "", 1);
+        if (said->size > 1)
+            b->calls->say(b->calls->user, said->at);
+        bytes_free(said);
+    }
+}
+
+/* Adds to what is said of the document, if it is anything. */
+void batch_say(Batch *b, BatchDocument *document, const char *text)
+{
+    if (!*text || !strcmp(text, "[]\n"))
+        return;
+    pthread_mutex_lock(&b->mutex);
+    bytes_add(document ? &document->said : &b->general, text, strlen(text));
+    pthread_mutex_unlock(&b->mutex);
+}
+
+void batch_say_of(Batch *b, BatchDocument *document, int material, const char *text)
+{
+    if (!*text || !strcmp(text, "[]\n"))
+        return;
+    pthread_mutex_lock(&b->mutex);
+    bytes_add(&document->materials[material].said, text, strlen(text));
+    pthread_mutex_unlock(&b->mutex);
+}
+
+/* What was said of its materials, behind what was said of the document. No thread works on it. */
+void batch_join_said(BatchDocument *document)
+{
+    for (int i = 0; i < document->material_count; i++) {
+        Bytes *said = &document->materials[i].said;
+        bytes_add(&document->said, said->at, said->size);
+        bytes_free(said);
+    }
+}
+
+void batch_fault(Batch *b) { b->fault = true; }
+
+static void say_of_file(Batch *b, BatchDocument *document, Severity severity, const char *what, const char *why)
+{
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    diag_complain(&text, severity, what, why);
+    batch_say(b, document, text.at);
+    arena_free(&arena);
+}
+
+void batch_complain(Batch *b, BatchDocument *document, const char *what, const char *why)
+{
+    say_of_file(b, document, SEVERITY_error, what, why);
+    batch_fault(b);
+}
+
+void batch_warn(Batch *b, const char *what, const char *why) { say_of_file(b, NULL, SEVERITY_warning, what, why); }
+
+/* What was found when all documents were known. */
+void batch_say_rest(Batch *b)
+{
+    for (int d = 0; d <= b->document_count; d++) {
+        if (d < b->document_count)
+            batch_join_said(&b->documents[d]);
+        Bytes *said = d < b->document_count ? &b->documents[d].said : &b->general;
+        bytes_add(said, "", 1);
+        if (said->size > 1)
+            b->calls->say(b->calls->user, said->at);
+    }
+}

@@ -1,0 +1,34 @@
+/* What all parts of a batch ask of it: units, names, files, threads. */
+#include "compiler/tool/batch_state.h"
+#include "compiler/base/queue.h"
+#include <stdio.h>
+
+Unit *batch_unit(const Batch *b, int document, int material, int turn)
+{
+    return &b->documents[document].materials[material].units[turn];
+}
+
+void batch_name(const Batch *b, const Unit *unit, char name[LONGEST_NAME])
+{
+    const char *material = b->documents[unit->document].materials[unit->material].name;
+    bool plain = b->turn_count == 1 || unit->pass == PASS_gbuffer;
+    snprintf(name, LONGEST_NAME, "%s%s%s", material, plain ? "" : ".", plain ? "" : pass_table[unit->pass].name);
+}
+
+bool batch_is_of_program(int emit) { return emit != EMIT_unpack && emit != EMIT_layout && emit != EMIT_tree; }
+
+void batch_put_file(Batch *b, BatchDocument *document, BatchFile file, const char *bytes, size_t size)
+{
+    char name[LONGEST_NAME + 16];
+    snprintf(name, sizeof name, "%s%s", file.base, file.suffix);
+    const char *why = stage_put(b->stage, name, bytes, size);
+    if (why)
+        batch_complain(b, document, name, why);
+}
+
+void batch_phase(Batch *b, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int))
+{
+    int threads = b->line->max_error ? 1 : b->line->threads ? b->line->threads : queue_processors();
+    const Queue queue = {b->document_count, threads, open, work, close, b};
+    queue_run(&queue);
+}
