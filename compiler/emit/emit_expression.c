@@ -4,18 +4,7 @@
 
 bool emit_is_leaf(const Ir *ir, Ref ref)
 {
-    switch (ir_at(ir, ref)->op) {
-    case OP_const:
-    case OP_input:
-    case OP_uniform:
-    case OP_constant:
-    case OP_argument:
-    case OP_texture:
-    case OP_swizzle:
-        return true;
-    default:
-        return false;
-    }
+    return op_table[ir_at(ir, ref)->op].arity == 0 || ir_is(ir, ref, OP_swizzle);
 }
 
 static void put_number(Text *out, Type type, double value)
@@ -60,51 +49,45 @@ const char *emit_function_name(Session *session, const Ir *ir, int function)
     return name.at;
 }
 
-static void put_argument_name(Scope *e, Text *out, Ref ref)
-{
-    for (int i = 0; i < e->function->count; i++)
-        if (e->function->arguments[i] == ref)
-            text_put(out, ir_type(e->ir, ref) == TYPE_vec3 ? "p" : "st");
-}
+/* What stands under WRITE in ops.def: leaves first. */
+static void put_const(Scope *e, Text *out, Ref ref) { emit_constant(out, e->ir, ref); }
 
 /* A change needs what changes. */
-static void use_input(Scope *e, Input input)
+static void put_input(Scope *e, Text *out, Ref ref)
 {
+    const Input input = (Input)ir_at(e->ir, ref)->payload;
     e->interface->inputs[input] = true;
     for (int i = 0; i < change_count; i++)
         if (change_table[i].input == input)
             e->interface->inputs[change_table[i].of] = true;
+    text_put(out, input_table[input].glsl);
 }
 
-static void put_leaf(Scope *e, Text *out, Ref ref)
+static void put_uniform(Scope *e, Text *out, Ref ref)
 {
-    const IrNode *node = ir_at(e->ir, ref);
-    switch (node->op) {
-    case OP_const:
-        emit_constant(out, e->ir, ref);
-        break;
-    case OP_input:
-        use_input(e, (Input)node->payload);
-        text_put(out, input_table[node->payload].glsl);
-        break;
-    case OP_uniform:
-        e->interface->uniforms[node->payload] = true;
-        e->interface->counts[node->payload] = node->type == TYPE_int;
-        text_put(out, e->ir->graph->uniforms[node->payload]->name);
-        break;
-    case OP_constant:
-        text_put(out, e->ir->constants[node->payload].name);
-        break;
-    case OP_texture:
-        e->interface->textures[node->payload] = true;
-        text_put(out, emit_texture_name(e->session, e->ir, (int)node->payload));
-        break;
-    case OP_argument:
-        put_argument_name(e, out, ref);
-        break;
-    default:
-        break;
-    }
+    const uint32_t uniform = ir_at(e->ir, ref)->payload;
+    e->interface->uniforms[uniform] = true;
+    e->interface->counts[uniform] = ir_type(e->ir, ref) == TYPE_int;
+    text_put(out, e->ir->graph->uniforms[uniform]->name);
+}
+
+static void put_constant(Scope *e, Text *out, Ref ref)
+{
+    text_put(out, e->ir->constants[ir_at(e->ir, ref)->payload].name);
+}
+
+static void put_texture(Scope *e, Text *out, Ref ref)
+{
+    const uint32_t texture = ir_at(e->ir, ref)->payload;
+    e->interface->textures[texture] = true;
+    text_put(out, emit_texture_name(e->session, e->ir, (int)texture));
+}
+
+static void put_argument(Scope *e, Text *out, Ref ref)
+{
+    for (int i = 0; i < e->function->count; i++)
+        if (e->function->arguments[i] == ref)
+            text_put(out, ir_type(e->ir, ref) == TYPE_vec3 ? "p" : "st");
 }
 
 static void put_list(Scope *e, Text *out, Ref ref)
@@ -121,16 +104,10 @@ static void put_list(Scope *e, Text *out, Ref ref)
 static bool may_be_float(const IrNode *node, int i, bool both_bounds)
 {
     switch (node->op) {
-    case OP_min:
-    case OP_max:
-    case OP_mod:
-        return i == 1;
-    case OP_mix:
-        return i == 2;
-    case OP_step:
-        return i == 0;
-    case OP_clamp:
-        return i > 0 && both_bounds;
+#define NARROW(name, condition)                                                                                        \
+    case OP_##name:                                                                                                    \
+        return condition;
+#include "grammar/ops.def"
     default:
         return false;
     }
@@ -190,77 +167,67 @@ static void put_linear(Scope *e, Text *out, Ref ref)
     emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_prefix);
 }
 
-static int precedence_of(const IrNode *node)
+static void put_select(Scope *e, Text *out, Ref ref)
 {
-    switch (node->op) {
-    case OP_select:
-        return PRECEDENCE_select;
-    case OP_or:
-        return PRECEDENCE_or;
-    case OP_and:
-        return PRECEDENCE_and;
-    case OP_join:
-        return PRECEDENCE_join;
-    case OP_shift:
-        return PRECEDENCE_shift;
-    case OP_eq:
-    case OP_ne:
-        return PRECEDENCE_equal;
-    case OP_lt:
-    case OP_le:
-        return PRECEDENCE_less;
-    case OP_add:
-    case OP_sub:
-        return PRECEDENCE_add;
-    case OP_mul:
-    case OP_div:
-    case OP_linear:
-        return PRECEDENCE_mul;
-    case OP_neg:
-    case OP_not:
-        return PRECEDENCE_prefix;
-    default:
-        return PRECEDENCE_postfix;
-    }
+    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_or);
+    text_put(out, " ? ");
+    emit_expression(e, out, ir_arg(e->ir, ref, 1), PRECEDENCE_or);
+    text_put(out, " : ");
+    emit_expression(e, out, ir_arg(e->ir, ref, 2), PRECEDENCE_select);
+}
+
+static void put_swizzle(Scope *e, Text *out, Ref ref)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);
+    text_char(out, '.');
+    for (int i = 0; i < type_table[node->type].lanes; i++)
+        text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
+}
+
+static void put_library_call(Scope *e, Text *out, Ref ref)
+{
+    const char *name = function_row((int)ir_at(e->ir, ref)->payload)->name;
+    chunks_add(e->session, &e->interface->chunks, name, e->job);
+    text_put(out, name);
+    put_list(e, out, ref);
+}
+
+static void put_apply(Scope *e, Text *out, Ref ref)
+{
+    text_put(out, emit_function_name(e->session, e->ir, (int)ir_at(e->ir, ref)->payload));
+    put_list(e, out, ref);
+}
+
+static void put_kernel_sum(Scope *e, Text *out, Ref ref)
+{
+    text_put(out, emit_function_name(e->session, e->ir, (int)ir_at(e->ir, ref)->payload));
+    text_put(out, "Sum");
+    put_list(e, out, ref);
 }
 
 static void put_special(Scope *e, Text *out, Ref ref)
 {
-    const IrNode *node = ir_at(e->ir, ref);
-    switch (node->op) {
-    case OP_select:
-        emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_or);
-        text_put(out, " ? ");
-        emit_expression(e, out, ir_arg(e->ir, ref, 1), PRECEDENCE_or);
-        text_put(out, " : ");
-        emit_expression(e, out, ir_arg(e->ir, ref, 2), PRECEDENCE_select);
+    switch (ir_at(e->ir, ref)->op) {
+#define WRITE(name, function)                                                                                          \
+    case OP_##name:                                                                                                    \
+        function(e, out, ref);                                                                                         \
         break;
-    case OP_vec:
-        put_vec(e, out, ref);
-        break;
-    case OP_linear:
-        put_linear(e, out, ref);
-        break;
-    case OP_swizzle:
-        emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_postfix);
-        text_char(out, '.');
-        for (int i = 0; i < type_table[node->type].lanes; i++)
-            text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
-        break;
-    case OP_call:
-        chunks_add(e->session, &e->interface->chunks, function_row((int)node->payload)->name, e->job);
-        text_put(out, function_row((int)node->payload)->name);
-        put_list(e, out, ref);
-        break;
-    case OP_apply:
-    case OP_kernel:
-        text_put(out, emit_function_name(e->session, e->ir, (int)node->payload));
-        text_put(out, node->op == OP_kernel ? "Sum" : "");
-        put_list(e, out, ref);
-        break;
+#include "grammar/ops.def"
     default:
-        put_leaf(e, out, ref);
         break;
+    }
+}
+
+static int precedence_of(const IrNode *node)
+{
+    switch (node->op) {
+#define PRECEDENCE(name, level)                                                                                        \
+    case OP_##name:                                                                                                    \
+        return PRECEDENCE_##level;
+#include "grammar/ops.def"
+    default:
+        return PRECEDENCE_postfix;
     }
 }
 

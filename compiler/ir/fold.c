@@ -1,5 +1,5 @@
-/* The value of an operation on constants, in double precision: from the `fold` column of ops.def for what works lane by
- * lane, from the C references for library functions. Serves the constant folder and ir_eval. */
+/* The value of an operation on constants, in double precision: from the FOLD lines of ops.def, from the C references for library
+ * functions. Serves the constant folder and ir_eval. */
 #include "compiler/ir/fold.h"
 #include "runtime/library/references.h"
 #include <math.h>
@@ -11,9 +11,9 @@ static double lane_value(Op op, double a, double b, double c)
 {
     (void)b, (void)c;
     switch (op) {
-#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
+#define FOLD(name, value)                                                                                              \
     case OP_##name:                                                                                                    \
-        return fold;
+        return value;
 #include "grammar/ops.def"
     default:
         return 0;
@@ -22,89 +22,97 @@ static double lane_value(Op op, double a, double b, double c)
 
 static double lane_of(const FoldArg *arg, int lane) { return arg->numbers[type_table[arg->type].lanes > 1 ? lane : 0]; }
 
-static bool fold_call(const ReferenceContext *context, int function, const FoldArg *args, int count, double *result)
+/* A comparison of vectors is none: GLSL has other functions for those. */
+static bool fold_lanes(const IrNode *node, const FoldArg *args, double *result)
+{
+    static const FoldArg none = {TYPE_float, {0}};
+    const FoldArg *b = node->count > 1 ? &args[1] : &none, *c = node->count > 2 ? &args[2] : &none;
+    const bool compares = op_table[node->op].rule == RULE_boolean;
+    int lanes = type_table[compares ? args[0].type : (Type)node->type].lanes;
+    if (compares && lanes > 1)
+        return false;
+    for (int i = 0; i < lanes; i++)
+        result[i] = lane_value((Op)node->op, lane_of(&args[0], i), lane_of(b, i), lane_of(c, i));
+    return true;
+}
+
+/* A node that does not work lane by lane, for the functions that stand under FOLD_NODE in ops.def. */
+typedef struct {
+    const ReferenceContext *context;
+    const IrNode *node;
+    const FoldArg *args;
+} Site;
+
+static void fold_call(const Site *s, double *result)
 {
     double numbers[MOST_CALL_NUMBERS];
     int used = 0;
-    for (int i = 0; i < count; i++)
-        for (int lane = 0; lane < type_table[args[i].type].lanes; lane++)
-            numbers[used++] = args[i].numbers[lane];
-    reference_of(function)(context, numbers, result);
-    return true;
+    for (int i = 0; i < s->node->count; i++)
+        for (int lane = 0; lane < type_table[s->args[i].type].lanes; lane++)
+            numbers[used++] = s->args[i].numbers[lane];
+    reference_of((int)s->node->payload)(s->context, numbers, result);
 }
 
-static void fold_vec(const FoldArg *args, int count, double *result)
+static void fold_vec(const Site *s, double *result)
 {
-    for (int i = 0; i < count; i++)
-        for (int lane = 0; lane < type_table[args[i].type].lanes; lane++)
-            *result++ = args[i].numbers[lane];
+    for (int i = 0; i < s->node->count; i++)
+        for (int lane = 0; lane < type_table[s->args[i].type].lanes; lane++)
+            *result++ = s->args[i].numbers[lane];
 }
 
-static double sum_of_products(const double *a, const double *b, int lanes)
+static void fold_swizzle(const Site *s, double *result)
+{
+    for (int i = 0; i < type_table[s->node->type].lanes; i++)
+        result[i] = s->args[0].numbers[s->node->payload >> 2 * i & 3];
+}
+
+static void fold_select(const Site *s, double *result)
+{
+    memcpy(result, s->args[s->args[0].numbers[0] != 0 ? 1 : 2].numbers, sizeof s->args[1].numbers);
+}
+
+static double sum_of_products(const FoldArg *a, const FoldArg *b)
 {
     double sum = 0;
-    for (int i = 0; i < lanes; i++)
-        sum += a[i] * b[i];
+    for (int i = 0; i < type_table[a->type].lanes; i++)
+        sum += a->numbers[i] * b->numbers[i];
     return sum;
 }
 
-static bool fold_lanes(Op op, Type type, const FoldArg *args, int count, double *result)
+static void fold_dot(const Site *s, double *result) { result[0] = sum_of_products(&s->args[0], &s->args[1]); }
+
+static void fold_length(const Site *s, double *result) { result[0] = sqrt(sum_of_products(&s->args[0], &s->args[0])); }
+
+static void fold_cross(const Site *s, double *result)
 {
-    static const FoldArg none = {TYPE_float, {0}};
-    const FoldArg *b = count > 1 ? &args[1] : &none, *c = count > 2 ? &args[2] : &none;
-    int lanes = type_table[op_table[op].rule == RULE_boolean ? args[0].type : type].lanes;
-    if (op_table[op].rule == RULE_boolean && lanes > 1)
-        return false;
-    for (int i = 0; i < lanes; i++)
-        result[i] = lane_value(op, lane_of(&args[0], i), lane_of(b, i), lane_of(c, i));
-    return true;
+    const double *a = s->args[0].numbers, *b = s->args[1].numbers;
+    for (int i = 0; i < 3; i++)
+        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payload, const FoldArg *args, int count,
-                double *result)
+static void fold_linear(const Site *s, double *result)
 {
-    const double *a = args[0].numbers, *b = args[1].numbers;
-    switch (op) {
-    case OP_vec:
-        fold_vec(args, count, result);
+    for (int i = 0; i < type_table[s->node->type].lanes; i++) {
+        result[i] = 0;
+        for (int k = 1; k < s->node->count; k++)
+            result[i] += s->args[k].numbers[i] * s->args[0].numbers[k - 1];
+    }
+}
+
+bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args, double *result)
+{
+    const Site site = {context, node, args};
+    switch (node->op) {
+#define FOLD(name, value)                                                                                              \
+    case OP_##name:                                                                                                    \
+        return fold_lanes(node, args, result);
+#define FOLD_NODE(name, function)                                                                                      \
+    case OP_##name:                                                                                                    \
+        function(&site, result);                                                                                       \
         return true;
-    case OP_swizzle:
-        for (int i = 0; i < type_table[type].lanes; i++)
-            result[i] = a[payload >> 2 * i & 3];
-        return true;
-    case OP_select:
-        memcpy(result, args[a[0] != 0 ? 1 : 2].numbers, sizeof args[1].numbers);
-        return true;
-    case OP_dot:
-        result[0] = sum_of_products(a, b, type_table[args[0].type].lanes);
-        return true;
-    case OP_length:
-        result[0] = sqrt(sum_of_products(a, a, type_table[args[0].type].lanes));
-        return true;
-    case OP_cross:
-        for (int i = 0; i < 3; i++)
-            result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
-        return true;
-    case OP_linear:
-        for (int i = 0; i < type_table[type].lanes; i++) {
-            result[i] = 0;
-            for (int k = 1; k < count; k++)
-                result[i] += args[k].numbers[i] * a[k - 1];
-        }
-        return true;
-    case OP_call:
-        return fold_call(context, (int)payload, args, count, result);
-    case OP_apply:
-    case OP_kernel:
-    case OP_const:
-    case OP_input:
-    case OP_uniform:
-    case OP_constant:
-    case OP_argument:
-    case OP_texture:
-        return false;
+#include "grammar/ops.def"
     default:
-        return fold_lanes(op, type, args, count, result);
+        return false;
     }
 }
 
@@ -114,22 +122,22 @@ bool fold_lane(Op op, const double *args, double *result)
     return isfinite(*result);
 }
 
-bool fold_node(const Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count, double *result)
+bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result)
 {
     FoldArg values[FOLD_OPERANDS];
-    if (count < 1 || count > FOLD_OPERANDS)
+    if (node->count < 1 || node->count > FOLD_OPERANDS)
         return false;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < node->count; i++)
         if (!ir_is(ir, args[i], OP_const))
             return false;
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < node->count; i++) {
         values[i].type = ir_type(ir, args[i]);
         memcpy(values[i].numbers, ir_numbers(ir, args[i]), sizeof(double) * (size_t)ir_lanes(ir, args[i]));
     }
     ReferenceContext context = {.noise = ir->noise};
-    if (!fold_value(&context, op, type, payload, values, count, result))
+    if (!fold_value(&context, node, values, result))
         return false;
-    for (int i = 0; i < type_table[type].lanes; i++)
+    for (int i = 0; i < type_table[node->type].lanes; i++)
         if (!isfinite(result[i]))
             return false; /* the shader decides what it makes of it */
     return true;

@@ -9,9 +9,8 @@ typedef struct {
     double numbers[4];
 } FoldArg;
 
-/* What `op` makes of its operands; false for a leaf and for an application of a function of the program. */
-bool fold_value(const ReferenceContext *context, Op op, Type type, uint32_t payload, const FoldArg *args, int count,
-                double *result);
+/* What the node's operation makes of operands; false where ops.def has no FOLD: of a leaf, and of what runs a function of the program. */
+bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args, double *result);
 
 /* Evaluates the outputs of an Ir at a point: the second oracle, which runs what the compiler made of a document.
  * inputs[Input] are the point; textures those of the context. result[i] are the lanes of output i.

@@ -3,8 +3,7 @@
 #include <string.h>
 
 const OpRow op_table[OP_COUNT] = {
-#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
-    {#name, SHAPE_##shape, glsl, arity, RULE_##rule, cost, doc},
+#define OP(name, shape, glsl, arity, rule, doc) {#name, SHAPE_##shape, glsl, arity, RULE_##rule, doc},
 #include "grammar/ops.def"
 };
 
@@ -310,12 +309,17 @@ uint8_t *ir_live(const Ir *ir, Arena *arena)
 int ir_cost(const Ir *ir, Ref ref)
 {
     const IrNode *node = &ir->nodes[ref];
-    if (node->op == OP_call)
-        return function_row((int)node->payload)->cost;
-    if (node->op == OP_dot || node->op == OP_length)
-        return op_table[node->op].cost * (2 * ir_lanes(ir, ir->args[node->first]) - 1);
-    int lanes = type_table[node->type].lanes;
-    return op_table[node->op].cost * lanes;
+    const int lanes = type_table[node->type].lanes;
+    switch (node->op) {
+#define operand_lanes ir_lanes(ir, ir_arg(ir, ref, 0))
+#define COST(name, count)                                                                                              \
+    case OP_##name:                                                                                                    \
+        return count;
+#include "grammar/ops.def"
+#undef operand_lanes
+    default:
+        return lanes;
+    }
 }
 
 /* What the function that a node runs costs, by the costs of single runs. */

@@ -8,7 +8,7 @@
 #include "runtime/library/reference.h"
 
 typedef enum {
-#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc) OP_##name,
+#define OP(name, shape, glsl, arity, rule, doc) OP_##name,
 #include "grammar/ops.def"
     OP_COUNT
 } Op;
@@ -20,7 +20,6 @@ typedef struct {
     const char *glsl;
     int arity;
     TypeRule rule;
-    int cost;
     const char *doc;
 } OpRow;
 extern const OpRow op_table[OP_COUNT];
@@ -236,8 +235,8 @@ void ir_dot(Text *out, const Ir *ir);
 /* Reads what ir_print wrote (tests); NULL and a message. Textures and uniforms are those of `graph`. */
 Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault);
 
-/* The value of a node on constant operands; false when it has none (a texture, an input). fold.c. */
-/* One lane of an operation that works by lane; false when it is not finite. */
+/* fold.c: one lane of an operation that works by lane; false when it is not finite. */
 bool fold_lane(Op op, const double *args, double *result);
-bool fold_node(const Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count, double *result);
+/* The value of a node on these operands, if they are constants; false when it has none (a texture, an input). */
+bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result);
 #endif

@@ -3,21 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-static const char *check_arity(const Ir *ir, const IrNode *node)
+static const char *check_arity(const IrNode *node)
 {
     int arity = op_table[node->op].arity;
-    if (arity >= 0 && arity != node->count)
-        return "a node has the wrong number of operands";
-    if (node->op == OP_call && strlen(function_arguments((int)node->payload)) != node->count)
-        return "a call has the wrong number of arguments";
-    if (node->op == OP_kernel &&
-        (node->payload >= ir->function_count || ir->functions[node->payload].count + 1 != node->count ||
-         ir_type(ir, ir->args[node->first + node->count - 1u]) != TYPE_vec3))
-        return "a kernel does not fit its function";
-    if (node->op == OP_apply &&
-        (node->payload >= ir->function_count || ir->functions[node->payload].count != node->count))
-        return "an application does not fit its function";
-    return NULL;
+    return arity >= 0 && arity != node->count ? "a node has the wrong number of operands" : NULL;
 }
 
 static const char *check_call(const Ir *ir, Ref ref)
@@ -26,13 +15,15 @@ static const char *check_call(const Ir *ir, Ref ref)
     static const Type types[] = {TYPE_bool, TYPE_int, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4, TYPE_sampler};
     const IrNode *node = ir_at(ir, ref);
     const char *arguments = function_arguments((int)node->payload);
+    if (strlen(arguments) != node->count)
+        return "a call has the wrong number of arguments";
     for (int i = 0; i < node->count; i++)
         if (ir_type(ir, ir_arg(ir, ref, i)) != types[strchr(letters, arguments[i]) - letters])
             return "a call's argument has the wrong type";
     return node->type == function_row((int)node->payload)->result ? NULL : "a call has the wrong type";
 }
 
-static const char *check_apply(const Ir *ir, Ref ref)
+static const char *check_application(const Ir *ir, Ref ref)
 {
     const IrFunction *function = &ir->functions[ir_at(ir, ref)->payload];
     if (function->result >= ref)
@@ -41,6 +32,23 @@ static const char *check_apply(const Ir *ir, Ref ref)
         if (ir_type(ir, ir_arg(ir, ref, i)) != ir_type(ir, function->arguments[i]))
             return "an application's argument has the wrong type";
     return ir_type(ir, ref) == ir_type(ir, function->result) ? NULL : "an application has the wrong type";
+}
+
+static const char *check_apply(const Ir *ir, Ref ref)
+{
+    const IrNode *node = ir_at(ir, ref);
+    if (node->payload >= ir->function_count || ir->functions[node->payload].count != node->count)
+        return "an application does not fit its function";
+    return check_application(ir, ref);
+}
+
+static const char *check_kernel(const Ir *ir, Ref ref)
+{
+    const IrNode *node = ir_at(ir, ref);
+    if (node->payload >= ir->function_count || ir->functions[node->payload].count + 1 != node->count ||
+        ir_type(ir, ir_arg(ir, ref, node->count - 1)) != TYPE_vec3)
+        return "a kernel does not fit its function";
+    return check_application(ir, ref);
 }
 
 static const char *check_widest(const Ir *ir, Ref ref)
@@ -71,41 +79,56 @@ static const char *check_boolean(const Ir *ir, Ref ref)
     return node->type == TYPE_bool ? NULL : "a comparison is not a truth value";
 }
 
+static const char *check_const(const Ir *ir, Ref ref)
+{
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if (!isfinite(ir_numbers(ir, ref)[i]))
+            return "a constant is not finite";
+    return NULL;
+}
+
+static const char *check_select(const Ir *ir, Ref ref)
+{
+    const Type type = ir_type(ir, ref);
+    if (ir_type(ir, ir_arg(ir, ref, 0)) != TYPE_bool)
+        return "a select's condition is not a truth value";
+    if (ir_type(ir, ir_arg(ir, ref, 1)) != type || ir_type(ir, ir_arg(ir, ref, 2)) != type)
+        return "a select's arms have another type";
+    return NULL;
+}
+
+static const char *check_vec(const Ir *ir, Ref ref)
+{
+    int lanes = 0;
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
+        lanes += ir_lanes(ir, ir_arg(ir, ref, i));
+    return lanes == ir_lanes(ir, ref) && lanes > 1 ? NULL : "a vector's parts do not fill it";
+}
+
+static const char *check_linear(const Ir *ir, Ref ref)
+{
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
+        if (ir_type(ir, ir_arg(ir, ref, i)) != ir_type(ir, ref))
+            return "a matrix and its vector differ in lanes";
+    return ir_at(ir, ref)->count == ir_lanes(ir, ref) + 1 ? NULL : "a matrix has the wrong number of columns";
+}
+
+static const char *check_swizzle(const Ir *ir, Ref ref)
+{
+    for (int i = 0; i < ir_lanes(ir, ref); i++)
+        if ((int)(ir_at(ir, ref)->payload >> 2 * i & 3) >= ir_lanes(ir, ir_arg(ir, ref, 0)))
+            return "a swizzle takes a lane that is not there";
+    return NULL;
+}
+
+/* The CHECK lines of ops.def. */
 static const char *check_special(const Ir *ir, Ref ref)
 {
-    const IrNode *node = ir_at(ir, ref);
-    int lanes = 0;
-    switch (node->op) {
-    case OP_const:
-        for (int i = 0; i < type_table[node->type].lanes; i++)
-            if (!isfinite(ir_numbers(ir, ref)[i]))
-                return "a constant is not finite";
-        return NULL;
-    case OP_select:
-        if (ir_type(ir, ir_arg(ir, ref, 0)) != TYPE_bool)
-            return "a select's condition is not a truth value";
-        return ir_type(ir, ir_arg(ir, ref, 1)) == node->type && ir_type(ir, ir_arg(ir, ref, 2)) == node->type
-                   ? NULL
-                   : "a select's arms have another type";
-    case OP_vec:
-        for (int i = 0; i < node->count; i++)
-            lanes += ir_lanes(ir, ir_arg(ir, ref, i));
-        return lanes == type_table[node->type].lanes && lanes > 1 ? NULL : "a vector's parts do not fill it";
-    case OP_linear:
-        for (int i = 0; i < node->count; i++)
-            if (ir_type(ir, ir_arg(ir, ref, i)) != node->type)
-                return "a matrix and its vector differ in lanes";
-        return node->count == type_table[node->type].lanes + 1 ? NULL : "a matrix has the wrong number of columns";
-    case OP_swizzle:
-        for (int i = 0; i < type_table[node->type].lanes; i++)
-            if ((int)(node->payload >> 2 * i & 3) >= ir_lanes(ir, ir_arg(ir, ref, 0)))
-                return "a swizzle takes a lane that is not there";
-        return NULL;
-    case OP_call:
-        return check_call(ir, ref);
-    case OP_apply:
-    case OP_kernel:
-        return check_apply(ir, ref);
+    switch (ir_at(ir, ref)->op) {
+#define CHECK(name, function)                                                                                          \
+    case OP_##name:                                                                                                    \
+        return function(ir, ref);
+#include "grammar/ops.def"
     default:
         return NULL;
     }
@@ -114,7 +137,7 @@ static const char *check_special(const Ir *ir, Ref ref)
 static const char *check_node(const Ir *ir, Ref ref)
 {
     const IrNode *node = ir_at(ir, ref);
-    const char *fault = check_arity(ir, node);
+    const char *fault = check_arity(node);
     for (int i = 0; !fault && i < node->count; i++)
         if (ir_arg(ir, ref, i) >= ref || !ir_arg(ir, ref, i))
             fault = "an operand comes after its user";

@@ -19,25 +19,38 @@ typedef struct {
 
 static void eval(Evaluator *e, Frame *frame, Ref result);
 
+/* A node whose operands are known, for the functions that stand under EVAL in ops.def. */
+typedef struct {
+    Evaluator *e;
+    const Frame *frame;
+    const IrNode *node;
+    Ref ref;
+    const FoldArg *args;
+} Site;
+
 static double rounded(const Evaluator *e, const IrNode *node, const FoldArg *args, double value)
 {
     return e->rounding ? e->rounding->round(e->rounding->user, node, args, value) : value;
 }
 
-static void load_argument(const Evaluator *e, const Frame *frame, Ref ref, FoldArg *arg)
+static void copy(const IrNode *node, const double *numbers, double *result)
 {
-    arg->type = ir_type(e->ir, ref);
-    memcpy(arg->numbers, frame->value[ref], sizeof arg->numbers);
+    memcpy(result, numbers, sizeof *numbers * (size_t)type_table[node->type].lanes);
 }
 
-static void eval_apply(Evaluator *e, const IrNode *node, const FoldArg *args, double *result)
+static void eval_const(const Site *s, double *result) { copy(s->node, ir_numbers(s->e->ir, s->ref), result); }
+static void eval_input(const Site *s, double *result) { copy(s->node, s->e->inputs[s->node->payload], result); }
+/* A sampler has no lanes; the reference gets its number. */
+static void eval_texture(const Site *s, double *result) { result[0] = s->node->payload; }
+
+static void eval_uniform(const Site *s, double *result)
 {
-    Frame inner = {.function = &e->ir->functions[node->payload], .arguments = args};
-    Ref body = inner.function->result;
-    inner.value = arena_alloc(&e->scratch, sizeof *inner.value * (body + 1));
-    inner.known = arena_zero(&e->scratch, body + 1);
-    eval(e, &inner, body);
-    memcpy(result, inner.value[body], sizeof *inner.value);
+    copy(s->node, s->e->ir->graph->uniforms[s->node->payload]->initial, result);
+}
+
+static void eval_constant(const Site *s, double *result)
+{
+    copy(s->node, s->e->ir->constants[s->node->payload].numbers, result);
 }
 
 /* Its place among the arguments, which is not the number it was made with once others were dropped. */
@@ -49,22 +62,51 @@ static int argument_number(const IrFunction *function, Ref argument)
     return i;
 }
 
+static void eval_argument(const Site *s, double *result)
+{
+    copy(s->node, s->frame->arguments[argument_number(s->frame->function, s->ref)].numbers, result);
+}
+
+static void run_function(const Site *s, const FoldArg *args, double *result)
+{
+    Evaluator *e = s->e;
+    Frame inner = {.function = &e->ir->functions[s->node->payload], .arguments = args};
+    Ref body = inner.function->result;
+    inner.value = arena_alloc(&e->scratch, sizeof *inner.value * (body + 1));
+    inner.known = arena_zero(&e->scratch, body + 1);
+    eval(e, &inner, body);
+    memcpy(result, inner.value[body], sizeof *inner.value);
+}
+
+static void eval_apply(const Site *s, double *result) { run_function(s, s->args, result); }
+
 /* Each partial sum is rounded. The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
-static void eval_kernel(Evaluator *e, const IrNode *node, const FoldArg *args, double *result)
+static void eval_kernel(const Site *s, double *result)
 {
     FoldArg moved[FOLD_OPERANDS];
-    const double *size = args[node->count - 1].numbers;
+    const IrNode *node = s->node;
+    const double *size = s->args[node->count - 1].numbers;
     for (int n = 0; n < KERNEL_POINTS; n++) {
         const double offset[3] = {0.5 * (n / 9 - 1) * size[0], 0.5 * (n / 3 % 3 - 1) * size[1],
                                   0.5 * (n % 3 - 1) * size[2]};
         double value[4] = {0};
-        memcpy(moved, args, sizeof moved);
+        memcpy(moved, s->args, sizeof moved);
         for (int i = 0; i < node->count - 1; i++)
-            for (int lane = 0; lane < type_table[args[i].type].lanes; lane++)
+            for (int lane = 0; lane < type_table[s->args[i].type].lanes; lane++)
                 moved[i].numbers[lane] += offset[lane];
-        eval_apply(e, node, moved, value);
+        run_function(s, moved, value);
         for (int lane = 0; lane < type_table[node->type].lanes; lane++)
-            result[lane] = rounded(e, node, args, result[lane] + value[lane]);
+            result[lane] = rounded(s->e, node, s->args, result[lane] + value[lane]);
+    }
+}
+
+static void load_arguments(const Evaluator *e, const Frame *frame, Ref ref, FoldArg *args)
+{
+    const IrNode *node = ir_at(e->ir, ref);
+    for (int i = 0; i < node->count; i++) {
+        const Ref arg = ir_arg(e->ir, ref, i);
+        args[i].type = ir_type(e->ir, arg) == TYPE_sampler ? TYPE_float : ir_type(e->ir, arg);
+        memcpy(args[i].numbers, frame->value[arg], sizeof args[i].numbers);
     }
 }
 
@@ -73,41 +115,17 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
     const IrNode *node = ir_at(e->ir, ref);
     double *result = frame->value[ref];
     FoldArg args[FOLD_OPERANDS];
+    const Site site = {e, frame, node, ref, args};
     memset(result, 0, sizeof *frame->value);
-    for (int i = 0; i < node->count; i++)
-        load_argument(e, frame, ir_arg(e->ir, ref, i), &args[i]);
-    size_t size = sizeof(double) * (size_t)type_table[node->type].lanes;
+    load_arguments(e, frame, ref, args);
     switch (node->op) {
-    case OP_const:
-        memcpy(result, ir_numbers(e->ir, ref), size);
+#define EVAL(name, function)                                                                                           \
+    case OP_##name:                                                                                                    \
+        function(&site, result);                                                                                       \
         break;
-    case OP_input:
-        memcpy(result, e->inputs[node->payload], size);
-        break;
-    case OP_uniform:
-        memcpy(result, e->ir->graph->uniforms[node->payload]->initial, size);
-        break;
-    case OP_constant:
-        memcpy(result, e->ir->constants[node->payload].numbers, size);
-        break;
-    case OP_argument:
-        memcpy(result, frame->arguments[argument_number(frame->function, ref)].numbers, size);
-        break;
-    case OP_texture:
-        result[0] = node->payload;
-        break;
-    case OP_apply:
-        eval_apply(e, node, args, result);
-        break;
-    case OP_kernel:
-        eval_kernel(e, node, args, result);
-        break;
+#include "grammar/ops.def"
     default:
-        if (node->op == OP_call) /* a sampler has no lanes; the reference gets its number */
-            for (int i = 0; i < node->count; i++)
-                if (args[i].type == TYPE_sampler)
-                    args[i].type = TYPE_float;
-        fold_value(e->context, (Op)node->op, (Type)node->type, node->payload, args, node->count, result);
+        fold_value(e->context, node, args, result);
     }
     for (int i = 0; i < type_table[node->type].lanes; i++)
         result[i] = rounded(e, node, args, result[i]);

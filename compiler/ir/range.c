@@ -20,6 +20,8 @@ Interval range_kept(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return r->lanes == 1 ? r->of[ref] : r->of[(Ref)r->lanes * ref + (Ref)(ir_lanes(ir, ref) == 1 ? 0 : lane)];
 }
 
+static Interval between(double low, double high) { return (Interval){low, high}; }
+
 static Interval hull(Interval a, Interval b) { return (Interval){fmin(a.low, b.low), fmax(a.high, b.high)}; }
 
 /* Of all lanes of an operand. */
@@ -77,8 +79,9 @@ static Interval loose(Interval a)
     return (Interval){a.low - SLACK * fmax(fabs(a.low), 1), a.high + SLACK * fmax(fabs(a.high), 1)};
 }
 
-/* A function that rises, between its values at both ends. */
-static Interval rising(double (*f)(double), Interval a) { return loose((Interval){f(a.low), f(a.high)}); }
+/* A function that never falls, between its values at both ends; and one that a driver computes as it likes. */
+static Interval ends(double (*f)(double), Interval a) { return between(f(a.low), f(a.high)); }
+static Interval rising(double (*f)(double), Interval a) { return loose(ends(f, a)); }
 
 static Interval power(Interval a, Interval b)
 {
@@ -140,9 +143,10 @@ static Interval exponent_range(Interval a)
     return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
 }
 
-static Interval call_range(const Ir *ir, Ref ref, const Ranges *r)
+static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const int function = (int)ir_at(ir, ref)->payload;
+    (void)lane;
     switch (function) {
     case FN_turbulence:
         return octaves_range(whole(r, ir, ir_arg(ir, ref, 1)), whole(r, ir, ir_arg(ir, ref, 3)));
@@ -154,28 +158,30 @@ static Interval call_range(const Ir *ir, Ref ref, const Ranges *r)
 }
 
 /* The sum of the products of lanes; of one lane alone, where all are as one, as often as there are lanes. */
-static Interval dot_range(const Ir *ir, Ref ref, const Ranges *r)
+static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
     Interval all = {0, 0};
-    for (int lane = 0; lane < ir_lanes(ir, a); lane++) {
-        Interval x = range_of(r, ir, a, lane), y = range_of(r, ir, b, lane);
+    (void)lane;
+    for (int i = 0; i < ir_lanes(ir, a); i++) {
+        Interval x = range_of(r, ir, a, i), y = range_of(r, ir, b, i);
         all = sum(all, a == b ? square(x) : times(x, y));
     }
     return all;
 }
 
-static Interval length_range(const Ir *ir, Ref ref, const Ranges *r)
+static Interval length_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Ref a = ir_arg(ir, ref, 0);
     double squares = 0;
-    for (int lane = 0; lane < ir_lanes(ir, a); lane++)
-        squares += square(range_of(r, ir, a, lane)).high;
+    (void)lane;
+    for (int i = 0; i < ir_lanes(ir, a); i++)
+        squares += square(range_of(r, ir, a, i)).high;
     return loose((Interval){0, sqrt(squares)});
 }
 
 /* A lane of a matrix times a vector, by its columns. */
-static Interval linear_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
+static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Interval all = {0, 0};
     for (int i = 1; i < ir_at(ir, ref)->count; i++)
@@ -184,7 +190,7 @@ static Interval linear_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
 }
 
 /* The operand that a vector's lane comes from; all of them, where one interval is kept. */
-static Interval vec_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
+static Interval vec_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Interval all = range_of(r, ir, ir_arg(ir, ref, 0), 0);
     for (int i = 0, first = 0; i < ir_at(ir, ref)->count; i++) {
@@ -199,76 +205,46 @@ static Interval vec_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
     return all;
 }
 
-static Interval numbers(const Ir *ir, Ref ref, int lane, const Ranges *r)
+static Interval const_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
+    if (ir_type(ir, ref) == TYPE_sampler)
+        return everything;
     const double *at = ir_numbers(ir, ref);
-    Interval range = {at[lane], at[lane]};
+    Interval range = between(at[lane], at[lane]);
     for (int i = 1; r->lanes == 1 && i < ir_lanes(ir, ref); i++)
-        range = hull(range, (Interval){at[i], at[i]});
+        range = hull(range, between(at[i], at[i]));
     return range;
 }
 
-/* Operations that work lane by lane. */
-static Interval lane_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
+static Interval swizzle_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return range_of(r, ir, ir_arg(ir, ref, 0), (int)(ir_at(ir, ref)->payload >> 2 * lane & 3));
+}
+
+static Interval apply_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return range_of(r, ir, ir->functions[ir_at(ir, ref)->payload].result, lane);
+}
+
+static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return times(apply_range(r, ir, ref, lane), between(KERNEL_POINTS, KERNEL_POINTS));
+}
+
+/* Of an operation that works lane by lane: the RANGE lines of ops.def. */
+static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const IrNode *node = ir_at(ir, ref);
+    const bool squared = node->count == 2 && ir_arg(ir, ref, 0) == ir_arg(ir, ref, 1);
     Interval x[3] = {everything, everything, everything}, a, b, c;
     for (int i = 0; i < node->count && i < 3; i++)
         x[i] = range_of(r, ir, ir_arg(ir, ref, i), lane);
     a = x[0], b = x[1], c = x[2];
     switch (node->op) {
-    case OP_neg:
-        return negative(a);
-    case OP_abs:
-        return magnitude(a);
-    case OP_floor:
-        return (Interval){floor(a.low), floor(a.high)};
-    case OP_ceil:
-        return (Interval){ceil(a.low), ceil(a.high)};
-    case OP_fract:
-    case OP_step:
-        return (Interval){0, 1};
-    case OP_sign:
-        return (Interval){(a.low > 0) - (a.low < 0), (a.high > 0) - (a.high < 0)};
-    case OP_sqrt:
-        return rising(sqrt, (Interval){fmax(a.low, 0), fmax(a.high, 0)});
-    case OP_exp:
-        return rising(exp, a);
-    case OP_exp2:
-        return rising(exp2, a);
-    case OP_log:
-        return a.low > 0 ? rising(log, a) : everything;
-    case OP_sin:
-    case OP_cos:
-        return (Interval){-1, 1};
-    case OP_asin:
-        return loose((Interval){-M_PI / 2, M_PI / 2});
-    case OP_acos:
-        return loose((Interval){0, M_PI});
-    case OP_atan:
-        return rising(atan, a);
-    case OP_atan2:
-        return loose((Interval){-M_PI, M_PI});
-    case OP_add:
-        return sum(a, b);
-    case OP_sub:
-        return sum(a, negative(b));
-    case OP_mul:
-        return ir_arg(ir, ref, 0) == ir_arg(ir, ref, 1) ? square(a) : times(a, b);
-    case OP_div:
-        return quotient(a, b);
-    case OP_mod:
-        return remainder_of(a, b);
-    case OP_pow:
-        return power(a, b);
-    case OP_min:
-        return (Interval){fmin(a.low, b.low), fmin(a.high, b.high)};
-    case OP_max:
-        return (Interval){fmax(a.low, b.low), fmax(a.high, b.high)};
-    case OP_clamp:
-        return (Interval){fmin(fmax(a.low, b.low), c.low), fmin(fmax(a.high, b.high), c.high)};
-    case OP_mix:
-        return mixed(a, b, c);
+#define RANGE(name, interval)                                                                                          \
+    case OP_##name:                                                                                                    \
+        return interval;
+#include "grammar/ops.def"
     default:
         return everything;
     }
@@ -276,31 +252,24 @@ static Interval lane_range(const Ir *ir, Ref ref, int lane, const Ranges *r)
 
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
-    const IrNode *node = ir_at(ir, ref);
-    switch (node->op) {
-    case OP_const:
-        return node->type == TYPE_sampler ? everything : numbers(ir, ref, lane, r);
-    case OP_swizzle:
-        return range_of(r, ir, ir_arg(ir, ref, 0), (int)(node->payload >> 2 * lane & 3));
-    case OP_vec:
-        return vec_range(ir, ref, lane, r);
-    case OP_select:
-        return range_select(r, ir, ref, lane);
-    case OP_dot:
-        return dot_range(ir, ref, r);
-    case OP_length:
-        return length_range(ir, ref, r);
-    case OP_linear:
-        return linear_range(ir, ref, lane, r);
-    case OP_call:
-        return call_range(ir, ref, r);
-    case OP_kernel:
-        return times(range_of(r, ir, ir->functions[node->payload].result, lane),
-                     (Interval){KERNEL_POINTS, KERNEL_POINTS});
-    case OP_apply:
-        return range_of(r, ir, ir->functions[node->payload].result, lane);
+    switch (ir_at(ir, ref)->op) {
+#define RANGE_NODE(name, function)                                                                                     \
+    case OP_##name:                                                                                                    \
+        return function(r, ir, ref, lane);
+#include "grammar/ops.def"
     default:
-        return lane_range(ir, ref, lane, r);
+        return lane_range(r, ir, ref, lane);
+    }
+}
+
+bool range_is_exact(Op op)
+{
+    switch (op) {
+#define EXACT(name) case OP_##name:
+#include "grammar/ops.def"
+        return true;
+    default:
+        return false;
     }
 }
 

@@ -89,37 +89,34 @@ static Line vec_line(const Lower *l, Ref ref, int lane)
     return start(ref, own);
 }
 
-/* By the lines of the operands. */
+static Line negated_line(const Lower *l, Ref ref, int lane)
+{
+    return scaled(line_of(l, ir_arg(l->ir, ref, 0), lane), -1);
+}
+
+static Line swizzle_line(const Lower *l, Ref ref, int lane)
+{
+    return line_of(l, ir_arg(l->ir, ref, 0), (int)(ir_at(l->ir, ref)->payload >> 2 * lane & 3));
+}
+
+/* By the lines of the operands: the AFFINE lines of ops.def. */
 static Line new_line(const Lower *l, Ref ref, int lane)
 {
-    const IrNode *node = ir_at(l->ir, ref);
-    switch (node->op) {
-    case OP_add:
-    case OP_sub:
-        return sum_line(l, ref, lane);
-    case OP_mul:
-        return product_line(l, ref, lane);
-    case OP_neg:
-        return scaled(line_of(l, ir_arg(l->ir, ref, 0), lane), -1);
-    case OP_linear:
-        return linear_line(l, ref, lane);
-    case OP_vec:
-        return vec_line(l, ref, lane);
+    switch (ir_at(l->ir, ref)->op) {
+#define AFFINE(name, function)                                                                                         \
+    case OP_##name:                                                                                                    \
+        return function(l, ref, lane);
+#include "grammar/ops.def"
     default:
-        return line_of(l, ir_arg(l->ir, ref, 0), (int)(node->payload >> 2 * lane & 3));
+        return start(ref, lane);
     }
 }
 
 static bool is_affine(const IrNode *node)
 {
     switch (node->op) {
-    case OP_add:
-    case OP_sub:
-    case OP_mul:
-    case OP_neg:
-    case OP_linear:
-    case OP_vec:
-    case OP_swizzle:
+#define AFFINE(name, function) case OP_##name:
+#include "grammar/ops.def"
         return node->type >= TYPE_float && node->type <= TYPE_vec4;
     default:
         return false;

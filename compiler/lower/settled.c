@@ -19,7 +19,7 @@ static Ref fold(Lower *l, Ref ref)
     for (int i = 0; i < node.count; i++)
         if (!(args[i] = l->settled[ir_arg(l->ir, ref, i)]))
             return 0;
-    if (!fold_node(l->ir, (Op)node.op, (Type)node.type, node.payload, args, node.count, numbers))
+    if (!fold_node(l->ir, &node, args, numbers))
         return 0;
     return ir_const(l->ir, (Type)node.type, numbers);
 }

@@ -1,9 +1,9 @@
-/* Derivatives by the chain rule, from the `slope` column of ops.def and the rows of slopes.def. Every (value, direction) is
+/* Derivatives by the chain rule, from the SLOPE lines of ops.def and the rows of slopes.def. Every (value, direction) is
  * differentiated once. */
 #include "compiler/lower/slope.h"
 #include <string.h>
 
-enum { UNKNOWN = 0 };
+enum { UNKNOWN = 0, LANE_OPERANDS = 3 };
 static const Ref FLAT = UINT32_MAX; /* in the memo: it does not change */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
@@ -70,13 +70,15 @@ static Ref arc(Lower *l, Ref a)
 #define SCALED(a, k)  MUL(a, K(k))
 #define ARC(a)        arc(l, a)
 
-/* Of an operation that works by lane. */
-static Ref lanes_slope(Lower *l, Op op, Ref r, const Ref *x, const Ref *dx)
+static Ref operand(const Ir *ir, Ref ref, int i) { return i < ir_at(ir, ref)->count ? ir_arg(ir, ref, i) : 0; }
+
+/* Of an operation that works by lane: the SLOPE lines of ops.def. */
+static Ref lanes_slope(Lower *l, Ref r, const Ref *slopes)
 {
-    Ref a = x[0], b = x[1], c = x[2], da = dx[0], db = dx[1], dc = dx[2];
-    (void)a, (void)b, (void)c, (void)da, (void)db, (void)dc, (void)r;
-    switch (op) {
-#define OP(name, shape, glsl, arity, rule, cost, fold, slope, doc)                                                     \
+    Ref a = operand(l->ir, r, 0), b = operand(l->ir, r, 1), c = operand(l->ir, r, 2);
+    Ref da = slopes[0], db = slopes[1], dc = slopes[2];
+    switch (ir_at(l->ir, r)->op) {
+#define SLOPE(name, slope)                                                                                             \
     case OP_##name:                                                                                                    \
         return slope;
 #include "grammar/ops.def"
@@ -85,10 +87,12 @@ static Ref lanes_slope(Lower *l, Op op, Ref r, const Ref *x, const Ref *dx)
     }
 }
 
-/* The operands' derivatives, 0 where there is none; whether any changes. */
+/* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any changes. */
 static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 {
     bool any = false;
+    for (int i = 0; i < LANE_OPERANDS; i++)
+        slopes[i] = 0;
     for (int i = 0; i < ir_at(l->ir, ref)->count; i++) {
         slopes[i] = slope_of(l, ir_arg(l->ir, ref, i), direction);
         any |= slopes[i] != 0;
@@ -105,6 +109,11 @@ static Ref vec_slope(Lower *l, Ref ref, const Ref *slopes)
         parts[i] = slopes[i] ? slopes[i] : zero_of(l, type);
     }
     return ir_vec(l->ir, ir_type(l->ir, ref), parts, count);
+}
+
+static Ref swizzle_slope(Lower *l, Ref ref, const Ref *slopes)
+{
+    return ir_swizzle_lanes(l->ir, slopes[0], ir_at(l->ir, ref)->payload, ir_lanes(l->ir, ref));
 }
 
 static Ref filled(Lower *l, Ref slope, Ref like) { return slope ? slope : zero_of(l, ir_type(l->ir, like)); }
@@ -246,8 +255,9 @@ static Ref apply_slope(Lower *l, Ref ref, Direction direction)
     return ir_make(l->ir, (Op)node.op, ir_type(l->ir, slope), (uint32_t)derived, args, node.count);
 }
 
-static Ref input_slope(Lower *l, Input input, Direction direction)
+static Ref input_slope(Lower *l, Ref ref, Direction direction)
 {
+    const Input input = (Input)ir_at(l->ir, ref)->payload;
     static const struct {
         Input of, by[2];
     } tangents[] = {{INPUT_X, {INPUT_XU, INPUT_XV}}, {INPUT_P, {INPUT_DU, INPUT_DV}}};
@@ -268,36 +278,20 @@ static Ref input_slope(Lower *l, Input input, Direction direction)
 
 static Ref differentiate(Lower *l, Ref ref, Direction direction)
 {
-    const IrNode node = *ir_at(l->ir, ref);
-    Ref slopes[UINT8_MAX], x[3] = {0};
-    if (node.op == OP_input)
-        return input_slope(l, (Input)node.payload, direction);
-    if (ir_applies(l->ir, ref))
-        return apply_slope(l, ref, direction);
-    if (!node.count || !operand_slopes(l, ref, direction, slopes))
-        return 0;
-    for (int i = node.count; i < 3; i++)
-        slopes[i] = 0;
-    for (int i = 0; i < node.count && i < 3; i++)
-        x[i] = ir_arg(l->ir, ref, i);
-    switch (node.op) {
-    case OP_vec:
-        return vec_slope(l, ref, slopes);
-    case OP_swizzle:
-        return ir_swizzle_lanes(l->ir, slopes[0], node.payload, type_table[node.type].lanes);
-    case OP_select:
-        return select_slope(l, ref, slopes);
-    case OP_dot:
-    case OP_cross:
-        return bilinear_slope(l, ref, slopes);
-    case OP_length:
-        return length_slope(l, ref, slopes);
-    case OP_linear:
-        return linear_slope(l, ref, slopes);
-    case OP_call:
-        return call_slope(l, ref, slopes);
+    Ref slopes[UINT8_MAX];
+    switch (ir_at(l->ir, ref)->op) {
+#define SLOPE_ALONG(name, function)                                                                                    \
+    case OP_##name:                                                                                                    \
+        return function(l, ref, direction);
+#define SLOPE_NODE(name, function)                                                                                     \
+    case OP_##name:                                                                                                    \
+        return operand_slopes(l, ref, direction, slopes) ? function(l, ref, slopes) : 0;
+#define SLOPE(name, slope)                                                                                             \
+    case OP_##name:                                                                                                    \
+        return operand_slopes(l, ref, direction, slopes) ? lanes_slope(l, ref, slopes) : 0;
+#include "grammar/ops.def"
     default:
-        return lanes_slope(l, (Op)node.op, ref, x, slopes);
+        return 0;
     }
 }
 

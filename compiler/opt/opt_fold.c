@@ -6,7 +6,7 @@ Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user)
     (void)user;
     const IrNode *node = ir_at(ir, ref);
     double result[4];
-    if (!fold_node(ir, (Op)node->op, (Type)node->type, node->payload, &ir->args[node->first], node->count, result))
+    if (!fold_node(ir, node, &ir->args[node->first], result))
         return ref;
     return ir_const(ir, (Type)node->type, result);
 }

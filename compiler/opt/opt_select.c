@@ -52,7 +52,7 @@ static Ref through_select(Ir *ir, Ref ref)
         return ref;
     double result[2][4];
     for (int side = 0; side < 2; side++)
-        if (!fold_node(ir, (Op)node.op, (Type)node.type, node.payload, arms[side], node.count, result[side]))
+        if (!fold_node(ir, &node, arms[side], result[side]))
             return ref;
     Ref a = ir_const(ir, (Type)node.type, result[0]), b = ir_const(ir, (Type)node.type, result[1]);
     return a == b ? a : ir_select(ir, condition, a, b);

@@ -4,20 +4,10 @@
 static int bounded_function(Op op)
 {
     switch (op) {
-    case OP_sin:
-        return FN_sineBounded;
-    case OP_cos:
-        return FN_cosineBounded;
-    case OP_tan:
-        return FN_tangentBounded;
-    case OP_asin:
-        return FN_arcsineBounded;
-    case OP_acos:
-        return FN_arccosineBounded;
-    case OP_atan:
-        return FN_arctangentBounded;
-    case OP_atan2:
-        return FN_angleBounded;
+#define BOUNDED(name, function)                                                                                        \
+    case OP_##name:                                                                                                    \
+        return FN_##function;
+#include "grammar/ops.def"
     default:
         return -1;
     }
