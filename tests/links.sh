@@ -1,8 +1,9 @@
 #!/bin/sh
-# Links, pipes and folders planted where matc writes: nothing outside changes, and what is written is what it would be without them.
-# links.sh MATC. Run from the project's root.
+# Links, pipes and folders planted where matc and matview write: nothing outside changes, and what is written is what it would be
+# without them. links.sh MATC MATVIEW. Run from the project's root.
 set -u
 matc=$1
+matview=$2
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 . tests/check.sh
@@ -131,11 +132,41 @@ $fast examples/checker.yaml -o /dev/stdout >"$work/piped"
 check "standard output by a name" cmp "$work/right/one" "$work/piped"
 check "is still there" test -L /dev/stdout
 mkfifo "$work/fifo"
-cat "$work/fifo" >"$work/piped" &
+timeout 5 cat "$work/fifo" >"$work/piped" &
 check "a pipe" status 0 timeout 20 $fast examples/checker.yaml -o "$work/fifo"
 wait
 check "gets what is written" cmp "$work/right/one" "$work/piped"
 check "and stays one" test -p "$work/fifo"
+
+# -- pictures
+
+draw="$matview --size=8 --samples=1 examples/checker.yaml"
+$draw -o "$work/right/picture" >"$work/stdout"
+is_png() { [ "$(od -An -tx1 -N8 "$1")" = ' 89 50 4e 47 0d 0a 1a 0a' ]; }
+check "a picture" is_png "$work/right/picture"
+check "whose name is said" test "$(cat "$work/stdout")" = "$work/right/picture"
+for kind in link nowhere name; do
+    fresh
+    mkdir "$work/made"
+    plant $kind "$work/made/picture"
+    plant $kind "$work/made/picture.0.tmp"
+    check "a picture: a $kind" status 0 $draw -o "$work/made/picture"
+    check "a picture: harms nobody" unharmed
+    check "a picture: is a file" is_file "$work/made/picture"
+    check "a picture: of the right bytes" cmp "$work/right/picture" "$work/made/picture"
+done
+timeout 5 cat "$work/fifo" >"$work/piped" &
+check "a picture into a pipe" status 0 timeout 20 $draw -o "$work/fifo"
+wait
+check "gets there" cmp "$work/right/picture" "$work/piped"
+check "and the pipe stays" test -p "$work/fifo"
+$draw -o /dev/stdout | head -c "$(stat -c %s "$work/right/picture")" >"$work/piped"
+check "a picture to standard output by a name" cmp "$work/right/picture" "$work/piped"
+$draw -o - >"$work/piped"
+check "a picture to standard output" cmp "$work/right/picture" "$work/piped"
+check "a picture into no folder" status 1 $draw -o "$work/none/picture"
+check "a picture over a folder" status 1 $draw -o "$work/folder"
+check "which stays" test -d "$work/folder"
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

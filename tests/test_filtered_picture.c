@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/base/output.h"
 #include "runtime/gl/png_write.h"
 #include "tests/value/apart.h"
 #include "tests/value/sheet.h"
@@ -49,13 +50,18 @@ static void fill_levels(Mipmaps *m)
 static bool make_picture(Mipmaps *m, int side, const char *folder)
 {
     uint8_t bytes[MOST_SIDE * MOST_SIDE * LANES];
-    char error[256];
     *m = (Mipmaps){.side = side};
     snprintf(m->path, sizeof m->path, "%s/%d.png", folder, side);
     for (int i = 0; i < side * side * LANES; i++)
         bytes[i] = byte_at(i / LANES % side, i / LANES / side, i % LANES);
     fill_levels(m);
-    return png_write(m->path, &(PngPicture){side, side, LANES, bytes}, error, sizeof error);
+    size_t size;
+    const char *why;
+    uint8_t *file = png_write(&(PngPicture){side, side, LANES, bytes}, &size, &why);
+    if (file)
+        why = output_write(m->path, file, size);
+    free(file);
+    return !why;
 }
 
 static char folder[] = "/tmp/matc-filtered-XXXXXX";

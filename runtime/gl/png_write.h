@@ -1,11 +1,10 @@
-/* PNG files from and to memory. Row 0 is the bottom row, as in GL, both ways. */
+/* PNG files in memory. Row 0 of a picture is its bottom row, as in GL. */
 #ifndef MATC_GL_PNG_WRITE_H
 #define MATC_GL_PNG_WRITE_H
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PNG_SIZE_LIMIT = 16384 }; /* greatest width and height, read or written */
+enum { PNG_SIZE_LIMIT = 16384 }; /* greatest width and height */
 
 typedef struct {
     int width, height;
@@ -13,10 +12,6 @@ typedef struct {
     uint8_t *bytes;
 } PngPicture;
 
-/* Writes under a temporary name beside `path` and renames: nobody ever sees half a file. */
-bool png_write(const char *path, const PngPicture *picture, char *error, size_t room);
-
-/* Reads any PNG into RGBA, 8 bits: palettes, grey and 16 bits are converted, the numbers of the file are kept as they are
- * (no gamma). free() the bytes. False: see `error`; the picture is empty. */
-bool png_read(const char *path, PngPicture *picture, char *error, size_t room);
+/* The picture as a PNG file, from malloc; output.h writes it. NULL: *why, a size or number of lanes that it cannot have. */
+uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why);
 #endif

@@ -1,5 +1,6 @@
 /* matview's command line: draws pictures of materials. */
 #include "compiler/base/file.h"
+#include "compiler/base/output.h"
 #include "compiler/base/text.h"
 #include "runtime/view/picture.h"
 #include "runtime/gl/png_write.h"
@@ -28,7 +29,7 @@ static const char help_text[] =
     "\n"
     "Draws pictures of materials, and prints the names of the files.\n"
     "\n"
-    "  -o FILE              the picture; without -o and -d NAME.png, here\n"
+    "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
     "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
     "materials\n"
     "  --material=NAME      of `materials:`\n"
@@ -176,6 +177,19 @@ static void path_of(const CommandLine *line, const char *input, const char *mate
                  size, stem, material ? "." : "", material ? material : "");
 }
 
+static bool write_picture(const PngPicture *picture, const char *path)
+{
+    const char *why;
+    size_t size;
+    uint8_t *file = png_write(picture, &size, &why);
+    if (file)
+        why = output_write(path, file, size);
+    free(file);
+    if (why)
+        complain(path, why);
+    return !why;
+}
+
 static int draw_material(const CommandLine *line, MatcDocument *document, int material, const char *path)
 {
     const ViewOptions *view = &line->picture.view;
@@ -187,9 +201,8 @@ static int draw_material(const CommandLine *line, MatcDocument *document, int ma
     fputs(diagnostics ? diagnostics : "", stderr);
     if (!done && *error)
         complain(path, error);
-    if (done && !(done = png_write(path, &picture, error, sizeof error)))
-        fprintf(stderr, "matview: error: %s\n", error);
-    if (done)
+    done = done && write_picture(&picture, path);
+    if (done && strcmp(path, "-") != 0)
         puts(path);
     free(diagnostics);
     free(picture.bytes);
