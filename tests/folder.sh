@@ -70,8 +70,8 @@ check "and stays" test -s "$work/layout/compact.layout.yaml"
 # -- what was left behind: a lock tells the folder of a process that lives from one that was left behind
 
 mkdir -p "$work/ended/.matc-stage-abcdef" "$work/ended/.matc-stage-inuse0" "$work/ended/.matc-cache"
-echo half >"$work/ended/.matc-stage-abcdef/half.frag"
-echo half >"$work/ended/.matc-stage-inuse0/half.frag"
+echo half >"$work/ended/.matc-stage-abcdef/0"
+echo half >"$work/ended/.matc-stage-inuse0/0"
 exec 9>"$work/ended/.matc-stage-inuse0/journal"
 flock 9
 check "what was left behind" status 0 $fast -d "$work/ended" examples/checker.yaml
@@ -80,10 +80,38 @@ exec 9<&-
 check "who is ended in turn" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "has it removed, too" only "$work/ended" .matc-cache checker.frag manifest.json
 mkdir "$work/ended/.matc-commit"
-echo '{' >"$work/ended/.matc-commit/journal"
 echo half >"$work/ended/.matc-commit/0"
 check "a commit without a journal" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "is removed" only "$work/ended" .matc-cache checker.frag manifest.json
+
+# -- a journal that cannot be followed is an error at once, and nothing changes; test_journal.c has every kind of it
+
+refused() { # a command that makes out/.matc-commit, and what is said
+    rm -rf "$work/broken" "$work/same"
+    $fast -d "$work/broken" examples/wood.yaml
+    mkdir "$work/broken/.matc-commit"
+    echo precious >"$work/broken/.matc-commit/0.old"
+    (cd "$work/broken/.matc-commit" && eval "$1")
+    ls -lAR "$work/broken" >"$work/before"
+    check "$1: a batch" status 1 timeout 10 $fast -d "$work/broken" examples/checker.yaml
+    check "$1: says why" says "error: $work/broken: .*\.matc-commit.*$2"
+    check "$1: a file" status 1 timeout 10 $fast -o "$work/broken/one.frag" examples/checker.yaml
+    check "$1: says why" says "error: .*\.matc-commit.*$2"
+    ls -lAR "$work/broken" >"$work/same"
+    check "$1: and nothing changes" cmp "$work/before" "$work/same"
+    rm -rf "$work/broken/.matc-commit"
+    check "$1: without it" status 0 $fast -d "$work/broken" examples/checker.yaml
+    check "$1: all is well" only "$work/broken" checker.frag manifest.json
+}
+refused 'echo { >journal' damaged
+refused 'head -c 100 /dev/zero >journal' damaged
+refused 'truncate -s 1T journal' damaged
+refused 'mkdir journal' 'move it away'
+refused 'mkfifo journal' 'move it away'
+refused 'ln -s 0.old journal' 'move it away'
+refused 'rm 0.old; mkdir sub' 'move them away'
+refused 'cd ..; rm -r .matc-commit; echo precious >.matc-commit' 'move it away'
+refused 'cd ..; rm -r .matc-commit; mkfifo .matc-commit' 'move it away'
 
 # -- one name from several threads: every material of a noise has the same tables
 

@@ -74,8 +74,13 @@ static int open_folder(Waiting *w)
 /* Opens the journal and locks it; 0, or errno: EWOULDBLOCK where somebody has it. */
 static int open_journal(Waiting *w, int how)
 {
+    struct stat info;
     w->journal = openat(w->at, journal_name, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | how, READABLE);
-    return w->journal < 0 || flock(w->journal, LOCK_EX | LOCK_NB) ? errno : 0;
+    if (w->journal < 0 || fstat(w->journal, &info))
+        return errno;
+    if (!S_ISREG(info.st_mode))
+        return EINVAL;
+    return flock(w->journal, LOCK_EX | LOCK_NB) ? errno : 0;
 }
 
 /* Makes the folder and what is in it; 0, or errno. Where there are no locks, nobody takes it away either. */
@@ -106,19 +111,36 @@ const char *waiting_make(Waiting *w, int folder)
     return error ? strerror(error) : NULL;
 }
 
+/* 0, or errno. */
+static int remove_link(int folder, const char *name)
+{
+    struct stat info;
+    if (fstatat(folder, name, &info, AT_SYMLINK_NOFOLLOW))
+        return errno;
+    if (!S_ISLNK(info.st_mode))
+        return ENOTDIR;
+    return unlinkat(folder, name, 0) ? errno : ENOENT;
+}
+
+/* What opening a folder and its journal says of a file, of a pipe or a socket, and of a journal that is a folder or a link. */
+static bool is_strange(int error)
+{
+    return error == ENOTDIR || error == EINVAL || error == ENXIO || error == EISDIR || error == ELOOP;
+}
+
 Taken waiting_take(Waiting *w, int folder, const char *name)
 {
     *w = (Waiting){.folder = folder, .at = -1, .journal = -1};
     snprintf(w->name, sizeof w->name, "%s", name);
     int error = open_folder(w);
     if (error == ENOTDIR || error == ELOOP)
-        error = unlinkat(folder, name, 0) ? errno : ENOENT;
+        error = remove_link(folder, name);
     if (!error)
         error = open_journal(w, 0);
     if (!error && has_name(w))
         return TAKEN;
     waiting_leave(w);
-    return !error || error == ENOENT ? TAKEN_none : TAKEN_by_other;
+    return !error || error == ENOENT ? TAKEN_none : is_strange(error) ? TAKEN_strange : TAKEN_by_other;
 }
 
 bool waiting_rename(Waiting *w, const char *name)
@@ -131,19 +153,34 @@ bool waiting_rename(Waiting *w, const char *name)
 
 bool waiting_finish(const Waiting *w) { return !ftruncate(w->journal, 0) || !unlinkat(w->at, journal_name, 0); }
 
-void waiting_remove(Waiting *w)
+/* "journal", "N" or "N.old". */
+static bool is_own(const char *name)
 {
+    size_t digits = strspn(name, "0123456789");
+    return !strcmp(name, journal_name) || (digits && (!name[digits] || !strcmp(name + digits, ".old")));
+}
+
+/* What a network's disk calls a file that was removed and is still open; it goes by itself. */
+static bool is_removed(const char *name) { return !strncmp(name, ".nfs", 4); }
+
+bool waiting_remove(Waiting *w)
+{
+    bool strange = false;
     int copy = w->at < 0 ? -1 : openat(w->at, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     DIR *dir = copy < 0 ? NULL : fdopendir(copy);
-    for (struct dirent *item = dir ? readdir(dir) : NULL; item; item = readdir(dir))
-        if (strcmp(item->d_name, ".") != 0 && strcmp(item->d_name, "..") != 0)
+    for (struct dirent *item = dir ? readdir(dir) : NULL; item; item = readdir(dir)) {
+        if (is_own(item->d_name))
             unlinkat(w->at, item->d_name, 0);
+        else if (strcmp(item->d_name, ".") != 0 && strcmp(item->d_name, "..") != 0)
+            strange |= !is_removed(item->d_name);
+    }
     if (dir)
         closedir(dir);
     else if (copy >= 0)
         close(copy);
     unlinkat(w->folder, w->name, AT_REMOVEDIR);
     waiting_leave(w);
+    return !strange;
 }
 
 void waiting_clean(int folder)

@@ -16,11 +16,16 @@ typedef struct {
     char name[WAITING_NAME];
 } Waiting;
 
-typedef enum { TAKEN, TAKEN_none /* it is not there any more */, TAKEN_by_other } Taken;
+typedef enum {
+    TAKEN,
+    TAKEN_none, /* it is not there any more */
+    TAKEN_by_other,
+    TAKEN_strange /* matc makes nothing like it */
+} Taken;
 
 /* Makes one with an empty journal. NULL, or why not. */
 const char *waiting_make(Waiting *waiting, int folder);
-/* Opens one of this user that a process left. What is no folder, but has its name, goes. */
+/* Opens one of this user that a process left. A link of its name goes; what it leads to stays. */
 Taken waiting_take(Waiting *waiting, int folder, const char *name);
 /* Gives it another name. False: errno. */
 bool waiting_rename(Waiting *waiting, const char *name);
@@ -28,8 +33,9 @@ bool waiting_rename(Waiting *waiting, const char *name);
 bool waiting_finish(const Waiting *waiting);
 /* Closes it, and leaves it to the next run. */
 void waiting_leave(Waiting *waiting);
-/* Removes what is in it, and itself. What cannot be removed the next run removes. */
-void waiting_remove(Waiting *waiting);
+/* Removes the files that a run makes in it, and itself. What cannot be removed the next run removes. False: it has other files, and
+ * stays with them. */
+bool waiting_remove(Waiting *waiting);
 /* Removes those in the folder that processes left, but for a commit. */
 void waiting_clean(int folder);
 

@@ -10,7 +10,8 @@
  *   8. What is in it is removed, and it itself.
  *
  * Undoing takes the index away first, and brings the old one back last. It may be interrupted, too: a step that is undone already
- * has neither "N.old" nor "N". What it removes is a file with the new one's bytes and no other. */
+ * has neither "N.old" nor "N". It removes or replaces a file with the new one's bytes and no other: what somebody put there since
+ * stays. A journal that cannot be followed to its end is not begun: it is an error, and all stays as it is. */
 #include "compiler/base/stage_journal.h"
 #include "compiler/base/bytes.h"
 #include "compiler/base/sets.h"
@@ -25,7 +26,19 @@
 
 enum { WAIT_NS = 5000000, MOST_WAITS = 6000 /* half a minute */, LARGEST_JOURNAL = 64 << 20 };
 
-static const char magic[8] = "matc jr1";
+/* A step of a journal without its name, and with an empty one. */
+enum { STEP_HEAD = 2 * sizeof(uint32_t) + sizeof(Key), SMALLEST_STEP = STEP_HEAD + sizeof(uint32_t) + 1 };
+
+static const char magic[8] = "matc jr2";
+
+static const char damaged[] =
+    "the journal of an interrupted run, .matc-commit/journal, is damaged or another version's: nothing "
+    "was changed; remove .matc-commit to go on without its files";
+static const char copied[] =
+    "the journal of an interrupted run, .matc-commit/journal, is a copy from another place: nothing was "
+    "changed; remove .matc-commit to go on without its files";
+static const char strange[] = "what is called .matc-commit there is not as matc makes it: move it away";
+static const char crowded[] = "other files than matc's are in .matc-commit there: move them away";
 
 void step_file(char name[NUMBER_NAME], int number) { snprintf(name, NUMBER_NAME, "%d", number); }
 static void old_file(char name[NUMBER_NAME], int number) { snprintf(name, NUMBER_NAME, "%d.old", number); }
@@ -37,12 +50,20 @@ static const Step *index_of(const Steps *steps)
     return last && last->kind == STEP_index ? last : NULL;
 }
 
-/* -- the journal: magic, count, the steps, a hash of all that */
+/* -- the journal: magic, its own number on the disk, count, the steps, a hash of all that */
+
+static uint64_t number_on_disk(int file)
+{
+    struct stat info;
+    return fstat(file, &info) ? 0 : (uint64_t)info.st_ino;
+}
 
 static const char *journal_write(const Waiting *w, const Steps *steps)
 {
     Bytes bytes = {0};
+    uint64_t own = number_on_disk(w->journal);
     bytes_add(&bytes, magic, sizeof magic);
+    bytes_add(&bytes, &own, sizeof own);
     bytes_number(&bytes, (uint32_t)steps->count);
     for (const Step *step = steps->at; step < steps->at + steps->count; step++) {
         bytes_number(&bytes, (uint32_t)step->kind);
@@ -52,14 +73,14 @@ static const char *journal_write(const Waiting *w, const Steps *steps)
     }
     Key hash = key_of_bytes(bytes.at, bytes.size);
     bytes_add(&bytes, &hash, sizeof hash);
-    const char *why = waiting_put(w->journal, bytes.at, bytes.size);
+    const char *why = bytes.size > LARGEST_JOURNAL ? "too many files" : waiting_put(w->journal, bytes.at, bytes.size);
     if (!why && index_of(steps) && fdatasync(w->journal) && errno != EINVAL) /* where that is unknown, we go on */
         why = strerror(errno);
     bytes_free(&bytes);
     return why;
 }
 
-/* Of the folder itself: a journal can be anybody's. */
+/* A name in the folder itself: a journal can be anybody's. */
 static bool is_plain(const char *name)
 {
     return *name && !strchr(name, '/') && strcmp(name, ".") != 0 && strcmp(name, "..") != 0;
@@ -77,33 +98,60 @@ static bool take_step(BytesReader *from, Step *step)
     return true;
 }
 
-/* The journal's bytes, from malloc, and the steps, whose names lie in them. NULL: it is none, or not whole. */
-static char *journal_read(const Waiting *w, Steps *steps)
+/* The steps, whose names lie in the bytes. NULL, or why they cannot be followed: then there are none. */
+static const char *take_steps(BytesReader *from, uint64_t own, Steps *steps)
+{
+    uint64_t written = 0;
+    const void *begin = bytes_take(from, sizeof magic), *number = bytes_take(from, sizeof written);
+    uint32_t count = bytes_take_number(from);
+    if (from->broken || memcmp(begin, magic, sizeof magic) != 0 ||
+        count > (size_t)(from->end - from->at) / SMALLEST_STEP)
+        return damaged;
+    memcpy(&written, number, sizeof written);
+    if (written != own)
+        return copied;
+    steps->at = sets_resize(NULL, count * sizeof *steps->at);
+    while (steps->count < (int)count && take_step(from, &steps->at[steps->count]))
+        steps->count++;
+    if (steps->count == (int)count && from->at == from->end)
+        return NULL;
+    free(steps->at);
+    *steps = (Steps){0};
+    return damaged;
+}
+
+/* All of it, from malloc. NULL: it cannot be read, or is too large for one. */
+static char *read_whole(int file, size_t *size)
 {
     struct stat info;
-    const size_t ends = sizeof magic + sizeof(Key);
-    *steps = (Steps){0};
-    if (fstat(w->journal, &info) || info.st_size < (off_t)ends || info.st_size > LARGEST_JOURNAL)
+    if (fstat(file, &info) || info.st_size > LARGEST_JOURNAL)
         return NULL;
-    size_t size = (size_t)info.st_size;
-    char *bytes = sets_resize(NULL, size);
-    Key hash, wanted = {0};
-    if (pread(w->journal, bytes, size, 0) == (ssize_t)size)
-        wanted = key_of_bytes(bytes, size - sizeof hash);
-    memcpy(&hash, bytes + size - sizeof hash, sizeof hash);
-    BytesReader from = {bytes, bytes + size - sizeof hash, false};
-    const void *begin = bytes_take(&from, sizeof magic);
-    uint32_t count = bytes_take_number(&from);
-    bool fine = key_equal(hash, wanted) && begin && !memcmp(begin, magic, sizeof magic) && count <= size;
-    steps->at = fine ? sets_resize(NULL, count * sizeof *steps->at) : NULL;
-    while (fine && steps->count < (int)count)
-        fine = take_step(&from, &steps->at[steps->count]) && ++steps->count;
-    if (fine)
+    *size = (size_t)info.st_size;
+    char *bytes = sets_resize(NULL, *size);
+    if (pread(file, bytes, *size, 0) == (ssize_t)*size)
         return bytes;
-    free(steps->at);
     free(bytes);
-    *steps = (Steps){0};
     return NULL;
+}
+
+/* The journal's bytes, from malloc, and the steps; none, where it is empty. Or why they cannot be followed. */
+static const char *journal_read(const Waiting *w, char **bytes, Steps *steps)
+{
+    size_t size;
+    Key hash;
+    *steps = (Steps){0};
+    *bytes = read_whole(w->journal, &size);
+    if (!*bytes)
+        return damaged;
+    if (!size)
+        return NULL;
+    if (size < sizeof hash)
+        return damaged;
+    BytesReader from = {*bytes, *bytes + size - sizeof hash, false};
+    memcpy(&hash, from.end, sizeof hash);
+    return key_equal(hash, key_of_bytes(*bytes, size - sizeof hash))
+               ? take_steps(&from, number_on_disk(w->journal), steps)
+               : damaged;
 }
 
 /* -- doing */
@@ -162,44 +210,56 @@ const char *steps_begin(Waiting *w, const Steps *steps)
 
 /* -- undoing */
 
+typedef enum { THERE_nothing, THERE_new, THERE_other } There;
+
+/* What has the file's name in the folder now. False: errno. */
+static bool look(const Waiting *w, const Step *step, There *there)
+{
+    Key hash;
+    int error = waiting_hash(w->folder, step->name, &hash);
+    *there = error == ENOENT ? THERE_nothing : !error && key_equal(hash, step->hash) ? THERE_new : THERE_other;
+    errno = error;
+    return !error || error == ENOENT || error == EINVAL;
+}
+
+static bool has(const Waiting *w, const char *file) { return !faccessat(w->at, file, F_OK, AT_SYMLINK_NOFOLLOW); }
+
+/* The old file, where the new one is or nothing. */
 static bool bring_back(const Waiting *w, const Step *step)
 {
     char old[NUMBER_NAME];
+    There there;
     old_file(old, step->number);
-    return !renameat(w->at, old, w->folder, step->name) || errno == ENOENT;
+    if (!has(w, old))
+        return true;
+    return look(w, step, &there) && (there == THERE_other || !renameat(w->at, old, w->folder, step->name));
 }
 
 /* Takes the new file away, if it is there. */
 static bool take_new(const Waiting *w, const Step *step)
 {
     char file[NUMBER_NAME];
-    Key hash;
+    There there;
     step_file(file, step->number);
-    if (!faccessat(w->at, file, F_OK, AT_SYMLINK_NOFOLLOW))
+    if (has(w, file))
         return true;
-    int error = waiting_hash(w->folder, step->name, &hash);
-    if (error == ENOENT || error == EINVAL || (!error && !key_equal(hash, step->hash)))
-        return true;
-    errno = error;
-    return !error && !unlinkat(w->folder, step->name, 0);
+    return look(w, step, &there) && (there != THERE_new || !unlinkat(w->folder, step->name, 0));
 }
 
-static bool has_old(const Waiting *w, const Step *step)
+/* A file that had an old one becomes that at once: the folder is never without it. */
+static bool undo_step(const Waiting *w, const Step *step)
 {
     char old[NUMBER_NAME];
     old_file(old, step->number);
-    return !faccessat(w->at, old, F_OK, AT_SYMLINK_NOFOLLOW);
+    return step->kind == STEP_remove || has(w, old) ? bring_back(w, step) : take_new(w, step);
 }
 
 bool steps_undo(const Waiting *w, const Steps *steps)
 {
     const Step *index = index_of(steps);
     bool fine = !index || take_new(w, index);
-    for (int i = steps->count - 1; i >= 0 && fine; i--) {
-        const Step *step = &steps->at[i];
-        if (step != index)
-            fine = step->kind == STEP_remove || has_old(w, step) ? bring_back(w, step) : take_new(w, step);
-    }
+    for (int i = steps->count - 1; i >= 0 && fine; i--)
+        fine = &steps->at[i] == index || undo_step(w, &steps->at[i]);
     return fine && (!index || bring_back(w, index));
 }
 
@@ -207,16 +267,17 @@ const char *steps_recover(int folder)
 {
     Waiting w;
     Steps steps;
+    char *bytes;
     Taken taken = waiting_take(&w, folder, waiting_commit);
     if (taken != TAKEN)
-        return NULL; /* who is at it ends soon */
-    char *bytes = journal_read(&w, &steps);
-    const char *why = steps_undo(&w, &steps) && waiting_finish(&w) ? NULL : strerror(errno);
+        return taken == TAKEN_strange ? strange : NULL; /* who is at it ends soon */
+    const char *why = journal_read(&w, &bytes, &steps);
+    if (!why && !(steps_undo(&w, &steps) && waiting_finish(&w)))
+        why = strerror(errno);
     free(steps.at);
     free(bytes);
-    if (why)
-        waiting_leave(&w);
-    else
-        waiting_remove(&w);
+    if (!why)
+        return waiting_remove(&w) ? NULL : crowded;
+    waiting_leave(&w);
     return why;
 }

@@ -122,7 +122,7 @@ void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, in
 /* -- batch_inputs.c */
 /* Documents, what they are made from, lists and a layout: the files that a change of which changes the batch. */
 void batch_inputs(const Batch *batch, StringSet *files);
-/* Complains of outputs in the place of inputs. Once all outputs are in the stage. */
+/* Complains of each output that would replace an input. Once all outputs are in the stage. */
 void batch_spare_inputs(Batch *batch);
 /* The folder's file of that name is an input. After that. */
 bool batch_reads(const Batch *batch, const char *name);

@@ -1,4 +1,4 @@
-/* Products in the place of differences. */
+/* Every dFdx and dFdy becomes its argument times a factor: a product, where a driver takes the difference of two pixels. */
 #include "pixel.h"
 #include <stdio.h>
 #include <stdlib.h>
