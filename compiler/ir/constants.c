@@ -73,8 +73,7 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
             known[ref] = ref;
         else if (node.op == OP_constant)
             known[ref] = ir_const(ir, (Type)node.type, ir->constants[node.payload].numbers);
-        else if (all && from_buffer[ref] &&
-                 fold_node(ir, &node, args, numbers))
+        else if (all && from_buffer[ref] && fold_node(ir, &node, args, numbers))
             known[ref] = ir_const(ir, (Type)node.type, numbers);
         from_buffer[ref] |= node.op == OP_constant;
     }

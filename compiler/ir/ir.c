@@ -7,6 +7,11 @@ const OpRow op_table[OP_COUNT] = {
 #include "grammar/ops.def"
 };
 
+const uint8_t op_payload[OP_COUNT] = {
+#define PAYLOAD(name, kind) [OP_##name] = PAYLOAD_##kind,
+#include "grammar/ops.def"
+};
+
 enum { FIRST_TABLE = 256 };
 
 Ir *ir_new(Session *session, const Graph *graph)

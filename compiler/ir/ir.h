@@ -24,6 +24,21 @@ typedef struct {
 } OpRow;
 extern const OpRow op_table[OP_COUNT];
 
+/* What a node of an operation has beside its operands, in `payload`. */
+typedef enum {
+    PAYLOAD_none,
+    PAYLOAD_numbers,  /* the first of its numbers */
+    PAYLOAD_input,    /* an Input */
+    PAYLOAD_uniform,  /* the graph's, by index */
+    PAYLOAD_constant, /* the IR's, by index */
+    PAYLOAD_argument, /* whose set << 8 | its number */
+    PAYLOAD_texture,  /* the IR's, by index */
+    PAYLOAD_lanes,    /* two bits each */
+    PAYLOAD_library,  /* a Function */
+    PAYLOAD_function  /* of the program, by index; ir_applies */
+} Payload;
+extern const uint8_t op_payload[OP_COUNT]; /* Payload */
+
 /* What a node was made for: a Kind, KIND_COUNT + Slot, or the surface point that a pass starts from. */
 enum { HINT_SURFACE = KIND_COUNT + SLOT_COUNT, HINT_COUNT };
 
@@ -34,8 +49,7 @@ typedef struct {
     uint8_t hint;            /* what it was made for: a Kind, or KIND_COUNT + Slot; for names and comments only */
     uint8_t head;            /* it is the value of its hint's map or slot, not a step on the way; for names only */
     uint32_t first;          /* of its operands in args */
-    uint32_t payload;        /* const: first of its numbers; input: Input; uniform, constant, texture: index;
-                                argument: whose set << 8 | its number; kernel: as apply; swizzle: two bits a lane; call: function; apply: function number */
+    uint32_t payload;        /* what op_payload says */
     uint32_t hash;
 } IrNode;
 
@@ -144,7 +158,7 @@ static inline const double *ir_known(const Ir *ir, Ref ref)
                                          : NULL;
 }
 /* It runs a function of the program, which its payload numbers. */
-static inline bool ir_applies(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_apply) || ir_is(ir, ref, OP_kernel); }
+static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nodes[ref].op] == PAYLOAD_function; }
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 

@@ -21,38 +21,37 @@ static void print_numbers(Text *out, int type, const double *numbers)
 
 static void print_payload(Text *out, const Ir *ir, const IrNode *node)
 {
-    switch (node->op) {
-    case OP_const:
+    switch ((Payload)op_payload[node->op]) {
+    case PAYLOAD_numbers:
         print_numbers(out, node->type, &ir->numbers[node->payload]);
         break;
-    case OP_input:
+    case PAYLOAD_input:
         text_format(out, " %s", input_table[node->payload].name);
         break;
-    case OP_uniform:
+    case PAYLOAD_uniform:
         text_format(out, " %s", ir->graph->uniforms[node->payload]->name);
         break;
-    case OP_constant:
+    case PAYLOAD_constant:
         print_numbers(out, node->type, ir->constants[node->payload].numbers);
         break;
-    case OP_argument:
+    case PAYLOAD_argument:
         text_format(out, " %u.%u", node->payload >> 8, node->payload & 0xFF);
         break;
-    case OP_texture:
+    case PAYLOAD_texture:
         text_format(out, " %u", node->payload);
         break;
-    case OP_swizzle:
+    case PAYLOAD_lanes:
         text_put(out, " .");
         for (int i = 0; i < type_table[node->type].lanes; i++)
             text_char(out, "xyzw"[node->payload >> 2 * i & 3]);
         break;
-    case OP_call:
+    case PAYLOAD_library:
         text_format(out, " %s", function_row((int)node->payload)->name);
         break;
-    case OP_apply:
-    case OP_kernel:
+    case PAYLOAD_function:
         text_format(out, " f%u", node->payload);
         break;
-    default:
+    case PAYLOAD_none:
         break;
     }
 }

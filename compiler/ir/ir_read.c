@@ -90,29 +90,38 @@ static int defined_function(const Scanner *s, int number)
     return known ? number : -1;
 }
 
+/* The payload that a word names; -1: it names nothing that exists. */
+static int named_payload(const Scanner *s, Payload kind, Type type, const char *text)
+{
+    uint32_t lanes = 0;
+    switch (kind) {
+    case PAYLOAD_input:
+        return find(text, input_name, INPUT_COUNT);
+    case PAYLOAD_uniform:
+        return names_find(&s->ir->graph->uniform_names, text);
+    case PAYLOAD_argument:
+        return strchr(text, '.') ? argument_place(atoi(text), atoi(strchr(text, '.') + 1)) : -1;
+    case PAYLOAD_texture:
+        return atoi(text);
+    case PAYLOAD_lanes:
+        return read_lanes(text, type, &lanes) ? (int)lanes : -1;
+    case PAYLOAD_library:
+        return find(text, call_name, FUNCTION_COUNT);
+    case PAYLOAD_function:
+        return text[0] == 'f' ? defined_function(s, atoi(text + 1)) : -1;
+    default:
+        return -1;
+    }
+}
+
 static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
 {
     char text[LIMIT_NAME + 8];
-    if (op != OP_input && op != OP_uniform && op != OP_argument && op != OP_texture && op != OP_swizzle &&
-        op != OP_call && op != OP_apply && op != OP_kernel)
+    if (op_payload[op] == PAYLOAD_none)
         return true;
     if (!word(s, text, sizeof text))
         return fail(s, "a node ends too early");
-    int found = -1;
-    if (op == OP_input)
-        found = find(text, input_name, INPUT_COUNT);
-    else if (op == OP_call)
-        found = find(text, call_name, FUNCTION_COUNT);
-    else if (op == OP_swizzle)
-        found = read_lanes(text, type, payload) ? (int)*payload : -1;
-    else if ((op == OP_apply || op == OP_kernel) && text[0] == 'f')
-        found = defined_function(s, atoi(text + 1));
-    else if (op == OP_argument && strchr(text, '.'))
-        found = argument_place(atoi(text), atoi(strchr(text, '.') + 1));
-    else if (op == OP_texture)
-        found = atoi(text);
-    else if (op == OP_uniform)
-        found = names_find(&s->ir->graph->uniform_names, text);
+    int found = named_payload(s, (Payload)op_payload[op], type, text);
     *payload = (uint32_t)found;
     return found >= 0 || fail(s, "a node names what does not exist");
 }
@@ -127,7 +136,7 @@ static Ref read_const(Scanner *s, Op op, Type type)
             fail(s, "a constant lacks a number");
             return 0;
         }
-    return op == OP_const ? ir_const(s->ir, type, lanes) : ir_constant(s->ir, type, lanes, NULL);
+    return op_payload[op] == PAYLOAD_numbers ? ir_const(s->ir, type, lanes) : ir_constant(s->ir, type, lanes, NULL);
 }
 
 static Ref read_node(Scanner *s)
@@ -141,7 +150,7 @@ static Ref read_node(Scanner *s)
         fail(s, "no such operation or type");
         return 0;
     }
-    if (op == OP_const || op == OP_constant)
+    if (op_payload[op] == PAYLOAD_numbers || op_payload[op] == PAYLOAD_constant)
         return read_const(s, (Op)op, (Type)type);
     if (!read_payload(s, (Op)op, (Type)type, &payload))
         return 0;

@@ -77,15 +77,25 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
 
 static void put_payload(Walk *w, const IrNode *node)
 {
-    const Graph *graph = w->ir->graph;
-    if (node->op == OP_uniform)
-        put_text(w, graph->uniforms[node->payload]->name);
-    else if (node->op == OP_call)
+    const Ir *ir = w->ir;
+    switch ((Payload)op_payload[node->op]) {
+    case PAYLOAD_uniform:
+        put_text(w, ir->graph->uniforms[node->payload]->name);
+        break;
+    case PAYLOAD_library:
         put_text(w, function_row((int)node->payload)->name);
-    else if (node->op != OP_constant) /* a buffer's members are told apart by the order in which they are met */
+        break;
+    case PAYLOAD_constant: /* a buffer's members are told apart by the order in which they are met */
+        break;
+    case PAYLOAD_texture:
         put(w, node->payload);
-    if (node->op == OP_texture && node->payload < w->ir->texture_count)
-        put(w, (uint32_t)w->ir->textures[node->payload].kind << 1 | w->ir->textures[node->payload].linear);
+        if (node->payload < ir->texture_count)
+            put(w, (uint32_t)ir->textures[node->payload].kind << 1 | ir->textures[node->payload].linear);
+        break;
+    default:
+        put(w, node->payload);
+        break;
+    }
 }
 
 static void leave(Walk *w, Ref ref)

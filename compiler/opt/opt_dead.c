@@ -57,15 +57,16 @@ typedef struct {
 /* The node with its parts in the compacted arrays; they only move down. */
 static void compact_node(Ir *ir, IrNode node, const Numbers *numbers)
 {
-    if (node.op == OP_const) {
+    const Payload kind = (Payload)op_payload[node.op];
+    if (kind == PAYLOAD_numbers) {
         size_t lanes = (size_t)type_table[node.type].lanes;
         memmove(&ir->numbers[ir->number_count], &ir->numbers[node.payload], lanes * sizeof(double));
         node.payload = (uint32_t)ir->number_count;
         ir->number_count += lanes;
     }
-    if (node.op == OP_apply || node.op == OP_kernel)
+    if (kind == PAYLOAD_function)
         node.payload = (uint32_t)numbers->function[node.payload];
-    if (node.op == OP_texture && node.payload < numbers->texture_count)
+    if (kind == PAYLOAD_texture && node.payload < numbers->texture_count)
         node.payload = numbers->texture[node.payload];
     for (int i = 0; i < node.count; i++)
         ir->args[ir->arg_count + (size_t)i] = numbers->node[ir->args[node.first + (uint32_t)i]];
