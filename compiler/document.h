@@ -1,4 +1,4 @@
-/* A document as the library's surface holds it. Private to matc.c, program.c, layout_api.c, auto_*.c. */
+/* A document as the library's surface holds it. Private to document.c, evaluate.c, program.c, layout_api.c. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
 #include "compiler/pipeline.h"

@@ -1,4 +1,4 @@
-/* The stages of compile.c, for the library's surface (matc.c) and the tests. */
+/* The stages of compile.c, for the library's surface (document.c, program.c) and the tests. */
 #ifndef MATC_PIPELINE_H
 #define MATC_PIPELINE_H
 #include "compiler/emit/emit.h"

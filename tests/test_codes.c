@@ -103,7 +103,7 @@ static void every_half_survives(void **state)
     for (unsigned i = 0; i < TEXELS; i++) {
         if (!is_finite_half(i))
             continue;
-        assert_true(f->floats[i][0] == half_value((uint16_t)i));
+        assert_true(f->floats[i][0] == pack_half_value((uint16_t)i));
         if (f->words[i][0] != i && i != 0x8000) /* -0 is stored as 0 */
             fail_msg("half %04x comes back as %04x", i, f->words[i][0]);
     }
@@ -115,7 +115,7 @@ static void halves_are_rounded_as_the_reference(void **state)
     Fixture *f = *state;
     static float numbers[TEXELS][4];
     for (unsigned i = 0; i < TEXELS; i++) {
-        double v = is_finite_half(i) ? half_value((uint16_t)i) : (i & 0x8000 ? -1e6 : 1e30);
+        double v = is_finite_half(i) ? pack_half_value((uint16_t)i) : (i & 0x8000 ? -1e6 : 1e30);
         double tie = v + (v < 0 ? -.5 : .5) * half_step(v);
         if (v == 0)
             tie = ldexp(i ? -1 : 1, -25);
@@ -135,7 +135,7 @@ static void halves_are_rounded_as_the_reference(void **state)
     f->canvas.gl->DeleteTextures(1, &source);
     for (unsigned i = 0; i < TEXELS; i++)
         for (int lane = 0; lane < 4; lane++) {
-            unsigned want = half_bits(numbers[i][lane]), got = f->words[i][lane];
+            unsigned want = pack_half_bits(numbers[i][lane]), got = f->words[i][lane];
             if (got != want && (got | want) != 0x8000) /* either zero */
                 fail_msg("%.9g is stored as %04x, should be %04x", numbers[i][lane], got, want);
         }
@@ -178,8 +178,8 @@ static void compare_octahedral(const Fixture *f, unsigned long first, int bits)
         if (x > last || y > last || got == code)
             continue;
         double a[3], b[3];
-        octahedral_decode((int[2]){(int)x, (int)y}, octahedral_levels(bits), a);
-        octahedral_decode((int[2]){(int)(got & mask), (int)(got >> bits)}, octahedral_levels(bits), b);
+        normal_octahedral_decode((int[2]){(int)x, (int)y}, octahedral_levels(bits), a);
+        normal_octahedral_decode((int[2]){(int)(got & mask), (int)(got >> bits)}, octahedral_levels(bits), b);
         if (!is_on_border(x, y, last) || normal_angle(a, b) > 1e-5)
             fail_msg("%d bits: code %u %u comes back as %u %u", bits, x, y, got & mask, got >> bits);
     }
@@ -216,7 +216,7 @@ static void check_pairs(Fixture *f, const char *pack, const char *unpack, int wi
     draw(f, &(Drawing){.functions = functions, .expression = text}, &f->canvas.halves);
     read_floats(f, &f->canvas.halves);
     for (int i = 0; i < width * height; i++)
-        if (f->floats[i][0] != half_from_code(i) || !half_is_plain(f->floats[i][0]))
+        if (f->floats[i][0] != pack_half_from_code(i) || !half_is_plain(f->floats[i][0]))
             fail_msg("%s: code %d is stored as %.9g", pack, i, f->floats[i][0]);
     snprintf(text, sizeof text, "vec4(%s(t.x), 0.0, 0.0)", unpack);
     draw(f, &(Drawing){.functions = unpack, .expression = text, .source = &f->canvas.halves}, &f->canvas.floats);
@@ -240,7 +240,7 @@ static void every_octahedral_radix_code_survives(void **state)
          &f->canvas.halves);
     read_floats(f, &f->canvas.halves);
     for (int i = 0; i < HALF_CODES; i++)
-        assert_true(f->floats[i][0] == half_from_code(i));
+        assert_true(f->floats[i][0] == pack_half_from_code(i));
     draw(f,
          &(Drawing){.functions = "octahedralFromRadix",
                     .expression = "vec4(octahedralFromRadix(t.x), 0.0)",
@@ -253,7 +253,7 @@ static void every_octahedral_radix_code_survives(void **state)
     read_floats(f, &f->canvas.halves);
     for (int i = 0; i < RADIX_X * RADIX_X; i++) {
         int x = i % RADIX_X, y = i / RADIX_X;
-        if (f->floats[i][0] != half_from_code(i) && !is_on_border((unsigned)x, (unsigned)y, RADIX_X - 1))
+        if (f->floats[i][0] != pack_half_from_code(i) && !is_on_border((unsigned)x, (unsigned)y, RADIX_X - 1))
             fail_msg("code %d %d comes back as %.9g", x, y, f->floats[i][0]);
     }
 }

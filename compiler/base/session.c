@@ -1,4 +1,4 @@
-/* The session: diagnostics, files, statistics, the locale. */
+/* The session: files, statistics, the locale. */
 #include "compiler/base/session.h"
 #include "compiler/base/file.h"
 #include <string.h>
@@ -23,51 +23,6 @@ void locale_leave(Locale l)
 Session session_open(const MatcOptions *options, Arena *arena)
 {
     return (Session){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
-}
-
-bool diag_full(const Session *session) { return session->diags.count >= MOST_DIAGS; }
-
-void *diag_add(Session *session, Span span, DiagKind kind, ...)
-{
-    if (diag_full(session)) {
-        session->diags.errors += diag_table[kind].severity == SEVERITY_error;
-        return NULL;
-    }
-    va_list args;
-    session->message.arena = session->arena;
-    session->message.size = 0;
-    va_start(args, kind);
-    diag_message(&session->message, kind, args);
-    va_end(args);
-    for (size_t i = 0; i < session->diags.count; i++) { /* what is asked for several slots is said once */
-        const Diag *said = &session->diags.at[i];
-        if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) &&
-            !strcmp(said->message, session->message.at))
-            return NULL;
-    }
-    const char *message = arena_string(session->arena, session->message.at, session->message.size);
-    Diag diag = {kind, diag_table[kind].severity, span, message};
-    ARENA_PUSH(session->arena, session->diags.at, session->diags.count, session->diags.room, diag);
-    session->diags.errors += diag.severity == SEVERITY_error;
-    return NULL;
-}
-
-const char *diag_all(Session *session, MatcForm form)
-{
-    Text out = text_new(session->arena);
-    if (form == MATC_JSON)
-        text_put(&out, "[");
-    for (size_t i = 0; i < session->diags.count; i++) {
-        if (form == MATC_TEXT) {
-            diag_print(&out, &session->diags.at[i], session->sources);
-        } else {
-            text_put(&out, i ? ",\n " : "\n ");
-            diag_print_json(&out, &session->diags.at[i], session->sources);
-        }
-    }
-    if (form == MATC_JSON)
-        text_put(&out, session->diags.count ? "\n]\n" : "]\n");
-    return out.at ? out.at : "";
 }
 
 double session_now(void)

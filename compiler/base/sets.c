@@ -50,7 +50,7 @@ static int *new_table(int *old, int *room, uint32_t *mask)
     return memset(sets_resize(NULL, (*mask + 1) * sizeof *old), 0, (*mask + 1) * sizeof *old);
 }
 
-int strings_add(StringSet *set, const char *string, bool *added)
+int string_set_add(StringSet *set, const char *string, bool *added)
 {
     if (set->count == set->room) {
         set->table = new_table(set->table, &set->room, &set->mask);
@@ -68,12 +68,12 @@ int strings_add(StringSet *set, const char *string, bool *added)
     return set->table[at] - 1;
 }
 
-int strings_find(const StringSet *set, const char *string)
+int string_set_find(const StringSet *set, const char *string)
 {
     return set->count ? set->table[string_place(set, string)] - 1 : -1;
 }
 
-void strings_free(StringSet *set)
+void string_set_free(StringSet *set)
 {
     for (int i = 0; i < set->count; i++)
         free(set->at[i]);
@@ -82,7 +82,7 @@ void strings_free(StringSet *set)
     *set = (StringSet){0};
 }
 
-int keys_add(KeySet *set, Key key, bool *added)
+int key_set_add(KeySet *set, Key key, bool *added)
 {
     if (set->count == set->room) {
         set->table = new_table(set->table, &set->room, &set->mask);
@@ -100,9 +100,9 @@ int keys_add(KeySet *set, Key key, bool *added)
     return set->table[at] - 1;
 }
 
-int keys_find(const KeySet *set, Key key) { return set->count ? set->table[key_place(set, key)] - 1 : -1; }
+int key_set_find(const KeySet *set, Key key) { return set->count ? set->table[key_place(set, key)] - 1 : -1; }
 
-void keys_free(KeySet *set)
+void key_set_free(KeySet *set)
 {
     free(set->at);
     free(set->table);

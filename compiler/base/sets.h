@@ -11,10 +11,10 @@ typedef struct {
 } StringSet;
 
 /* Its number; *added tells whether it is new (NULL: nobody asks). The string is copied. */
-int strings_add(StringSet *set, const char *string, bool *added);
+int string_set_add(StringSet *set, const char *string, bool *added);
 /* Its number, or -1. */
-int strings_find(const StringSet *set, const char *string);
-void strings_free(StringSet *set);
+int string_set_find(const StringSet *set, const char *string);
+void string_set_free(StringSet *set);
 
 typedef struct {
     Key *at;
@@ -23,9 +23,9 @@ typedef struct {
     uint32_t mask;
 } KeySet;
 
-int keys_add(KeySet *set, Key key, bool *added);
-int keys_find(const KeySet *set, Key key);
-void keys_free(KeySet *set);
+int key_set_add(KeySet *set, Key key, bool *added);
+int key_set_find(const KeySet *set, Key key);
+void key_set_free(KeySet *set);
 
 /* malloc, realloc and strdup that end the process where there is no memory. */
 void *sets_resize(void *memory, size_t size);

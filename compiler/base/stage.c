@@ -141,7 +141,7 @@ static int number_of(Stage *s, const char *name, bool *again)
 {
     bool added;
     pthread_mutex_lock(&s->mutex);
-    int number = strings_add(&s->names, name, &added);
+    int number = string_set_add(&s->names, name, &added);
     if (added) {
         s->files = sets_resize(s->files, (size_t)s->names.room * sizeof *s->files);
         s->files[number] = (StagedFile){.dropped = true}; /* until it is known */
@@ -195,7 +195,7 @@ const char *stage_put_index(Stage *s, const char *name, const void *bytes, size_
 void stage_drop(Stage *s, const char *name)
 {
     pthread_mutex_lock(&s->mutex);
-    int number = strings_find(&s->names, name);
+    int number = string_set_find(&s->names, name);
     if (number >= 0)
         s->files[number].dropped = true;
     pthread_mutex_unlock(&s->mutex);
@@ -203,7 +203,7 @@ void stage_drop(Stage *s, const char *name)
 
 bool stage_holds(const Stage *s, const char *name)
 {
-    int number = strings_find(&s->names, name);
+    int number = string_set_find(&s->names, name);
     return number >= 0 && s->files[number].waits && !s->files[number].dropped;
 }
 
@@ -226,14 +226,14 @@ StageFile *stage_list(const Stage *s, int *count)
 const char *stage_remove(Stage *s, const char *name, Key hash, bool *stays)
 {
     Key now;
-    int number = strings_find(&s->names, name);
+    int number = string_set_find(&s->names, name);
     *stays = false;
     if ((number >= 0 && !s->files[number].dropped) || strchr(name, '/'))
         return NULL; /* it is made again */
     int error = waiting_hash(s->folder, name, &now);
     *stays = error == EINVAL || (!error && !key_equal(now, hash));
     if (!error && !*stays)
-        strings_add(&s->removed, name, NULL);
+        string_set_add(&s->removed, name, NULL);
     return error && error != EINVAL && error != ENOENT ? strerror(error) : NULL;
 }
 
@@ -333,8 +333,8 @@ void stage_close(Stage *s)
     pthread_mutex_destroy(&s->making);
     free(s->steps.at);
     free(s->files);
-    strings_free(&s->names);
-    strings_free(&s->removed);
+    string_set_free(&s->names);
+    string_set_free(&s->removed);
     free(s->path);
     free(s);
 }

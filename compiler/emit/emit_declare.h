@@ -13,7 +13,7 @@ bool emit_has_locations(Target target);
 /* Of the program's texture of that number. */
 int emit_texture_binding(int index);
 /* Of a table of the library's, which comes behind the document's textures; -1: the program has none of that name. */
-int table_binding(const Ir *ir, const Interface *interface, const char *name);
+int emit_table_binding(const Ir *ir, const Interface *interface, const char *name);
 /* The vertex program's attributes and uniforms, as members of a JSON object. vertex.c */
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface);
 /* A varying, on either side: `word` is "in" or "out". */

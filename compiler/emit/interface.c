@@ -29,7 +29,7 @@ int emit_texture_binding(int index)
     return index < below ? FIRST_TEXTURE_BINDING + index : CONSTANT_BLOCK + 1 + index - below;
 }
 
-int table_binding(const Ir *ir, const Interface *interface, const char *name)
+int emit_table_binding(const Ir *ir, const Interface *interface, const char *name)
 {
     int index = 0;
     for (size_t i = 0; i < ir->texture_count; i++)

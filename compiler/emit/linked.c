@@ -22,7 +22,7 @@ void matc_linked_free(MatcLinked *linked)
     if (!linked)
         return;
     pthread_mutex_destroy(&linked->mutex);
-    keys_free(&linked->keys);
+    key_set_free(&linked->keys);
     free(linked);
 }
 
@@ -31,7 +31,7 @@ bool linked_before(MatcLinked *linked, Key interface)
     if (!linked)
         return false;
     pthread_mutex_lock(&linked->mutex);
-    bool known = keys_find(&linked->keys, interface) >= 0;
+    bool known = key_set_find(&linked->keys, interface) >= 0;
     pthread_mutex_unlock(&linked->mutex);
     return known;
 }
@@ -41,6 +41,6 @@ void linked_add(MatcLinked *linked, Key interface)
     if (!linked)
         return;
     pthread_mutex_lock(&linked->mutex);
-    keys_add(&linked->keys, interface, NULL);
+    key_set_add(&linked->keys, interface, NULL);
     pthread_mutex_unlock(&linked->mutex);
 }

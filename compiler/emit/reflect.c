@@ -147,7 +147,7 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
         text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
         if (emit_has_locations(job->target))
             text_format(out, "\"binding\": %d, ",
-                        made_by[i] >= 0 ? emit_texture_binding(i) : table_binding(ir, interface, t->name));
+                        made_by[i] >= 0 ? emit_texture_binding(i) : emit_table_binding(ir, interface, t->name));
         if (t->path)
             json_member(out, "file", t->path);
         text_put(out, t->path ? "}" : "\"baked\": true}");

@@ -34,7 +34,7 @@ Tree *read_document(Session *session, uint32_t file)
     if (!check_utf8(&builder, source))
         return NULL;
     Tree *tree = is_json_name(source->name) ? read_json(&builder) : read_yaml(&builder);
-    build_done(&builder);
+    tree_build_done(&builder);
     if (tree && builder.zero.end)
         diag_add(session, builder.zero, DIAG_zero_byte);
     return tree;

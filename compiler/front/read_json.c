@@ -182,19 +182,19 @@ static const char *read_text(Json *j, uint32_t *size)
     size_t bytes;
     if (!measure_text(j, &bytes))
         return NULL;
-    char *text = build_text(j->b, bytes);
+    char *text = tree_build_text(j->b, bytes);
     write_text(j, from + 1, text);
-    build_check_text(j->b, text, bytes, span_of(j, from, j->at));
+    tree_build_check_text(j->b, text, bytes, span_of(j, from, j->at));
     *size = (uint32_t)bytes;
     return text;
 }
 
 static Tree *read_scalar(Json *j, const char *from, const char *text, uint32_t size, bool plain)
 {
-    Tree *scalar = build_value(j->b, TREE_scalar, span_of(j, from, j->at));
+    Tree *scalar = tree_build_value(j->b, TREE_scalar, span_of(j, from, j->at));
     if (!scalar)
         return NULL;
-    scalar->text = text ? text : memcpy(build_text(j->b, size), from, size);
+    scalar->text = text ? text : memcpy(tree_build_text(j->b, size), from, size);
     scalar->count = size;
     scalar->plain = plain;
     return scalar;
@@ -276,10 +276,10 @@ static bool read_list(Json *j, Tree *list, int depth)
         Tree *item = read_value(j, depth + 1);
         if (!item)
             return false;
-        build_item(j->b, item);
+        tree_build_item(j->b, item);
         more = next_part(j, list->span, ']');
     }
-    build_list(j->b, list, from);
+    tree_build_list(j->b, list, from);
     return more == 0;
 }
 
@@ -301,7 +301,7 @@ static bool read_member(Json *j, int depth)
     j->at++;
     if (!(member.value = read_value(j, depth + 1)))
         return false;
-    build_member(j->b, member);
+    tree_build_member(j->b, member);
     return true;
 }
 
@@ -315,7 +315,7 @@ static bool read_object(Json *j, Tree *object, int depth)
             return false;
         more = next_part(j, object->span, '}');
     }
-    build_object(j->b, object, from);
+    tree_build_object(j->b, object, from);
     return more == 0;
 }
 
@@ -324,7 +324,7 @@ static Tree *read_collection(Json *j, TreeKind kind, int depth)
     const char *from = j->at++;
     if (depth > LIMIT_DEPTH)
         return diag_add(j->b->session, span_of(j, from, j->at), DIAG_too_deep, LIMIT_DEPTH);
-    Tree *tree = build_value(j->b, kind, span_of(j, from, j->at));
+    Tree *tree = tree_build_value(j->b, kind, span_of(j, from, j->at));
     if (!tree || !(kind == TREE_list ? read_list(j, tree, depth) : read_object(j, tree, depth)))
         return NULL;
     tree->span.end = (uint32_t)(j->at - j->text);

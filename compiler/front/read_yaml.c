@@ -80,8 +80,8 @@ static bool next_event(Reader *r, yaml_event_t *event)
 static const char *keep_text(Reader *r, const yaml_event_t *event, Span span)
 {
     const size_t size = event->data.scalar.length;
-    build_check_text(r->b, (const char *)event->data.scalar.value, size, span);
-    return memcpy(build_text(r->b, size), event->data.scalar.value, size);
+    tree_build_check_text(r->b, (const char *)event->data.scalar.value, size, span);
+    return memcpy(tree_build_text(r->b, size), event->data.scalar.value, size);
 }
 
 static uint32_t *anchor_slot(const Reader *r, const char *name)
@@ -108,8 +108,8 @@ static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
     if (!name)
         return;
     const size_t size = strlen((const char *)name);
-    Anchor anchor = {memcpy(build_text(r->b, size), name, size), tree};
-    r->anchors = build_room(r->anchors, r->anchor_count, &r->anchor_room, sizeof *r->anchors);
+    Anchor anchor = {memcpy(tree_build_text(r->b, size), name, size), tree};
+    r->anchors = tree_build_room(r->anchors, r->anchor_count, &r->anchor_room, sizeof *r->anchors);
     r->anchors[r->anchor_count++] = anchor;
     if (2 * r->anchor_count > r->anchor_mask)
         grow_anchor_table(r);
@@ -145,16 +145,16 @@ static bool read_list(Reader *r, Tree *list, int depth)
         Tree *item = read_value(r, &event, depth + 1);
         if (!item)
             return false;
-        build_item(r->b, item);
+        tree_build_item(r->b, item);
     }
-    build_list(r->b, list, from);
+    tree_build_list(r->b, list, from);
     return true;
 }
 
 /* A key with an anchor is a value, too: `&a key: 1`, `other: *a`. */
 static bool keep_key(Reader *r, const yaml_event_t *event, const Member *member)
 {
-    Tree *tree = build_value(r->b, TREE_scalar, member->span);
+    Tree *tree = tree_build_value(r->b, TREE_scalar, member->span);
     if (!tree)
         return false;
     tree->text = member->key;
@@ -184,8 +184,8 @@ static bool read_key(Reader *r, yaml_event_t *event, Member *member, bool *merge
 /* `<<: *base` brings the members of base that the object lacks; of `<<: [*a, *b]` the first counts. */
 static bool merge_members(Reader *r, Tree *object, Tree *base)
 {
-    return base->kind == TREE_list ? build_merge(r->b, object, base->items, base->count)
-                                   : build_merge(r->b, object, &base, 1);
+    return base->kind == TREE_list ? tree_build_merge(r->b, object, base->items, base->count)
+                                   : tree_build_merge(r->b, object, &base, 1);
 }
 
 /* object: { name: value, ... } */
@@ -212,9 +212,9 @@ static bool read_object(Reader *r, Tree *object, int depth)
         if (merge)
             base = member.value;
         else
-            build_member(r->b, member);
+            tree_build_member(r->b, member);
     }
-    build_object(r->b, object, from);
+    tree_build_object(r->b, object, from);
     return !base || merge_members(r, object, base);
 }
 
@@ -222,7 +222,7 @@ static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_cha
 {
     if (depth > LIMIT_DEPTH)
         return diag_add(r->session, span, DIAG_too_deep, LIMIT_DEPTH);
-    Tree *tree = build_value(r->b, kind, span);
+    Tree *tree = tree_build_value(r->b, kind, span);
     if (!tree)
         return NULL;
     keep_anchor(r, anchor, tree);
@@ -239,7 +239,7 @@ static Tree *read_value(Reader *r, yaml_event_t *event, int depth)
     Span span = span_of(r, event);
     switch (event->type) {
     case YAML_SCALAR_EVENT:
-        if (!(tree = build_value(r->b, TREE_scalar, span)))
+        if (!(tree = tree_build_value(r->b, TREE_scalar, span)))
             break;
         tree->text = keep_text(r, event, span);
         tree->count = (uint32_t)event->data.scalar.length;

@@ -104,7 +104,7 @@ static bool is_function(const char *name)
     return false;
 }
 
-bool resolve_is_reserved(const char *name)
+bool reserved_has(const char *name)
 {
     /* `GL_` is the preprocessor's; the others are numbered */
     static const char *const prefixes[] = {

@@ -40,7 +40,7 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);
 /* A name that a uniform cannot have: GLSL's own, or one that matc gives. reserved.c */
-bool resolve_is_reserved(const char *name);
+bool reserved_has(const char *name);
 
 /* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
 const char *suggest(Session *session, const char *name, const char *(*names)(const void *user, int i), const void *user,

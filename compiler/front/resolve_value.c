@@ -144,7 +144,7 @@ static bool param(Resolver *r, const char *what, Tree *tree, int least, int most
         diag_add(r->session, name->span, DIAG_param_name, tree_describe(r->session, name));
         return false;
     }
-    if (resolve_is_reserved(name->text)) {
+    if (reserved_has(name->text)) {
         diag_add(r->session, name->span, DIAG_param_reserved, name->text);
         return false;
     }

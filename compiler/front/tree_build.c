@@ -5,7 +5,7 @@
 
 enum { VALUES_ROOM = 16, TEXT_ROOM = 1024, LONG_TEXT = 128 };
 
-Tree *build_value(TreeBuilder *b, TreeKind kind, Span span)
+Tree *tree_build_value(TreeBuilder *b, TreeKind kind, Span span)
 {
     if (++b->values > LIMIT_TREE_NODES)
         return diag_add(b->session, span, DIAG_too_many, LIMIT_TREE_NODES);
@@ -20,7 +20,7 @@ Tree *build_value(TreeBuilder *b, TreeKind kind, Span span)
     return tree;
 }
 
-char *build_text(TreeBuilder *b, size_t size)
+char *tree_build_text(TreeBuilder *b, size_t size)
 {
     if (size >= LONG_TEXT)
         return arena_zero(b->session->arena, size + 1);
@@ -34,14 +34,14 @@ char *build_text(TreeBuilder *b, size_t size)
     return text;
 }
 
-void build_check_text(TreeBuilder *b, const char *text, size_t size, Span span)
+void tree_build_check_text(TreeBuilder *b, const char *text, size_t size, Span span)
 {
     if (!b->zero.end && memchr(text, 0, size))
         b->zero = span;
 }
 
 /* Not of the arena, which would keep every size that a stack had. */
-void *build_room(void *stack, size_t count, size_t *room, size_t size)
+void *tree_build_room(void *stack, size_t count, size_t *room, size_t size)
 {
     if (count < *room)
         return stack;
@@ -52,19 +52,19 @@ void *build_room(void *stack, size_t count, size_t *room, size_t size)
     return stack;
 }
 
-void build_item(TreeBuilder *b, Tree *item)
+void tree_build_item(TreeBuilder *b, Tree *item)
 {
-    b->items = build_room(b->items, b->item_count, &b->item_room, sizeof *b->items);
+    b->items = tree_build_room(b->items, b->item_count, &b->item_room, sizeof *b->items);
     b->items[b->item_count++] = item;
 }
 
-void build_member(TreeBuilder *b, Member member)
+void tree_build_member(TreeBuilder *b, Member member)
 {
-    b->members = build_room(b->members, b->member_count, &b->member_room, sizeof *b->members);
+    b->members = tree_build_room(b->members, b->member_count, &b->member_room, sizeof *b->members);
     b->members[b->member_count++] = member;
 }
 
-void build_list(TreeBuilder *b, Tree *list, size_t from)
+void tree_build_list(TreeBuilder *b, Tree *list, size_t from)
 {
     const size_t size = (b->item_count - from) * sizeof *list->items;
     list->count = (uint32_t)(b->item_count - from);
@@ -91,7 +91,7 @@ static void set_members(TreeBuilder *b, Tree *object, size_t from)
     b->member_count = from;
 }
 
-void build_object(TreeBuilder *b, Tree *object, size_t from)
+void tree_build_object(TreeBuilder *b, Tree *object, size_t from)
 {
     set_members(b, object, from);
     check_duplicates(b, object);
@@ -103,19 +103,19 @@ static void drop_later(TreeBuilder *b, Tree *object, uint32_t own, size_t from)
     for (uint32_t i = 0; i < object->count; i++) {
         const Member *member = &object->members[i];
         if (i < own || tree_find_bytes(object, member->key, member->size) == member)
-            build_member(b, *member);
+            tree_build_member(b, *member);
     }
     if (b->member_count - from < object->count)
         set_members(b, object, from);
     b->member_count = from;
 }
 
-bool build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count)
+bool tree_build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count)
 {
     const uint32_t own = object->count;
     const size_t from = b->member_count;
     for (uint32_t i = 0; i < own; i++)
-        build_member(b, object->members[i]);
+        tree_build_member(b, object->members[i]);
     for (size_t k = 0; k < count; k++) {
         if (bases[k]->kind != TREE_object)
             return diag_add(b->session, bases[k]->span, DIAG_bad_merge, tree_describe(b->session, bases[k]));
@@ -124,14 +124,14 @@ bool build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count)
             return diag_add(b->session, object->span, DIAG_too_many, LIMIT_TREE_NODES);
         for (uint32_t i = 0; i < bases[k]->count; i++)
             if (!tree_find_bytes(object, bases[k]->members[i].key, bases[k]->members[i].size))
-                build_member(b, bases[k]->members[i]);
+                tree_build_member(b, bases[k]->members[i]);
     }
     set_members(b, object, from);
     drop_later(b, object, own, from);
     return true;
 }
 
-void build_done(TreeBuilder *b)
+void tree_build_done(TreeBuilder *b)
 {
     free(b->items);
     free(b->members);

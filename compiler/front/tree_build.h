@@ -20,20 +20,20 @@ typedef struct {
 } TreeBuilder;
 
 /* A value without its contents; NULL and a diagnostic where there are LIMIT_TREE_NODES already. */
-Tree *build_value(TreeBuilder *b, TreeKind kind, Span span);
+Tree *tree_build_value(TreeBuilder *b, TreeKind kind, Span span);
 /* Room for a text of that size, which is the caller's to write, and a zero behind it. */
-char *build_text(TreeBuilder *b, size_t size);
+char *tree_build_text(TreeBuilder *b, size_t size);
 /* Notes a text that holds a zero byte. */
-void build_check_text(TreeBuilder *b, const char *text, size_t size, Span span);
-void build_item(TreeBuilder *b, Tree *item);
-void build_member(TreeBuilder *b, Member member);
+void tree_build_check_text(TreeBuilder *b, const char *text, size_t size, Span span);
+void tree_build_item(TreeBuilder *b, Tree *item);
+void tree_build_member(TreeBuilder *b, Member member);
 /* Items, or members, above the first `from` of the stack become those of a list, or an object, and leave the stack. */
-void build_list(TreeBuilder *b, Tree *list, size_t from);
+void tree_build_list(TreeBuilder *b, Tree *list, size_t from);
 /* A key that is given twice is a diagnostic. */
-void build_object(TreeBuilder *b, Tree *object, size_t from);
+void tree_build_object(TreeBuilder *b, Tree *object, size_t from);
 /* Members of `base` that the object lacks are appended to it; false and a diagnostic beyond the limit. */
-bool build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count);
-void build_done(TreeBuilder *b);
+bool tree_build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count);
+void tree_build_done(TreeBuilder *b);
 /* A stack of malloc's with room for one element more than `count`, doubled when it is full. */
-void *build_room(void *stack, size_t count, size_t *room, size_t size);
+void *tree_build_room(void *stack, size_t count, size_t *room, size_t size);
 #endif

@@ -111,7 +111,7 @@ static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet
     for (int t = 0; t < b->turn_count && !met; t++) {
         const Unit *unit = &material->units[t];
         batch_name(b, unit, name);
-        strings_add(names, name, &added);
+        string_set_add(names, name, &added);
         met = !added;
         for (int before = 0; before < t && met; before++) { /* two passes of a material can be one program */
             batch_name(b, &material->units[before], earlier);
@@ -137,7 +137,7 @@ static void check_names(Batch *b)
         for (int m = 0; m < b->documents[d].material_count; m++) {
             bool added;
             const BatchMaterial *material = &b->documents[d].materials[m];
-            strings_add(&materials, material->name, &added);
+            string_set_add(&materials, material->name, &added);
             if (!is_utf8(material->name))
                 batch_complain(b, &b->documents[d], material->name,
                                "the material's name is not UTF-8, which a manifest is");
@@ -150,8 +150,8 @@ static void check_names(Batch *b)
                 batch_complain(b, &b->documents[d], "manifest",
                                "the manifest has this name; call the material otherwise");
         }
-    strings_free(&materials);
-    strings_free(&files);
+    string_set_free(&materials);
+    string_set_free(&files);
 }
 
 /* Where the manifest is, for what is said and for make. */
@@ -190,7 +190,7 @@ static void write_depfile(Batch *b)
     if (why)
         batch_complain(b, NULL, !text ? bad : b->line->depfile ? b->line->depfile : depfile_name, why);
     free(text);
-    strings_free(&files);
+    string_set_free(&files);
 }
 
 /* All is well: the files appear, and those of the last batch that are no longer made go. */
@@ -250,13 +250,13 @@ static void list_watched(const Batch *b)
     StringSet files = {0};
     for (int d = 0; b->line->watched && d < b->document_count; d++) {
         const BatchDocument *document = &b->documents[d];
-        strings_add(&files, document->path, NULL);
+        string_set_add(&files, document->path, NULL);
         for (int i = 0; i < document->depend_count; i++)
-            strings_add(&files, document->depends[i], NULL);
+            string_set_add(&files, document->depends[i], NULL);
     }
     for (int i = 0; i < files.count; i++)
         watch_list_add(b->line->watched, files.at[i]);
-    strings_free(&files);
+    string_set_free(&files);
 }
 
 static void finish(Batch *b)
@@ -269,9 +269,9 @@ static void finish(Batch *b)
     }
     free(b->documents);
     free(b->programs);
-    keys_free(&b->seen);
-    strings_free(&b->files);
-    strings_free(&b->within);
+    key_set_free(&b->seen);
+    string_set_free(&b->files);
+    string_set_free(&b->within);
     free(b->file_keys);
     bytes_free(&b->general);
     matc_layout_free(b->layout);

@@ -17,7 +17,7 @@ static void note_file(Batch *b, const char *path, Key key)
 {
     bool added;
     pthread_mutex_lock(&b->mutex);
-    int number = strings_add(&b->files, path, &added);
+    int number = string_set_add(&b->files, path, &added);
     if (added) {
         b->file_keys = sets_resize(b->file_keys, (size_t)b->files.room * sizeof *b->file_keys);
         b->file_keys[number] = key;
@@ -31,7 +31,7 @@ static void note_file(Batch *b, const char *path, Key key)
 static bool known_file(Batch *b, const char *path, Key *key)
 {
     pthread_mutex_lock(&b->mutex);
-    int number = strings_find(&b->files, path);
+    int number = string_set_find(&b->files, path);
     if (number >= 0)
         *key = b->file_keys[number];
     pthread_mutex_unlock(&b->mutex);

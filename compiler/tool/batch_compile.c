@@ -32,7 +32,7 @@ static bool first_of_program(Batch *b, const Unit *unit)
 {
     bool added;
     pthread_mutex_lock(&b->mutex);
-    keys_add(&b->seen, b->numbers == NUMBERS_auto ? unit->shape : unit->key, &added);
+    key_set_add(&b->seen, b->numbers == NUMBERS_auto ? unit->shape : unit->key, &added);
     pthread_mutex_unlock(&b->mutex);
     return added;
 }

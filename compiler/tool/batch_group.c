@@ -8,7 +8,7 @@
 static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
 {
     bool added;
-    unit->program = keys_add(keys, key, &added);
+    unit->program = key_set_add(keys, key, &added);
     unit->next = NULL;
     if (added) {
         if (unit->program % 64 == 0)
@@ -59,13 +59,13 @@ static int find_members(BatchProgram *program)
             continue;
         Key key = column_key(program, offsets[i], lanes);
         key.low ^= (uint64_t)kind; /* a word is no float */
-        int column = keys_add(&columns, key, &added);
+        int column = key_set_add(&columns, key, &added);
         if (added)
             place_of[column] = i;
         members += added;
         program->members[i] = place_of[column];
     }
-    keys_free(&columns);
+    key_set_free(&columns);
     free(offsets);
     free(place_of);
     return members;
@@ -130,5 +130,5 @@ void batch_group(Batch *b)
         share_shapes(b, &keys);
     for (int i = 0; i < b->program_count; i++)
         plan_writing(b, i);
-    keys_free(&keys);
+    key_set_free(&keys);
 }

@@ -9,11 +9,11 @@ void batch_inputs(const Batch *b, StringSet *files)
 {
     for (int d = 0; d < b->document_count; d++)
         for (int i = !strcmp(b->documents[d].path, "-"); i < b->documents[d].depend_count; i++)
-            strings_add(files, b->documents[d].depends[i], NULL);
+            string_set_add(files, b->documents[d].depends[i], NULL);
     for (int i = 0; i < b->line->list_count; i++)
-        strings_add(files, b->line->lists[i], NULL);
+        string_set_add(files, b->line->lists[i], NULL);
     if (b->line->compile.layout && layout_is_file(b->line->compile.layout))
-        strings_add(files, b->line->compile.layout, NULL);
+        string_set_add(files, b->line->compile.layout, NULL);
 }
 
 /* Whether the folder of the path is that one. */
@@ -45,18 +45,18 @@ static void list_within(StringSet *within, const StringSet *files, const char *f
         last = path;
         last_size = size;
         if (inside)
-            strings_add(within, path + size, NULL);
+            string_set_add(within, path + size, NULL);
     }
 }
 
-bool batch_reads(const Batch *b, const char *name) { return strings_find(&b->within, name) >= 0; }
+bool batch_reads(const Batch *b, const char *name) { return string_set_find(&b->within, name) >= 0; }
 
 void batch_spare_inputs(Batch *b)
 {
     StringSet files = {0};
     batch_inputs(b, &files);
     list_within(&b->within, &files, b->line->folder);
-    strings_free(&files);
+    string_set_free(&files);
     for (int i = 0; i < b->within.count; i++)
         if (stage_holds(b->stage, b->within.at[i]))
             batch_complain(b, NULL, b->within.at[i], "an output would replace this file, which is read");

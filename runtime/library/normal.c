@@ -8,14 +8,14 @@
 static double square(double v) { return v * v; }
 static double side(double v) { return v < 0 ? -1 : 1; }
 
-void octahedral_map(const double n[3], double e[2])
+void normal_octahedral_map(const double n[3], double e[2])
 {
     double sum = fmax(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), LEAST_SUM), x = n[0] / sum, y = n[1] / sum;
     e[0] = n[2] < 0 ? (1 - fabs(y)) * side(x) : x;
     e[1] = n[2] < 0 ? (1 - fabs(x)) * side(y) : y;
 }
 
-void octahedral_unmap(const double e[2], double n[3])
+void normal_octahedral_unmap(const double e[2], double n[3])
 {
     double z = 1 - fabs(e[0]) - fabs(e[1]), fold = fmax(-z, 0);
     double x = e[0] - side(e[0]) * fold, y = e[1] - side(e[1]) * fold, length = sqrt(x * x + y * y + z * z);
@@ -28,25 +28,25 @@ static int nearest(double v, int levels) { return whole_between(clamp(v, 0, 1) *
 
 static int bits_of(double v) { return whole_between(v, 1, REFERENCE_BITS); }
 
-void octahedral_encode(const double n[3], int levels, int code[2])
+void normal_octahedral_encode(const double n[3], int levels, int code[2])
 {
     double e[2];
-    octahedral_map(n, e);
+    normal_octahedral_map(n, e);
     for (int i = 0; i < 2; i++)
         code[i] = nearest(e[i] / 2 + .5, levels);
 }
 
-void octahedral_encode_precise(const double n[3], int levels, int code[2])
+void normal_octahedral_encode_precise(const double n[3], int levels, int code[2])
 {
     double e[2], least = INFINITY;
-    octahedral_map(n, e);
+    normal_octahedral_map(n, e);
     for (int i = 0; i < 4; i++) {
         double decoded[3];
         int tried[2] = {whole_between((e[0] / 2 + .5) * (levels - 1), 0, levels) + i % 2,
                         whole_between((e[1] / 2 + .5) * (levels - 1), 0, levels) + i / 2};
         if (tried[0] >= levels || tried[1] >= levels)
             continue;
-        octahedral_decode(tried, levels, decoded);
+        normal_octahedral_decode(tried, levels, decoded);
         double distance = square(n[0] - decoded[0]) + square(n[1] - decoded[1]) + square(n[2] - decoded[2]);
         if (distance >= least)
             continue;
@@ -56,14 +56,14 @@ void octahedral_encode_precise(const double n[3], int levels, int code[2])
     }
 }
 
-void octahedral_decode(const int code[2], int levels, double n[3])
+void normal_octahedral_decode(const int code[2], int levels, double n[3])
 {
     const double e[2] = {2. * code[0] / (levels - 1) - 1, 2. * code[1] / (levels - 1) - 1};
-    octahedral_unmap(e, n);
+    normal_octahedral_unmap(e, n);
 }
 
 /* For a unit vector the radius |n.xy| / sqrt(8 n.z + 8) is sqrt((1 - n.z) / 8), which keeps its digits below the equator. */
-void spheremap_map(const double n[3], double e[2])
+void normal_spheremap_map(const double n[3], double e[2])
 {
     double x = n[0], y = n[1], z = n[2], length = hypot(x, y);
     double scale = z < 0 ? sqrt((1 - z) / 8) : length / sqrt(8 * z + 8);
@@ -72,7 +72,7 @@ void spheremap_map(const double n[3], double e[2])
     e[1] = clamp((directed ? y / length : 0) * scale + .5, 0, 1);
 }
 
-void spheremap_unmap(const double e[2], double n[3])
+void normal_spheremap_unmap(const double e[2], double n[3])
 {
     double x = 4 * e[0] - 2, y = 4 * e[1] - 2, d = fmin(x * x + y * y, 4), scale = sqrt(1 - d / 4);
     n[0] = x * scale;
@@ -80,18 +80,18 @@ void spheremap_unmap(const double e[2], double n[3])
     n[2] = 1 - d / 2;
 }
 
-void spheremap_encode(const double n[3], int levels, int code[2])
+void normal_spheremap_encode(const double n[3], int levels, int code[2])
 {
     double e[2];
-    spheremap_map(n, e);
+    normal_spheremap_map(n, e);
     for (int i = 0; i < 2; i++)
         code[i] = nearest(e[i], levels);
 }
 
-void spheremap_decode(const int code[2], int levels, double n[3])
+void normal_spheremap_decode(const int code[2], int levels, double n[3])
 {
     const double e[2] = {(double)code[0] / (levels - 1), (double)code[1] / (levels - 1)};
-    spheremap_unmap(e, n);
+    normal_spheremap_unmap(e, n);
 }
 
 double normal_angle(const double a[3], const double b[3])
@@ -108,20 +108,20 @@ double normal_angle(const double a[3], const double b[3])
 REFERENCE(encodeSpheremap)
 {
     (void)context;
-    spheremap_map(args, result);
+    normal_spheremap_map(args, result);
 }
 
 REFERENCE(decodeSpheremap)
 {
     (void)context;
-    spheremap_unmap(args, result);
+    normal_spheremap_unmap(args, result);
 }
 
 REFERENCE(octahedralWhole)
 {
     (void)context;
     int levels = octahedral_levels(bits_of(args[3])), code[2];
-    octahedral_encode(args, levels, code);
+    normal_octahedral_encode(args, levels, code);
     for (int i = 0; i < 2; i++)
         result[i] = code[i] - levels / 2;
 }
@@ -130,15 +130,15 @@ REFERENCE(octahedralRadix)
 {
     (void)context;
     int code[2];
-    octahedral_encode(args, RADIX_X, code);
-    result[0] = half_from_code(code[0] + RADIX_X * code[1]);
+    normal_octahedral_encode(args, RADIX_X, code);
+    result[0] = pack_half_from_code(code[0] + RADIX_X * code[1]);
 }
 
 REFERENCE(octahedralBits)
 {
     (void)context;
     int bits = bits_of(args[3]), code[2];
-    octahedral_encode(args, octahedral_levels(bits), code);
+    normal_octahedral_encode(args, octahedral_levels(bits), code);
     result[0] = code[0] + ldexp(code[1], bits);
 }
 
@@ -146,6 +146,6 @@ REFERENCE(spheremapBits)
 {
     (void)context;
     int bits = bits_of(args[3]), code[2];
-    spheremap_encode(args, 1 << bits, code);
+    normal_spheremap_encode(args, 1 << bits, code);
     result[0] = code[0] + ldexp(code[1], bits);
 }

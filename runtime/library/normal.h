@@ -7,18 +7,18 @@
 static inline int octahedral_levels(int bits) { return (1 << bits) - 1; }
 
 /* The octahedral map to [-1, 1]^2 and back; (0, 0, 0) is +z. */
-void octahedral_map(const double n[3], double e[2]);
-void octahedral_unmap(const double e[2], double n[3]);
-void octahedral_encode(const double n[3], int levels, int code[2]);
+void normal_octahedral_map(const double n[3], double e[2]);
+void normal_octahedral_unmap(const double e[2], double n[3]);
+void normal_octahedral_encode(const double n[3], int levels, int code[2]);
 /* The best of the four codes around: "precise". */
-void octahedral_encode_precise(const double n[3], int levels, int code[2]);
-void octahedral_decode(const int code[2], int levels, double n[3]);
+void normal_octahedral_encode_precise(const double n[3], int levels, int code[2]);
+void normal_octahedral_decode(const int code[2], int levels, double n[3]);
 
 /* The thesis' spheremap, to [0, 1]^2 and back. */
-void spheremap_map(const double n[3], double e[2]);
-void spheremap_unmap(const double e[2], double n[3]);
-void spheremap_encode(const double n[3], int levels, int code[2]);
-void spheremap_decode(const int code[2], int levels, double n[3]);
+void normal_spheremap_map(const double n[3], double e[2]);
+void normal_spheremap_unmap(const double e[2], double n[3]);
+void normal_spheremap_encode(const double n[3], int levels, int code[2]);
+void normal_spheremap_decode(const int code[2], int levels, double n[3]);
 
 /* Degrees between two directions, exact for small angles. */
 double normal_angle(const double a[3], const double b[3]);

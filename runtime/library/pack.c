@@ -13,7 +13,7 @@
 #define SHARED_BITS      9    /* of a lane, at most */
 #define EXPONENTS_OF_ONE 1024 /* half floats of an exponent */
 
-double half_from_code(int code)
+double pack_half_from_code(int code)
 {
     int half = HALF_CODES / 2, c = code % half;
     double size = ldexp(EXPONENTS_OF_ONE + c % EXPONENTS_OF_ONE, c / EXPONENTS_OF_ONE - 24);
@@ -21,7 +21,7 @@ double half_from_code(int code)
 }
 
 /* nearbyint rounds ties to even. */
-uint16_t half_bits(double v)
+uint16_t pack_half_bits(double v)
 {
     double size = fmin(fabs(v), HALF_MOST);
     int exponent = size < HALF_LEAST ? -14 : ilogb(size);
@@ -29,7 +29,7 @@ uint16_t half_bits(double v)
     return (uint16_t)((v < 0 ? 0x8000 : 0) + (exponent + 14) * EXPONENTS_OF_ONE + (int)steps);
 }
 
-double half_value(uint16_t bits)
+double pack_half_value(uint16_t bits)
 {
     int exponent = bits >> 10 & 31, mantissa = bits & 1023;
     double size = exponent ? ldexp(EXPONENTS_OF_ONE + mantissa, exponent - 25) : mantissa * HALF_SUBNORMAL;
@@ -59,7 +59,7 @@ static int bits_of(double v) { return whole_between(v, 1, REFERENCE_BITS); }
 REFERENCE(packRadix)
 {
     (void)context;
-    result[0] = half_from_code(nearest(args[0], RADIX_X) + RADIX_X * nearest(args[1], RADIX_Y));
+    result[0] = pack_half_from_code(nearest(args[0], RADIX_X) + RADIX_X * nearest(args[1], RADIX_Y));
 }
 
 REFERENCE(plainHalf)
@@ -91,7 +91,7 @@ REFERENCE(logarithmBits)
 REFERENCE(halfBits)
 {
     (void)context;
-    result[0] = half_bits(args[0]);
+    result[0] = pack_half_bits(args[0]);
 }
 
 /* The pattern of the float nearest to the argument. */

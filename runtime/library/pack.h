@@ -11,8 +11,8 @@ enum {
 _Static_assert(RADIX_X *RADIX_Y <= HALF_CODES, "every pair has a code");
 
 /* Code 0 is 2^-14, code 30719 is 65504; then their negatives. */
-double half_from_code(int code);
+double pack_half_from_code(int code);
 /* The half float nearest to v, ties to even, at most 65504 in size; its value. */
-uint16_t half_bits(double v);
-double half_value(uint16_t bits);
+uint16_t pack_half_bits(double v);
+double pack_half_value(uint16_t bits);
 #endif

@@ -34,7 +34,7 @@ Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, in
                                                             : NULL;
         bool same = false;
         for (int k = 0; k < *count && program && !same; k++)
-            same = programs_equal(matc_output(kept[k].program, MATC_FRAGMENT, NULL),
+            same = variant_programs_equal(matc_output(kept[k].program, MATC_FRAGMENT, NULL),
                                   matc_output(program, MATC_FRAGMENT, NULL));
         list->same += same;
         list->refused += !program;

@@ -172,7 +172,7 @@ static Distance find_computed(Work *w, const Variant *variant, int slot, const S
 static const Known *find_known(const Work *w, const char *fragment, int slot, int truth)
 {
     for (int i = 0; i < w->known_count; i++)
-        if (w->known[i].slot == slot && w->known[i].truth == truth && programs_equal(w->known[i].fragment, fragment))
+        if (w->known[i].slot == slot && w->known[i].truth == truth && variant_programs_equal(w->known[i].fragment, fragment))
             return &w->known[i];
     return NULL;
 }

@@ -14,7 +14,7 @@ void measure_reference(const MeasureRequest *request, const Variant *variant, co
         abort();
     for (int i = 0; i < POINTS; i++)
         field_surface(&points[i], &surfaces[i]);
-    document_evaluate(request->document, request->material, &options, surfaces, POINTS, values);
+    evaluate_material(request->document, request->material, &options, (SurfacePoints){surfaces, POINTS}, values);
     free(surfaces);
 }
 

@@ -47,7 +47,7 @@ static size_t header_size(const char *program)
     return (size_t)((choices && choices < end ? choices : end ? end : program) - program);
 }
 
-bool programs_equal(const char *a, const char *b)
+bool variant_programs_equal(const char *a, const char *b)
 {
     const char *a_body = strstr(a, "\n\n"), *b_body = strstr(b, "\n\n");
     size_t header = header_size(a);

@@ -27,7 +27,7 @@ MatcOptions variant_options(const Variant *variant, const MatcOptions *base);
  * From malloc. */
 Variant *variants_list(const Variant *base, const VariantAxes *open, int *count);
 /* The same program, by choices that may differ: all but the comment that names those. */
-bool programs_equal(const char *a, const char *b);
+bool variant_programs_equal(const char *a, const char *b);
 /* How many choices differ, the layout counted in. */
 int variant_distance(const Variant *a, const Variant *b);
 /* The names of what differs from `base`, with blanks between: "aa=box layout=thesis"; "as given" when nothing does. */

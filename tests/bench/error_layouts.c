@@ -101,7 +101,7 @@ static bool measure(Sweep *s, int which, Errors *errors)
                 s->points[i].input[INPUT_X][0] = (float)x;
                 field_surface(&s->points[i], &s->surfaces[i]);
             }
-            document_evaluate(document, 0, &options, s->surfaces, POINTS, s->want);
+            evaluate_material(document, 0, &options, (SurfacePoints){s->surfaces, POINTS}, s->want);
             fine = draw(s, &shader, unpack);
             compare(s, errors);
         }

@@ -92,7 +92,7 @@ static const Power *find(const Power *powers, int count, const char *choice)
 
 static bool is_same(const Power *a, const Power *b)
 {
-    return programs_equal(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
+    return variant_programs_equal(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
                           matc_output(b->shader.program, MATC_FRAGMENT, NULL));
 }
 

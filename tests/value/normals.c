@@ -56,7 +56,7 @@ static void random_direction(uint64_t *state, bool hemisphere, double n[3])
     n[2] = z;
 }
 
-static double through_half(double v) { return half_value(half_bits(v)); }
+static double through_half(double v) { return pack_half_value(pack_half_bits(v)); }
 
 static void normalise(double n[3])
 {
@@ -72,15 +72,15 @@ static void store_codes(const NormalRow *row, const double n[3], double read[3])
     if (row->store == STORE_snorm || row->store == STORE_precise_snorm)
         levels = octahedral_levels(row->bits);
     if (row->store == STORE_spheremap)
-        spheremap_encode(n, levels, code);
+        normal_spheremap_encode(n, levels, code);
     else if (precise)
-        octahedral_encode_precise(n, levels, code);
+        normal_octahedral_encode_precise(n, levels, code);
     else
-        octahedral_encode(n, levels, code);
+        normal_octahedral_encode(n, levels, code);
     if (row->store == STORE_spheremap)
-        spheremap_decode(code, levels, read);
+        normal_spheremap_decode(code, levels, read);
     else
-        octahedral_decode(code, levels, read);
+        normal_octahedral_decode(code, levels, read);
 }
 
 static void store(const NormalRow *row, const double n[3], double read[3])
@@ -89,10 +89,10 @@ static void store(const NormalRow *row, const double n[3], double read[3])
     switch (row->store) {
     case STORE_halves:
     case STORE_spheremap_halves:
-        (row->store == STORE_halves ? octahedral_map : spheremap_map)(n, e);
+        (row->store == STORE_halves ? normal_octahedral_map : normal_spheremap_map)(n, e);
         for (int i = 0; i < 2; i++)
             e[i] = through_half(e[i]);
-        (row->store == STORE_halves ? octahedral_unmap : spheremap_unmap)(e, read);
+        (row->store == STORE_halves ? normal_octahedral_unmap : normal_spheremap_unmap)(e, read);
         break;
     case STORE_xyz:
     case STORE_xyz_halves:

@@ -1,0 +1,66 @@
+/* The library's surface: documents. */
+#include "compiler/choice.h"
+#include "compiler/document.h"
+#include <stdlib.h>
+#include <string.h>
+
+const char *matc_version(void) { return MATC_VERSION; }
+
+MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+{
+    MatcDocument *d = calloc(1, sizeof *d);
+    if (!d)
+        abort();
+    Locale locale = locale_enter();
+    d->options = choice_whole_options(options);
+    d->session = session_open(&d->options, &d->arena);
+    d->session.measure = d->options.measure;
+    d->session.stage_start = session_now();
+    Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
+    session_depend_on(&d->session, source.name);
+    d->graph = compile_front(&d->session, 0, &d->tree);
+    locale_leave(locale);
+    return d;
+}
+
+void document_lend(const MatcDocument *d, Session *session)
+{
+    session->sources = d->session.sources;
+    session->source_count = d->session.source_count;
+    session->depends = d->session.depends;
+}
+
+void matc_document_free(MatcDocument *d)
+{
+    if (!d)
+        return;
+    arena_free(&d->arena);
+    free(d);
+}
+
+int matc_material_count(const MatcDocument *d) { return d->graph ? d->graph->material_count : 0; }
+const char *matc_material_name(const MatcDocument *d, int material) { return d->graph->materials[material].name; }
+
+int matc_material_find(const MatcDocument *d, const char *name)
+{
+    for (int i = 0; i < matc_material_count(d); i++)
+        if (!strcmp(matc_material_name(d, i), name))
+            return i;
+    return -1;
+}
+
+int matc_depend_count(const MatcDocument *d) { return (int)d->session.depends.count; }
+const char *matc_depend(const MatcDocument *d, int index) { return d->session.depends.at[index]; }
+int matc_error_count(const MatcDocument *d) { return d->session.diags.errors; }
+
+const char *matc_tree_text(MatcDocument *d)
+{
+    Text out = text_new(&d->arena);
+    if (!d->tree)
+        return "";
+    tree_print(&out, d->tree);
+    return out.at;
+}
+
+const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return diag_all(&d->session, form); }

@@ -1,0 +1,78 @@
+/* The library's surface: what a material is at a point. */
+#include "compiler/evaluate.h"
+#include "compiler/choice.h"
+#include "compiler/document.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* "u=0.3 v=0.4 front=0" */
+static const char *read_point(Surface *surface, const char *point)
+{
+    for (const char *at = point; *(at += strspn(at, " ,\t\n"));) {
+        size_t size = strcspn(at, " ,\t\n"), name = strcspn(at, "=");
+        char key[16] = {0};
+        double value;
+        if (name >= size || name >= sizeof key || !text_number(at + name + 1, size - name - 1, &value) ||
+            !isfinite(value))
+            return "a point is a list of channel=number";
+        memcpy(key, at, name);
+        if (!strcmp(key, "front"))
+            surface->front = value != 0;
+        else if (!oracle_surface_set(surface, key, value))
+            return "no such channel; see --list";
+        at += size;
+    }
+    return NULL;
+}
+
+bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *options, SurfacePoints points,
+                       SlotValues *values)
+{
+    Job job;
+    choice_job(options, &job);
+    const ReferenceContext context = {.noise = job_noise(job.choice[AXIS_noise], job.target)};
+    Oracle *oracle = oracle_open(d->graph, &context);
+    oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
+    bool known = true;
+    for (int i = 0; i < points.count; i++) {
+        if (oracle_material(oracle, d->graph->materials[material].node, &points.at[i], &values[i]))
+            continue;
+        known = false;
+        for (int slot = 0; slot < SLOT_COUNT; slot++)
+            values[i].lane[slot][0] = NAN;
+    }
+    oracle_close(oracle);
+    return known;
+}
+
+char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
+{
+    Job job;
+    Surface surface;
+    SlotValues values;
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    Locale locale = locale_enter();
+    const MatcOptions whole = choice_whole_options(options);
+    oracle_surface_default(&surface);
+    *fault = choice_job(&whole, &job) ? "no such option" : read_point(&surface, point);
+    if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
+        *fault = "no such material";
+    if (!*fault && !evaluate_material(d, material, &whole, (SurfacePoints){&surface, 1}, &values))
+        *fault = "the value takes too many answers of maps: filters within filters";
+    if (!*fault) {
+        for (int slot = 0; slot < SLOT_COUNT; slot++) {
+            text_put(&out, slot_table[slot].name);
+            for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {
+                text_char(&out, ' ');
+                text_double(&out, values.lane[slot][i]);
+            }
+            text_char(&out, '\n');
+        }
+    }
+    char *result = *fault ? NULL : strdup(out.at);
+    locale_leave(locale);
+    arena_free(&arena);
+    return result;
+}
