@@ -77,9 +77,17 @@ static int choose(const MatcOptions *o, Axis axis, int precision, ChoiceSource *
     return -1;
 }
 
+static int target_of(const MatcOptions *o) { return index_of(o->target, target_name, TARGET_COUNT, TARGET_DEFAULT); }
+
+const TargetRow *choice_target(const MatcOptions *options)
+{
+    int target = target_of(options);
+    return target < 0 ? NULL : &target_table[target];
+}
+
 const char *choice_job(const MatcOptions *o, Job *job)
 {
-    int target = index_of(o->target, target_name, TARGET_COUNT, TARGET_glsl330);
+    int target = target_of(o);
     int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
     int layout =
         index_of(o->custom ? NULL : o->layout, layout_name, LAYOUT_COUNT, target < 0 ? 0 : target_table[target].layout);

@@ -6,6 +6,8 @@
 #include "compiler/matc.h"
 #include "compiler/base/text.h"
 
+/* The row of the options' target: the default, where they name none; NULL where there is none of that name. */
+const TargetRow *choice_target(const MatcOptions *options);
 /* All that decides what a program is, as bytes. */
 void choice_store_options(Bytes *to, const MatcOptions *options);
 /* The options of a caller that may know fewer members, or more: what it does not know has its default. */

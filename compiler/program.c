@@ -153,9 +153,9 @@ static bool fill_spirv(MatcProgram *p)
     const char *log = "", *fragment = p->products.fragment;
     size_t size = 0;
     Job vulkan = p->job;
-    vulkan.target = TARGET_spirv;
-    if (p->job.target != TARGET_spirv) {
+    if (!target_table[vulkan.target].spirv) {
         Interface interface;
+        vulkan.target = TARGET_spirv;
         Ir *ir = compile_ir(&p->session, p->document->graph, material_of(p), &vulkan);
         fragment = ir ? emit_fragment(&p->session, ir, &vulkan, &interface, &size) : NULL;
     }

@@ -142,8 +142,7 @@ const ColorRow color_table[] = {
 const int color_count = sizeof color_table / sizeof *color_table;
 
 const TargetRow target_table[TARGET_COUNT] = {
-#define TARGET(name, version, extension, number, es, layout, doc)                                                      \
-    {#name, version, extension, number, es, LAYOUT_##layout, doc},
+#define TARGET(target, text, ...) {.name = #target, .doc = text, __VA_ARGS__},
 #include "targets.def"
 };
 

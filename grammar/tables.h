@@ -223,16 +223,21 @@ extern const ColorRow color_table[];
 extern const int color_count;
 
 typedef enum {
-#define TARGET(name, version, extension, number, es, layout, doc) TARGET_##name,
+#define TARGET(name, ...) TARGET_##name,
 #include "targets.def"
-    TARGET_COUNT
+    TARGET_COUNT,
+    TARGET_DEFAULT = TARGET_glsl330
 } Target;
 typedef struct {
-    const char *name, *version, *extension;
-    int number;
-    bool es;
-    int layout; /* Layout: the default */
-    const char *doc;
+    const char *name, *doc;
+    const char *version;   /* the words of its #version line */
+    const char *enables;   /* an extension, or NULL */
+    const char *precision; /* of floats, whole numbers and samplers; NULL: GLSL has one */
+    const char *index;     /* the built-in number of a vertex, or NULL */
+    const char *library;   /* ending of its own files of the library, or NULL */
+    int number;            /* of the version */
+    int layout;            /* Layout: the default */
+    bool in_out, blocks, locations, words, zero_to_one, spirv; /* as targets.def says */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 

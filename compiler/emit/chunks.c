@@ -1,4 +1,5 @@
-/* Chunks by name and variant: name.<choice>.110, name.110, name.<choice>, name; the first that exists. */
+/* Chunks by name and variant; the first that exists. Where the target has files of its own, as .110:
+ * name.<choice>.110, name.110, name.<choice>, name. */
 #include "compiler/emit/chunks.h"
 #include <string.h>
 
@@ -29,39 +30,39 @@ static Variants variants_of(const char *name, int length)
     return variants;
 }
 
-static const Chunk *find(const Variants *variants, const char *choice, bool of_110)
+static const Chunk *find(const Variants *variants, const char *choice, const char *ending)
 {
     const size_t size = strlen(choice);
     for (int i = 0; i < variants->count; i++) {
         const char *rest = variants->first[i].name + variants->length;
         if (size && (*rest++ != '.' || strncmp(rest, choice, size)))
             continue;
-        if (!strcmp(rest + size, of_110 ? ".110" : ""))
+        if (!strcmp(rest + size, ending))
             return &variants->first[i];
     }
     return NULL;
 }
 
-/* name.<choice> of any axis, or for GLSL 1.10 name.<choice>.110. */
-static const Chunk *of_choice(const Variants *variants, const Job *job, bool of_110)
+/* name.<choice> of any axis, and the ending. */
+static const Chunk *of_choice(const Variants *variants, const Job *job, const char *ending)
 {
     const Chunk *chunk = NULL;
     for (int axis = 0; axis < AXIS_COUNT && !chunk; axis++)
         if (axis_table[axis].chunks)
-            chunk = find(variants, choice_table[job->choice[axis]].name, of_110);
+            chunk = find(variants, choice_table[job->choice[axis]].name, ending);
     return chunk;
 }
 
 static const Chunk *variant(const char *name, int length, const Job *job)
 {
     const Variants variants = variants_of(name, length);
-    bool old = job->target == TARGET_glsl110;
-    const Chunk *chunk = old ? of_choice(&variants, job, true) : NULL;
-    if (!chunk && old)
-        chunk = find(&variants, "", true);
+    const char *own = target_table[job->target].library;
+    const Chunk *chunk = own ? of_choice(&variants, job, own) : NULL;
+    if (!chunk && own)
+        chunk = find(&variants, "", own);
     if (!chunk)
-        chunk = of_choice(&variants, job, false);
-    return chunk ? chunk : find(&variants, "", false);
+        chunk = of_choice(&variants, job, "");
+    return chunk ? chunk : find(&variants, "", "");
 }
 
 static bool add(Session *session, Chunks *chunks, const char *name, int length, const Job *job)

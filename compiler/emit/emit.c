@@ -294,7 +294,7 @@ static void put_functions(Scope *e, Text *out)
 
 static void put_output(Scope *e, Text *out, const IrOutput *output)
 {
-    bool old = e->job->target == TARGET_glsl110;
+    bool named = target_table[e->job->target].in_out;
     put_needed(e, out, output->value, 1);
     if (output->kind == OUT_discard) {
         text_put(out, "    if (");
@@ -305,7 +305,7 @@ static void put_output(Scope *e, Text *out, const IrOutput *output)
     if (output->kind == OUT_depth)
         text_put(out, "    gl_FragDepth = ");
     else
-        text_format(out, old ? "    gl_FragData[%d] = " : "    fragment%d = ", output->index);
+        text_format(out, named ? "    fragment%d = " : "    gl_FragData[%d] = ", output->index);
     emit_expression(e, out, output->value, PRECEDENCE_any);
     text_put(out, ";\n");
 }

@@ -8,8 +8,6 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
 enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_BLOCK = 17 };
 /* The block of numbers that tell materials of one program apart (constants.h). */
 #define CONSTANT_BLOCK_NAME "Constants"
-/* The target wants a location or a binding for every part of the interface. */
-bool emit_has_locations(Target target);
 /* Of the program's texture of that number. */
 int emit_texture_binding(int index);
 /* Of a table of the library's, which comes behind the document's textures; -1: the program has none of that name. */

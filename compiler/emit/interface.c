@@ -5,11 +5,13 @@
 
 void emit_version(Text *out, Target target)
 {
-    text_format(out, "#version %s\n", target_table[target].version);
-    if (target == TARGET_glsl110)
-        text_put(out, "#extension GL_ARB_draw_buffers : enable\n");
-    if (target_table[target].es)
-        text_put(out, "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n");
+    const TargetRow *row = &target_table[target];
+    text_format(out, "#version %s\n", row->version);
+    if (row->enables)
+        text_format(out, "#extension %s : enable\n", row->enables);
+    if (row->precision)
+        text_format(out, "precision %s float;\nprecision %s int;\nprecision %s sampler2D;\n", row->precision,
+                    row->precision, row->precision);
 }
 
 int emit_input_location(Input input)
@@ -19,8 +21,6 @@ int emit_input_location(Input input)
         location += input_table[i].source == SOURCE_varying;
     return location;
 }
-
-bool emit_has_locations(Target target) { return target == TARGET_glsl450 || target == TARGET_spirv; }
 
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
 int emit_texture_binding(int index)
@@ -57,18 +57,19 @@ const char *emit_texture_name(Session *session, const Ir *ir, int texture)
 void emit_varying(Text *out, Target target, Input input, const char *word)
 {
     const InputRow *row = &input_table[input];
-    if (emit_has_locations(target))
+    if (target_table[target].locations)
         text_format(out, "layout(location = %d) ", emit_input_location(input));
-    text_format(out, "%s %s %s;\n", target == TARGET_glsl110 ? "varying" : word, type_table[row->type].name, row->glsl);
+    text_format(out, "%s %s %s;\n", target_table[target].in_out ? word : "varying", type_table[row->type].name,
+                row->glsl);
 }
 
 /* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole: its offsets are promised. */
 static void put_constants(Text *out, const Ir *ir, Target target)
 {
-    bool block = target != TARGET_glsl110;
+    bool block = target_table[target].blocks;
     if (!ir->constant_count)
         return;
-    if (emit_has_locations(target))
+    if (target_table[target].locations)
         text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n", CONSTANT_BLOCK);
     else if (block)
         text_put(out, "layout(std140) uniform " CONSTANT_BLOCK_NAME " {\n");
@@ -105,7 +106,7 @@ static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, con
 
 static void put_sampler(Text *out, Target target, int *index, const char *declaration, int size)
 {
-    if (emit_has_locations(target))
+    if (target_table[target].locations)
         text_format(out, "layout(binding = %d) ", emit_texture_binding((*index)++));
     text_format(out, "uniform %.*s;\n", size, declaration);
 }
@@ -145,7 +146,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
         if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
             emit_varying(out, job->target, (Input)i, "in");
     Text uniforms = text_new(session->arena);
-    bool block = emit_has_locations(job->target);
+    bool block = target_table[job->target].locations;
     if (put_uniforms(&uniforms, ir, interface, block ? "    " : "uniform ")) {
         if (block)
             text_format(out, "layout(std140, binding = %d) uniform Material {\n", MATERIAL_BLOCK);
@@ -155,7 +156,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
     put_constants(out, ir, job->target);
     put_samplers(session, out, ir, job, interface);
     for (int i = 0; i < ir->output_count; i++)
-        if (ir->outputs[i].kind == OUT_color && job->target != TARGET_glsl110)
+        if (ir->outputs[i].kind == OUT_color && target_table[job->target].in_out)
             text_format(out, "layout(location = %d) out %s fragment%d;\n", ir->outputs[i].index,
                         type_table[ir_type(ir, ir->outputs[i].value)].name, ir->outputs[i].index);
     if (out->size > before)

@@ -50,7 +50,7 @@ static void close_list(List *list) { text_put(list->out, list->first ? "]" : "\n
 /* Where a plain uniform lies in the block, for targets that have one. */
 static void put_offset(Text *out, const Job *job, const char *type, int *size)
 {
-    if (emit_has_locations(job->target))
+    if (target_table[job->target].locations)
         text_format(out, ", \"offset\": %d", std140_offset(type, size));
 }
 
@@ -65,7 +65,7 @@ static void put_inputs(Text *out, const Job *job, const Interface *interface, in
         next(&list);
         put_typed(out, row->glsl, type_table[row->type].name);
         json_next(out, "source", sources[row->source]);
-        if (row->source == SOURCE_varying && emit_has_locations(job->target))
+        if (row->source == SOURCE_varying && target_table[job->target].locations)
             text_format(out, ", \"location\": %d", emit_input_location((Input)i));
         if (row->source == SOURCE_draw)
             put_offset(out, job, type_table[row->type].name, size);
@@ -116,7 +116,7 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     if (!ir->constant_count)
         return;
     text_format(out, ",\n  \"constants\": {\"block\": \"" CONSTANT_BLOCK_NAME "\", \"size\": %d", constants_size(ir));
-    if (emit_has_locations(job->target))
+    if (target_table[job->target].locations)
         text_format(out, ", \"binding\": %d", CONSTANT_BLOCK);
     List list = {out, true};
     text_put(out, ", \"members\": [");
@@ -145,7 +145,7 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
         json_next(out, "format", t->lanes == 4 ? bytes ? "RGBA8" : "RGBA32F" : bytes ? "R8" : "R32F");
         json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
         text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
-        if (emit_has_locations(job->target))
+        if (target_table[job->target].locations)
             text_format(out, "\"binding\": %d, ",
                         made_by[i] >= 0 ? emit_texture_binding(i) : emit_table_binding(ir, interface, t->name));
         if (t->path)

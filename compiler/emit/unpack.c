@@ -133,23 +133,24 @@ static void put_known(Text *out, const LayoutRow *layout, Slot slot, const char 
 /* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits of a half float. */
 static void put_samplers(Text *out, const Job *job)
 {
-    const char *highp = target_table[job->target].es ? "highp " : "";
+    const TargetRow *target = &target_table[job->target];
     for (int i = 0; i < layout_targets(job->layout); i++) {
         bool words = format_table[job->layout->formats[i]].words;
-        if (job->target == TARGET_glsl450 || job->target == TARGET_spirv)
+        if (target->locations)
             text_format(out, "layout(binding = %d) ", i);
-        text_format(out, "uniform %s%ssampler2D matc_gbuffer%d;\n", highp, words ? "u" : "", i);
+        text_format(out, "uniform %s%s%ssampler2D matc_gbuffer%d;\n", target->precision ? target->precision : "",
+                    target->precision ? " " : "", words ? "u" : "", i);
     }
     text_char(out, '\n');
 }
 
 static void put_fetches(Text *out, const Job *job)
 {
-    bool old = job->target == TARGET_glsl110;
+    bool fetches = target_table[job->target].words;
     for (int i = 0; i < layout_targets(job->layout); i++)
         text_format(out,
-                    old ? "    %s target%d = texture2D(matc_gbuffer%d, coordinate);\n"
-                        : "    %s target%d = texelFetch(matc_gbuffer%d, pixel, 0);\n",
+                    fetches ? "    %s target%d = texelFetch(matc_gbuffer%d, pixel, 0);\n"
+                            : "    %s target%d = texture2D(matc_gbuffer%d, coordinate);\n",
                     format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i, i);
 }
 
@@ -183,16 +184,16 @@ static void put_cases(Text *out, const LayoutRow *layout)
 
 const char *emit_unpack(Session *session, const Job *job)
 {
+    const TargetRow *target = &target_table[job->target];
     Text out = text_new(session->arena);
     text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
                 job->layout->name);
-    if (target_table[job->target].es)
-        text_put(&out, "precision highp float;\nprecision highp int;\n");
+    if (target->precision)
+        text_format(&out, "precision %s float;\nprecision %s int;\n", target->precision, target->precision);
     put_samplers(&out, job);
     put_struct(&out, job->layout);
     put_chunks(session, &out, job);
-    text_format(&out, "Surface unpackSurface(%s) {\n",
-                job->target == TARGET_glsl110 ? "vec2 coordinate" : "ivec2 pixel");
+    text_format(&out, "Surface unpackSurface(%s) {\n", target->words ? "ivec2 pixel" : "vec2 coordinate");
     put_fetches(&out, job);
     text_put(&out, "    Surface surface;\n");
     put_cases(&out, job->layout);

@@ -21,7 +21,7 @@ typedef struct {
 
 static glslang_input_t input_for(Target target, glslang_stage_t stage, const char *code)
 {
-    bool vulkan = target == TARGET_spirv;
+    bool vulkan = target_table[target].spirv;
     glslang_input_t input = {.language = GLSLANG_SOURCE_GLSL,
                              .stage = stage,
                              .client = vulkan ? GLSLANG_CLIENT_VULKAN : GLSLANG_CLIENT_NONE,

@@ -37,7 +37,7 @@ enum { ATTRIBUTE_COUNT = 5, UNIFORM_COUNT = 4 };
 static void put_attributes(Text *out, Target target, const bool *used)
 {
     for (int i = 0; i < ATTRIBUTE_COUNT; i++)
-        if (used[i] && target == TARGET_glsl110)
+        if (used[i] && !target_table[target].in_out)
             text_format(out, "attribute %s;\n", attributes[i]);
         else if (used[i])
             text_format(out, "layout(location = %d) in %s;\n", i, attributes[i]);
@@ -45,7 +45,7 @@ static void put_attributes(Text *out, Target target, const bool *used)
 
 static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names, int count)
 {
-    bool block = emit_has_locations(target);
+    bool block = target_table[target].locations;
     if (block)
         text_format(out, "layout(std140, binding = %d) uniform Draw {\n", DRAW_BLOCK);
     for (int i = 0; i < count; i++)
@@ -93,19 +93,19 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
  * it linear over the screen even where the near plane is oblique; it leads away from the eye whichever way z runs. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)
 {
-    bool old = job->target == TARGET_glsl110, ray = interface->inputs[INPUT_ray];
-    if (old)
-        text_put(out, "attribute vec3 position;\n");
+    const char *index = target_table[job->target].index;
+    bool ray = interface->inputs[INPUT_ray];
+    if (!index)
+        put_attributes(out, job->target, (bool[ATTRIBUTE_COUNT]){true});
     if (ray) {
         put_uniforms(out, job->target, (bool[]){true}, screen_uniforms, 1);
         emit_varying(out, job->target, INPUT_ray, "out");
     }
     text_put(out, "\nvoid main() {\n");
-    const char *index = job->target == TARGET_spirv ? "gl_VertexIndex" : "gl_VertexID";
-    if (old)
-        text_put(out, "    vec2 corner = position.xy;\n");
-    else
+    if (index)
         text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n", index, index);
+    else
+        text_put(out, "    vec2 corner = position.xy;\n");
     if (ray)
         text_put(out, "    vec4 point = matc_worldFromClip * vec4(corner, 0.0, 1.0);\n"
                       "    vec4 ahead = matc_worldFromClip[2];\n"
@@ -142,8 +142,9 @@ static void describe(Text *out, const char *declaration, const char *key, int va
 
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
 {
-    bool screen = job->pass == PASS_plane || job->pass == PASS_sky, old = job->target == TARGET_glsl110;
-    bool attribute[ATTRIBUTE_COUNT] = {screen && old},
+    const TargetRow *target = &target_table[job->target];
+    bool screen = job->pass == PASS_plane || job->pass == PASS_sky;
+    bool attribute[ATTRIBUTE_COUNT] = {screen && !target->index},
          uniform[UNIFORM_COUNT] = {screen && interface->inputs[INPUT_ray]};
     const char *const *names = screen ? screen_uniforms : uniforms;
     int size = 0;
@@ -153,18 +154,18 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
     for (int i = 0, first = 1; i < ATTRIBUTE_COUNT; i++)
         if (attribute[i]) {
             text_put(out, first ? "" : ", ");
-            describe(out, attributes[i], "location", old ? -1 : i);
+            describe(out, attributes[i], "location", target->in_out ? i : -1);
             first = 0;
         }
     text_put(out, "], \"uniforms\": [");
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {
             text_put(out, first ? "" : ", ");
-            describe(out, names[i], "offset", emit_has_locations(job->target) ? std140_offset(names[i], &size) : -1);
+            describe(out, names[i], "offset", target->locations ? std140_offset(names[i], &size) : -1);
             first = 0;
         }
     text_put(out, "]");
-    if (emit_has_locations(job->target) && size)
+    if (target->locations && size)
         text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK,
                     std140_size(size));
     text_put(out, "}");

@@ -28,10 +28,10 @@ void job_put_json(Text *out, const Job *job)
 
 ReferenceNoise job_noise(Choice noise, Target target)
 {
-    bool old = target == TARGET_glsl110;
+    bool words = target_table[target].words;
     if (noise == CHOICE_noise_groimp)
         return REFERENCE_GROIMP;
     if (noise == CHOICE_noise_simplex)
-        return old ? REFERENCE_SIMPLEX_FLOAT : REFERENCE_SIMPLEX;
-    return old ? REFERENCE_LATTICE_FLOAT : REFERENCE_LATTICE;
+        return words ? REFERENCE_SIMPLEX : REFERENCE_SIMPLEX_FLOAT;
+    return words ? REFERENCE_LATTICE : REFERENCE_LATTICE_FLOAT;
 }

@@ -184,7 +184,7 @@ static bool place(Lower *l, int number, Placement *placement)
     if (fault)
         diag_add(l->session, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
                  slot_table[fault->source[0].slot].name);
-    if (!fault && l->job->target == TARGET_glsl110 && layout_has_words(row))
+    if (!fault && !target_table[l->job->target].words && layout_has_words(row))
         diag_add(l->session, NO_SPAN, DIAG_layout_words, row->name, target_table[l->job->target].name);
     return !l->session->diags.errors;
 }

@@ -52,7 +52,7 @@ static Env plane_env(Lower *l)
     Ref point = ir_vec(ir, TYPE_vec4, REFS(l->ir, p, number(l, 1)), 2);
     Ref z = dot(l, ir_input(ir, INPUT_clipZ), point), w = dot(l, ir_input(ir, INPUT_clipW), point);
     Ref depth = quotient(l, z, nonzero(l, w));
-    if (l->job->target != TARGET_spirv) /* Vulkan's clip space has depth in [0, 1] already */
+    if (!target_table[l->job->target].zero_to_one)
         depth = add(l, mul(l, depth, number(l, 0.5)), number(l, 0.5));
     ir_output(ir, OUT_discard, 0, ir_binary(ir, OP_le, along, number(l, 0)));
     ir_output(ir, OUT_depth, 0, ir_ternary(ir, OP_clamp, depth, number(l, 0), number(l, 1)));

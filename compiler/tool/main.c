@@ -420,6 +420,13 @@ static int run_watching(CommandLine *line, int argc, char **argv)
     return BY_SIGNAL + signal;
 }
 
+static void print_help(void)
+{
+    Arena arena = {0};
+    fputs(options_help(&arena), stdout);
+    arena_free(&arena);
+}
+
 int main(int argc, char **argv)
 {
     CommandLine line;
@@ -431,7 +438,7 @@ int main(int argc, char **argv)
     }
     int status = FINE;
     if (line.help)
-        fputs(options_help, stdout);
+        print_help();
     else if (line.version)
         puts("matc " MATC_VERSION);
     else if (line.schema)

@@ -48,7 +48,7 @@ static const char *const file_keys[EMIT_COUNT] = {
 
 static void put_files(Text *out, const Batch *b, const char *name)
 {
-    bool spirv = b->options.target && !strcmp(b->options.target, "spirv");
+    bool spirv = choice_target(&b->options)->spirv;
     for (int emit = 0; emit < EMIT_COUNT; emit++) {
         int as = emit == EMIT_glsl && spirv ? EMIT_spirv : emit;
         if (emit == EMIT_glsl && spirv && b->line->emit[EMIT_spirv])
@@ -144,12 +144,11 @@ void manifest_put(const Batch *b, Bytes *to)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
-    const char *target = b->options.target ? b->options.target : target_table[TARGET_glsl330].name;
     bool any = false;
     text_put(&out, "{\n  ");
     json_member(&out, "matc", MATC_VERSION);
     text_put(&out, ",\n  ");
-    json_member(&out, "target", target);
+    json_member(&out, "target", choice_target(&b->options)->name);
     put_layout(&out, b);
     text_put(&out, ",\n  \"programs\": [");
     for (int i = 0; i < b->program_count; i++) {

@@ -1,5 +1,6 @@
 /* The command line: one table of options. */
 #include "compiler/tool/options.h"
+#include "compiler/choice.h"
 #include "compiler/base/file.h"
 #include "compiler/base/queue.h"
 #include <stddef.h>
@@ -77,62 +78,6 @@ static const Option options[] = {
     FLAG("--version", version),
 };
 enum { OPTION_COUNT = sizeof options / sizeof *options };
-
-const char *const options_help =
-    "usage: matc [options] document...\n"
-    "\n"
-    "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n"
-    "\n"
-    "output\n"
-    "  -o FILE              write there; - and the default are standard output\n"
-    "  -d DIR               write NAME.frag and so on there, for all materials of all documents, each program once,\n"
-    "                       and manifest.json, which says what uses which; several passes may be named\n"
-    "  -j N                 by so many threads; all processors without it\n"
-    "  @FILE                documents named in a file, one a line\n"
-    "  --cache DIR          with -d: keep there what the next run can use; MATC_CACHE says the same\n"
-    "  --cache-limit=MIB    of the folder: 1024; the least recently used goes first\n"
-    "  --cache-stats        what the cache holds and how often it helped\n"
-    "  --emit=LIST          glsl (default), vertex, unpack, reflect, layout, spirv, ir, dot, tree; several need -d\n"
-    "  --textures DIR       write the textures that matc makes there, as KTX\n"
-    "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
-    "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
-    "program\n"
-    "  --target=T           glsl110, glsl330 (default), glsl450, essl300, spirv\n"
-    "  --pass=P             gbuffer (default), plane, sky, shadow, depth, value\n"
-    "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n"
-    "  --layout=L           compact (default), thin (default of glsl110), thesis, radix, integer; a file;\n"
-    "                       auto: the smallest that holds all materials given. --explain L shows its fields\n"
-    "  --layout-error=E     of auto: what a colour's square root may be off (0.00196), other slots in proportion\n"
-    "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
-    "  --constants=C        baked, uniform: numbers of the document come from a uniform block; auto (default): with "
-    "-d,\n"
-    "                       those in which materials that can share a program differ\n"
-    "  --noise=N            lattice (default), groimp, simplex\n"
-    "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
-    "  --powers=P           squaring (default), pow, compensated\n"
-    "  --trigonometry=T     native (default), bounded\n"
-    "  --aa=A               none (default), box, aniso: maps are averaged over the pixel\n"
-    "  --derivatives=D      finite (default), analytic\n"
-    "  --material=NAME      of `materials:`; without it, the only one\n"
-    "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
-    "measuring\n"
-    "  --max-error=E        the fastest choices, among those not named, that keep every slot within E of the "
-    "reference\n"
-    "  --pareto             run time and error of every choice not named; -o BASENAME: also as .csv, .svg and .png\n"
-    "  --range=R            coordinates that count are in [-R, R]: 4\n"
-    "  --gl=KIND            measure on osmesa (default), or on egl: a GPU where there is one\n"
-    "questions\n"
-    "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
-    "  --list               materials, maps, waves, channels, slots\n"
-    "  --explain NAME       one of them\n"
-    "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
-    "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
-    "  --diagnostics=FORM   text (default), json\n"
-    "  --no-validate        do not ask glslang\n"
-    "  --check              check the IR after every pass\n"
-    "  --help, --version\n"
-    "\n"
-    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
 
 static bool read_emit(CommandLine *line, const char *list, const char **fault)
 {
@@ -223,7 +168,8 @@ static bool read_level(CommandLine *line, const char *arg)
 
 static int emit_row(const MatcOptions *options, int emit)
 {
-    return emit == EMIT_glsl && options->target && !strcmp(options->target, "spirv") ? EMIT_spirv : emit;
+    const TargetRow *target = choice_target(options);
+    return emit == EMIT_glsl && target && target->spirv ? EMIT_spirv : emit;
 }
 
 MatcOutput options_emit_output(const MatcOptions *options, int emit)

@@ -1,6 +1,7 @@
 /* The command line of matc. */
 #ifndef MATC_OPTIONS_H
 #define MATC_OPTIONS_H
+#include "compiler/base/arena.h"
 #include "compiler/matc.h"
 
 enum { MOST_PASSES = 8 };
@@ -66,8 +67,9 @@ void options_free(CommandLine *line);
 /* NULL, or what does not go together; `room` is for words that must be made. options_check.c */
 enum { CHECK_ROOM = 256 };
 const char *options_check(const CommandLine *line, char room[CHECK_ROOM]);
-/* The output behind an --emit: for the target spirv, SPIR-V where GLSL would be written. */
+/* The output behind an --emit: SPIR-V where GLSL would be written, for a target of SPIR-V. */
 MatcOutput options_emit_output(const MatcOptions *options, int emit);
 const char *options_emit_suffix(const MatcOptions *options, int emit);
-extern const char *const options_help;
+/* What --help prints; in the arena. options_help.c */
+const char *options_help(Arena *arena);
 #endif

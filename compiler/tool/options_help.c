@@ -1,0 +1,108 @@
+/* What --help prints. Lists of targets, passes and layouts are those of the tables. */
+#include "compiler/tool/options.h"
+#include "compiler/base/text.h"
+#include "grammar/tables.h"
+
+static const char before_target[] =
+    "usage: matc [options] document...\n"
+    "\n"
+    "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n"
+    "\n"
+    "output\n"
+    "  -o FILE              write there; - and the default are standard output\n"
+    "  -d DIR               write NAME.frag and so on there, for all materials of all documents, each program once,\n"
+    "                       and manifest.json, which says what uses which; several passes may be named\n"
+    "  -j N                 by so many threads; all processors without it\n"
+    "  @FILE                documents named in a file, one a line\n"
+    "  --cache DIR          with -d: keep there what the next run can use; MATC_CACHE says the same\n"
+    "  --cache-limit=MIB    of the folder: 1024; the least recently used goes first\n"
+    "  --cache-stats        what the cache holds and how often it helped\n"
+    "  --emit=LIST          glsl (default), vertex, unpack, reflect, layout, spirv, ir, dot, tree; several need -d\n"
+    "  --textures DIR       write the textures that matc makes there, as KTX\n"
+    "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
+    "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
+    "program\n";
+
+static const char before_layout[] =
+    "  --slot=S             for --pass=value: diffuse (default), normal, specular, ...\n";
+
+static const char after_layout[] =
+    "                       auto: the smallest that holds all materials given. --explain L shows its fields\n"
+    "  --layout-error=E     of auto: what a colour's square root may be off (0.00196), other slots in proportion\n"
+    "  --precision=P        fast (default), balanced, exact: sets the next four; each can still be named\n"
+    "  --constants=C        baked, uniform: numbers of the document come from a uniform block; auto (default): with "
+    "-d,\n"
+    "                       those in which materials that can share a program differ\n"
+    "  --noise=N            lattice (default), groimp, simplex\n"
+    "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
+    "  --powers=P           squaring (default), pow, compensated\n"
+    "  --trigonometry=T     native (default), bounded\n"
+    "  --aa=A               none (default), box, aniso: maps are averaged over the pixel\n"
+    "  --derivatives=D      finite (default), analytic\n"
+    "  --material=NAME      of `materials:`; without it, the only one\n"
+    "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
+    "measuring\n"
+    "  --max-error=E        the fastest choices, among those not named, that keep every slot within E of the "
+    "reference\n"
+    "  --pareto             run time and error of every choice not named; -o BASENAME: also as .csv, .svg and .png\n"
+    "  --range=R            coordinates that count are in [-R, R]: 4\n"
+    "  --gl=KIND            measure on osmesa (default), or on egl: a GPU where there is one\n"
+    "questions\n"
+    "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
+    "  --list               materials, maps, waves, channels, slots\n"
+    "  --explain NAME       one of them\n"
+    "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
+    "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
+    "  --diagnostics=FORM   text (default), json\n"
+    "  --no-validate        do not ask glslang\n"
+    "  --check              check the IR after every pass\n"
+    "  --help, --version\n"
+    "\n"
+    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
+
+/* ", name", or "name" as the first of a list; ` (default)` behind the default. */
+static void put_name(Text *out, bool first, const char *name, bool is_default)
+{
+    text_format(out, "%s%s%s", first ? "" : ", ", name, is_default ? " (default)" : "");
+}
+
+/* The target whose default the layout is, but for the default target; NULL: it is none's. */
+static const char *default_of(int layout)
+{
+    for (int i = 0; i < TARGET_COUNT; i++)
+        if (i != TARGET_DEFAULT && target_table[i].layout == layout)
+            return target_table[i].name;
+    return NULL;
+}
+
+/* The default, then those of other targets, then the rest. */
+static void put_layouts(Text *out)
+{
+    const int first = target_table[TARGET_DEFAULT].layout;
+    put_name(out, true, layout_table[first].name, true);
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        if (i != first && default_of(i))
+            text_format(out, ", %s (default of %s)", layout_table[i].name, default_of(i));
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        if (i != first && !default_of(i))
+            put_name(out, false, layout_table[i].name, false);
+}
+
+const char *options_help(Arena *arena)
+{
+    Text out = text_new(arena);
+    text_put(&out, before_target);
+    text_put(&out, "  --target=T           ");
+    for (int i = 0; i < TARGET_COUNT; i++)
+        put_name(&out, i == 0, target_table[i].name, i == TARGET_DEFAULT);
+    text_put(&out, "\n  --pass=P             ");
+    for (int i = 0; i < PASS_COUNT; i++)
+        put_name(&out, i == 0, pass_table[i].name, i == PASS_gbuffer);
+    text_put(&out, "\n");
+    text_put(&out, before_layout);
+    text_put(&out, "  --layout=L           ");
+    put_layouts(&out);
+    text_put(&out, "; a file;\n");
+    text_put(&out, after_layout);
+    return out.at;
+}
