@@ -29,7 +29,7 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
     MatcOptions options;
     Job job;
     const char *log = NULL;
-    bool old = target == TARGET_glsl110;
+    const TargetRow *row = &target_table[target];
     matc_options_init(&options);
     options.target = target_table[target].name;
     Session session = {.options = &options, .arena = &arena};
@@ -37,16 +37,16 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
     job.layout = layout;
     const char *unpack = emit_unpack(&session, &job);
     Text text = text_new(&arena);
-    text_format(&text, "#version %s\n%s", target_table[target].version, unpack);
+    text_format(&text, "#version %s\n%s", row->version, unpack);
     text_format(&text, "%svoid main() {\n    Surface s = unpackSurface(%s);\n    float sum = 0.0;\n",
-                old                                                  ? ""
-                : target == TARGET_glsl450 || target == TARGET_spirv ? "layout(location = 0) out vec4 color;\n"
-                                                                     : "out vec4 color;\n",
-                old ? "gl_FragCoord.xy" : "ivec2(gl_FragCoord.xy)");
+                !row->in_out     ? ""
+                : row->locations ? "layout(location = 0) out vec4 color;\n"
+                                 : "out vec4 color;\n",
+                row->words ? "ivec2(gl_FragCoord.xy)" : "gl_FragCoord.xy");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))
             text_format(&text, "    sum += length(s.%s);\n", slot_table[slot].name);
-    text_format(&text, "    %s = vec4(sum);\n}\n", old ? "gl_FragColor" : "color");
+    text_format(&text, "    %s = vec4(sum);\n}\n", row->in_out ? "color" : "gl_FragColor");
     bool fine = validate(&session, target, vertex, text.at, 0, &log);
     if (!fine)
         print_error("%s, %s: %s\n%s", layout->name, target_table[target].name, log, text.at);
@@ -54,10 +54,9 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
     return fine;
 }
 
-/* GLSL 1.10 has no words. */
 static bool is_read(const LayoutRow *layout, Target target)
 {
-    return target != TARGET_glsl110 || !layout_has_words(layout);
+    return target_table[target].words || !layout_has_words(layout);
 }
 
 /* ES links a uniform of both stages only if both give it the same precision: so the samplers are held to be highp, and what would be

@@ -205,10 +205,9 @@ static void call_variants(Test *t)
         free(texts[--count]);
 }
 
-/* GLSL 1.10 has no words. */
 static bool exists(int function, Target target)
 {
-    return target != TARGET_glsl110 || function_row(function)->result != TYPE_uint;
+    return target_table[target].words || function_row(function)->result != TYPE_uint;
 }
 
 static int check_target(Test *t, Target target, const char *only)

@@ -275,11 +275,11 @@ static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
     check_halves(f, g);
 }
 
-static Drawer *drawer_for(Fixture *f, Target target) { return target == TARGET_glsl110 ? &f->compat : &f->core; }
+static Drawer *drawer_for(Fixture *f, Target target) { return target_table[target].in_out ? &f->core : &f->compat; }
 
 static bool can_draw(const LayoutRow *layout, int target)
 {
-    return target != TARGET_spirv && !(target == TARGET_glsl110 && layout_has_words(layout));
+    return !target_table[target].spirv && (target_table[target].words || !layout_has_words(layout));
 }
 
 /* What is left out tells the case, whatever the level. */
@@ -515,10 +515,10 @@ static void every_layout_is_valid(void **state)
         options.optimize = i % 2 * 2;
         options.pass = pass_table[i / 2 % 2 ? PASS_gbuffer : PASS_plane].name;
         options.check = true;
-        if (target == TARGET_glsl110 && layout_has_words(layout))
+        if (!target_table[target].words && layout_has_words(layout))
             continue;
         MatcProgram *program = matc_compile(
-            document, 0, MATC_FRAGMENT | MATC_UNPACK | (target == TARGET_spirv ? MATC_SPIRV : 0), &options);
+            document, 0, MATC_FRAGMENT | MATC_UNPACK | (target_table[target].spirv ? MATC_SPIRV : 0), &options);
         if (!matc_ok(program))
             fail_msg("%s, %s: %s", layout->name, options.target, matc_program_diagnostics(program, MATC_TEXT));
         matc_program_free(program);

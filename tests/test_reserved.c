@@ -15,9 +15,6 @@
 
 enum { LONGEST_WORD = 64, LONGEST_DOCUMENT = 512 };
 
-static const char *const targets[] = {"glsl110", "glsl330", "glsl450", "essl300", "spirv"};
-enum { TARGETS = sizeof targets / sizeof *targets };
-
 /* Chapters 3.6 of the GLSL 1.10, 3.30 and 4.50 specifications, 3.7 of GLSL ES 3.00, and what GL_KHR_vulkan_glsl adds: keywords, and
  * words reserved for future use. */
 static const struct {
@@ -185,14 +182,14 @@ static bool is_refused(const char *name)
 
 static void compile_everywhere(const char *name)
 {
-    for (int target = 0; target < TARGETS; target++) {
+    for (int target = 0; target < TARGET_COUNT; target++) {
         MatcOptions options;
         matc_options_init(&options);
-        options.target = targets[target];
+        options.target = target_table[target].name;
         MatcDocument *document = read_param(name, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         if (!matc_ok(program))
-            fail_msg("a param called %s for %s: %s", name, targets[target],
+            fail_msg("a param called %s for %s: %s", name, target_table[target].name,
                      matc_program_diagnostics(program, MATC_TEXT));
         matc_program_free(program);
         matc_document_free(document);
@@ -232,7 +229,7 @@ static void check_calls(const char *path, int target)
     char *text = file_read(path, &size, &why);
     MatcOptions options;
     matc_options_init(&options);
-    options.target = targets[target];
+    options.target = target_table[target].name;
     options.validate = false;
     options.precision = target % 2 ? "exact" : NULL;
     options.aa = target % 2 ? NULL : "aniso";
@@ -254,7 +251,7 @@ static void test_functions_called(void **state)
     DocumentList documents = documents_list(SOURCE_FOLDER);
     assert_true(documents.count > 100);
     for (int i = 0; i < documents.count; i++)
-        for (int target = 0; target < TARGETS; target++)
+        for (int target = 0; target < TARGET_COUNT; target++)
             check_calls(documents.paths[i], target);
     documents_free(&documents);
 }

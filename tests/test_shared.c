@@ -166,7 +166,7 @@ static GLuint set_constants(const Run *r, GLuint program, const cJSON *block, co
             assert_true(offset + 4 * lanes + 4 <= size);
             memcpy(bytes + offset + 4 * lanes++, word ? (void *)&whole : (void *)&value, 4);
         }
-        if (r->target == TARGET_glsl110)
+        if (!target_table[r->target].blocks)
             program_set(r->drawer->gl, program,
                         &(ProgramValue){text_of(member, "name"), lanes, (float *)(void *)(bytes + offset)});
         else
@@ -340,7 +340,7 @@ static void run_set(Fixture *f, BatchSet *set, Target target, const char *layout
 {
     char options[SET_PATH];
     const cJSON *material;
-    bool old = target == TARGET_glsl110;
+    bool old = !target_table[target].in_out;
     Run r = {.f = f, .set = set, .drawer = old ? &f->compat : &f->core, .target = target};
     snprintf(options, sizeof options, "--target=%s --layout=%s --constants=%s --emit=glsl,layout --no-validate",
              target_table[target].name, layout, constants);

@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/choice.h"
 #include "compiler/emit/validate.h"
 #include "tests/value/documents.h"
 #include <pthread.h>
@@ -81,7 +82,7 @@ static bool passes_spirv_val(Run *run, const char *words, size_t size)
 
 static void check_program(Run *run, const Document *d, int material, const MatcOptions *options)
 {
-    bool spirv = !strcmp(options->target, target_table[TARGET_spirv].name);
+    bool spirv = choice_target(options)->spirv;
     MatcProgram *program =
         matc_compile(d->document, material, MATC_FRAGMENT | MATC_VERTEX | (spirv ? MATC_SPIRV : 0), options);
     const char *what = NULL;
@@ -114,7 +115,8 @@ static void check_material(Run *run, const Document *d, int material)
         options.pass = pass_table[rest % PASS_COUNT].name;
         options.noise = choice_table[axis_table[AXIS_noise].first + rest / PASS_COUNT % axis_choices(AXIS_noise)].name;
         options.optimize = rest / PASS_COUNT / axis_choices(AXIS_noise) ? 0 : 2;
-        if (run->spirv_val ? options.optimize && target == TARGET_spirv : options.optimize || target == TARGET_glsl330)
+        if (run->spirv_val ? options.optimize && target_table[target].spirv
+                           : options.optimize || target == TARGET_DEFAULT)
             check_program(run, d, material, &options);
     }
 }

@@ -313,7 +313,7 @@ static Drawn *remember(Worker *w, uint64_t hash)
 
 static bool draw_sides(Worker *w, const Shading *shading, float *const rgba[2])
 {
-    Drawer *drawer = shading->target == TARGET_glsl110 ? &w->compat : &w->core;
+    Drawer *drawer = target_table[shading->target].in_out ? &w->core : &w->compat;
     GLuint program = drawer_program(drawer, shading);
     bool drawn = program != 0;
     for (int front = strstr(shading->fragment, "gl_FrontFacing") ? 0 : 1; front < 2 && drawn; front++)
@@ -342,7 +342,7 @@ static void check_program(Worker *w, const Case *c, MatcProgram *program)
         memcpy(rgba, memo->rgba, sizeof rgba);
     }
     if (!drawn && !draw_sides(w, &shading, rgba)) {
-        Drawer *drawer = shading.target == TARGET_glsl110 ? &w->compat : &w->core;
+        Drawer *drawer = target_table[shading.target].in_out ? &w->core : &w->compat;
         char name[160], variant[64];
         name_slot(c, name, sizeof name);
         add_fault(w->run, name, 1e9, "%s: %s", variant_name(c->variant, true, variant), drawer->error);

@@ -31,11 +31,10 @@ static const LayoutRow *half_layout(const Trial *t, Target target)
     return choice_job(&options, &job) || layout_has_words(job.layout) ? &layout_table[LAYOUT_thesis] : job.layout;
 }
 
-/* GLSL 1.10 has no words. */
 static bool is_written(const MatcOptions *options, Target target)
 {
     Job job;
-    return target != TARGET_glsl110 || (!choice_job(options, &job) && !layout_has_words(job.layout));
+    return target_table[target].words || (!choice_job(options, &job) && !layout_has_words(job.layout));
 }
 
 bool trial_validate(Trial *t, const char *text, size_t size)
@@ -161,7 +160,7 @@ static bool judge(Drawing *d, int noise, const Variant *v, int k, const double w
 static bool compare(Drawing *d, const Variant *v)
 {
     Trial *t = d->trial;
-    int noise = v->target == TARGET_glsl110;
+    int noise = !target_table[v->target].words;
     for (int k = 0; k < FIELD_COUNT; k++) {
         if (d->exact[noise][k].peak > t->plan->greatest)
             continue;
@@ -198,7 +197,7 @@ static bool draw(Drawing *d, const Variant *v, bool half, int targets)
     options.target = target_table[v->target].name;
     options.optimize = v->optimize;
     MatcProgram *program = matc_compile(d->document, 0, MATC_FRAGMENT, &options);
-    bool old = v->target == TARGET_glsl110, fine = false;
+    bool old = !target_table[v->target].in_out, fine = false;
     Drawer *drawer = old ? (half ? plan->compat_half : plan->compat) : half ? plan->core_half : plan->core;
     if (matc_ok(program)) {
         char *text = pixel_program(plan->pixel, matc_output(program, MATC_FRAGMENT, NULL));

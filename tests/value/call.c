@@ -83,7 +83,7 @@ bool caller_open(Caller *c, Target target)
 {
     memset(c, 0, sizeof *c);
     c->target = target;
-    c->gl = gl_open(GL_KIND_osmesa, target != TARGET_glsl110, c->error, sizeof c->error);
+    c->gl = gl_open(GL_KIND_osmesa, target_table[target].in_out, c->error, sizeof c->error);
     if (!c->gl)
         return false;
     if (make_all(c))
@@ -147,7 +147,7 @@ static void put_main(Caller *c, int function)
 {
     const FunctionRow *row = function_row(function);
     int lanes = type_table[row->result].lanes;
-    bool words = row->result == TYPE_uint, old = c->target == TARGET_glsl110;
+    bool words = row->result == TYPE_uint, old = !target_table[c->target].in_out;
     char text[128];
     snprintf(text, sizeof text, "void main() {\n    %s = %s(%s(", old ? "gl_FragColor" : "color",
              words ? "uvec4" : "vec4", row->name);
@@ -165,7 +165,7 @@ static void put_main(Caller *c, int function)
 
 static GLuint make_program(Caller *c, int function)
 {
-    bool old = c->target == TARGET_glsl110;
+    bool old = !target_table[c->target].in_out;
     static const char *const attributes[] = {"at"};
     char vertex[256], head[1024];
     const char *version = target_table[c->target].version;

@@ -120,7 +120,7 @@ static int location(Input input)
 
 static void vertex_text(char *text, const char *fragment, Target target)
 {
-    bool old = target == TARGET_glsl110, located = target == TARGET_glsl450;
+    bool old = !target_table[target].in_out, located = target_table[target].locations;
     int size = 0;
     PUT("#version %s\n%s vec2 at;\n", target_table[target].version, old ? "attribute" : "in");
     for (int i = 0; i < POINT_VARYINGS; i++)
@@ -209,7 +209,7 @@ static GLuint set_constants(Drawer *d, GLuint program, const Shading *shading)
     if (!bytes)
         return 0;
     matc_constant_block(shading->program, bytes);
-    for (int i = 0; i < count && shading->target == TARGET_glsl110; i++) {
+    for (int i = 0; i < count && !target_table[shading->target].blocks; i++) {
         const MatcConstant *member = matc_constant(shading->program, i);
         program_set(d->gl, program,
                     &(ProgramValue){member->name, member->lanes, (float *)((char *)bytes + member->offset)});

@@ -36,10 +36,11 @@ static GLuint make_reader(Gbuffer *g)
 {
     static char text[TEXT_ROOM];
     const TargetRow *target = &target_table[g->shading.target];
-    bool old = g->shading.target == TARGET_glsl110;
-    int size = snprintf(text, sizeof text, "#version %s\n%s%s\nuniform int which;\n%s", target->version,
-                        target->es ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" : "",
-                        g->unpack, old ? "" : "layout(location = 0) out vec4 color;\n");
+    bool old = !target->in_out;
+    int size =
+        snprintf(text, sizeof text, "#version %s\n%s%s\nuniform int which;\n%s", target->version,
+                 target->precision ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" : "",
+                 g->unpack, old ? "" : "layout(location = 0) out vec4 color;\n");
     size += snprintf(text + size, sizeof text - (size_t)size,
                      old ? "void main() {\n    Surface s = unpackSurface(gl_FragCoord.xy / vec2(%d.0, %d.0));\n"
                            "    vec4 value = vec4(0.0);\n"

@@ -100,7 +100,7 @@ bool filtered_open(Filtered *f, Drawers *drawers)
                            .target = f->job.target,
                            .program = f->program,
                            .graph = f->document.graph};
-    f->drawer = f->job.target == TARGET_glsl110 ? &drawers->old : &drawers->core;
+    f->drawer = target_table[f->job.target].in_out ? &drawers->core : &drawers->old;
     f->name = drawer_program(f->drawer, &f->shading);
     return f->name || fail(f, f->drawer->error);
 }

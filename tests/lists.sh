@@ -1,0 +1,57 @@
+#!/bin/sh
+# The targets that README.md, docs/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them:
+# lists.sh MATC; with --update behind it, these files are written anew. Run from the project's root.
+set -eu
+matc=$1
+update=${2:-}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+list=$("$matc" --help | sed -n 's/^  --target=T *//p') # glsl110, glsl330 (default), ...
+[ -n "$list" ]
+
+# in the man page: names up to the default, those behind it, the last
+in_man() {
+    echo "$list" | awk -F ', ' '{
+        line = ".Cm"
+        for (i = 1; i < NF; i++) {
+            name = $i
+            is_default = sub(/ \(default\)/, "", name)
+            line = line (line == ".Cm" ? " " : " , ") name
+            if (is_default) { print line "\n.Pq default ,"; line = ".Cm" }
+        }
+        if (line != ".Cm") print line
+        print "or\n.Cm " $NF " ."
+    }'
+}
+
+# replaced FILE FIRST LAST: the file, with standard input from the line that begins with FIRST up to the one before that which
+# begins with LAST
+replaced() {
+    first=$2 last=$3 awk 'FNR == NR { text = text $0 "\n"; next }
+        !found && index($0, ENVIRON["first"]) == 1 { printf "%s", text; inside = found = 1; next }
+        inside && index($0, ENVIRON["last"]) == 1 { inside = 0 }
+        !inside
+        END { exit !found }' - "$1"
+}
+
+# holds FILE FIRST LAST: that part of it is standard input
+holds() {
+    replaced "$@" >"$work/new" || {
+        echo "$1: no line begins with $2"
+        return 1
+    }
+    cmp -s "$work/new" "$1" && return
+    if [ "$update" = --update ]; then
+        cp "$work/new" "$1" && echo "$1: written"
+    else
+        diff "$1" "$work/new"
+    fi
+}
+
+quoted() { echo "$list" | sed -E "s/ \(default\)/@/; s/[a-z0-9]+/$1&$1/g; s/@/$2/"; }
+stale=0
+echo "| targets | $(quoted '`' '') |" | holds README.md '| targets |' '|' || stale=1
+echo "    const char *target;       /* $(quoted '"' ' (default)') */" |
+    holds compiler/matc.h '    const char *target;' '    const char *' || stale=1
+{ printf '%s\n' '.It Fl \-target Ns = Ns Ar target'; in_man; } | holds docs/matc.1 '.It Fl \-target ' '.It Fl' || stale=1
+exit "$stale"
