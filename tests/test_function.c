@@ -243,6 +243,55 @@ static void functions_are_their_references(void **state)
     assert_int_equal(faults, 0);
 }
 
+/* |z| = 2 has not escaped. All numbers are exact: c = -2 is the set's tip, where z is -2, 2, 2, ...; of c = 1 z is 1, 2, 5. */
+static const struct {
+    const char *function;
+    float x, y, cx, cy;
+    int iterations, within; /* steps that stay within 2 */
+} escapes[] = {
+    {"mandel", 0, .5f, 0, 0, 8, 8},     {"mandel", .75f, .5f, 0, 0, 8, 1}, {"mandel", .5f, .5f, 0, 0, 8, 8},
+    {"mandel", -3, 7.5f, 0, 0, 16, 16}, {"mandel", .5f, 0, 0, 0, 8, 0},    {"julia", .5f, .5f, -2, 0, 8, 8},
+    {"julia", 0, .5f, -2, 0, 8, 8},     {"julia", .5f, .5f, 2, 0, 8, 1},   {"julia", .5f, .5f, 0, 2, 8, 1},
+    {"julia", .5f, .5f, 0, -2, 16, 1},  {"julia", .75f, .5f, 1, 0, 8, 1},  {"julia", .5f, .5f, 2.5f, 0, 8, 0},
+};
+
+static void check_escape(Caller *caller, size_t i)
+{
+    static Tuple tuples[CALL_COUNT];
+    static double results[CALL_COUNT][CALL_LANES];
+    Job job;
+    MatcOptions options;
+    matc_options_init(&options);
+    options.target = target_table[caller->target].name;
+    assert_null(choice_job(&options, &job));
+    memset(tuples, 0, sizeof tuples);
+    tuples[0][0][0] = escapes[i].x;
+    tuples[0][0][1] = escapes[i].y;
+    tuples[0][1][0] = (float)escapes[i].iterations;
+    tuples[0][2][0] = escapes[i].cx;
+    tuples[0][3][0] = escapes[i].cy;
+    int function = function_find(escapes[i].function);
+    assert_true(call_gather(caller, function, &job));
+    assert_true(call_draw(caller, function, tuples, results));
+    double expected = 2. * escapes[i].within / escapes[i].iterations - 1;
+    if (fabs(results[0][0] - expected) > 1e-6)
+        fail_msg("%s %s, row %zu: is %g, should be %g", escapes[i].function, options.target, i, results[0][0],
+                 expected);
+}
+
+static void what_reaches_two_has_not_escaped(void **state)
+{
+    static const Target targets[] = {TARGET_glsl330, TARGET_glsl110};
+    static Caller caller;
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        assert_true(caller_open(&caller, targets[k]));
+        for (size_t i = 0; i < sizeof escapes / sizeof *escapes; i++)
+            check_escape(&caller, i);
+        caller_close(&caller);
+    }
+}
+
 static void every_function_has_a_case(void **state)
 {
     (void)state;
@@ -259,6 +308,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_function_has_a_case),
+        cmocka_unit_test(what_reaches_two_has_not_escaped),
         cmocka_unit_test(functions_are_their_references),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -69,14 +69,19 @@ static void test_volume_functions(void **state)
     Node *wood = build_node(&b, KIND_Wood), *leopard = build_node(&b, KIND_Leopard);
     Node *mandel = build_node(&b, KIND_Mandel), *julia = build_node(&b, KIND_Julia);
     expect_near(&b, build_node(&b, KIND_Granite), G, .411586);
-    Surface s = at_xyz(3, -4, 9), half = at_xyz(.5, .5, 0), corner = at_xyz(.01, .01, 0), ones = at_xyz(1.5, 1.5, 1.5);
+    Surface s = at_xyz(3, -4, 9), half = at_xyz(.5, .5, 0), corner = at_xyz(.01, .01, 0), ones = at_xyz(1.5, 1.5, 1.5),
+            tip = at_xyz(0, .5, 0), one = at_xyz(.75, .5, 0);
     expect(&b, wood, R, &s, 5);
     expect(&b, wood, A, &s, 1);
     expect(&b, leopard, R, &ones, sin(1.5) * sin(1.5));
     expect(&b, mandel, R, &half, 1);    /* c = 0 stays at 0 */
     expect(&b, mandel, R, &corner, -1); /* escapes at once */
-    build_set(julia, P_Julia_cx, 0);
+    expect(&b, mandel, R, &tip, 1);     /* c = -2: z is -2, 2, 2, ..., and 2 has not escaped */
+    expect(&b, mandel, R, &one, -.8);   /* c = 1: z is 1, 2, 5: one step of ten */
+    build_set(julia, P_Julia_cx, -2);
     build_set(julia, P_Julia_cy, 0);
+    expect(&b, julia, R, &half, 1);
+    build_set(julia, P_Julia_cx, 0);
     expect(&b, julia, R, &half, 1);
     build_set(julia, P_Julia_cx, 1); /* 0, 1, 2, 5: two steps of ten do not escape */
     expect(&b, julia, R, &half, -.6);

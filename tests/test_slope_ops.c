@@ -280,11 +280,33 @@ static void functions_have_the_slopes_of_their_rows(void **state)
     }
 }
 
+/* What has no row: e^(base + rate u) over differences of 1/256 errs by rate^2 / 6 of their square. */
+static void a_function_without_a_row_has_the_slope_of_its_differences(void **state)
+{
+    (void)state;
+    Test t = {.random = java_random(15)};
+    const double step = 1. / 256;
+    const int function = function_find("waveExp");
+    assert_int_equal(slope_row(function)->kind, SLOPE_difference);
+    for (int i = 0; i < CALLS; i++) {
+        double base[4] = {uniform(&t, -5, 5)}, rate[4] = {uniform(&t, -4, 4)}, none[4] = {0};
+        double result[MOST_OUTPUTS][4], expected = rate[0] * exp(base[0]), squared = rate[0] * rate[0] * step * step;
+        begin(&t);
+        Ref value = ir_call(t.l.ir, function, (Ref[]){moving(&t.l, TYPE_float, base, rate, none)}, 1);
+        ir_output(t.l.ir, OUT_color, 0, slope_of(&t.l, value, DIRECTION_u));
+        evaluate(&t, 0, 0, result);
+        end(&t);
+        if (fabs(result[0][0] - expected) > (squared / 6 + 1e-11) * 1.001 * fabs(expected))
+            fail_msg("e^(%g + %g u) has the slope %.12g, should be %.12g", base[0], rate[0], result[0][0], expected);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(operations_have_the_slopes_of_all_operands),
         cmocka_unit_test(functions_have_the_slopes_of_their_rows),
+        cmocka_unit_test(a_function_without_a_row_has_the_slope_of_its_differences),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
