@@ -9,7 +9,7 @@ build=${1:?layers.sh BUILD}
 table=${2:-tests/layers.txt}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-grep -v '^#' "$table" | grep -v '^circle' | grep . >"$work/sees"
+grep -v '^#' "$table" | grep -v '^circle' | grep . >"$work/short"
 grep '^circle' "$table" >"$work/circles" || true
 faults=0
 fault() {
@@ -17,8 +17,12 @@ fault() {
     faults=1
 }
 
-# -- The table itself: for tsort, a folder stands behind what it sees
+# -- The table itself, each folder by its whole path; for tsort, a folder stands behind what it sees
 
+awk '{ n = split($1, part, "/"); full[part[n]] = row[NR] = $1; sees[NR] = $0 }
+     END { for (r = 1; r <= NR; r++) { n = split(sees[r], word); printf "%s", row[r]
+               for (i = 2; i <= n; i++) printf " %s", word[i] in full ? full[word[i]] : word[i]
+               print "" } }' "$work/short" >"$work/sees"
 awk '{ print $1, $1; for (i = 2; i <= NF; i++) print $1, $i }' "$work/sees" >"$work/order"
 tsort "$work/order" >/dev/null 2>"$work/loop" || fault <<END
 layers.sh: the table goes in a circle: $(grep -v 'contains a loop' "$work/loop" | sed 's/^tsort: //' | tr '\n' ' ')
