@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/stress/pixel.h"
 #include "tests/value/documents.h"
 #include "tests/value/evaluate.h"
 #include "tests/value/points.h"
@@ -117,10 +118,80 @@ static void long_coordinates_have_the_oracles_values(void **state)
     }
 }
 
+/* Normals in the relief of each pattern: its slopes. */
+#define RELIEF(map)          "material: Phong\ninput: {map: BumpMap, strength: 3, displacement: " map "}\n"
+#define SQUARE_RELIEF(input) RELIEF("{map: Checker, input: " input "}")
+#define CUBE_RELIEF(input)   RELIEF("{map: VolumeChecker, input: " input "}")
+static const char *const reliefs[] = {
+    SQUARE_RELIEF("{map: UVTransform, offsetU: 0.3, offsetV: -0.7, scaleU: 5.3, scaleV: 2.9}"),
+    SQUARE_RELIEF("{map: UVTransform, angle: 0.7, shear: 0.4, offsetU: 0.3, offsetV: 0.1, scaleU: 3.1, scaleV: -2.3}"),
+    CUBE_RELIEF("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, -0.2]}}"),
+    RELIEF("{map: Granite, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], scale: 1.3}}}"),
+    RELIEF("{map: VolumeTurbulence, octaves: 3, input: {map: XYZTransform, transform: {scale: [1.3, 0.7, 2.1]}}}"),
+    RELIEF("{map: Leopard, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}}}"),
+};
+static const Pixel pixels[] = {{0, 0}, {.02, -.013}, {.3, .01}};
+
+static Ir *compile_relief(Document *d, Session *session, const char *coordinates, const char *aa)
+{
+    Job job;
+    const MatcOptions options = {.pass = "value", .coordinates = coordinates, .aa = aa, .derivatives = "analytic"};
+    assert_null(choice_job(&options, &job));
+    job.slot = SLOT_normal;
+    Ir *ir = compile_ir(session, d->graph, d->graph->materials[0].node, &job);
+    assert_non_null(ir);
+    return ir;
+}
+
+static double apart(const Ir *plain, const Ir *exact, const Point *point, Pixel pixel)
+{
+    double inputs[INPUT_COUNT][4], a[MOST_OUTPUTS][4], b[MOST_OUTPUTS][4], most = 0;
+    ReferenceContext context = {.noise = plain->noise};
+    evaluate_inputs(point, true, inputs);
+    pixel_inputs(pixel, inputs);
+    ir_eval(plain, &context, (const double(*)[4])inputs, a);
+    ir_eval(exact, &context, (const double(*)[4])inputs, b);
+    for (int lane = 0; lane < 3; lane++)
+        most = fmax(most, fabs(a[0][lane] - b[0][lane]));
+    return most;
+}
+
+static void check_relief(Document *d, const char *text, const char *aa, const Point *points, int count)
+{
+    Arena arena = {0};
+    Session session = {.options = &d->options, .arena = &arena, .optimize = 2, .check = true};
+    const Ir *plain = compile_relief(d, &session, "plain", aa);
+    const Ir *exact = compile_relief(d, &session, "long", aa);
+    int missed = 0, compared = 0;
+    for (size_t k = 0; k < sizeof pixels / sizeof *pixels; k++)
+        for (int i = 0; i < count; i++, compared++)
+            missed += !(apart(plain, exact, &points[i], pixels[k]) <= 1e-6);
+    arena_free(&arena);
+    if (100 * missed > compared) /* an edge of a square may lie between the two */
+        fail_msg("%s--aa=%s: other slopes at %d of %d points", text, aa, missed, compared);
+}
+
+static void long_coordinates_have_the_slopes_of_plain_ones(void **state)
+{
+    static const char *const ways[] = {"none", "box", "aniso"};
+    static Point points[SAMPLES];
+    int count = sample_points(points);
+    (void)state;
+    for (size_t i = 0; i < sizeof reliefs / sizeof *reliefs; i++)
+        for (int way = 0; way < 3; way++) {
+            Document d;
+            if (!document_open_text(&d, reliefs[i]))
+                fail_msg("%s%s", reliefs[i], document_fault(&d));
+            check_relief(&d, reliefs[i], ways[way], points, count);
+            document_close(&d);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(long_coordinates_have_the_oracles_values),
+        cmocka_unit_test(long_coordinates_have_the_slopes_of_plain_ones),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -125,16 +125,26 @@ Ref area_volume(Lower *l, Kind kind, const Ref *args, int count)
     }
 }
 
+/* q without its whole part. It changes as q does, also where the parts of a long coordinate leave the change to the whole one. */
+static Ref within_period(Lower *l, Ref q)
+{
+    LongCoordinate parts;
+    if (!affine_coordinate(l, q, 1, &parts))
+        return ir_unary(l->ir, OP_fract, q);
+    Ref part = ir_unary(l->ir, OP_fract, parts.fraction);
+    for (int d = 0; d < DIRECTION_COUNT; d++)
+        slope_set(l, part, (Direction)d, slope_of(l, q, (Direction)d));
+    return part;
+}
+
 Ref area_odd_share(Lower *l, Ref q)
 {
     static const char *const lane[] = {"x", "y", "z"};
     int lanes = ir_lanes(l->ir, q);
-    LongCoordinate parts;
     Ref edges = footprint_edges(l, q), product;
     if (!edges)
         return 0;
-    Ref part = ir_unary(l->ir, OP_fract, affine_coordinate(l, q, 1, &parts) ? parts.fraction : q);
-    Ref longer = footprint_longer(l, q, &edges);
+    Ref part = within_period(l, q), longer = footprint_longer(l, q, &edges);
     if (longer) {
         product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, REFS(l->ir, part, longer, edges), 3);
     } else {
