@@ -1,7 +1,7 @@
 #!/bin/sh
 # Finds expressions that make IR nodes in an order that C leaves open: two arguments of a call, two members of an
 # initialiser, or both operands of an operator that call functions which take an `Ir *` or a `Lower *`. What only reads
-# takes a `const Ir *`. REFS (compiler/ir/ir.h) or a variable of its own gives each an order.
+# takes a `const Ir *`. REFS (compiler/ir/build.h) or a variable of its own gives each an order.
 # order.sh [FILE...]. Run from the project's root. Status 77: skipped.
 set -eu
 command -v clang-query >/dev/null || {

@@ -55,7 +55,7 @@ static void open_trial(Trial *t, uint64_t seed, bool simplify)
     t->session = (Session){.options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
     t->l = (Lower){.session = &t->session, .graph = &t->graph, .ir = ir_new(&t->session, &t->graph), .job = &t->job};
     t->l.ir->simplify = simplify ? opt_simplify : NULL;
-    t->value = ir_input(t->l.ir, INPUT_X);
+    t->value = build_input(t->l.ir, INPUT_X);
     for (int i = 0; i < LANES; i++)
         t->exact.row[i][i] = 1;
 }
@@ -91,7 +91,7 @@ static void step_product(Trial *t)
 {
     double by[LANES] = {factor(t), factor(t), factor(t)};
     bool one = choose(t, 2), first = choose(t, 2);
-    Ref constant = one ? ir_float(t->l.ir, by[0]) : ir_const(t->l.ir, TYPE_vec3, by);
+    Ref constant = one ? build_float(t->l.ir, by[0]) : ir_const(t->l.ir, TYPE_vec3, by);
     t->value =
         ir_make(t->l.ir, OP_mul, TYPE_bool, 0, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant}, 2);
     for (int i = 0; i < LANES; i++)
@@ -100,7 +100,7 @@ static void step_product(Trial *t)
 
 static void step_sign(Trial *t)
 {
-    t->value = ir_unary(t->l.ir, OP_neg, t->value);
+    t->value = build_neg(t->l.ir, t->value);
     for (int i = 0; i < LANES; i++)
         scale_lane(t, i, -1);
 }
@@ -141,11 +141,11 @@ static void step_lanes(Trial *t)
     from[2] = choose(t, 4) ? 3 - from[0] - from[1] : from[0];
     char all[] = {letters[from[0]], letters[from[1]], letters[from[2]], 0};
     if (choose(t, 2)) {
-        t->value = ir_swizzle(t->l.ir, t->value, all);
+        t->value = build_swizzle(t->l.ir, t->value, all);
     } else {
-        Ref pair = ir_swizzle(t->l.ir, t->value, (char[]){all[0], all[1], 0});
-        Ref last = ir_swizzle(t->l.ir, t->value, (char[]){all[2], 0});
-        t->value = ir_vec(t->l.ir, TYPE_vec3, (Ref[]){pair, last}, 2);
+        Ref pair = build_swizzle(t->l.ir, t->value, (char[]){all[0], all[1], 0});
+        Ref last = build_swizzle(t->l.ir, t->value, (char[]){all[2], 0});
+        t->value = build_vec(t->l.ir, TYPE_vec3, pair, last);
     }
     Exact before = t->exact;
     for (int i = 0; i < LANES; i++) {
@@ -274,7 +274,7 @@ static void what_is_exact_is_left(void **state)
         Trial t;
         open_trial(&t, i, false);
         Ref by = ir_const(t.l.ir, TYPE_vec3, borders[i].factor), shift = ir_const(t.l.ir, TYPE_vec3, borders[i].offset);
-        t.value = ir_binary(t.l.ir, OP_add, ir_binary(t.l.ir, OP_mul, t.value, by), shift);
+        t.value = build_add(t.l.ir, build_mul(t.l.ir, t.value, by), shift);
         for (int lane = 0; lane < LANES; lane++) {
             scale_lane(&t, lane, borders[i].factor[lane]);
             t.exact.offset[lane] += borders[i].offset[lane];
@@ -291,8 +291,8 @@ static void sums_of_lanes_round(void **state)
     (void)state;
     Trial t;
     open_trial(&t, 0, false);
-    Ref turned = ir_swizzle(t.l.ir, t.value, "yzx");
-    t.value = ir_binary(t.l.ir, OP_add, t.value, turned);
+    Ref turned = build_swizzle(t.l.ir, t.value, "yzx");
+    t.value = build_add(t.l.ir, t.value, turned);
     for (int i = 0; i < LANES; i++)
         t.exact.row[i][(i + 1) % LANES] += 1;
     check(&t, 1);
@@ -306,13 +306,13 @@ static void other_starts_are_left(void **state)
     Trial t;
     LongCoordinate parts;
     open_trial(&t, 0, false);
-    Ref other = ir_input(t.l.ir, INPUT_P), three = ir_const(t.l.ir, TYPE_vec3, (double[]){3, 3, 3});
-    Ref both = ir_binary(t.l.ir, OP_mul, ir_binary(t.l.ir, OP_add, t.value, other), three);
+    Ref other = build_input(t.l.ir, INPUT_P), three = ir_const(t.l.ir, TYPE_vec3, (double[]){3, 3, 3});
+    Ref both = build_mul(t.l.ir, build_add(t.l.ir, t.value, other), three);
     assert_true(affine_coordinate(&t.l, both, 1, &parts)); /* of their sum, as it is */
     assert_int_equal(ir_arg(t.l.ir, parts.whole, 0), ir_arg(t.l.ir, both, 0));
-    Ref four = ir_vec(t.l.ir, TYPE_vec4, (Ref[]){t.value, ir_swizzle(t.l.ir, other, "x")}, 2);
-    Ref root = ir_unary(t.l.ir, OP_fract, four), last = ir_swizzle(t.l.ir, root, "wwx");
-    Ref scaled = ir_binary(t.l.ir, OP_mul, last, three);
+    Ref four = build_vec(t.l.ir, TYPE_vec4, t.value, build_swizzle(t.l.ir, other, "x"));
+    Ref root = build_fract(t.l.ir, four), last = build_swizzle(t.l.ir, root, "wwx");
+    Ref scaled = build_mul(t.l.ir, last, three);
     bool is_long = affine_coordinate(&t.l, scaled, 1, &parts);
     assert_false(is_long && ir_arg(t.l.ir, parts.whole, 0) != last);
     close_trial(&t);
@@ -326,7 +326,7 @@ static void overflow_is_not_followed(void **state)
     LongCoordinate parts;
     open_trial(&t, 0, false);
     for (int i = 0; i < 21; i++)
-        t.value = ir_binary(t.l.ir, OP_mul, t.value, ir_float(t.l.ir, 3e30));
+        t.value = build_mul(t.l.ir, t.value, build_float(t.l.ir, 3e30));
     assert_true(affine_coordinate(&t.l, t.value, 2, &parts));
     assert_null(ir_check(t.l.ir));
     for (Ref ref = 1; ref < t.l.ir->count; ref++)

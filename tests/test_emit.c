@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/ir/build.h"
 #include "compiler/pipeline.h"
 #include "tests/stress/choices.h"
 #include "tests/value/draw.h"
@@ -42,13 +43,13 @@ static void make_points(Point *points)
 static Ref as_color(Ir *ir, Ref value)
 {
     if (ir_type(ir, value) == TYPE_bool)
-        value = ir_select(ir, value, ir_float(ir, 1), ir_float(ir, 0));
+        value = build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
     int lanes = ir_lanes(ir, value);
     if (lanes == 4)
         return value;
     static const Type rest[] = {0, TYPE_vec3, TYPE_vec2, TYPE_float};
-    Ref zero = ir_const(ir, rest[lanes], (double[4]){0});
-    return ir_vec(ir, TYPE_vec4, REFS(ir, value, zero), 2);
+    Ref zero = build_all(ir, rest[lanes], 0);
+    return build_vec(ir, TYPE_vec4, value, zero);
 }
 
 static Job job_for(Target target)

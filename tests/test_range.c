@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/ir/build.h"
 #include "compiler/ir/range.h"
 #include "tests/stress/choices.h"
 #include "tests/value/expression.h"
@@ -335,10 +336,10 @@ static void functions_of_the_program_have_the_range_of_their_result(void **state
         Ref arguments[1], args[1];
         site_open(&s);
         ir_arguments(s.ir, 0, (Type[]){TYPE_vec3}, 1, arguments);
-        Ref result = ir_binary(s.ir, OP_sub, ir_unary(s.ir, OP_fract, arguments[0]), ir_float(s.ir, 0.25));
+        Ref result = build_sub(s.ir, build_fract(s.ir, arguments[0]), build_float(s.ir, 0.25));
         int function = ir_function(s.ir, arguments, 1, result);
         args[0] = expression_read(s.ir, "v");
-        Ref once = ir_apply(s.ir, function, args), kernel = ir_kernel(s.ir, function, args, args[0]);
+        Ref once = build_apply(s.ir, function, args), kernel = build_kernel(s.ir, function, args, args[0]);
         Ranges ranges = range_find(s.ir, &s.arena, lanes);
         Interval one = range_of(&ranges, s.ir, once, 1), all = range_of(&ranges, s.ir, kernel, 1);
         assert_true(one.low == -0.25 && one.high == 0.75);

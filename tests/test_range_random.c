@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "compiler/ir/range.h"
 #include "tests/stress/choices.h"
@@ -34,7 +35,7 @@ static Ref pick(Program *p, const Ref *from, int count)
 
 static Ref a_float(Program *p) { return pick(p, p->floats, p->float_count); }
 static Ref a_vector(Program *p) { return pick(p, p->vectors, p->vector_count); }
-static Ref a_number(Program *p) { return ir_float(p->site.ir, numbers[choose(&p->choices, NUMBERS)]); }
+static Ref a_number(Program *p) { return build_float(p->site.ir, numbers[choose(&p->choices, NUMBERS)]); }
 
 /* A value, or a function of it, where its condition holds. */
 static Ref guarded(Program *p)
@@ -43,10 +44,10 @@ static Ref guarded(Program *p)
     Ref value = a_float(p), at = a_number(p), other = a_float(p);
     Op compare = chance(&p->choices, 1, 2) ? OP_lt : OP_le;
     bool right = chance(&p->choices, 1, 2);
-    Ref condition = right ? ir_binary(ir, compare, value, at) : ir_binary(ir, compare, at, value);
-    Ref arm = chance(&p->choices, 1, 2) ? value : ir_binary(ir, OP_mul, value, other);
-    Ref rest = chance(&p->choices, 1, 2) ? other : ir_binary(ir, OP_sub, value, other);
-    return ir_select(ir, condition, arm, rest);
+    Ref condition = right ? build_binary(ir, compare, value, at) : build_binary(ir, compare, at, value);
+    Ref arm = chance(&p->choices, 1, 2) ? value : build_mul(ir, value, other);
+    Ref rest = chance(&p->choices, 1, 2) ? other : build_sub(ir, value, other);
+    return build_select(ir, condition, arm, rest);
 }
 
 static Ref float_step(Program *p)
@@ -59,27 +60,25 @@ static Ref float_step(Program *p)
     switch (choose(&p->choices, 10)) {
     case 0:
         operation = one[choose(&p->choices, sizeof one / sizeof *one)];
-        return ir_unary(ir, operation, a_float(p));
+        return build_unary(ir, operation, a_float(p));
     case 1:
         operation = two[choose(&p->choices, sizeof two / sizeof *two)];
-        return ir_binary(ir, operation, a_float(p), a_float(p));
+        return build_binary(ir, operation, a_float(p), a_float(p));
     case 2:
-        return ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, -1), ir_float(ir, 2));
+        return build_clamp(ir, a_float(p), build_float(ir, -1), build_float(ir, 2));
     case 3:
-        return ir_ternary(ir, OP_mix, a_float(p), a_float(p), a_float(p));
+        return build_mix(ir, a_float(p), a_float(p), a_float(p));
     case 4:
-        return ir_binary(ir, OP_div, a_float(p),
-                         ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, 0.5), ir_float(ir, 3)));
+        return build_div(ir, a_float(p), build_clamp(ir, a_float(p), build_float(ir, 0.5), build_float(ir, 3)));
     case 5:
-        return ir_binary(ir, OP_mod, a_float(p),
-                         ir_ternary(ir, OP_clamp, a_float(p), ir_float(ir, 1), ir_float(ir, 2)));
+        return build_mod(ir, a_float(p), build_clamp(ir, a_float(p), build_float(ir, 1), build_float(ir, 2)));
     case 6:
-        return ir_binary(ir, OP_dot, a_vector(p), a_vector(p));
+        return build_dot(ir, a_vector(p), a_vector(p));
     case 7:
-        return ir_unary(ir, OP_length, a_vector(p));
+        return build_length(ir, a_vector(p));
     case 8:
         vector = a_vector(p);
-        return ir_swizzle_lanes(ir, vector, choose(&p->choices, 3), 1);
+        return build_lanes(ir, vector, choose(&p->choices, 3), 1);
     default:
         return guarded(p);
     }
@@ -90,15 +89,15 @@ static Ref vector_step(Program *p)
     Ir *ir = p->site.ir;
     switch (choose(&p->choices, 5)) {
     case 0:
-        return ir_vec(ir, TYPE_vec3, REFS(ir, a_float(p), a_float(p), a_float(p)), 3);
+        return build_vec(ir, TYPE_vec3, a_float(p), a_float(p), a_float(p));
     case 1:
-        return ir_binary(ir, OP_mul, a_vector(p), a_float(p));
+        return build_mul(ir, a_vector(p), a_float(p));
     case 2:
-        return ir_unary(ir, OP_fract, a_vector(p));
+        return build_fract(ir, a_vector(p));
     case 3:
         return ir_make(ir, OP_linear, TYPE_vec3, 0, REFS(ir, a_vector(p), a_vector(p), a_vector(p), a_vector(p)), 4);
     default:
-        return ir_swizzle(ir, a_vector(p), "zxy");
+        return build_swizzle(ir, a_vector(p), "zxy");
     }
 }
 

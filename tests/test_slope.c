@@ -120,9 +120,9 @@ static void check_axis(Test *t, const Node *map, int axis)
                .cheap = true};
     l.uniform_use = ARENA_ARRAY(&arena, uint8_t, l.graph->uniform_count);
     Env env = lower_surface_env(&l);
-    Ref height = ir_swizzle(l.ir, lower_ask(&l, map, GROUP_R, &env), "x");
+    Ref height = build_swizzle(l.ir, lower_ask(&l, map, GROUP_R, &env), "x");
     Ref slope = slope_of(&l, height, axis ? DIRECTION_v : DIRECTION_u);
-    ir_output(l.ir, OUT_color, 0, ir_convert(l.ir, slope ? slope : ir_float(l.ir, 0), TYPE_vec4));
+    ir_output(l.ir, OUT_color, 0, build_convert(l.ir, slope ? slope : build_float(l.ir, 0), TYPE_vec4));
     assert_null(ir_check(l.ir));
     assert_true(opt_run(&session, l.ir));
     opt_dead(l.ir);

@@ -47,7 +47,7 @@ static void end(Test *t)
 /* base + rate u + other v. */
 static Ref moving(Lower *l, Type type, const double base[4], const double rate[4], const double other[4])
 {
-    Ref uv = ir_input(l->ir, INPUT_U), u = ir_swizzle(l->ir, uv, "x"), v = ir_swizzle(l->ir, uv, "y");
+    Ref uv = build_input(l->ir, INPUT_U), u = build_swizzle(l->ir, uv, "x"), v = build_swizzle(l->ir, uv, "y");
     Ref at = ir_const(l->ir, type, base);
     at = add(l, at, mul(l, ir_const(l->ir, type, rate), u));
     return add(l, at, mul(l, ir_const(l->ir, type, other), v));
@@ -109,7 +109,7 @@ static void compare(Test *t, Ref value, const char *name, int varying)
     ir_output(t->l.ir, OUT_color, 0, value);
     for (int d = 0; d < 2; d++) {
         Ref slope = slope_of(&t->l, value, d ? DIRECTION_v : DIRECTION_u);
-        ir_output(t->l.ir, OUT_color, 1 + d, slope ? slope : ir_const(t->l.ir, type, (double[4]){0}));
+        ir_output(t->l.ir, OUT_color, 1 + d, slope ? slope : build_all(t->l.ir, type, 0));
     }
     assert_null(ir_check(t->l.ir));
     evaluate(t, 0, 0, result);
@@ -157,7 +157,7 @@ static void check_operation(Test *t, Op op, Type type, const Type *types, int co
     for (int i = 0; i < count; i++) {
         args[i] = random_operand(t, op, i, types[i], varying >> i & 1);
         if (op == OP_select && i == 0)
-            args[i] = ir_binary(t->l.ir, OP_lt, args[i], number(&t->l, 0));
+            args[i] = build_lt(t->l.ir, args[i], number(&t->l, 0));
     }
     compare(t, ir_make(t->l.ir, op, type, payload, args, count), op_table[op].name, varying);
     end(t);
@@ -240,7 +240,7 @@ static Ref argument(Test *t, char letter, const float lanes[4], const Argument *
     if (letter == 's')
         return ir_make(t->l.ir, OP_texture, TYPE_sampler, (uint32_t)base[0], NULL, 0);
     if (letter == 'i')
-        return ir_int(t->l.ir, base[0]);
+        return build_int(t->l.ir, base[0]);
     Type type = types[(int)letter];
     return varies ? moving(&t->l, type, base, rate, other) : ir_const(t->l.ir, type, base);
 }
@@ -258,7 +258,7 @@ static void check_call(Test *t, const FunctionCase *row, int function, const Slo
         t->l.ir->textures = ARENA_ARRAY(&t->arena, IrTexture, CALL_TEXTURES);
         for (int k = 0; k < count; k++)
             args[k] = argument(t, letters[k], tuple[k], &row->arguments[k], k == slope->argument);
-        compare(t, ir_call(t->l.ir, function, args, count), row->function, 1 << slope->argument);
+        compare(t, build_call_of(t->l.ir, function, args, count), row->function, 1 << slope->argument);
         end(t);
     }
 }

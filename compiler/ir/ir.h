@@ -127,7 +127,7 @@ typedef struct Ir {
     unsigned slots;       /* where all slots are outputs: those that a layout has to store, 1 << slot */
     bool keep_pow;        /* powers stay calls of pow */
     ReferenceNoise noise; /* which the folder computes with */
-    Ref *held;            /* operands of calls whose arguments are being made; see REFS */
+    Ref *held;            /* operands of calls whose arguments are being made; REFS of build.h */
     size_t held_count, held_room;
     int *function_of; /* by Ref: the last function of that result, from 1; by ir_function alone */
     size_t function_of_room;
@@ -162,65 +162,18 @@ static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nod
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
-/* Up to five new nodes, made from left to right, as an array that lives to the end of the expression. C leaves open which
- * argument of a call is evaluated first, and nodes would be numbered as the C compiler pleases: a call with several arguments
- * that make nodes takes them as REFS. tests/order.sh finds the calls that do not. */
-#define REFS(ir, ...)                         REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
-#define REFS_PICK(a, b, c, d, e, chosen, ...) chosen
-#define REFS_1(ir, a)                         (ir_hold(ir, a), ir_held(ir, 1))
-#define REFS_2(ir, a, b)                      (ir_hold(ir, a), ir_hold(ir, b), ir_held(ir, 2))
-#define REFS_3(ir, a, b, c)                   (ir_hold(ir, a), ir_hold(ir, b), ir_hold(ir, c), ir_held(ir, 3))
-#define REFS_4(ir, a, b, c, d)                (ir_hold(ir, a), ir_hold(ir, b), ir_hold(ir, c), ir_hold(ir, d), ir_held(ir, 4))
-#define REFS_5(ir, a, b, c, d, e)                                                                                      \
-    (ir_hold(ir, a), ir_hold(ir, b), ir_hold(ir, c), ir_hold(ir, d), ir_hold(ir, e), ir_held(ir, 5))
-
-typedef struct {
-    Ref at[5];
-} Refs;
-
-static inline void ir_hold(Ir *ir, Ref ref) { ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_room, ref); }
-
-static inline Refs ir_held(Ir *ir, size_t count)
-{
-    Refs refs = {{0}};
-    ir->held_count -= count;
-    for (size_t i = 0; i < count; i++)
-        refs.at[i] = ir->held[ir->held_count + i];
-    return refs;
-}
-
-/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. The type follows from op_table's rule unless that is `given`. */
+/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. The type follows from op_table's rule unless that is
+ * `given`. build.h has words for it. */
 Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count);
 Ref ir_const(Ir *ir, Type type, const double *numbers);
-Ref ir_float(Ir *ir, double value);
-Ref ir_vec3(Ir *ir, double x, double y, double z);
-Ref ir_int(Ir *ir, double value);
 /* A number from the buffer. Equal sources are one; without a source each is its own. constants.c */
 Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source);
-Ref ir_input(Ir *ir, Input input);
-Ref ir_unary(Ir *ir, Op op, Ref a);
-#define ir_binary(ir, op, a, b)     ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b), 2)
-#define ir_ternary(ir, op, a, b, c) ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b, c), 3)
-/* a where the condition holds, else b; both have one type. */
-#define ir_select(ir, condition, a, b) ir_select_of(ir, REFS(ir, condition, a, b))
-Ref ir_select_of(Ir *ir, const Ref x[3]);
-/* Lanes of a vector, by letters of "xyzw". A float's only lane is x. */
-Ref ir_swizzle(Ir *ir, Ref a, const char *lanes);
-Ref ir_swizzle_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
-/* A vector of the parts' lanes, which are as many as the type has. */
-Ref ir_vec(Ir *ir, Type type, const Ref *parts, int count);
-Ref ir_call(Ir *ir, int function, const Ref *args, int count);
-Ref ir_apply(Ir *ir, int function, const Ref *args);
-/* The sum of a function over the KERNEL_POINTS around its arguments, half of `size` apart; a loop in GLSL. */
-enum { KERNEL_POINTS = 27 };
-Ref ir_kernel(Ir *ir, int function, const Ref *args, Ref size);
-/* The conversion table. */
-Ref ir_convert(Ir *ir, Ref a, Type type);
 /* Arguments of a function to be; then, when its result is made, the function, or the equal one that exists already. Functions
  * that it calls come before it, and have arguments of another set. */
 void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments);
 int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
+enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 
 /* Builds the hash table anew after nodes moved. */
 void ir_rehash(Ir *ir);

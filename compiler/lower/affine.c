@@ -189,14 +189,15 @@ static void put_column(Lower *l, const Line *lines, int lanes, int column, doubl
 
 static Ref as_vec3(Lower *l, Ref value)
 {
+    Ir *ir = l->ir;
     static const double none[4];
-    int lanes = ir_lanes(l->ir, value);
+    int lanes = ir_lanes(ir, value);
     if (lanes == 4)
-        return ir_swizzle(l->ir, value, "xyz");
+        return build_swizzle(ir, value, "xyz");
     if (lanes == 3)
         return value;
-    Ref rest = ir_const(l->ir, lanes == 2 ? TYPE_float : TYPE_vec2, none);
-    return ir_vec(l->ir, TYPE_vec3, (Ref[]){value, rest}, 2);
+    Ref rest = ir_const(ir, lanes == 2 ? TYPE_float : TYPE_vec2, none);
+    return build_vec(ir, TYPE_vec3, value, rest);
 }
 
 /* The lanes as lines from one root; false if there is nothing to gain. */
@@ -220,24 +221,25 @@ static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
 
 bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts)
 {
+    Ir *ir = l->ir;
     static const char *const lanes_of[] = {"", "x", "xy"};
     Line lines[LANES];
     Ref root, args[1 + 3 * (LANES + 1)];
-    int lanes = ir_lanes(l->ir, coordinate);
+    int lanes = ir_lanes(ir, coordinate);
     if (!lines_of(l, coordinate, lines, &root))
         return false;
     args[0] = as_vec3(l, root);
     for (int column = 0; column <= LANES; column++)
         put_column(l, lines, lanes, column, scale, &args[1 + 3 * column]);
-    parts->whole = ir_call(l->ir, FN_affineWhole, args, 1 + 3 * (LANES + 1));
-    parts->fraction = ir_call(l->ir, FN_affineFraction, args, 1 + 3 * (LANES + 1));
+    parts->whole = build_call_of(ir, FN_affineWhole, args, 1 + 3 * (LANES + 1));
+    parts->fraction = build_call_of(ir, FN_affineFraction, args, 1 + 3 * (LANES + 1));
     if (lanes < LANES) {
-        parts->whole = ir_swizzle(l->ir, parts->whole, lanes_of[lanes]);
-        parts->fraction = ir_swizzle(l->ir, parts->fraction, lanes_of[lanes]);
+        parts->whole = build_swizzle(ir, parts->whole, lanes_of[lanes]);
+        parts->fraction = build_swizzle(ir, parts->fraction, lanes_of[lanes]);
     }
     for (int d = 0; d < DIRECTION_COUNT; d++) { /* the sum changes as the coordinate does */
         Ref slope = slope_of(l, coordinate, (Direction)d);
-        slope_set(l, parts->whole, (Direction)d, slope && scale != 1 ? mul(l, slope, number(l, scale)) : slope);
+        slope_set(l, parts->whole, (Direction)d, slope && scale != 1 ? build_scale(ir, slope, scale) : slope);
         slope_set(l, parts->fraction, (Direction)d, 0);
     }
     return true;

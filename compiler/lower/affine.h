@@ -1,7 +1,7 @@
 /* Values as constants made them of one that they start from. */
 #ifndef MATC_AFFINE_H
 #define MATC_AFFINE_H
-#include "compiler/ir/ir.h"
+#include "compiler/ir/build.h"
 
 enum { AFFINE_LANES = 3 };
 

@@ -13,7 +13,7 @@ static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env
 
 static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *env)
 {
-    return ir_swizzle_lanes(l->ir, stored_slot(l, material, source.slot, env), (uint32_t)source.lane, 1);
+    return build_lane(l->ir, stored_slot(l, material, source.slot, env), source.lane);
 }
 
 /* Lanes of one slot side by side are a swizzle of it, others are put together. */
@@ -26,54 +26,57 @@ static Ref source_value(Lower *l, const Piece *piece, const Node *material, cons
         return stored_slot(l, material, source[0].slot, env);
     for (int i = 0; i < piece->count; i++)
         lanes[i] = one_lane(l, material, source[i], env);
-    return piece->count == 1 ? lanes[0] : ir_vec(l->ir, types[piece->count], lanes, piece->count);
+    return piece->count == 1 ? lanes[0] : build_vec_of(l->ir, types[piece->count], lanes, piece->count);
 }
 
 /* What of the field's range is at 0 and at 1. */
 static Ref in_range(Lower *l, const FieldRow *field, Ref value)
 {
+    Ir *ir = l->ir;
     if (!field_has_range(field))
         return value;
     if (field->low != 0)
-        value = sub(l, value, number(l, field->low));
-    return mul(l, value, number(l, 1 / (field->high - field->low)));
+        value = build_sub(ir, value, build_float(ir, field->low));
+    return build_scale(ir, value, 1 / (field->high - field->low));
 }
 
 static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
+    Ir *ir = l->ir;
     int pack = encoding_table[piece->field->encoding].pack;
     Ref args[2] = {in_range(l, piece->field, source_value(l, piece, material, env))};
     if (pack == FN_none) {
-        Ref high = number(l, greatest_half), low = number(l, -greatest_half);
-        return ir_ternary(l->ir, OP_clamp, args[0], low, high);
+        Ref high = build_float(ir, greatest_half), low = build_float(ir, -greatest_half);
+        return build_clamp(ir, args[0], low, high);
     }
     if (!piece_takes_bits(piece))
-        return ir_call(l->ir, pack, args, 1);
-    args[1] = ir_int(l->ir, piece->field->bits);
-    return ir_call(l->ir, pack, args, 2);
+        return build_call_of(ir, pack, args, 1);
+    args[1] = build_int(ir, piece->field->bits);
+    return build_call_of(ir, pack, args, 2);
 }
 
 /* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together there. */
 static Ref word_value(Lower *l, const Placement *placement, int target, int lane, double known, const Node *material,
                       const Env *env)
 {
+    Ir *ir = l->ir;
     Ref word = 0;
     for (int i = 0; i < placement->count; i++) {
         const Piece *piece = &placement->pieces[i];
         if (piece->target != target || piece->lane != lane)
             continue;
         Ref code = piece_value(l, piece, material, env);
-        l->ir->hint = HINT_SURFACE; /* a word is no slot's */
-        if (ir_is(l->ir, code, OP_const)) {
-            known += ldexp(ir_numbers(l->ir, code)[0], piece->shift);
+        ir->hint = HINT_SURFACE; /* a word is no slot's */
+        if (ir_is(ir, code, OP_const)) {
+            known += ldexp(ir_numbers(ir, code)[0], piece->shift);
             continue;
         }
         if (piece->shift)
-            code = ir_binary(l->ir, OP_shift, code, ir_int(l->ir, piece->shift));
-        word = word ? ir_binary(l->ir, OP_join, word, code) : code;
+            code = build_shift(ir, code, build_int(ir, piece->shift));
+        word = word ? build_join(ir, word, code) : code;
     }
-    Ref rest = ir_const(l->ir, TYPE_uint, &known);
-    return !word ? rest : known != 0 ? ir_binary(l->ir, OP_join, word, rest) : word;
+    Ref rest = ir_const(ir, TYPE_uint, &known);
+    return !word ? rest : known != 0 ? build_join(ir, word, rest) : word;
 }
 
 /* The case's number is at the bottom of the first word. */
@@ -85,7 +88,7 @@ static Ref words_value(Lower *l, const Placement *placement, int target, int num
         double known = target || lane ? 0 : number;
         words[lane] = word_value(l, placement, target, lane, known, material, env);
     }
-    return ir_vec(l->ir, TYPE_uvec4, words, FIELD_LANES);
+    return build_vec_of(l->ir, TYPE_uvec4, words, FIELD_LANES);
 }
 
 static const Piece *piece_at(const Placement *placement, int target, int lane)
@@ -99,14 +102,15 @@ static const Piece *piece_at(const Placement *placement, int target, int lane)
 /* The pieces of a float target side by side. */
 static Ref floats_value(Lower *l, const Placement *placement, int target, const Node *material, const Env *env)
 {
+    Ir *ir = l->ir;
     Ref parts[FIELD_LANES];
     int count = 0;
     for (int lane = 0; lane < FIELD_LANES;) {
         const Piece *piece = piece_at(placement, target, lane);
-        parts[count++] = piece ? piece_value(l, piece, material, env) : number(l, 0);
+        parts[count++] = piece ? piece_value(l, piece, material, env) : build_float(ir, 0);
         lane += piece ? piece->size : 1;
     }
-    return count == 1 ? parts[0] : ir_vec(l->ir, TYPE_vec4, parts, count);
+    return count == 1 ? parts[0] : build_vec_of(ir, TYPE_vec4, parts, count);
 }
 
 /* The slot is a constant, that of a material that has nothing to say about it. */

@@ -6,27 +6,26 @@
 
 Env lower_surface_env(Lower *l)
 {
+    Ir *ir = l->ir;
     static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                    [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
-    Env env = {.front = ir_input(l->ir, INPUT_front)};
-    env.eye_n = ir_input(l->ir, INPUT_eyeN);
+    Env env = {.front = build_input(ir, INPUT_front)};
+    env.eye_n = build_input(ir, INPUT_eyeN);
     for (int group = 0; group < GROUP_COUNT; group++)
         if (group != GROUP_U && group != GROUP_R)
-            env.root[group] = ir_input(l->ir, direct[group]);
-    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, ir_input(l->ir, INPUT_U), number(l, 0)), 2);
-    env.root[GROUP_R] = ir_const(l->ir, TYPE_vec4, (double[4]){0});
+            env.root[group] = build_input(ir, direct[group]);
+    env.root[GROUP_U] = build_vec(ir, TYPE_vec3, build_input(ir, INPUT_U), build_float(ir, 0));
+    env.root[GROUP_R] = build_all(ir, TYPE_vec4, 0);
     return env;
 }
-
-#define dot(l, a, b)      ir_binary((l)->ir, OP_dot, a, b)
-#define quotient(l, a, b) ir_binary((l)->ir, OP_div, a, b)
 
 /* x away from 0, for a divisor: a denominator is guarded, never a result. */
 static Ref nonzero(Lower *l, Ref x)
 {
+    Ir *ir = l->ir;
     const double least = 1e-30;
-    Ref small = ir_binary(l->ir, OP_lt, ir_unary(l->ir, OP_abs, x), number(l, least));
-    return ir_select(l->ir, small, number(l, least), x);
+    Ref small = build_lt(ir, build_abs(ir, x), build_float(ir, least));
+    return build_select(ir, small, build_float(ir, least), x);
 }
 
 /* What the surface's u and v do to a value that the pass made for itself. */
@@ -41,24 +40,25 @@ static Env plane_env(Lower *l)
 {
     Ir *ir = l->ir;
     Env env = lower_surface_env(l);
-    Ref u_axis = ir_input(ir, INPUT_planeU), v_axis = ir_input(ir, INPUT_planeV), ray = ir_input(ir, INPUT_ray);
-    Ref eye = ir_input(ir, INPUT_eye), origin = ir_input(ir, INPUT_planeOrigin);
-    Ref normal = ir_binary(ir, OP_cross, u_axis, v_axis), facing = dot(l, ray, normal);
-    Ref along = quotient(l, dot(l, sub(l, origin, eye), normal), nonzero(l, facing));
-    Ref p = add(l, eye, mul(l, ray, along)), from = sub(l, p, origin);
-    Ref u = quotient(l, dot(l, from, u_axis), nonzero(l, dot(l, u_axis, u_axis)));
-    Ref v = quotient(l, dot(l, from, v_axis), nonzero(l, dot(l, v_axis, v_axis)));
-    Ref uv = ir_vec(ir, TYPE_vec3, REFS(l->ir, u, v, number(l, 0)), 3);
-    Ref point = ir_vec(ir, TYPE_vec4, REFS(l->ir, p, number(l, 1)), 2);
-    Ref z = dot(l, ir_input(ir, INPUT_clipZ), point), w = dot(l, ir_input(ir, INPUT_clipW), point);
-    Ref depth = quotient(l, z, nonzero(l, w));
+    Ref u_axis = build_input(ir, INPUT_planeU), v_axis = build_input(ir, INPUT_planeV),
+        ray = build_input(ir, INPUT_ray);
+    Ref eye = build_input(ir, INPUT_eye), origin = build_input(ir, INPUT_planeOrigin);
+    Ref normal = build_cross(ir, u_axis, v_axis), facing = build_dot(ir, ray, normal);
+    Ref along = build_div(ir, build_dot(ir, build_sub(ir, origin, eye), normal), nonzero(l, facing));
+    Ref p = build_add(ir, eye, build_mul(ir, ray, along)), from = build_sub(ir, p, origin);
+    Ref u = build_div(ir, build_dot(ir, from, u_axis), nonzero(l, build_dot(ir, u_axis, u_axis)));
+    Ref v = build_div(ir, build_dot(ir, from, v_axis), nonzero(l, build_dot(ir, v_axis, v_axis)));
+    Ref uv = build_vec(ir, TYPE_vec3, u, v, build_float(ir, 0));
+    Ref point = build_vec(ir, TYPE_vec4, p, build_float(ir, 1));
+    Ref z = build_dot(ir, build_input(ir, INPUT_clipZ), point), w = build_dot(ir, build_input(ir, INPUT_clipW), point);
+    Ref depth = build_div(ir, z, nonzero(l, w));
     if (!target_table[l->job->target].zero_to_one)
-        depth = add(l, mul(l, depth, number(l, 0.5)), number(l, 0.5));
-    ir_output(ir, OUT_discard, 0, ir_binary(ir, OP_le, along, number(l, 0)));
-    ir_output(ir, OUT_depth, 0, ir_ternary(ir, OP_clamp, depth, number(l, 0), number(l, 1)));
-    set_root(l, u, number(l, 1), 0);
-    set_root(l, v, 0, number(l, 1));
-    Ref right = ir_vec3(ir, 1, 0, 0), up = ir_vec3(ir, 0, 1, 0);
+        depth = build_add(ir, build_scale(ir, depth, 0.5), build_float(ir, 0.5));
+    ir_output(ir, OUT_discard, 0, build_le(ir, along, build_float(ir, 0)));
+    ir_output(ir, OUT_depth, 0, build_clamp(ir, depth, build_float(ir, 0), build_float(ir, 1)));
+    set_root(l, u, build_float(ir, 1), 0);
+    set_root(l, v, 0, build_float(ir, 1));
+    Ref right = build_vec3(ir, 1, 0, 0), up = build_vec3(ir, 0, 1, 0);
     set_root(l, uv, right, up);
     set_root(l, p, u_axis, v_axis);
     env.root[GROUP_P] = p;
@@ -66,7 +66,7 @@ static Env plane_env(Lower *l)
     env.root[GROUP_N] = normal;
     env.root[GROUP_DU] = u_axis;
     env.root[GROUP_DV] = v_axis;
-    env.front = ir_binary(ir, OP_lt, facing, number(l, 0));
+    env.front = build_lt(ir, facing, build_float(ir, 0));
     env.eye_n = 0;
     return env;
 }
@@ -76,36 +76,39 @@ static Env sky_env(Lower *l)
 {
     Ir *ir = l->ir;
     Env env = lower_surface_env(l);
-    Ref ray = ir_input(ir, INPUT_ray), direction = ir_call(ir, FN_safeNormalize, &ray, 1);
-    Ref x = ir_swizzle(ir, direction, "x"), y = ir_swizzle(ir, direction, "y"), z = ir_swizzle(ir, direction, "z");
-    Ref down = ir_ternary(ir, OP_clamp, ir_unary(ir, OP_neg, z), number(l, -1), number(l, 1));
-    Ref turn = ir_binary(ir, OP_atan2, y, ir_unary(ir, OP_neg, x));
-    Ref u = add(l, mul(l, turn, number(l, 0.5 / M_PI)), number(l, 0.5));
-    Ref v = mul(l, ir_unary(ir, OP_acos, down), number(l, 1 / M_PI));
+    Ref ray = build_input(ir, INPUT_ray), direction = build_call(ir, FN_safeNormalize, ray);
+    Ref x = build_swizzle(ir, direction, "x"), y = build_swizzle(ir, direction, "y"),
+        z = build_swizzle(ir, direction, "z");
+    Ref down = build_clamp(ir, build_neg(ir, z), build_float(ir, -1), build_float(ir, 1));
+    Ref turn = build_atan2(ir, y, build_neg(ir, x));
+    Ref u = build_add(ir, build_scale(ir, turn, 0.5 / M_PI), build_float(ir, 0.5));
+    Ref v = build_scale(ir, build_acos(ir, down), 1 / M_PI);
     set_root(l, u, 0, 0);
     set_root(l, v, 0, 0);
     set_root(l, direction, 0, 0);
     env.root[GROUP_P] = env.root[GROUP_X] = direction;
-    env.root[GROUP_U] = ir_vec(ir, TYPE_vec3, REFS(l->ir, u, v, number(l, 0)), 3);
-    env.root[GROUP_N] = ir_unary(ir, OP_neg, direction);
-    env.root[GROUP_DU] = env.root[GROUP_DV] = ir_vec3(ir, 0, 0, 0);
-    env.front = ir_const(ir, TYPE_bool, (double[]){1});
+    env.root[GROUP_U] = build_vec(ir, TYPE_vec3, u, v, build_float(ir, 0));
+    env.root[GROUP_N] = build_neg(ir, direction);
+    env.root[GROUP_DU] = env.root[GROUP_DV] = build_vec3(ir, 0, 0, 0);
+    env.front = build_truth(ir, true);
     env.eye_n = 0;
     return env;
 }
 
 static void write_shadow(Lower *l, const Node *material, const Env *env)
 {
-    Ref mean = ir_convert(l->ir, lower_slot(l, material, SLOT_transparency, env), TYPE_float);
-    ir_output(l->ir, OUT_discard, 0, ir_binary(l->ir, OP_lt, number(l, 0.5), mean));
+    Ir *ir = l->ir;
+    Ref mean = build_convert(ir, lower_slot(l, material, SLOT_transparency, env), TYPE_float);
+    ir_output(ir, OUT_discard, 0, build_lt(ir, build_float(ir, 0.5), mean));
 }
 
 static void write_sky(Lower *l, const Node *material, const Env *env)
 {
-    Ref light = add(l, lower_slot(l, material, SLOT_diffuse, env), lower_slot(l, material, SLOT_emissive, env));
+    Ir *ir = l->ir;
+    Ref light = build_add(ir, lower_slot(l, material, SLOT_diffuse, env), lower_slot(l, material, SLOT_emissive, env));
     const double most = slot_table[SLOT_emissive].high; /* what a half float holds */
-    light = ir_ternary(l->ir, OP_clamp, light, number(l, -most), number(l, most));
-    ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, light, TYPE_vec4));
+    light = build_clamp(ir, light, build_float(ir, -most), build_float(ir, most));
+    ir_output(ir, OUT_color, 0, build_convert(ir, light, TYPE_vec4));
 }
 
 static void write_slots(Lower *l, const Node *material, const Env *env)
@@ -167,6 +170,7 @@ static void note_opacity(Lower *l, const Node *material, const Env *env)
 
 static void write_pass(Lower *l, const Node *material)
 {
+    Ir *ir = l->ir;
     const Job *job = l->job;
     Env env = pass_env(l);
     switch (job->pass) {
@@ -186,7 +190,7 @@ static void write_pass(Lower *l, const Node *material)
         if (job->all_slots)
             write_slots(l, material, &env);
         else
-            ir_output(l->ir, OUT_color, 0, ir_convert(l->ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
+            ir_output(ir, OUT_color, 0, build_convert(ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
         break;
     case PASS_depth:
     case PASS_COUNT:

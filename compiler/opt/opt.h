@@ -1,7 +1,7 @@
 /* The optimiser: each pass is one file and one function that says whether it changed anything. */
 #ifndef MATC_OPT_H
 #define MATC_OPT_H
-#include "compiler/ir/ir.h"
+#include "compiler/ir/build.h"
 
 /* All passes until none changes anything. False: the IR is broken after a pass (a fault of matc; reported). */
 bool opt_run(Session *session, Ir *ir);

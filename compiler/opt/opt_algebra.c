@@ -1,23 +1,7 @@
 /* Applies the rules of grammar/rules.def. */
 #include "compiler/opt/opt.h"
+#include "compiler/ir/build_words.h"
 #include <math.h>
-
-typedef struct {
-    Ir *ir;
-    Type type; /* of the node that is rewritten */
-} Site;
-
-static Ref all_lanes(const Site *s, double value)
-{
-    return ir_const(s->ir, s->type, (double[]){value, value, value, value});
-}
-
-/* A float stands for a vector of equal lanes when it is combined with one. */
-static Ref spread_to(const Site *s, Ref a)
-{
-    int lanes = type_table[s->type].lanes;
-    return ir_type(s->ir, a) == s->type ? a : ir_vec(s->ir, s->type, REFS(s->ir, a, a, a, a), lanes);
-}
 
 /* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as one writes it. */
 static bool ordered_wrongly(const Ir *ir, Ref a, Ref b)
@@ -85,8 +69,6 @@ static bool all_negative(const Ir *ir, Ref ref)
     return true;
 }
 
-static Ref lane_of(Ir *ir, Ref ref, int lane) { return ir_swizzle_lanes(ir, ref, (uint32_t)lane, 1); }
-
 #define zero(x)            ir_is_number(ir, x, 0)
 #define one(x)             ir_is_number(ir, x, 1)
 #define minus_one(x)       ir_is_number(ir, x, -1)
@@ -95,24 +77,22 @@ static Ref lane_of(Ir *ir, Ref ref, int lane) { return ir_swizzle_lanes(ir, ref,
 #define is(x, op)          ir_is(ir, x, OP_##op)
 #define is_bool(x)         (ir_type(ir, x) == TYPE_bool)
 #define arg(x, i)          ir_arg(ir, x, i)
-#define all(x)             all_lanes(&site, x)
-#define spread(x)          spread_to(&site, x)
-#define truth(x)           ir_const(ir, TYPE_bool, (double[]){x})
-#define lane(x, i)         lane_of(ir, x, i)
+#define all(x)             build_all(ir, type, x)
+#define spread(x)          build_splat(ir, x, type)
+#define truth(x)           build_truth(ir, x)
+#define lane(x, i)         build_lane(ir, x, i)
 #define single_lane(x)     only_lane(ir, x)
 #define repeats(x)         repeats_one(ir, x)
 #define is_mean(x)         ir_is_number(ir, x, 1.0 / ir_lanes(ir, x))
 #define out_of_order(x, y) ordered_wrongly(ir, x, y)
 #define exact_inverse(x)   has_exact_inverse(ir, x)
 #define inverse(x)         inverse_of(ir, x)
-#define OP1(op, x)         ir_unary(ir, OP_##op, x)
-#define OP2(op, x, y)      ir_binary(ir, OP_##op, x, y)
 
 Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     const IrNode *node = ir_at(ir, ref);
-    const Site site = {ir, (Type)node->type};
+    const Type type = (Type)node->type;
     Ref a = node->count > 0 ? ir_arg(ir, ref, 0) : 0, b = node->count > 1 ? ir_arg(ir, ref, 1) : 0;
     Ref c = node->count > 2 ? ir_arg(ir, ref, 2) : 0;
     switch (node->op) {

@@ -66,7 +66,7 @@ static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
         return ref;
     uint32_t f = node.payload, all = (1u << ir->functions[f].count) - 1;
     if (!plan->read[f] && node.op == OP_kernel)
-        return ir_binary(ir, OP_mul, ir->functions[f].result, ir_float(ir, KERNEL_POINTS));
+        return build_mul(ir, ir->functions[f].result, build_float(ir, KERNEL_POINTS));
     if (!plan->read[f])
         return ir->functions[f].result;
     if (plan->read[f] == all)

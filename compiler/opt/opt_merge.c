@@ -45,7 +45,7 @@ static Ref merge(Ir *ir, Ref ref, const void *user)
         return ref;
     for (uint32_t at = hash_of(ir, row, ref, true); gradients->table[at & gradients->mask]; at++)
         if (is_gradient_of(ir, gradients->table[at & gradients->mask], ref))
-            return ir_swizzle(ir, gradients->table[at & gradients->mask], "w");
+            return build_swizzle(ir, gradients->table[at & gradients->mask], "w");
     return ref;
 }
 

@@ -7,9 +7,9 @@ enum { LARGEST_EXPONENT = 64 };
 static Ref power(Ir *ir, Ref x, int n)
 {
     Ref result = 0;
-    for (; n; n >>= 1, x = n ? ir_binary(ir, OP_mul, x, x) : x)
+    for (; n; n >>= 1, x = n ? build_square(ir, x) : x)
         if (n & 1)
-            result = result ? ir_binary(ir, OP_mul, result, x) : x;
+            result = result ? build_mul(ir, result, x) : x;
     return result;
 }
 
@@ -28,7 +28,7 @@ static Ref composed(Ir *ir, Ref ref)
     double product = ir_numbers(ir, a)[0] * ir_numbers(ir, b)[0];
     if (!(product >= 1 && product <= LARGEST_EXPONENT))
         return ref;
-    Ref exponent = node.op == OP_call ? ir_int(ir, product) : ir_float(ir, product);
+    Ref exponent = node.op == OP_call ? build_int(ir, product) : build_float(ir, product);
     return ir_make(ir, (Op)node.op, (Type)node.type, node.payload, REFS(ir, ir_arg(ir, inner, 0), exponent), 2);
 }
 
@@ -41,16 +41,16 @@ Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user)
         return composed(ir, ref);
     if (!ir_is(ir, ref, OP_pow) || !ir_is(ir, ir_arg(ir, ref, 1), OP_const) || ir_lanes(ir, ir_arg(ir, ref, 1)) > 1)
         return ref;
-    Ref x = ir_arg(ir, ref, 0), one = ir_float(ir, 1);
+    Ref x = ir_arg(ir, ref, 0), one = build_float(ir, 1);
     double n = ir_numbers(ir, ir_arg(ir, ref, 1))[0];
     if (n == 0.5)
-        return ir_unary(ir, OP_sqrt, x);
+        return build_sqrt(ir, x);
     if (n == 0 && ir_lanes(ir, x) == 1)
         return one;
     if (n != trunc(n) || n == 0 || fabs(n) > LARGEST_EXPONENT)
         return ref;
     Ref product = power(ir, x, (int)fabs(n));
-    return n > 0 ? product : ir_binary(ir, OP_div, one, product);
+    return n > 0 ? product : build_div(ir, one, product);
 }
 
 bool opt_power(Ir *ir) { return opt_sweep(ir, opt_rewrite_power, NULL); }

@@ -23,7 +23,7 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define low(x)                 range_at(&site, x).low
 #define high(x)                range_at(&site, x).high
 #define within(x, least, most) lies_within(&site, x, least, most)
-#define truth(x)               ir_const(ir, TYPE_bool, (double[]){x})
+#define truth(x)               build_truth(ir, x)
 
 /* The BOUND rows of rules.def. */
 static Ref decide(Ir *ir, Ref ref, const void *user)

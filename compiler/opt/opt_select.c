@@ -10,11 +10,11 @@ static Ref simplify_select(Ir *ir, Ref ref)
     if (ir_is(ir, condition, OP_const))
         return ir_numbers(ir, condition)[0] != 0 ? a : b;
     if (ir_is(ir, condition, OP_not))
-        return ir_select(ir, ir_arg(ir, condition, 0), b, a);
+        return build_select(ir, ir_arg(ir, condition, 0), b, a);
     if (ir_is(ir, a, OP_select) && ir_arg(ir, a, 0) == condition)
-        return ir_select(ir, condition, ir_arg(ir, a, 1), b);
+        return build_select(ir, condition, ir_arg(ir, a, 1), b);
     if (ir_is(ir, b, OP_select) && ir_arg(ir, b, 0) == condition)
-        return ir_select(ir, condition, a, ir_arg(ir, b, 2));
+        return build_select(ir, condition, a, ir_arg(ir, b, 2));
     return ref;
 }
 
@@ -55,7 +55,7 @@ static Ref through_select(Ir *ir, Ref ref)
         if (!fold_node(ir, &node, arms[side], result[side]))
             return ref;
     Ref a = ir_const(ir, (Type)node.type, result[0]), b = ir_const(ir, (Type)node.type, result[1]);
-    return a == b ? a : ir_select(ir, condition, a, b);
+    return a == b ? a : build_select(ir, condition, a, b);
 }
 
 Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user)

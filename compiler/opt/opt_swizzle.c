@@ -32,10 +32,11 @@ static Ref lanes_of_vec(Ir *ir, Ref vec, uint32_t lanes, int count)
         together |= inner[i] << 2 * i;
     }
     if (one_part && ir_lanes(ir, parts[0]) > 1)
-        return ir_swizzle_lanes(ir, parts[0], together, count);
+        return build_lanes(ir, parts[0], together, count);
     for (int i = 0; i < count; i++)
-        parts[i] = ir_swizzle_lanes(ir, parts[i], inner[i], 1);
-    return count == 1 ? parts[0] : ir_vec(ir, (Type[]){0, 0, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count], parts, count);
+        parts[i] = build_lanes(ir, parts[i], inner[i], 1);
+    return count == 1 ? parts[0]
+                      : build_vec_of(ir, (Type[]){0, 0, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count], parts, count);
 }
 
 static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP_select; }
@@ -48,7 +49,7 @@ static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
     for (int i = 0; i < node.count; i++) {
         args[i] = ir_arg(ir, operation, i);
         if (ir_lanes(ir, args[i]) > 1)
-            args[i] = ir_swizzle_lanes(ir, args[i], lanes, count);
+            args[i] = build_lanes(ir, args[i], lanes, count);
     }
     Type type = (Type[]){0, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count];
     bool narrow = node.op != OP_select && count > 1;
@@ -98,11 +99,11 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
         return a;
     double value;
     if (count == 1 && known_lane(ir, a, lane_at(lanes, 0), KNOWN_DEPTH, &value))
-        return ir_float(ir, value);
+        return build_float(ir, value);
     if (ir_is(ir, a, OP_swizzle)) {
         for (int i = 0; i < count; i++)
             composed |= lane_at(ir_at(ir, a)->payload, (int)lane_at(lanes, i)) << 2 * i;
-        return ir_swizzle_lanes(ir, ir_arg(ir, a, 0), composed, count);
+        return build_lanes(ir, ir_arg(ir, a, 0), composed, count);
     }
     if (ir_is(ir, a, OP_vec))
         return lanes_of_vec(ir, a, lanes, count);
@@ -129,7 +130,7 @@ static Ref gather_lanes(Ir *ir, Ref ref)
         from = ir_arg(ir, part, 0);
         lanes |= ir_at(ir, part)->payload << 2 * i;
     }
-    return ir_swizzle_lanes(ir, from, lanes, count);
+    return build_lanes(ir, from, lanes, count);
 }
 
 /* vec(vec(a, b), c) -> vec(a, b, c) */
@@ -145,7 +146,7 @@ static Ref flatten(Ir *ir, Ref ref)
         for (int k = 0; k < (vec ? ir_at(ir, part)->count : 1); k++)
             parts[count++] = vec ? ir_arg(ir, part, k) : part;
     }
-    return nested ? ir_vec(ir, ir_type(ir, ref), parts, count) : ref;
+    return nested ? build_vec_of(ir, ir_type(ir, ref), parts, count) : ref;
 }
 
 Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user)

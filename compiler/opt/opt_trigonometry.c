@@ -23,7 +23,7 @@ static Ref bound(Ir *ir, Ref ref, const void *user)
     Ref args[2];
     for (int i = 0; i < node.count; i++)
         args[i] = ir_arg(ir, ref, i);
-    return ir_call(ir, function, args, node.count);
+    return build_call_of(ir, function, args, node.count);
 }
 
 bool opt_trigonometry(Ir *ir) { return opt_sweep(ir, bound, NULL); }

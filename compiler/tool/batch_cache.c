@@ -3,7 +3,7 @@
  * entry is ever taken for another input. A program's entry holds its files under the hash of their bytes: however many documents
  * come to the same text, in however many sets, it is kept once. */
 #include "compiler/tool/batch_state.h"
-#include "compiler/tool/build.h"
+#include "compiler/tool/build_id.h"
 #include "compiler/choice.h"
 #include "compiler/base/file.h"
 #include <stdio.h>
@@ -76,7 +76,7 @@ bool batch_stored_open(Batch *b)
 
 static void put_settings(Bytes *to, const Batch *b)
 {
-    Key build = build_key();
+    Key build = build_id_key();
     bytes_number(to, ENTRY_VERSION);
     bytes_add(to, &build, sizeof build);
     choice_store_options(to, &b->options);

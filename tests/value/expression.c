@@ -1,5 +1,6 @@
 /* Recursive descent, and back. */
 #include "expression.h"
+#include "compiler/ir/build.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,7 +50,7 @@ static Ref read_number(Ir *ir, const char **at)
     double number = strtod(*at, &end);
     *at = end;
     if (accept(at, 'i'))
-        return ir_int(ir, number);
+        return build_int(ir, number);
     return ir_const(ir, accept(at, 'u') ? TYPE_uint : TYPE_float, &number);
 }
 
@@ -57,24 +58,24 @@ static Ref read_leaf(Ir *ir, const char *word)
 {
     for (int i = 0; i < LEAF_COUNT; i++)
         if (!strcmp(leaves[i].name, word)) {
-            Ref input = ir_input(ir, leaves[i].input);
-            return leaves[i].lane < 0 ? input : ir_swizzle_lanes(ir, input, (uint32_t)leaves[i].lane, 1);
+            Ref input = build_input(ir, leaves[i].input);
+            return leaves[i].lane < 0 ? input : build_lane(ir, input, leaves[i].lane);
         }
     if (!strcmp(word, "true") || !strcmp(word, "false"))
-        return ir_const(ir, TYPE_bool, (double[]){!strcmp(word, "true")});
+        return build_truth(ir, !strcmp(word, "true"));
     return 0;
 }
 
 static Ref make(Ir *ir, const char *word, const Ref *args, int count)
 {
     if (!strncmp(word, "vec", 3))
-        return ir_vec(ir, type_of_lanes[word[3] - '0'], args, count);
+        return build_vec_of(ir, type_of_lanes[word[3] - '0'], args, count);
     for (int op = 0; op < OP_COUNT; op++)
         if (!strcmp(op_table[op].name, word))
             return ir_make(ir, (Op)op, ir_type(ir, args[op == OP_select]), 0, args, count);
     for (int function = 0; function < FUNCTION_COUNT; function++)
         if (function_row(function)->name && !strcmp(function_row(function)->name, word))
-            return ir_call(ir, function, args, count);
+            return build_call_of(ir, function, args, count);
     return 0;
 }
 
@@ -106,7 +107,7 @@ static Ref read(Ir *ir, const char **at)
         for (int i = 0; i < 4 && strchr("xyzw", (*at)[1]) && (*at)[1]; i++)
             lanes[i] = *++*at;
         ++*at;
-        ref = ir_swizzle(ir, ref, lanes);
+        ref = build_swizzle(ir, ref, lanes);
     }
     return ref;
 }

@@ -1,5 +1,5 @@
 /* The build id that linkers leave in the program: a hash of its contents. */
-#include "compiler/tool/build.h"
+#include "compiler/tool/build_id.h"
 #include "compiler/matc.h"
 #include <elf.h>
 #include <link.h>
@@ -46,7 +46,7 @@ static int look_at(struct dl_phdr_info *info, size_t size, void *user)
     return 1;
 }
 
-Key build_key(void)
+Key build_id_key(void)
 {
     Identity identity = {MATC_VERSION, sizeof MATC_VERSION};
     dl_iterate_phdr(look_at, &identity);

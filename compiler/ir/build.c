@@ -1,0 +1,101 @@
+/* Words for what is more than one operation on its operands. */
+#include "compiler/ir/build.h"
+#include <string.h>
+
+Ref build_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, op, TYPE_bool, 0, &a, 1); }
+
+Ref build_float(Ir *ir, double value) { return ir_const(ir, TYPE_float, &value); }
+Ref build_int(Ir *ir, double value) { return ir_const(ir, TYPE_int, &value); }
+Ref build_vec3(Ir *ir, double x, double y, double z) { return ir_const(ir, TYPE_vec3, (double[]){x, y, z}); }
+Ref build_truth(Ir *ir, bool value) { return ir_const(ir, TYPE_bool, (double[]){value}); }
+Ref build_all(Ir *ir, Type type, double value) { return ir_const(ir, type, (double[]){value, value, value, value}); }
+Ref build_input(Ir *ir, Input input) { return ir_make(ir, OP_input, input_table[input].type, input, NULL, 0); }
+
+Ref build_scale(Ir *ir, Ref a, double factor) { return build_mul(ir, a, build_float(ir, factor)); }
+Ref build_square(Ir *ir, Ref a) { return build_mul(ir, a, a); }
+Ref build_select_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_select, ir_type(ir, x[1]), 0, x, 3); }
+
+Ref build_linear(Ir *ir, const Ref *args, int count)
+{
+    return ir_make(ir, OP_linear, ir_type(ir, args[0]), 0, args, count);
+}
+
+static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+
+Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count)
+{
+    if (ir_lanes(ir, a) == 1)
+        return count == 1 ? a : build_convert(ir, a, type_of_lanes[count]);
+    return ir_make(ir, OP_swizzle, type_of_lanes[count], lanes, &a, 1);
+}
+
+Ref build_lane(Ir *ir, Ref a, int lane) { return build_lanes(ir, a, (uint32_t)lane, 1); }
+
+Ref build_swizzle(Ir *ir, Ref a, const char *letters)
+{
+    uint32_t lanes = 0;
+    int count = (int)strlen(letters);
+    for (int i = 0; i < count; i++)
+        lanes |= (letters[i] == 'w' ? 3u : (uint32_t)(letters[i] - 'x')) << 2 * i;
+    return build_lanes(ir, a, lanes, count);
+}
+
+Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count) { return ir_make(ir, OP_vec, type, 0, parts, count); }
+
+Ref build_splat(Ir *ir, Ref a, Type type)
+{
+    return ir_type(ir, a) == type ? a : build_vec_of(ir, type, (Ref[]){a, a, a, a}, type_table[type].lanes);
+}
+
+/* Narrowing to a float takes the mean, to a vector the first lanes; widening fills as the table says. */
+Ref build_convert(Ir *ir, Ref a, Type type)
+{
+    Type from = ir_type(ir, a);
+    int lanes = type_table[type].lanes;
+    if (from == type)
+        return a;
+    Ref zero = 0, one = 0;
+    if (lanes > type_table[from].lanes) {
+        zero = build_float(ir, 0);
+        one = build_float(ir, 1);
+    }
+    if (type == TYPE_float)
+        return build_dot(ir, a, build_all(ir, from, 1.0 / type_table[from].lanes));
+    if (lanes < type_table[from].lanes)
+        return build_swizzle(ir, a, lanes == 2 ? "xy" : "xyz");
+    switch (from) {
+    case TYPE_vec2:
+        return type == TYPE_vec3 ? build_vec(ir, type, a, zero) : build_vec(ir, type, a, zero, one);
+    case TYPE_vec3:
+        return build_vec(ir, type, a, one);
+    default:
+        return type == TYPE_vec4 ? build_vec(ir, type, a, a, a, one) : build_splat(ir, a, type);
+    }
+}
+
+Ref build_call_of(Ir *ir, int function, const Ref *args, int count)
+{
+    return ir_make(ir, OP_call, function_row(function)->result, (uint32_t)function, args, count);
+}
+
+Ref build_apply(Ir *ir, int function, const Ref *args)
+{
+    const IrFunction *f = &ir->functions[function];
+    return ir_make(ir, OP_apply, ir_type(ir, f->result), (uint32_t)function, args, f->count);
+}
+
+Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size)
+{
+    const IrFunction *f = &ir->functions[function];
+    Ref all[8];
+    for (int i = 0; i < f->count; i++)
+        all[i] = args[i];
+    all[f->count] = size;
+    return ir_make(ir, OP_kernel, ir_type(ir, f->result), (uint32_t)function, all, f->count + 1);
+}
+
+Ref build_plus_of(Ir *ir, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0] : build_add_of(ir, x); }
+Ref build_times_of(Ir *ir, const Ref x[2]) { return x[1] ? build_mul_of(ir, x) : 0; }
+Ref build_over_of(Ir *ir, const Ref x[2]) { return x[0] ? build_div_of(ir, x) : 0; }
+Ref build_minus(Ir *ir, Ref a) { return a ? build_neg(ir, a) : 0; }
+Ref build_or_zero(Ir *ir, Ref a, Type type) { return a ? a : build_all(ir, type, 0); }

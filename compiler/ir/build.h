@@ -1,0 +1,145 @@
+/* The words that IR is written in: build_add(ir, a, b) is the node a + b, or the equal one that exists, or what it simplifies to.
+ *
+ * Nodes are numbered as they are made, and C leaves open which argument of a call is evaluated first. So the words that take
+ * several nodes are macros over REFS, which makes them from left to right, whatever the C compiler:
+ *
+ *     build_mix(ir, build_float(ir, 0), build_abs(ir, x), t)      makes 0, |x|, mix(0, |x|, t)
+ *
+ * tests/order.sh finds the calls that leave the order open. */
+#ifndef MATC_BUILD_H
+#define MATC_BUILD_H
+#include "compiler/ir/ir.h"
+
+/* Up to five new nodes, made from left to right, as an array that lives to the end of the expression. */
+#define REFS(ir, ...)                         REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
+#define REFS_COUNT(...)                       REFS_PICK(__VA_ARGS__, 5, 4, 3, 2, 1, )
+#define REFS_PICK(a, b, c, d, e, chosen, ...) chosen
+#define REFS_1(ir, a)                         (build_hold(ir, a), build_held(ir, 1))
+#define REFS_2(ir, a, b)                      (build_hold(ir, a), build_hold(ir, b), build_held(ir, 2))
+#define REFS_3(ir, a, b, c)                   (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_held(ir, 3))
+#define REFS_4(ir, a, b, c, d)                                                                                         \
+    (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_hold(ir, d), build_held(ir, 4))
+#define REFS_5(ir, a, b, c, d, e)                                                                                      \
+    (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_hold(ir, d), build_hold(ir, e), build_held(ir, 5))
+
+typedef struct {
+    Ref at[5];
+} Refs;
+
+static inline void build_hold(Ir *ir, Ref ref) { ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_room, ref); }
+
+static inline Refs build_held(Ir *ir, size_t count)
+{
+    Refs refs = {{0}};
+    ir->held_count -= count;
+    for (size_t i = 0; i < count; i++)
+        refs.at[i] = ir->held[ir->held_count + i];
+    return refs;
+}
+
+/* A word for every operation of ops.def that is written as an operator or a call: build_<op> of one operand, build_<op>_of of
+ * an array of them. */
+#define BUILD_1(name)                                                                                                  \
+    static inline Ref build_##name(Ir *ir, Ref a) { return ir_make(ir, OP_##name, TYPE_bool, 0, &a, 1); }
+#define BUILD_2(name)                                                                                                  \
+    static inline Ref build_##name##_of(Ir *ir, const Ref x[2]) { return ir_make(ir, OP_##name, TYPE_bool, 0, x, 2); }
+#define BUILD_3(name)                                                                                                  \
+    static inline Ref build_##name##_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_##name, TYPE_bool, 0, x, 3); }
+#define BUILD_prefix(name, arity) BUILD_##arity(name)
+#define BUILD_infix(name, arity)  BUILD_##arity(name)
+#define BUILD_call(name, arity)   BUILD_##arity(name)
+#define BUILD_special(name, arity)
+#define OP(name, shape, glsl, arity, rule, doc) BUILD_##shape(name, arity)
+#include "grammar/ops.def"
+
+#define build_add(ir, a, b)      build_add_of(ir, REFS(ir, a, b))
+#define build_sub(ir, a, b)      build_sub_of(ir, REFS(ir, a, b))
+#define build_mul(ir, a, b)      build_mul_of(ir, REFS(ir, a, b))
+#define build_div(ir, a, b)      build_div_of(ir, REFS(ir, a, b))
+#define build_min(ir, a, b)      build_min_of(ir, REFS(ir, a, b))
+#define build_max(ir, a, b)      build_max_of(ir, REFS(ir, a, b))
+#define build_step(ir, a, b)     build_step_of(ir, REFS(ir, a, b))
+#define build_mod(ir, a, b)      build_mod_of(ir, REFS(ir, a, b))
+#define build_pow(ir, a, b)      build_pow_of(ir, REFS(ir, a, b))
+#define build_atan2(ir, a, b)    build_atan2_of(ir, REFS(ir, a, b))
+#define build_lt(ir, a, b)       build_lt_of(ir, REFS(ir, a, b))
+#define build_le(ir, a, b)       build_le_of(ir, REFS(ir, a, b))
+#define build_eq(ir, a, b)       build_eq_of(ir, REFS(ir, a, b))
+#define build_ne(ir, a, b)       build_ne_of(ir, REFS(ir, a, b))
+#define build_and(ir, a, b)      build_and_of(ir, REFS(ir, a, b))
+#define build_or(ir, a, b)       build_or_of(ir, REFS(ir, a, b))
+#define build_dot(ir, a, b)      build_dot_of(ir, REFS(ir, a, b))
+#define build_cross(ir, a, b)    build_cross_of(ir, REFS(ir, a, b))
+#define build_shift(ir, a, b)    build_shift_of(ir, REFS(ir, a, b))
+#define build_join(ir, a, b)     build_join_of(ir, REFS(ir, a, b))
+#define build_clamp(ir, a, b, c) build_clamp_of(ir, REFS(ir, a, b, c))
+#define build_mix(ir, a, b, c)   build_mix_of(ir, REFS(ir, a, b, c))
+/* Of an operation that is not known here. */
+Ref build_unary(Ir *ir, Op op, Ref a);
+#define build_binary(ir, op, a, b) ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b), 2)
+
+/* Numbers: a float, an int, a vector, a truth value; a number in every lane of a type. */
+Ref build_float(Ir *ir, double value);
+Ref build_int(Ir *ir, double value);
+Ref build_vec3(Ir *ir, double x, double y, double z);
+Ref build_truth(Ir *ir, bool value);
+Ref build_all(Ir *ir, Type type, double value);
+Ref build_input(Ir *ir, Input input);
+
+/* a factor; a a */
+Ref build_scale(Ir *ir, Ref a, double factor);
+Ref build_square(Ir *ir, Ref a);
+/* a where the condition holds, else b; both have one type. */
+#define build_select(ir, condition, a, b) build_select_of(ir, REFS(ir, condition, a, b))
+Ref build_select_of(Ir *ir, const Ref x[3]);
+/* A matrix by its columns, args[1] and on, times args[0]. */
+Ref build_linear(Ir *ir, const Ref *args, int count);
+
+/* Lanes of a vector: by letters of "xyzw"; by two bits each; one by its number. A float's only lane is x. */
+Ref build_swizzle(Ir *ir, Ref a, const char *letters);
+Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
+Ref build_lane(Ir *ir, Ref a, int lane);
+/* A vector of the parts' lanes, which are as many as the type has. */
+#define build_vec(ir, type, ...) build_vec_of(ir, type, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
+Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count);
+/* A float in every lane of the type; what has the type stays. */
+Ref build_splat(Ir *ir, Ref a, Type type);
+/* The conversion table. */
+Ref build_convert(Ir *ir, Ref a, Type type);
+
+/* A library function; a function of the program; the sum of one over the KERNEL_POINTS around its arguments, half of `size`
+ * apart, which is a loop in GLSL. */
+#define build_call(ir, function, ...) build_call_of(ir, function, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
+Ref build_call_of(Ir *ir, int function, const Ref *args, int count);
+Ref build_apply(Ir *ir, int function, const Ref *args);
+Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size);
+
+/* Sums and products of what may be zero everywhere: no node, 0, stands for that, so that derivatives and variances of what does
+ * not change are never made. a + b; factor a; a / b; -a; and the node, zeros of the type where there is none. */
+#define build_plus(ir, a, b)       build_plus_of(ir, REFS(ir, a, b))
+#define build_times(ir, factor, a) build_times_of(ir, REFS(ir, factor, a))
+#define build_over(ir, a, b)       build_over_of(ir, REFS(ir, a, b))
+Ref build_plus_of(Ir *ir, const Ref x[2]);
+Ref build_times_of(Ir *ir, const Ref x[2]);
+Ref build_over_of(Ir *ir, const Ref x[2]);
+Ref build_minus(Ir *ir, Ref a);
+Ref build_or_zero(Ir *ir, Ref a, Type type);
+
+/* For files that still say it so. */
+#define ir_float                    build_float
+#define ir_int                      build_int
+#define ir_vec3                     build_vec3
+#define ir_input                    build_input
+#define ir_unary                    build_unary
+#define ir_binary                   build_binary
+#define ir_ternary(ir, op, a, b, c) ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b, c), 3)
+#define ir_select                   build_select
+#define ir_select_of                build_select_of
+#define ir_swizzle                  build_swizzle
+#define ir_swizzle_lanes            build_lanes
+#define ir_vec                      build_vec_of
+#define ir_call                     build_call_of
+#define ir_apply                    build_apply
+#define ir_kernel                   build_kernel
+#define ir_convert                  build_convert
+#endif
