@@ -76,12 +76,12 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
 
 bool compile_back(Session *session, const Ir *ir, const Job *job, Products *products)
 {
-    const char *log = "";
+    const char *log;
     products->fragment = emit_fragment(session, ir, job, &products->interface, &products->fragment_size);
     session_stage_done(session, "emit", 0, 0);
     products->vertex = session->options->validate ? emit_vertex(session, job, &products->interface) : NULL;
-    if (session->options->validate &&
-        !validate(session, job->target, products->vertex, products->fragment, products->interface.declarations, &log)) {
+    const ProgramTexts texts = {products->vertex, products->fragment, products->interface.declarations};
+    if (session->options->validate && !validate(session, job->target, &texts, &log)) {
         diag_add(session, NO_SPAN, DIAG_not_valid, target_table[job->target].name, log);
         return false;
     }

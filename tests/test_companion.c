@@ -47,7 +47,7 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
         if (layout_has_slot(layout, (Slot)slot))
             text_format(&text, "    sum += length(s.%s);\n", slot_table[slot].name);
     text_format(&text, "    %s = vec4(sum);\n}\n", row->in_out ? "color" : "gl_FragColor");
-    bool fine = validate(&session, target, vertex, text.at, 0, &log);
+    bool fine = validate(&session, target, &(ProgramTexts){vertex, text.at, 0}, &log);
     if (!fine)
         print_error("%s, %s: %s\n%s", layout->name, target_table[target].name, log, text.at);
     arena_free(&arena);
@@ -177,7 +177,7 @@ static void vertex_programs_are_whole(void **state)
         options.pass = pass_table[i / TARGET_COUNT].name;
         MatcProgram *program = matc_compile(document, 0, MATC_VERTEX, &options);
         const char *vertex = matc_output(program, MATC_VERTEX, NULL);
-        if (!vertex || !validate(&session, (Target)(i % TARGET_COUNT), vertex, NULL, 0, &log))
+        if (!vertex || !validate(&session, (Target)(i % TARGET_COUNT), &(ProgramTexts){.vertex = vertex}, &log))
             fail_msg("%s, %s: %s\n%s", options.target, options.pass, log ? log : "none", vertex ? vertex : "");
         matc_program_free(program);
         arena_free(&arena);

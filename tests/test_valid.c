@@ -191,13 +191,14 @@ static void linked_programs_are_told_apart(void **state)
     size_t size = strlen(head);
     snprintf(fine, sizeof fine, "%svoid main() { color = vec4(p, 1.0); } // comment\n", head);
     snprintf(broken, sizeof broken, "%svoid main() { color = vec4(q, 1.0); }\n", head);
-    assert_false(validate(&session, TARGET_glsl330, other, fine, size, &log)); /* and is not remembered */
-    assert_false(validate(&session, TARGET_glsl330, other, fine, size, &log));
-    assert_true(validate(&session, TARGET_glsl330, good, fine, size, &log));
-    assert_true(validate(&session, TARGET_glsl330, good, fine, size, &log));
-    assert_false(validate(&session, TARGET_glsl330, good, broken, size, &log));
+    assert_false(
+        validate(&session, TARGET_glsl330, &(ProgramTexts){other, fine, size}, &log)); /* and is not remembered */
+    assert_false(validate(&session, TARGET_glsl330, &(ProgramTexts){other, fine, size}, &log));
+    assert_true(validate(&session, TARGET_glsl330, &(ProgramTexts){good, fine, size}, &log));
+    assert_true(validate(&session, TARGET_glsl330, &(ProgramTexts){good, fine, size}, &log));
+    assert_false(validate(&session, TARGET_glsl330, &(ProgramTexts){good, broken, size}, &log));
     assert_non_null(strstr(log, ":4:")); /* lines are those of the text */
-    assert_false(validate(&session, TARGET_glsl330, other, fine, size, &log));
+    assert_false(validate(&session, TARGET_glsl330, &(ProgramTexts){other, fine, size}, &log));
     matc_linked_free(options.linked);
     arena_free(&arena);
 }

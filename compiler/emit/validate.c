@@ -14,9 +14,12 @@ static pthread_once_t initialised = PTHREAD_ONCE_INIT;
 static void initialise(void) { glslang_initialize_process(); }
 
 typedef struct {
+    Session *session;
+    Target target;
     glslang_shader_t *shaders[2];
     int shader_count;
     glslang_program_t *program;
+    const char *log; /* of what failed */
 } Validation;
 
 static glslang_input_t input_for(Target target, glslang_stage_t stage, const char *code)
@@ -39,9 +42,11 @@ static glslang_input_t input_for(Target target, glslang_stage_t stage, const cha
     return input;
 }
 
-static const char *keep(Session *session, const char *log)
+/* Keeps glslang's log, which ends with its shader or program. */
+static bool fail(Validation *v, const char *log)
 {
-    return arena_string(session->arena, log ? log : "", log ? strlen(log) : 0);
+    v->log = arena_string(v->session->arena, log ? log : "", log ? strlen(log) : 0);
+    return false;
 }
 
 /* The text without what follows `//`: glslang reads every letter, and the lines keep their numbers. */
@@ -56,10 +61,9 @@ static const char *without_comments(Session *session, const char *code)
     return bare;
 }
 
-static bool parse(Session *session, Validation *v, Target target, glslang_stage_t stage, const char *code,
-                  const char **log)
+static bool parse(Validation *v, glslang_stage_t stage, const char *code)
 {
-    const glslang_input_t input = input_for(target, stage, without_comments(session, code));
+    const glslang_input_t input = input_for(v->target, stage, without_comments(v->session, code));
     glslang_shader_t *shader = glslang_shader_create(&input);
     if (!shader)
         return false;
@@ -68,27 +72,22 @@ static bool parse(Session *session, Validation *v, Target target, glslang_stage_
         glslang_program_add_shader(v->program, shader);
         return true;
     }
-    *log = keep(session, glslang_shader_get_info_log(shader));
-    return false;
+    return fail(v, glslang_shader_get_info_log(shader));
 }
 
-static bool link_stages(Session *session, Validation *v, Target target, const char *vertex, const char *fragment,
-                        const char **log)
+static bool link_stages(Validation *v, const char *vertex, const char *fragment)
 {
-    *log = "glslang cannot be started";
+    v->log = "glslang cannot be started";
     pthread_once(&initialised, initialise);
     v->program = glslang_program_create();
-    if (!v->program || (vertex && !parse(session, v, target, GLSLANG_STAGE_VERTEX, vertex, log)) ||
-        (fragment && !parse(session, v, target, GLSLANG_STAGE_FRAGMENT, fragment, log)))
+    if (!v->program || (vertex && !parse(v, GLSLANG_STAGE_VERTEX, vertex)) ||
+        (fragment && !parse(v, GLSLANG_STAGE_FRAGMENT, fragment)))
         return false;
-    int messages = (int)input_for(target, GLSLANG_STAGE_FRAGMENT, "").messages;
-    if (glslang_program_link(v->program, messages))
-        return true;
-    *log = keep(session, glslang_program_get_info_log(v->program));
-    return false;
+    int messages = (int)input_for(v->target, GLSLANG_STAGE_FRAGMENT, "").messages;
+    return glslang_program_link(v->program, messages) || fail(v, glslang_program_get_info_log(v->program));
 }
 
-static void close_session(Validation *v)
+static void close_validation(Validation *v)
 {
     if (v->program)
         glslang_program_delete(v->program);
@@ -97,41 +96,41 @@ static void close_session(Validation *v)
 }
 
 /* All that a fragment program and its vertex program can disagree about: the one's declarations, and the other. */
-static Key interface_key(Target target, const char *vertex, const char *fragment, size_t declarations)
+static Key interface_key(Target target, const ProgramTexts *texts)
 {
     Bytes bytes = {0};
     bytes_number(&bytes, (uint32_t)target);
-    bytes_text(&bytes, vertex);
-    bytes_block(&bytes, fragment, declarations);
+    bytes_text(&bytes, texts->vertex);
+    bytes_block(&bytes, texts->fragment, texts->declarations);
     Key key = key_of_bytes(bytes.at, bytes.size);
     bytes_free(&bytes);
     return key;
 }
 
-bool validate(Session *session, Target target, const char *vertex, const char *fragment, size_t declarations,
-              const char **log)
+bool validate(Session *session, Target target, const ProgramTexts *texts, const char **log)
 {
-    Validation v = {0};
+    Validation v = {.session = session, .target = target};
     MatcLinked *linked = session->options ? session->options->linked : NULL;
-    Key key = linked ? interface_key(target, vertex, fragment, declarations) : (Key){0, 0};
-    bool known = linked_before(linked, key),
-         fine = link_stages(session, &v, target, known ? NULL : vertex, fragment, log);
+    Key key = linked ? interface_key(target, texts) : (Key){0, 0};
+    bool known = linked_before(linked, key), fine = link_stages(&v, known ? NULL : texts->vertex, texts->fragment);
     if (fine && !known)
         linked_add(linked, key);
-    close_session(&v);
+    *log = v.log;
+    close_validation(&v);
     return fine;
 }
 
 const char *validate_to_spirv(Session *session, const char *fragment, size_t *size, const char **log)
 {
-    Validation v = {0};
+    Validation v = {.session = session, .target = TARGET_spirv};
     const char *words = NULL;
-    if (link_stages(session, &v, TARGET_spirv, NULL, fragment, log)) {
+    if (link_stages(&v, NULL, fragment)) {
         glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
         glslang_program_SPIRV_generate_with_options(v.program, GLSLANG_STAGE_FRAGMENT, &options);
         *size = glslang_program_SPIRV_get_size(v.program) * sizeof(unsigned);
         words = arena_string(session->arena, (const char *)glslang_program_SPIRV_get_ptr(v.program), *size);
     }
-    close_session(&v);
+    *log = v.log;
+    close_validation(&v);
     return words;
 }

@@ -4,10 +4,15 @@
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
 
-/* Parses both programs and links them. The fragment program begins with so many bytes of declarations: where MatcLinked knows
- * them beside this vertex program, the fragment program is parsed and linked alone. False: *log tells why. */
-bool validate(Session *session, Target target, const char *vertex, const char *fragment, size_t declarations,
-              const char **log);
+/* The programs that are drawn together; NULL: there is none. */
+typedef struct {
+    const char *vertex, *fragment;
+    size_t declarations; /* bytes of them, at the beginning of the fragment program */
+} ProgramTexts;
+
+/* Parses both programs and links them. Where MatcLinked knows the declarations beside this vertex program, the fragment program
+ * is parsed and linked alone. False: *log tells why. */
+bool validate(Session *session, Target target, const ProgramTexts *texts, const char **log);
 /* The fragment program as SPIR-V, in the arena; NULL: *log tells why. */
 const char *validate_to_spirv(Session *session, const char *fragment, size_t *size, const char **log);
 #endif

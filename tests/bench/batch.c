@@ -74,7 +74,7 @@ static bool link_pair(const Pair *pair)
     const char *log = "";
     matc_options_init(&options);
     Session session = {.options = &options, .arena = &arena};
-    bool fine = validate(&session, TARGET_glsl330, pair->vertex, pair->fragment, 0, &log);
+    bool fine = validate(&session, TARGET_glsl330, &(ProgramTexts){pair->vertex, pair->fragment, 0}, &log);
     if (!fine)
         fprintf(stderr, "matbench: %s\n", log);
     arena_free(&arena);

@@ -238,7 +238,7 @@ int bench_glslang(int argc, char **argv)
     MatcOptions options = options_for(true);
     Session session = {.options = &options, .arena = &arena};
     char *vertex = read_program(argv[1]), *fragment = read_program(argv[2]);
-    bool fine = validate(&session, TARGET_glsl330, vertex, fragment, 0, &log);
+    bool fine = validate(&session, TARGET_glsl330, &(ProgramTexts){vertex, fragment, 0}, &log);
     free(vertex);
     free(fragment);
     arena_free(&arena);
