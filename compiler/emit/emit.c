@@ -78,38 +78,47 @@ static bool needs_name(const Scope *e, Ref ref, int size)
     return (node->head && size > 1) || size > LARGEST_EXPRESSION;
 }
 
+/* One side of a branch: the statements of `block`, and then target = value. */
+typedef struct {
+    const char *target;
+    Ref value;
+    int block;
+} Arm;
+
 static void put_block(Scope *e, Text *out, int block, int depth);
-static void put_assignment(Scope *e, Text *out, const char *target, Ref value, int block, int depth);
-static bool put_else_if(Scope *e, Text *out, const char *target, Ref value, int block, int depth);
+static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth);
+static bool put_else_if(Scope *e, Text *out, const Arm *arm, int depth);
 
 /* A select that is an arm's value and nothing else's assigns to the outer target itself. */
-static bool is_tail(const Scope *e, Ref value, int block)
+static bool is_tail(const Scope *e, const Arm *arm)
 {
-    return e->s.arm[value] && e->s.uses[value] == 1 && e->s.block[value] == block;
+    return e->s.arm[arm->value] && e->s.uses[arm->value] == 1 && e->s.block[arm->value] == arm->block;
 }
 
 /* if (...) { ... target = a; } else { ... target = b; } */
 static void put_branch(Scope *e, Text *out, const char *target, Ref ref, int depth)
 {
+    const Arm then = {target, ir_arg(e->ir, ref, 1), e->s.arm[ref]};
+    const Arm other = {target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1};
     text_put(out, "if (");
     emit_expression(e, out, ir_arg(e->ir, ref, 0), PRECEDENCE_any);
     text_put(out, ") {\n");
-    put_assignment(e, out, target, ir_arg(e->ir, ref, 1), e->s.arm[ref], depth + 1);
+    put_assignment(e, out, &then, depth + 1);
     indent(out, depth);
     text_put(out, "} else ");
-    if (put_else_if(e, out, target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1, depth))
+    if (put_else_if(e, out, &other, depth))
         return;
     text_put(out, "{\n");
-    put_assignment(e, out, target, ir_arg(e->ir, ref, 2), e->s.arm[ref] + 1, depth + 1);
+    put_assignment(e, out, &other, depth + 1);
     indent(out, depth);
     text_put(out, "}\n");
 }
 
-/* Whether a block has statements besides `value`'s own. */
-static bool has_statements(Scope *e, Ref value, int block)
+/* Whether an arm has statements besides its value's own. */
+static bool has_statements(Scope *e, const Arm *arm)
 {
-    for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref]) {
-        if (ref == value || e->done[ref])
+    for (Ref ref = e->s.blocks[arm->block].first; ref; ref = e->s.next[ref]) {
+        if (ref == arm->value || e->done[ref])
             continue;
         int size = expression_size(e, ref);
         e->size[ref] = (uint16_t)size; /* operands come first: the sizes above build on it */
@@ -120,32 +129,32 @@ static bool has_statements(Scope *e, Ref value, int block)
 }
 
 /* An arm that is nothing but another branch follows its `else` at once. */
-static bool put_else_if(Scope *e, Text *out, const char *target, Ref value, int block, int depth)
+static bool put_else_if(Scope *e, Text *out, const Arm *arm, int depth)
 {
-    if (!is_tail(e, value, block) || has_statements(e, value, block))
+    if (!is_tail(e, arm) || has_statements(e, arm))
         return false;
-    e->done[value] = 1;
-    e->names[value] = target;
-    put_branch(e, out, target, value, depth);
+    e->done[arm->value] = 1;
+    e->names[arm->value] = arm->target;
+    put_branch(e, out, arm->target, arm->value, depth);
     return true;
 }
 
-static void put_assignment(Scope *e, Text *out, const char *target, Ref value, int block, int depth)
+static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth)
 {
     int before = e->last_hint;
-    bool tail = is_tail(e, value, block);
+    bool tail = is_tail(e, arm);
     if (tail) {
-        e->done[value] = 1;
-        e->names[value] = target;
+        e->done[arm->value] = 1;
+        e->names[arm->value] = arm->target;
     }
-    put_block(e, out, block, depth);
+    put_block(e, out, arm->block, depth);
     indent(out, depth);
     if (tail) {
-        put_branch(e, out, target, value, depth);
+        put_branch(e, out, arm->target, arm->value, depth);
     } else {
-        text_put(out, target);
+        text_put(out, arm->target);
         text_put(out, " = ");
-        emit_expression(e, out, value, PRECEDENCE_any);
+        emit_expression(e, out, arm->value, PRECEDENCE_any);
         text_put(out, ";\n");
     }
     e->last_hint = before;
