@@ -122,8 +122,8 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         keep(p, MATC_UNPACK, unpack, strlen(unpack));
     }
     if (outputs & MATC_REFLECT) {
-        const char *json =
-            emit_reflection(session, p->ir, &p->job, &made->interface, named->name, matc_opacity(p), made->fragment);
+        const Reflected reflected = {&made->interface, named->name, matc_opacity(p), made->fragment};
+        const char *json = emit_reflection(session, p->ir, &p->job, &reflected);
         keep(p, MATC_REFLECT, json, strlen(json));
     }
     if (outputs & MATC_IR) {

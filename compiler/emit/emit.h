@@ -20,9 +20,15 @@ const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interf
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
 /* GLSL that reads the layout back: struct Surface and unpackSurface(). */
 const char *emit_unpack(Session *session, const Job *job);
+/* A program that is made, as its reflection tells of it. */
+typedef struct {
+    const Interface *interface;
+    const char *material, *opacity; /* its name, and the class of its opacity */
+    const char *fragment;           /* the text, for its hash */
+} Reflected;
+
 /* JSON: inputs, uniforms with defaults, textures, outputs, opacity class, source files, content hash. */
-const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Interface *interface,
-                            const char *material, const char *opacity, const char *fragment);
+const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Reflected *program);
 
 /* Names in the shader. */
 const char *emit_texture_name(Session *session, const Ir *ir, int texture);

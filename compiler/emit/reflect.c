@@ -174,14 +174,14 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     close_list(&list);
 }
 
-const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Interface *interface,
-                            const char *material, const char *opacity, const char *fragment)
+const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Reflected *program)
 {
+    const Interface *interface = program->interface;
     Text text = text_new(session->arena), *out = &text;
-    XXH128_hash_t hash = XXH3_128bits(fragment, strlen(fragment));
+    XXH128_hash_t hash = XXH3_128bits(program->fragment, strlen(program->fragment));
     text_put(out, "{\n  ");
     json_member(out, "matc", MATC_VERSION);
-    put_line(out, "material", material);
+    put_line(out, "material", program->material);
     put_line(out, "target", target_table[job->target].name);
     put_line(out, "pass", pass_table[job->pass].name);
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
@@ -189,7 +189,7 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
     if (job->pass == PASS_value)
         put_line(out, "slot", slot_table[job->slot].name);
     put_line(out, "noise", choice_table[job->choice[AXIS_noise]].name);
-    put_line(out, "opacity", opacity);
+    put_line(out, "opacity", program->opacity);
     text_put(out, ",\n  \"choices\": ");
     job_put_json(out, job);
     int block = 0;
