@@ -137,7 +137,7 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
         if (!strcmp(member->key, "value")) {
-            fine &= resolve_number(r, "value", member->value, 1, 1, &item->value);
+            fine &= resolve_number(r, "value", member->value, (LaneCount){1, 1}, &item->value);
         } else if (!strcmp(member->key, "input")) {
             item->input = resolve_map(r, member->value, &fault);
         } else {
@@ -202,7 +202,8 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
 static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     bool vector = row->type == PARAM_Vec3, constant = row->kind == KIND_Constant;
-    if (!resolve_number(r, row->name, tree, vector ? 3 : 1, vector ? 3 : constant ? 4 : 1, value))
+    const LaneCount lanes = {vector ? 3 : 1, vector ? 3 : constant ? 4 : 1};
+    if (!resolve_number(r, row->name, tree, lanes, value))
         return false;
     return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && in_range(r, row, tree, value);
 }
@@ -381,7 +382,7 @@ static const Member *find_def(Resolver *r, Tree *tree)
 static const Node *resolve_constant(Resolver *r, Tree *tree)
 {
     Value *value = ARENA_NEW(r->session->arena, Value);
-    if (!resolve_number(r, "a map", tree, 1, 4, value))
+    if (!resolve_number(r, "a map", tree, (LaneCount){1, 4}, value))
         return NULL;
     Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){KIND_Constant, r->node_count++, tree->span, value, 0, 0};

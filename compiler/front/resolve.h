@@ -32,8 +32,13 @@ const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 Value resolve_default(Resolver *r, const ParamRow *row);
 
-/* A number, a list of numbers, a colour or a param, of lanes least..most; `what` is for messages. */
-bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int most, Value *value);
+/* How many lanes a value may have. */
+typedef struct {
+    int least, most;
+} LaneCount;
+
+/* A number, a list of numbers, a colour or a param; `what` is for messages. */
+bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value);
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 

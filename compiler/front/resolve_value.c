@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+static const LaneCount one_lane = {1, 1};
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
 static const char *color_name(const void *user, int i)
@@ -58,16 +59,16 @@ static bool fits_float(Resolver *r, const char *what, const Tree *tree, double n
     return false;
 }
 
-static bool number_list(Resolver *r, const char *what, const Tree *tree, int least, int most, Value *value)
+static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCount lanes, Value *value)
 {
-    if (tree->count < 2 || (int)tree->count < least || (int)tree->count > most) {
+    if (tree->count < 2 || (int)tree->count < lanes.least || (int)tree->count > lanes.most) {
         Text wanted = text_new(r->session->arena);
-        if (most == 1)
+        if (lanes.most == 1)
             text_put(&wanted, "a number");
-        else if (least == most)
-            text_format(&wanted, "%d numbers", least);
+        else if (lanes.least == lanes.most)
+            text_format(&wanted, "%d numbers", lanes.least);
         else
-            text_format(&wanted, "%d to %d numbers", least > 2 ? least : 2, most);
+            text_format(&wanted, "%d to %d numbers", lanes.least > 2 ? lanes.least : 2, lanes.most);
         diag_add(r->session, tree->span, DIAG_wrong_count, what, wanted.at, (int)tree->count);
         return false;
     }
@@ -129,7 +130,7 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
 }
 
 /* { param: name, default: number, list or colour } */
-static bool param(Resolver *r, const char *what, Tree *tree, int least, int most, Value *value)
+static bool param(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value)
 {
     const Member *initial = tree_find(tree, "default");
     const Tree *name = tree_find(tree, "param")->value;
@@ -157,21 +158,21 @@ static bool param(Resolver *r, const char *what, Tree *tree, int least, int most
                  "a number, a list or a colour", "an object");
         return false;
     }
-    if (!resolve_number(r, what, initial->value, least, most, value) || !name_uniform(r, name, value))
+    if (!resolve_number(r, what, initial->value, lanes, value) || !name_uniform(r, name, value))
         return false;
     value->kind = VALUE_uniform;
     value->span = tree->span;
     return true;
 }
 
-bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int most, Value *value)
+bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value)
 {
     *value = (Value){.kind = VALUE_number, .given = true, .span = tree->span};
     double number;
     if (tree->kind == TREE_object && tree_find(tree, "param"))
-        return param(r, what, tree, least, most, value);
+        return param(r, what, tree, lanes, value);
     if (tree->kind == TREE_list)
-        return number_list(r, what, tree, least, most, value);
+        return number_list(r, what, tree, lanes, value);
     if (tree_number(tree, &number)) {
         value->type = TYPE_float;
         value->number[0] = number;
@@ -181,10 +182,10 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, int least, int mo
         diag_add(r->session, tree->span, DIAG_bad_number, tree->text);
         return false;
     }
-    if (tree->kind == TREE_scalar && most >= 3 && !tree_is_null(tree))
+    if (tree->kind == TREE_scalar && lanes.most >= 3 && !tree_is_null(tree))
         return color(r, tree, value);
     diag_add(r->session, tree->span, DIAG_wrong_type, what,
-             most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->session, tree));
+             lanes.most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->session, tree));
     return false;
 }
 
@@ -217,9 +218,9 @@ static bool chain_member(Resolver *r, const Member *member, Wave *wave)
     if (!strcmp(member->key, "second"))
         return resolve_wave(r, member->value, &wave->second);
     if (!strcmp(member->key, "factor"))
-        return resolve_number(r, "factor", member->value, 1, 1, &wave->factor);
+        return resolve_number(r, "factor", member->value, one_lane, &wave->factor);
     if (!strcmp(member->key, "shift"))
-        return resolve_number(r, "shift", member->value, 1, 1, &wave->shift);
+        return resolve_number(r, "shift", member->value, one_lane, &wave->shift);
     diag_add(r->session, member->span, DIAG_unknown_key, "Chain", member->key, "");
     return false;
 }
@@ -342,7 +343,8 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
             /* a lone number is meant for scale only; a param may have one lane or three */
             bool list = member->value->kind == TREE_list, one = key == 2 && !list;
             bool param = member->value->kind == TREE_object;
-            fine &= resolve_number(r, member->key, member->value, one ? 1 : 3, one && !param ? 1 : 3, parts[key]);
+            const LaneCount lanes = {one ? 1 : 3, one && !param ? 1 : 3};
+            fine &= resolve_number(r, member->key, member->value, lanes, parts[key]);
             transform->kind = tree->count > 1   ? TRANSFORM_components
                               : key == 0        ? TRANSFORM_translation
                               : key == 2 && one ? TRANSFORM_scale
