@@ -10,15 +10,23 @@ static int by_size(const void *a, const void *b)
     return difference ? difference : (int)x->source[0].slot - (int)y->source[0].slot;
 }
 
-static void put_plan(const Plan *plan, const MatcSlotRange *range, FieldRow *fields, int *count, FixedRow *fixed,
-                     int *fixed_count)
+/* The parts of a layout: what is stored, and what is fixed. */
+typedef struct {
+    FieldRow fields[SLOT_COUNT];
+    int count;
+    FixedRow *fixed;
+    int fixed_count;
+} Parts;
+
+static void put_plan(Parts *parts, const Plan *plan, const MatcSlotRange *range)
 {
     if (plan->fate == FATE_field)
-        fields[(*count)++] = plan->field;
+        parts->fields[parts->count++] = plan->field;
     if (plan->fate != FATE_fixed)
         return;
-    fixed[*fixed_count].slot = plan->slot;
-    memcpy(fixed[(*fixed_count)++].value, range->low, sizeof fixed->value);
+    FixedRow *fixed = &parts->fixed[parts->fixed_count++];
+    fixed->slot = plan->slot;
+    memcpy(fixed->value, range->low, sizeof fixed->value);
 }
 
 static const char *doc_of(Arena *arena, int materials)
@@ -55,23 +63,22 @@ static CaseRow make_case(Arena *arena, const FieldRow *fields, int count, unsign
 static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan plans[SLOT_COUNT], double scale,
                                  Division *division)
 {
-    FieldRow fields[SLOT_COUNT];
-    int count = 0;
-    FixedRow *fixed = ARENA_ARRAY(arena, FixedRow, SLOT_COUNT);
+    Parts parts = {.fixed = ARENA_ARRAY(arena, FixedRow, SLOT_COUNT)};
     CaseRow *cases = ARENA_ARRAY(arena, CaseRow, MOST_AUTO_CASES);
     LayoutRow *row = ARENA_NEW(arena, LayoutRow);
-    *row = (LayoutRow){.name = "auto", .doc = doc_of(arena, ranges->materials), .fixed = fixed, .cases = cases};
+    *row = (LayoutRow){.name = "auto", .doc = doc_of(arena, ranges->materials), .fixed = parts.fixed, .cases = cases};
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         plans[slot] = auto_plan_slot((Slot)slot, &ranges->slot[slot], scale);
-        put_plan(&plans[slot], &ranges->slot[slot], fields, &count, fixed, &row->fixed_count);
+        put_plan(&parts, &plans[slot], &ranges->slot[slot]);
     }
-    qsort(fields, (size_t)count, sizeof *fields, by_size);
-    if (!auto_divide(fields, count, ranges, division))
+    row->fixed_count = parts.fixed_count;
+    qsort(parts.fields, (size_t)parts.count, sizeof *parts.fields, by_size);
+    if (!auto_divide(parts.fields, parts.count, ranges, division))
         return NULL;
     auto_choose_formats(row, division->words);
     row->case_count = division->count;
     for (int i = 0; i < division->count; i++) {
-        cases[i] = make_case(arena, fields, count, division->slots[i]);
+        cases[i] = make_case(arena, parts.fields, parts.count, division->slots[i]);
         cases[i].doc = i ? doc_of_case(arena, division, i) : row->doc; /* the first one's is the layout's */
     }
     return row;

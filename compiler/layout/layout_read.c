@@ -16,6 +16,23 @@ static const char *encoding_name(const void *user, int i) { return (void)user, e
 static const char *slot_name(const void *user, int i) { return (void)user, slot_table[i].name; }
 static const char *key_name(const void *user, int i) { return ((const char *const *)user)[i]; }
 
+/* What a name may be, and what is said of one that it is not. */
+typedef struct {
+    const char *(*name)(const void *user, int i);
+    int count;
+    DiagKind unknown;
+} NameList;
+
+static const NameList format_names = {format_name, FORMAT_COUNT - 1, DIAG_unknown_format};
+static const NameList encoding_names = {encoding_name, ENCODING_COUNT, DIAG_unknown_encoding};
+static const NameList slot_names = {slot_name, SLOT_COUNT, DIAG_unknown_slot};
+
+/* A list of a file, "cases" of "a layout", and how many items it may have. */
+typedef struct {
+    const char *owner, *key;
+    int most;
+} ListKey;
+
 static void *fail(Reader *r)
 {
     r->fine = false;
@@ -67,37 +84,37 @@ static const char *text_of(Reader *r, const Tree *object, const char *what, cons
     return "";
 }
 
-/* The items of a list of 1 to `most`; what is no list is told. */
-static Tree **items_of(Reader *r, const Tree *object, const char *what, const char *key, int most, int *count)
+/* The items of a list, at least one; what is no list is told. */
+static Tree **items_of(Reader *r, const Tree *object, ListKey key, int *count)
 {
-    const Tree *list = member(r, object, what, key, true);
+    const Tree *list = member(r, object, key.owner, key.key, true);
     *count = 0;
     if (!list)
         return NULL;
     if (list->kind != TREE_list || !list->count) {
-        wrong_type(r, list, key, list->kind == TREE_list ? "at least one item" : "a list");
+        wrong_type(r, list, key.key, list->kind == TREE_list ? "at least one item" : "a list");
         return NULL;
     }
-    if (list->count > (uint32_t)most) {
-        diag_add(r->session, list->span, DIAG_layout_length, key, (int)list->count, most);
+    if (list->count > (uint32_t)key.most) {
+        diag_add(r->session, list->span, DIAG_layout_length, key.key, (int)list->count, key.most);
         return fail(r);
     }
     *count = (int)list->count;
     return list->items;
 }
 
-/* The row of a name among `count`, or -1, told. */
-static int row_of(Reader *r, const Tree *tree, const char *what, const char *(*names)(const void *, int), int count,
-                  DiagKind unknown)
+/* The row of a name of the list, or -1, told. */
+static int row_of(Reader *r, const Tree *tree, const char *what, const NameList *names)
 {
     if (tree->kind != TREE_scalar) {
         wrong_type(r, tree, what, "a name");
         return -1;
     }
-    for (int i = 0; i < count; i++)
-        if (!strcmp(names(NULL, i), tree->text))
+    for (int i = 0; i < names->count; i++)
+        if (!strcmp(names->name(NULL, i), tree->text))
             return i;
-    diag_add(r->session, tree->span, unknown, tree->text, suggest(r->session, tree->text, names, NULL, count));
+    const char *near = suggest(r->session, tree->text, names->name, NULL, names->count);
+    diag_add(r->session, tree->span, names->unknown, tree->text, near);
     fail(r);
     return -1;
 }
@@ -112,7 +129,7 @@ static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
     size_t size = strcspn(tree->text, ".");
     Tree name = *tree;
     name.text = arena_string(r->session->arena, tree->text, size);
-    int slot = row_of(r, &name, "slot", slot_name, SLOT_COUNT, DIAG_unknown_slot);
+    int slot = row_of(r, &name, "slot", &slot_names);
     if (slot < 0)
         return;
     const int lanes = type_table[slot_table[slot].type].lanes;
@@ -212,7 +229,7 @@ static void read_field(Reader *r, const Tree *tree, FieldRow *field)
     check_keys(r, tree, "a field", keys, sizeof keys / sizeof *keys);
     read_slots(r, tree, field);
     const Tree *name = member(r, tree, "a field", "encoding", true);
-    int encoding = name ? row_of(r, name, "encoding", encoding_name, ENCODING_COUNT, DIAG_unknown_encoding) : -1;
+    int encoding = name ? row_of(r, name, "encoding", &encoding_names) : -1;
     if (encoding < 0)
         return;
     field->encoding = (Encoding)encoding;
@@ -224,7 +241,7 @@ static void read_field(Reader *r, const Tree *tree, FieldRow *field)
 static CaseRow read_case(Reader *r, const Tree *object, const char *what, int number)
 {
     int count;
-    Tree **items = items_of(r, object, what, "fields", LIMIT_LAYOUT_FIELDS, &count);
+    Tree **items = items_of(r, object, (ListKey){what, "fields", LIMIT_LAYOUT_FIELDS}, &count);
     FieldRow *fields = ARENA_ARRAY(r->session->arena, FieldRow, count + 1);
     r->trees[number] = items;
     for (int i = 0; i < count; i++)
@@ -237,8 +254,8 @@ static void read_cases(Reader *r, const Tree *file)
 {
     static const char *const keys[] = {"doc", "fields"};
     int more = 0;
-    const bool has = member(r, file, "a layout", "cases", false) != NULL;
-    Tree **items = has ? items_of(r, file, "a layout", "cases", LIMIT_LAYOUT_CASES - 1, &more) : NULL;
+    const ListKey list = {"a layout", "cases", LIMIT_LAYOUT_CASES - 1};
+    Tree **items = member(r, file, list.owner, list.key, false) ? items_of(r, file, list, &more) : NULL;
     CaseRow *cases = ARENA_ARRAY(r->session->arena, CaseRow, 1 + more);
     r->trees = ARENA_ARRAY(r->session->arena, Tree *const *, 1 + more);
     cases[0] = read_case(r, file, "a layout", 0);
@@ -257,9 +274,9 @@ static void read_cases(Reader *r, const Tree *file)
 static void read_targets(Reader *r, const Tree *file)
 {
     int count;
-    Tree **items = items_of(r, file, "a layout", "targets", LAYOUT_TARGETS, &count);
+    Tree **items = items_of(r, file, (ListKey){"a layout", "targets", LAYOUT_TARGETS}, &count);
     for (int i = 0; i < count; i++) {
-        int format = row_of(r, items[i], "targets", format_name, FORMAT_COUNT - 1, DIAG_unknown_format);
+        int format = row_of(r, items[i], "targets", &format_names);
         r->row->formats[i] = (Format)(format + 1);
     }
 }
@@ -288,7 +305,7 @@ static void read_constants(Reader *r, const Tree *file)
     FixedRow *fixed = ARENA_ARRAY(r->session->arena, FixedRow, object->count + 1);
     for (uint32_t i = 0; i < object->count; i++) {
         Tree key = {.kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
-        int slot = row_of(r, &key, "constants", slot_name, SLOT_COUNT, DIAG_unknown_slot);
+        int slot = row_of(r, &key, "constants", &slot_names);
         if (slot < 0)
             continue;
         fixed[r->row->fixed_count].slot = (Slot)slot;
