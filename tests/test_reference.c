@@ -371,23 +371,23 @@ static void reliefs(void **state)
             int width = sizes[i][0], height = sizes[i][1];
             if (width * height > 1000000 && roughness)
                 continue;
-            carpenter_bake(.5, 1e6, roughness, 3, width, height, texels);
+            carpenter_bake(&(CarpenterRelief){.5, 1e6, roughness, 3, width, height}, texels);
             for (int at = 0; at < width * height; at++)
                 inside((double)texels[at], -1.1e30, 1.1e30);
         }
-    carpenter_bake(.5, 1, 1, 0, 256, 256, texels);
+    carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 256, 256}, texels);
     near((double)texels[0], .5, 0);
     for (int y = 0; y < 256; y++) /* the torus closes: neighbours are near each other across the seam */
         near((double)texels[256 * y], (double)texels[256 * y + 255], .2);
-    carpenter_bake(.5, 1, 1, 0, 256, 256, other);
+    carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 256, 256}, other);
     assert_memory_equal(texels, other, sizeof other);
-    carpenter_bake(.5, 1, 1, 1, 256, 256, other);
+    carpenter_bake(&(CarpenterRelief){.5, 1, 1, 1, 256, 256}, other);
     assert_memory_not_equal(texels, other, sizeof other);
-    carpenter_bake(.25, 0, 1, 0, 3, 5, other); /* no noise: flat */
+    carpenter_bake(&(CarpenterRelief){.25, 0, 1, 0, 3, 5}, other); /* no noise: flat */
     for (int at = 0; at < 15; at++)
         near((double)other[at], .25, 0);
     /* The first draws of java.util.Random(0) as floats are .7309678 and .8314411: centre, then the middle of the lower edge. */
-    carpenter_bake(.5, 1, 1, 0, 2, 2, other);
+    carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 2, 2}, other);
     near((double)other[3], .5 + .4619356, 1e-6);
     near((double)other[1], (.5 + .9619356) / 2 + .6628822, 1e-6);
 }

@@ -77,8 +77,9 @@ static const float *relief(Session *session, const Node *node)
     double n[6][4];
     for (int i = 0; i < 6; i++)
         value_number(&node->params[i + 1], TYPE_float, n[i]);
-    float *texels = arena_alloc(session->arena, sizeof(float) * (size_t)n[4][0] * (size_t)n[5][0]);
-    carpenter_bake(n[0][0], n[1][0], n[2][0], (int64_t)n[3][0], (int)n[4][0], (int)n[5][0], texels);
+    const CarpenterRelief carpenter = {n[0][0], n[1][0], n[2][0], (int64_t)n[3][0], (int)n[4][0], (int)n[5][0]};
+    float *texels = ARENA_ARRAY(session->arena, float, carpenter.width *carpenter.height);
+    carpenter_bake(&carpenter, texels);
     return texels;
 }
 

@@ -119,9 +119,15 @@ static const float *relief(Oracle *oracle, const Node *node, int width, int heig
     if (*texels)
         return *texels;
     *texels = ARENA_ARRAY(&oracle->arena, float, (size_t)width *(size_t)height);
-    carpenter_bake(oracle_number(node, P_Carpenter_color), oracle_number(node, P_Carpenter_noise),
-                   oracle_number(node, P_Carpenter_roughness), (int64_t)oracle_number(node, P_Carpenter_seed), width,
-                   height, *texels);
+    const CarpenterRelief carpenter = {
+        .color = oracle_number(node, P_Carpenter_color),
+        .noise = oracle_number(node, P_Carpenter_noise),
+        .roughness = oracle_number(node, P_Carpenter_roughness),
+        .seed = (int64_t)oracle_number(node, P_Carpenter_seed),
+        .width = width,
+        .height = height,
+    };
+    carpenter_bake(&carpenter, *texels);
     return *texels;
 }
 

@@ -50,15 +50,15 @@ static void refine(Relief *r)
         }
 }
 
-void carpenter_bake(double color, double noise, double roughness, int64_t seed, int width, int height, float *texels)
+void carpenter_bake(const CarpenterRelief *carpenter, float *texels)
 {
-    Relief relief = {width, height, .lines = 2, .reach = noise, java_random(seed), texels};
-    int greater = width > height ? width : height;
+    const int width = carpenter->width, height = carpenter->height, greater = width > height ? width : height;
+    Relief relief = {width, height, .lines = 2, .reach = carpenter->noise, java_random(carpenter->seed), texels};
     for (int i = 0; i < width * height; i++)
         texels[i] = NAN;
-    texels[0] = (float)fmax(fmin(color, GREATEST), -GREATEST);
+    texels[0] = (float)fmax(fmin(carpenter->color, GREATEST), -GREATEST);
     for (; relief.lines < 2 * greater; relief.lines *= 2) {
         refine(&relief);
-        relief.reach *= exp2(-roughness);
+        relief.reach *= exp2(-carpenter->roughness);
     }
 }

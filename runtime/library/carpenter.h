@@ -3,6 +3,13 @@
 #define MATC_CARPENTER_H
 #include <stdint.h>
 
-/* Fills width x height texels, row 0 at the bottom, each from 1 to 2048. All are finite. */
-void carpenter_bake(double color, double noise, double roughness, int64_t seed, int width, int height, float *texels);
+/* The parameters of the map: the height at the corners, the reach of the first offsets, and how fast they fall with the level. */
+typedef struct {
+    double color, noise, roughness;
+    int64_t seed;
+    int width, height; /* texels, each from 1 to 2048 */
+} CarpenterRelief;
+
+/* Fills width x height texels, row 0 at the bottom. All are finite. */
+void carpenter_bake(const CarpenterRelief *carpenter, float *texels);
 #endif

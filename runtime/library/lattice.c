@@ -132,16 +132,21 @@ static uint32_t wrap(double whole)
     return wrapped >= 0 && wrapped < PERIOD ? (uint32_t)wrapped : 0;
 }
 
+/* How much a corner counts at a point, and how that changes along each axis. */
+typedef struct {
+    double value, slope[3];
+} Weight;
+
 /* Adds a corner's value-plus-gradient term times a weight, and the derivative of that. */
-static void add_corner(const Corner *corner, const double e[3], double weight, const double weight_slope[3],
-                       double sum[OUTPUTS], double slope[OUTPUTS][3])
+static void add_corner(const Corner *corner, const double e[3], const Weight *weight, double sum[OUTPUTS],
+                       double slope[OUTPUTS][3])
 {
     for (int output = 0; output < OUTPUTS; output++) {
         const double *t = corner->number[output];
         double term = t[0] / 2 + t[1] * e[0] + t[2] * e[1] + t[3] * e[2];
-        sum[output] += weight * term;
+        sum[output] += weight->value * term;
         for (int axis = 0; axis < 3; axis++)
-            slope[output][axis] += weight * t[1 + axis] + weight_slope[axis] * term;
+            slope[output][axis] += weight->value * t[1 + axis] + weight->slope[axis] * term;
     }
 }
 
@@ -165,10 +170,11 @@ static void cubic(ReferenceNoise noise, const double p[3], double sum[OUTPUTS], 
             share[axis] = upper ? s : 1 - s;
             rise[axis] = upper ? ds : -ds;
         }
-        const double weight_slope[3] = {rise[0] * share[1] * share[2], share[0] * rise[1] * share[2],
-                                        share[0] * share[1] * rise[2]};
+        const Weight weight = {
+            share[0] * share[1] * share[2],
+            {rise[0] * share[1] * share[2], share[0] * rise[1] * share[2], share[0] * share[1] * rise[2]}};
         Corner corner = corner_of(noise, c);
-        add_corner(&corner, e, share[0] * share[1] * share[2], weight_slope, sum, slope);
+        add_corner(&corner, e, &weight, sum, slope);
     }
 }
 
@@ -201,19 +207,20 @@ static void simplex(ReferenceNoise noise, const double far[3], double sum[OUTPUT
     simplex_steps(x0, steps);
     for (int index = 0; index < 4; index++) {
         uint32_t c[3];
-        double e[3], r = 0, weight_slope[3];
+        double e[3], r = 0;
         for (int i = 0; i < 3; i++) {
             c[i] = wrap(base[i] + steps[index][i]);
             e[i] = x0[i] - steps[index][i] + index / 6.;
             r += e[i] * e[i];
         }
         double t = fmax(.5 - r, 0);
+        Weight weight = {.value = SIMPLEX_SCALE * t * t * t * t};
         for (int i = 0; i < 3; i++)
-            weight_slope[i] = -8 * SIMPLEX_SCALE * t * t * t * e[i];
+            weight.slope[i] = -8 * SIMPLEX_SCALE * t * t * t * e[i];
         Corner corner = corner_of(noise, c);
         for (int output = 0; output < OUTPUTS; output++)
             corner.number[output][0] = 0;
-        add_corner(&corner, e, SIMPLEX_SCALE * t * t * t * t, weight_slope, sum, slope);
+        add_corner(&corner, e, &weight, sum, slope);
     }
 }
 

@@ -12,7 +12,8 @@ static const float *bake(Arena *arena, const IrTexture *t)
         value_number(&t->node->params[1 + k], TYPE_float, lanes);
         n[k] = lanes[0];
     }
-    carpenter_bake(n[0], n[1], n[2], (int64_t)n[3], t->width, t->height, floats);
+    const CarpenterRelief carpenter = {n[0], n[1], n[2], (int64_t)n[3], t->width, t->height};
+    carpenter_bake(&carpenter, floats);
     return floats;
 }
 
