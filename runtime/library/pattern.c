@@ -4,16 +4,35 @@
 static double sinc(double x) { return fabs(x) < 1e-9 ? 1 : sin(x) / x; }
 
 /* E (sum of sin)^2 = (sum of means)^2 + sum of variances, the three axes being independent over a box. */
-REFERENCE(leopardFiltered)
+static double leopard_mean(const double *args, double *sum)
 {
-    (void)context;
-    double sum = 0, variance = 0;
+    double variance = 0;
+    *sum = 0;
     for (int i = 0; i < 3; i++) {
         double mean = sin(args[i]) * sinc(args[3 + i] / 2);
-        sum += mean;
+        *sum += mean;
         variance += .5 - .5 * cos(2 * args[i]) * sinc(args[3 + i]) - mean * mean;
     }
-    result[0] = (sum * sum + variance) / 9;
+    return (*sum * *sum + variance) / 9;
+}
+
+REFERENCE(leopardFiltered)
+{
+    double sum;
+    (void)context;
+    result[0] = leopard_mean(args, &sum);
+}
+
+/* By x: 2 sum mean' - 2 mean mean' + sin(2 x) sinc(edge), all over 9. */
+REFERENCE(leopardFilteredGradient)
+{
+    double sum;
+    (void)context;
+    result[3] = leopard_mean(args, &sum);
+    for (int i = 0; i < 3; i++) {
+        double left = sinc(args[3 + i] / 2), mean = sin(args[i]) * left;
+        result[i] = (2 * (sum - mean) * cos(args[i]) * left + sin(2 * args[i]) * sinc(args[3 + i])) / 9;
+    }
 }
 
 REFERENCE(leopardGradient)
