@@ -29,12 +29,11 @@ void error_target(ErrorBench *bench, const char *what, bool reached, const char 
     target->reached = reached;
 }
 
-void error_figure(ErrorBench *bench, const char *group, const char *subject, const char *variant, const char *quantity,
-                  double value)
+void error_figure(ErrorBench *bench, ErrorSubject of, const char *quantity, double value)
 {
     const GlContext *gl = bench->meter->gl;
-    fprintf(bench->csv, "%s,\"%s\",%s%s,%s,%s,%.6g\n", group, subject, gl_kind_name(gl->kind),
-            gl->hardware ? " hardware" : "", variant, quantity, value);
+    fprintf(bench->csv, "%s,\"%s\",%s%s,%s,%s,%.6g\n", of.group, of.name, gl_kind_name(gl->kind),
+            gl->hardware ? " hardware" : "", of.variant, quantity, value);
 }
 
 MatcDocument *error_document(const char *name, const char *text)

@@ -46,9 +46,12 @@ typedef struct {
 
 __attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what, bool reached,
                                                         const char *wanted_then_measured, ...);
-/* A figure of the CSV. */
-void error_figure(ErrorBench *bench, const char *group, const char *subject, const char *variant, const char *quantity,
-                  double value);
+/* What a figure of the CSV is of. */
+typedef struct {
+    const char *group, *name, *variant;
+} ErrorSubject;
+
+void error_figure(ErrorBench *bench, ErrorSubject of, const char *quantity, double value);
 
 /* A document of the benches, read with its pictures; its materials exist, or the program has a fault and ends. */
 MatcDocument *error_document(const char *name, const char *text);

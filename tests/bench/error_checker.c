@@ -138,9 +138,10 @@ static void report(Checker *c)
     for (int i = 0; i < c->count; i++) {
         const Method *m = &c->methods[i];
         fprintf(out, "| %s | %.4f | %.3f | %.2f |\n", m->name, sqrt(m->squares), m->maximum, m->nanoseconds);
-        error_figure(c->bench, "checker", "horizon", m->name, "rmse", sqrt(m->squares));
-        error_figure(c->bench, "checker", "horizon", m->name, "max", m->maximum);
-        error_figure(c->bench, "checker", "horizon", m->name, "ns_per_pixel", m->nanoseconds);
+        const ErrorSubject of = {"checker", "horizon", m->name};
+        error_figure(c->bench, of, "rmse", sqrt(m->squares));
+        error_figure(c->bench, of, "max", m->maximum);
+        error_figure(c->bench, of, "ns_per_pixel", m->nanoseconds);
     }
     if (samples->nanoseconds <= 0)
         fputs("\nThe machine was busy: 16 samples took no longer than drawing nothing, so no ratio of times can be "

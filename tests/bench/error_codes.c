@@ -91,8 +91,9 @@ static bool sweep_layout(Sweep *s, const MatcDocument *document)
     if (done) {
         fprintf(s->bench->part[SECTION_PART_codes], "| %s | %d | %ld | %ld |\n", layout_table[s->layout].name,
                 distinct(s->codes, steps), s->read, s->changed);
-        error_figure(s->bench, "codes", layout_table[s->layout].name, "", "read", (double)s->read);
-        error_figure(s->bench, "codes", layout_table[s->layout].name, "", "changed", (double)s->changed);
+        const ErrorSubject of = {"codes", layout_table[s->layout].name, ""};
+        error_figure(s->bench, of, "read", (double)s->read);
+        error_figure(s->bench, of, "changed", (double)s->changed);
     }
     shader_delete(s->bench->meter->gl, &s->shader);
     free(s->unpack);

@@ -162,7 +162,7 @@ static void put_table(Sweep *s, const Errors errors[DOCUMENTS], int first)
                 continue;
             }
             fprintf(out, " %s | %.3g | %.3g |", encoding, e->greatest[slot], rms);
-            error_figure(s->bench, "layouts", row->name, documents[which].name, slot_table[slot].name,
+            error_figure(s->bench, (ErrorSubject){"layouts", row->name, documents[which].name}, slot_table[slot].name,
                          e->greatest[slot]);
         }
         fputc('\n', out);
@@ -184,8 +184,9 @@ static void put_layout(Sweep *s)
     fprintf(s->bench->part[SECTION_PART_layouts],
             "\n### %s\n\n%d bytes a pixel; writing it takes %.1f ns a pixel, reading it back %.1f.\n\n", row->name,
             layout_bytes(row), write, read);
-    error_figure(s->bench, "layouts", row->name, "", "write", write);
-    error_figure(s->bench, "layouts", row->name, "", "read", read);
+    const ErrorSubject of = {"layouts", row->name, ""};
+    error_figure(s->bench, of, "write", write);
+    error_figure(s->bench, of, "read", read);
     put_table(s, errors, first);
 }
 

@@ -77,13 +77,14 @@ static void figures(ErrorBench *bench, const char *subject, const MeasuredList *
     for (int i = 0; i < list->count; i++) {
         const Measured *m = &list->at[i];
         variant_name(&m->variant, &list->at[0].variant, name);
-        error_figure(bench, "material", subject, name, "ns_per_pixel", m->nanoseconds);
-        error_figure(bench, "material", subject, name, "error_max", m->error);
-        error_figure(bench, "material", subject, name, "error_rms", m->rms);
-        error_figure(bench, "material", subject, name, "error_max_8bit", m->error * 255);
-        error_figure(bench, "material", subject, name, "aliasing_rms", m->aliasing);
-        error_figure(bench, "material", subject, name, "front", m->front);
-        error_figure(bench, "material", subject, name, "aliasing_front", m->alias_front);
+        const ErrorSubject of = {"material", subject, name};
+        error_figure(bench, of, "ns_per_pixel", m->nanoseconds);
+        error_figure(bench, of, "error_max", m->error);
+        error_figure(bench, of, "error_rms", m->rms);
+        error_figure(bench, of, "error_max_8bit", m->error * 255);
+        error_figure(bench, of, "aliasing_rms", m->aliasing);
+        error_figure(bench, of, "front", m->front);
+        error_figure(bench, of, "aliasing_front", m->alias_front);
     }
 }
 

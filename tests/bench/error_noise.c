@@ -91,7 +91,7 @@ static void report_noise(ErrorBench *bench, const Timed *list, int count)
     for (int i = 0; i < count; i++) {
         double speed = 1000 / list[i].nanoseconds;
         fprintf(out, "| %s | %.2f | %.0f |\n", list[i].name, list[i].nanoseconds, speed);
-        error_figure(bench, "noise", "one octave", list[i].name, "ns_per_pixel", list[i].nanoseconds);
+        error_figure(bench, (ErrorSubject){"noise", "one octave", list[i].name}, "ns_per_pixel", list[i].nanoseconds);
         best = strcmp(list[i].name, "noise=lattice") ? best : speed;
     }
     error_target(bench, "lattice noise in space", best >= 200, "200 Mpixel/s|%.0f Mpixel/s", best);
@@ -116,8 +116,13 @@ static Distance difference(ErrorBench *bench, const Shader *shader, const Field 
     return (Distance){most, sqrt(squares)};
 }
 
-static void report_fading(ErrorBench *bench, const View *view, const Field *field, const Framebuffer *target,
-                          const Timed *list, int count)
+/* What is drawn, and into what. */
+typedef struct {
+    const Field *field;
+    const Framebuffer *target;
+} Canvas;
+
+static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, const Timed *list, int count)
 {
     FILE *out = bench->part[SECTION_PART_noise];
     float *wanted = calloc((size_t)view->side * (size_t)view->side * 4, sizeof *wanted);
@@ -129,12 +134,13 @@ static void report_fading(ErrorBench *bench, const View *view, const Field *fiel
             view->cells);
     fputs("| --- | --- | --- | --- |\n", out);
     snprintf(what, sizeof what, "%g cells a pixel", view->cells);
-    meter_draw_mean(bench->meter, &list[0].shader, field, target, view->samples, wanted);
+    meter_draw_mean(bench->meter, &list[0].shader, canvas.field, canvas.target, view->samples, wanted);
     for (int i = 0; i < count; i++) {
-        Distance d = difference(bench, &list[i].shader, field, target, wanted);
+        Distance d = difference(bench, &list[i].shader, canvas.field, canvas.target, wanted);
         fprintf(out, "| %s | %.2f | %.5f | %.4f |\n", list[i].name, list[i].nanoseconds, d.rms, d.maximum);
-        error_figure(bench, "fading", what, list[i].name, "ns_per_pixel", list[i].nanoseconds);
-        error_figure(bench, "fading", what, list[i].name, "rmse", d.rms);
+        const ErrorSubject of = {"fading", what, list[i].name};
+        error_figure(bench, of, "ns_per_pixel", list[i].nanoseconds);
+        error_figure(bench, of, "rmse", d.rms);
         if (!strcmp(list[i].name, "aa=box")) {
             speedup = list[0].nanoseconds / list[i].nanoseconds;
             rms = d.rms;
@@ -170,7 +176,7 @@ static void measure_document(ErrorBench *bench, const char *text, Axis axis, dou
                 make_target(bench, view ? view->side : SIDE, GL_RGBA32F, &full);
     if (made && time_choices(bench, &wide, &half, list, count)) {
         if (view)
-            report_fading(bench, view, &field, &full, list, count);
+            report_fading(bench, view, (Canvas){&field, &full}, list, count);
         else
             report_noise(bench, list, count);
     }

@@ -19,9 +19,10 @@ void error_normals(ErrorBench *bench)
         NormalAngles a = normals_measure(&normal_table[i], count);
         fprintf(out, "| %s | %.4g | %.4g | %.4g | %.4g | %.4g |\n", normal_table[i].name, a.mean, a.rms, a.maximum,
                 normal_table[i].mean, normal_table[i].maximum);
-        error_figure(bench, "normal", normal_table[i].name, "", "mean_degrees", a.mean);
-        error_figure(bench, "normal", normal_table[i].name, "", "rms_degrees", a.rms);
-        error_figure(bench, "normal", normal_table[i].name, "", "max_degrees", a.maximum);
+        const ErrorSubject of = {"normal", normal_table[i].name, ""};
+        error_figure(bench, of, "mean_degrees", a.mean);
+        error_figure(bench, of, "rms_degrees", a.rms);
+        error_figure(bench, of, "max_degrees", a.maximum);
         worst_mean =
             fmax(worst_mean, fmax(normals_off(a.mean, normal_table[i].mean), normals_off(a.rms, normal_table[i].rms)));
         if (!normals_are_singular(&normal_table[i]))

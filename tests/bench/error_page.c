@@ -29,15 +29,21 @@ static void put_targets(const ErrorBench *bench, FILE *out)
     }
 }
 
+/* What is put into the template. */
+typedef struct {
+    const char *plot;
+    char *const *parts; /* SECTION_PART_count */
+} Insertions;
+
 /* What stands for a name of the template. */
-static void put_name(ErrorBench *bench, const char *name, size_t size, const char *plot, char *const *parts, FILE *out)
+static void put_name(ErrorBench *bench, const char *name, size_t size, const Insertions *texts, FILE *out)
 {
     static const char *const names[SECTION_PART_count] = {"MATERIALS", "NORMALS", "CHECKER", "NOISE",
                                                           "POWERS",    "CODES",   "LAYOUTS"};
     const GlContext *gl = bench->meter->gl;
     for (int i = 0; i < SECTION_PART_count; i++)
         if (size == strlen(names[i]) && !strncmp(name, names[i], size))
-            fputs(parts[i], out);
+            fputs(texts->parts[i], out);
     if (!strncmp(name, "TARGETS", size))
         put_targets(bench, out);
     if (!strncmp(name, "MACHINE", size))
@@ -47,7 +53,7 @@ static void put_name(ErrorBench *bench, const char *name, size_t size, const cha
     if (!strncmp(name, "CLOCK", size))
         fputs(gl->hardware && gl->GetQueryObjectui64v ? "the GPU's own clock" : "the wall clock, around glFinish", out);
     if (!strncmp(name, "PLOT", size))
-        fputs(plot, out);
+        fputs(texts->plot, out);
 }
 
 char *error_page(ErrorBench *bench, const char *plot, char *const *parts)
@@ -63,7 +69,7 @@ char *error_page(ErrorBench *bench, const char *plot, char *const *parts)
             fputc(*at++, out);
             continue;
         }
-        put_name(bench, at + 1, (size_t)(end - at) - 1, plot, parts, out);
+        put_name(bench, at + 1, (size_t)(end - at) - 1, &(Insertions){plot, parts}, out);
         at = end + 1;
     }
     if (out)

@@ -36,16 +36,22 @@ static void make_points(FieldVertex points[POINTS], int batch)
     }
 }
 
-static bool measure_batch(ErrorBench *bench, int batch, Power *powers, int count, FieldVertex *points, float (*rgba)[4])
+/* Points of a batch, and what is drawn at them. */
+typedef struct {
+    FieldVertex *points; /* POINTS */
+    float (*rgba)[4];
+} Batch;
+
+static bool measure_batch(ErrorBench *bench, int number, Power *powers, int count, Batch batch)
 {
     Field field;
-    make_points(points, batch);
-    bool done = field_make(bench->meter->gl, points, POINTS, GL_POINTS, &field);
+    make_points(batch.points, number);
+    bool done = field_make(bench->meter->gl, batch.points, POINTS, GL_POINTS, &field);
     for (int k = 0; k < count && done; k++) {
-        done = meter_draw_points(bench->meter, &powers[k].shader, &field, rgba);
+        done = meter_draw_points(bench->meter, &powers[k].shader, &field, batch.rgba);
         for (int i = 0; i < POINTS && done; i++) {
-            double wanted = pow(points[i].input[INPUT_X][0], EXPONENT);
-            powers[k].ulp = fmax(powers[k].ulp, fabs(rgba[i][0] - wanted) / float_step(wanted));
+            double wanted = pow(batch.points[i].input[INPUT_X][0], EXPONENT);
+            powers[k].ulp = fmax(powers[k].ulp, fabs(batch.rgba[i][0] - wanted) / float_step(wanted));
         }
     }
     field_delete(bench->meter->gl, &field);
@@ -93,7 +99,7 @@ static const Power *find(const Power *powers, int count, const char *choice)
 static bool is_same(const Power *a, const Power *b)
 {
     return variant_programs_equal(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
-                          matc_output(b->shader.program, MATC_FRAGMENT, NULL));
+                                  matc_output(b->shader.program, MATC_FRAGMENT, NULL));
 }
 
 static void report(ErrorBench *bench, const Power *powers, int count)
@@ -104,8 +110,9 @@ static void report(ErrorBench *bench, const Power *powers, int count)
     fputs("| x^32, x in [1/2, 3/2) | greatest error, ULP | ns a pixel |\n| --- | --- | --- |\n", out);
     for (int i = 0; i < count; i++) {
         fprintf(out, "| %s | %.2f | %.3f |\n", powers[i].name, powers[i].ulp, powers[i].nanoseconds);
-        error_figure(bench, "power", "x^32", powers[i].name, "ulp", powers[i].ulp);
-        error_figure(bench, "power", "x^32", powers[i].name, "ns_per_pixel", powers[i].nanoseconds);
+        const ErrorSubject of = {"power", "x^32", powers[i].name};
+        error_figure(bench, of, "ulp", powers[i].ulp);
+        error_figure(bench, of, "ns_per_pixel", powers[i].nanoseconds);
     }
     if (squaring && call && is_same(squaring, call))
         error_target(bench, "x^32, powers=squaring", false, "25 ULP, twice as fast as pow|both are one program");
@@ -145,7 +152,7 @@ void error_powers(ErrorBench *bench)
     int count = make_powers(bench, document, powers);
     bool done = count > 0;
     for (int i = 0; i < (bench->quick ? QUICK_BATCHES : BATCHES) && done; i++)
-        done = measure_batch(bench, i, powers, count, points, rgba);
+        done = measure_batch(bench, i, powers, count, (Batch){points, rgba});
     if (done && measure_times(bench, powers, count))
         report(bench, powers, count);
     for (int i = 0; i < count; i++)
