@@ -226,23 +226,22 @@ static void widen(Spread *spread, const double result[MOST_OUTPUTS][4])
 }
 
 /* With floats, one evaluation rounds as it should: it may meet a place, a texel or an edge, that no other one meets. */
-void spread_make(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Machine machine,
-                 int count, const double value[MOST_OUTPUTS][4], Spread *spread)
+void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread)
 {
-    Erring erring = {.machine = machine, .context = context};
+    Erring erring = {.machine = machine, .context = at->context};
     IrRounding rounding = {err, &erring};
     Evaluation rounded;
     choices_random(&erring.random, 1, (uint64_t)count);
-    memcpy(spread->low, value, sizeof spread->low);
-    memcpy(spread->high, value, sizeof spread->high);
+    memcpy(spread->low, at->value, sizeof spread->low);
+    memcpy(spread->high, at->value, sizeof spread->high);
     if (machine == MACHINE_float) {
-        evaluate_float(ir, context, inputs, &rounded);
+        evaluate_float(at->ir, at->context, at->inputs, &rounded);
         widen(spread, (const double(*)[4])rounded.value);
     }
     for (int i = 0; i < count; i++) {
         double result[MOST_OUTPUTS][4] = {{0}};
         erring.evaluation = i;
-        ir_eval_rounded(ir, context, inputs, &rounding, result);
+        ir_eval_rounded(at->ir, at->context, at->inputs, &rounding, result);
         widen(spread, (const double(*)[4])result);
     }
 }

@@ -10,9 +10,16 @@ typedef struct {
     double low[MOST_OUTPUTS][4], high[MOST_OUTPUTS][4];
 } Spread;
 
-/* Of `count` evaluations. `value` is included. */
-void spread_make(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Machine machine,
-                 int count, const double value[MOST_OUTPUTS][4], Spread *spread);
+/* A program at a point, and what it gives there, exactly. */
+typedef struct {
+    const Ir *ir;
+    const ReferenceContext *context;
+    const double (*inputs)[4]; /* of INPUT_COUNT */
+    const double (*value)[4];  /* of MOST_OUTPUTS */
+} Evaluated;
+
+/* Of `count` evaluations. The exact value is included. */
+void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread);
 /* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its own width on both sides. */
 double spread_miss(const Spread *spread, int output, int lane, double value, double number);
 

@@ -184,22 +184,30 @@ static bool is_finite(Trial *t, Spot *s, bool *beyond)
     return true;
 }
 
-/* One lane at one level, against what it should be: the spread is only made where they are apart. */
-static bool agrees(Trial *t, Spot *s, int level, int output, int lane, double want)
+/* One lane of an output at a level, and what it should be. */
+typedef struct {
+    int level, output, lane;
+    double want;
+} Expected;
+
+/* The spread is only made where they are apart. */
+static bool agrees(Trial *t, Spot *s, const Expected *e)
 {
-    double got = s->exact[level].value[output][lane];
+    const double got = s->exact[e->level].value[e->output][e->lane], want = e->want;
     if (fabs(got - want) <= double_bound * fmax(1, fabs(want)))
         return true;
+    const Evaluated at = {s->program->ir[0], &s->program->context[0], (const double(*)[4])s->inputs,
+                          (const double(*)[4])s->exact[0].value};
     double miss = INFINITY;
     for (int count = FEW; count <= MANY && miss > double_bound; count *= MANY / FEW) {
         Spread spread;
         t->count->spreads++;
-        spread_make(s->program->ir[0], &s->program->context[0], (const double(*)[4])s->inputs, MACHINE_double, count,
-                    (const double(*)[4])s->exact[0].value, &spread);
-        miss = fmax(spread_miss(&spread, output, lane, want, got), spread_miss(&spread, output, lane, got, want));
+        spread_make(&at, MACHINE_double, count, &spread);
+        miss = fmax(spread_miss(&spread, e->output, e->lane, want, got),
+                    spread_miss(&spread, e->output, e->lane, got, want));
     }
-    return miss <= double_bound || trial_fault(t, level ? FAULT_level_2 : FAULT_level_0,
-                                               "lane %d is %.17g, should be %.17g: %s", lane, got, want, where(s));
+    return miss <= double_bound || trial_fault(t, e->level ? FAULT_level_2 : FAULT_level_0,
+                                               "lane %d is %.17g, should be %.17g: %s", e->lane, got, want, where(s));
 }
 
 /* What the oracle says of a slot, and how far a true slope may be from its differences. */
@@ -250,7 +258,7 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
             if (room > 0 && fabs(want - written) <= room)
                 want = written; /* the optimiser is held to what was written */
             for (int level = 0; level < 2; level++)
-                if (!agrees(t, &s, level, 0, lane, want))
+                if (!agrees(t, &s, &(Expected){level, 0, lane, want}))
                     return false;
             t->count->values += 2;
         }
@@ -313,7 +321,7 @@ static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output
         double want = s->exact[0].value[output][lane];
         if (words && packed_agree(layout, out->index, lane, want, s->exact[1].value[output][lane]))
             continue;
-        if (!agrees(t, s, 1, output, lane, want))
+        if (!agrees(t, s, &(Expected){1, output, lane, want}))
             return false;
     }
     return true;

@@ -115,20 +115,28 @@ static bool drawing_open(Drawing *d)
     return true;
 }
 
+/* One lane of a variant's drawing at a point: what it is, and what it should be. */
+typedef struct {
+    int noise, optimize; /* the variant's */
+    int point, lane;
+    double want, got;
+} DrawnLane;
+
 /* How far a drawn number is from what rounding may make of the program as written and, of an optimised one, of that: its mix
- * rounds by the greater of its operands. */
-static double spread_of(Drawing *d, int noise, int optimize, int k, int count, int lane, double want, double got)
+ * rounds by the greater of its operands. By `count` evaluations of each. */
+static double spread_of(Drawing *d, const DrawnLane *drawn, int count)
 {
     double inputs[INPUT_COUNT][4], miss = INFINITY;
-    inputs_at(d->trial->plan, k, inputs);
-    for (int level = 0; level <= optimize / 2; level++) {
+    inputs_at(d->trial->plan, drawn->point, inputs);
+    for (int level = 0; level <= drawn->optimize / 2; level++) {
         Spread spread;
-        ReferenceContext context = context_of(d, noise, level);
+        ReferenceContext context = context_of(d, drawn->noise, level);
+        const Evaluated at = {d->ir[drawn->noise][level], &context, (const double(*)[4])inputs,
+                              (const double(*)[4])d->exact[drawn->noise][drawn->point].value};
         d->trial->count->spreads++;
         d->work += d->each * count;
-        spread_make(d->ir[noise][level], &context, (const double(*)[4])inputs, MACHINE_float, count,
-                    (const double(*)[4])d->exact[noise][k].value, &spread);
-        miss = fmin(miss, spread_miss(&spread, 0, lane, want, got));
+        spread_make(&at, MACHINE_float, count, &spread);
+        miss = fmin(miss, spread_miss(&spread, 0, drawn->lane, drawn->want, drawn->got));
     }
     return miss;
 }
@@ -138,13 +146,14 @@ static bool judge(Drawing *d, int noise, const Variant *v, int k, const double w
     Trial *t = d->trial;
     const float *got = &d->rgba[0][4 * k];
     for (int lane = 0; lane < type_table[slot_table[d->slot].type].lanes; lane++) {
+        const DrawnLane drawn = {noise, v->optimize, k, lane, want[lane], got[lane]};
         double miss = fabs(got[lane] - want[lane]) / fmax(1, fabs(want[lane]));
         t->count->drawn_values++;
         t->count->judged += miss <= d->bound;
         for (int count = FEW; count <= MANY && miss > d->bound; count *= MANY / FEW) {
             if (d->work > MOST_WORK)
                 return true;
-            miss = spread_of(d, noise, v->optimize, k, count, lane, want[lane], got[lane]);
+            miss = spread_of(d, &drawn, count);
         }
         const float *u = t->plan->field[k].input[INPUT_U], *x = t->plan->field[k].input[INPUT_X];
         if (miss > d->bound)
