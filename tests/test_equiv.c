@@ -124,8 +124,8 @@ static void check_material(Test *t, int material)
     for (int front = 0; front < 2; front++) {
         t->hulls[front] = calloc((size_t)t->count, sizeof **t->hulls);
         assert_non_null(t->hulls[front]);
-        points_hulls(t->oracle, t->document.graph->materials[material].node, t->points, t->count, front, &reach_double,
-                     t->hulls[front]);
+        const PointSet points = {t->points, t->count, front, &reach_double};
+        points_hulls(t->oracle, t->document.graph->materials[material].node, &points, t->hulls[front]);
     }
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         check_slot(t, material, (Slot)slot);

@@ -76,11 +76,13 @@ static void reference(const Test *t, const double *args, double expected[CALL_LA
  * wider by its own width. */
 static double miss_nearby(Test *t, int i, int lane, double start)
 {
+    const char *letters = function_arguments(t->function);
     double low = start, high = start, got = t->result[i][lane];
     uint64_t state = java_random(i);
     for (int k = 0; k < NEIGHBOURS; k++) {
         double args[MOST_NUMBERS], expected[CALL_LANES] = {0};
-        tuple_move(t->tuple[i], t->row->arguments, function_arguments(t->function), t->row->reach, &state, args);
+        tuple_flatten(t->tuple[i], letters, args);
+        tuple_move(args, t->row->arguments, letters, t->row->reach, &state);
         reference(t, args, expected);
         if (expected[lane] == got)
             return 0;
@@ -109,11 +111,13 @@ static double miss_of(Test *t, int i, const double expected[CALL_LANES], int lan
     return miss_nearby(t, i, lane, expected[lane]) / scale;
 }
 
-static void show(const Test *t, int i, int lane, const double *args, double expected, double miss)
+static void show(Test *t, int i, int lane, double expected, double miss)
 {
     char text[1024];
+    double args[MOST_NUMBERS];
     int size = 0, count = 0;
     const char *letters = function_arguments(t->function);
+    tuple_flatten(t->tuple[i], letters, args);
     for (int k = 0; letters[k]; k++)
         count += argument_lanes(letters[k]);
     for (int k = 0; k < count; k++)
@@ -139,7 +143,7 @@ static void compare(Test *t)
                 continue;
             t->faults++;
             if (shown++ < MOST_SHOWN)
-                show(t, i, lane, args, expected[lane], miss);
+                show(t, i, lane, expected[lane], miss);
         }
     }
 }

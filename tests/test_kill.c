@@ -264,11 +264,18 @@ static bool says(const World *w, const char *what)
 
 /* -- what must be true */
 
-static void check(World *w, bool fine, const Scenario *s, long n, const char *how, const char *what)
+/* Where a scenario was struck: at its n-th call. */
+typedef struct {
+    const Scenario *scenario;
+    long n;
+    const char *how;
+} Strike;
+
+static void check(World *w, bool fine, const Strike *at, const char *what)
 {
     if (fine)
         return;
-    fprintf(stderr, "%s, call %ld (%s) %s: %s\n", s->name, n, w->calls[n], how, what);
+    fprintf(stderr, "%s, call %ld (%s) %s: %s\n", at->scenario->name, at->n, w->calls[at->n], at->how, what);
     if (++w->wrong <= SHOWN)
         show_now(w);
 }
@@ -436,22 +443,23 @@ static void prepare(World *w, const Scenario *s)
 
 /* -- the tests */
 
-static void check_after_kill(World *w, const Scenario *s, long n, const char *how)
+static void check_after_kill(World *w, const Strike *at)
 {
-    check(w, !s->index || index_is_true(w), s, n, how, "the manifest is not true");
+    const Scenario *s = at->scenario;
+    check(w, !s->index || index_is_true(w), at, "the manifest is not true");
     if (!s->cache && is_now(w, &w->before, true))
         return; /* the next run is the one that was tried first */
     if (s->cache)
         age_cache(w);
-    if (s->faulty[0] && n % 3 == 0) {
-        check(w, run(w, s->faulty, 0, NULL) == 1, s, n, how, "a faulty run ends otherwise");
-        check(w, is_now(w, &w->before, true) || is_now(w, &w->after, true), s, n, how,
+    if (s->faulty[0] && at->n % 3 == 0) {
+        check(w, run(w, s->faulty, 0, NULL) == 1, at, "a faulty run ends otherwise");
+        check(w, is_now(w, &w->before, true) || is_now(w, &w->after, true), at,
               "a faulty run leaves what is neither old nor new");
     }
-    check(w, run(w, s->run, 0, NULL) == 0, s, n, how, "the next run fails");
-    check(w, is_now(w, &w->after, true), s, n, how, "the next run leaves another folder");
+    check(w, run(w, s->run, 0, NULL) == 0, at, "the next run fails");
+    check(w, is_now(w, &w->after, true), at, "the next run leaves another folder");
     if (s->cache)
-        check(w, !age_cache(w), s, n, how, "temporary files in the cache");
+        check(w, !age_cache(w), at, "temporary files in the cache");
 }
 
 /* What can change a folder. Between two of these a kill leaves what it leaves behind the first. */
@@ -467,14 +475,16 @@ static void a_run_that_is_ended_at_any_call_is_made_good_by_the_next(void **stat
         for (long n = 1; n <= w->call_count; n++) {
             if (n > 1 && !is_one_of(w->calls[n - 1], changes))
                 continue;
+            Strike at = {s, n, "killed"};
             reset(w);
-            check(w, run(w, s->run, n, "kill") == -1, s, n, "killed", "it was not killed");
-            check_after_kill(w, s, n, "killed");
+            check(w, run(w, s->run, n, "kill") == -1, &at, "it was not killed");
+            check_after_kill(w, &at);
             if (strcmp(w->calls[n], "write") != 0)
                 continue;
+            at.how = "killed in it";
             reset(w);
-            check(w, run(w, s->run, n, "half") == -1, s, n, "killed in it", "it was not killed");
-            check_after_kill(w, s, n, "killed in it");
+            check(w, run(w, s->run, n, "half") == -1, &at, "it was not killed");
+            check_after_kill(w, &at);
         }
         printf("%s: killed at %ld calls\n", s->name, w->call_count);
     }
@@ -483,20 +493,20 @@ static void a_run_that_is_ended_at_any_call_is_made_good_by_the_next(void **stat
 
 /* A run that says that it failed has changed nothing and left nothing; one that says that it did not has done all. What it could not
  * remove in the end is the only thing that may lie there, and the next run removes it. */
-static void check_failure(World *w, const Scenario *s, long n, const char *how)
+static void check_failure(World *w, const Strike *at)
 {
-    int status = run(w, s->run, n, how);
+    const Scenario *s = at->scenario;
+    int status = run(w, s->run, at->n, at->how);
     if (status == 1) {
-        check(w, says(w, "error: "), s, n, how, "it does not say why");
-        check(w, is_now(w, &w->before, true), s, n, how, "it failed and left a changed folder");
+        check(w, says(w, "error: "), at, "it does not say why");
+        check(w, is_now(w, &w->before, true), at, "it failed and left a changed folder");
     } else {
-        check(w, status == 0, s, n, how, "it ended otherwise");
-        check(w, is_now(w, &w->after, false), s, n, how, "it left another folder");
+        check(w, status == 0, at, "it ended otherwise");
+        check(w, is_now(w, &w->after, false), at, "it left another folder");
         if (is_now(w, &w->after, true))
             return;
         w->left++;
-        check(w, run(w, s->run, 0, NULL) == 0 && is_now(w, &w->after, true), s, n, how,
-              "the next run does not make it good");
+        check(w, run(w, s->run, 0, NULL) == 0 && is_now(w, &w->after, true), at, "the next run does not make it good");
     }
 }
 
@@ -516,11 +526,11 @@ static void a_run_of_which_a_call_fails_does_all_or_nothing(void **state)
         for (long n = 1; n <= w->call_count; n++) {
             snprintf(how, sizeof how, "%d", errors[n % 3]);
             reset(w);
-            check_failure(w, s, n, how);
+            check_failure(w, &(Strike){s, n, how});
             if (!is_one_of(w->calls[n], grows))
                 continue;
             reset(w);
-            check_failure(w, s, n, "full");
+            check_failure(w, &(Strike){s, n, "full"});
         }
         printf("%s: %ld calls failed, %d of them while it removed what it had used\n", s->name, w->call_count, w->left);
     }
@@ -536,8 +546,9 @@ static void an_unchanged_batch_writes_nothing(void **state)
         if (!s->index || s->cache || !strcmp(s->name, "a batch with textures and a depfile elsewhere"))
             continue;
         prepare(w, s);
-        check(w, run(w, s->run, 1, "readonly") == 0, s, 1, "of a disk that is not written", "it fails");
-        check(w, is_now(w, &w->after, true), s, 1, "of a disk that is not written", "it changes something");
+        const Strike at = {s, 1, "of a disk that is not written"};
+        check(w, run(w, s->run, 1, "readonly") == 0, &at, "it fails");
+        check(w, is_now(w, &w->after, true), &at, "it changes something");
     }
     assert_int_equal(w->wrong, 0);
 }

@@ -192,14 +192,19 @@ static void check_normal(const Gbuffer *g, const Piece *piece, const double want
                  want[0], want[1], want[2], n[0], n[1], n[2], angle, bound);
 }
 
-static void check_slot(Fixture *f, Gbuffer *g, Slot slot, const Placement *placement, const SlotValues *values,
-                       bool front)
+/* What was drawn: the values at the first point, and on which side. */
+typedef struct {
+    const SlotValues *values;
+    bool front;
+} Drawn;
+
+static void check_slot(Fixture *f, Gbuffer *g, Slot slot, const Placement *placement, Drawn drawn)
 {
     if (!gbuffer_read(g, slot, f->read))
         fail_msg("%s", g->error);
     for (int i = 0; i < POINT_COUNT; i++) {
         SlotValues want;
-        want_slots(&f->points[i], front, values, &want);
+        want_slots(&f->points[i], drawn.front, drawn.values, &want);
         for (int k = 0; k < placement->count; k++) {
             const Piece *piece = &placement->pieces[k];
             const SlotLane *source = &piece->field->source[piece->first];
@@ -269,7 +274,7 @@ static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
     assert_null(layout_place(g->layout, number, &placement));
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_case_has_slot(&g->layout->cases[number], (Slot)slot))
-            check_slot(f, g, (Slot)slot, &placement, &values, front);
+            check_slot(f, g, (Slot)slot, &placement, (Drawn){&values, front});
         else if (layout_has_slot(g->layout, (Slot)slot))
             check_absent(f, g, (Slot)slot, &values);
     check_halves(f, g);

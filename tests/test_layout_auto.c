@@ -342,7 +342,7 @@ static void check_set(Kept *kept, Drawer *drawer, const Set *set)
         for (int k = 0; k < d->graph->material_count; k++) {
             bool matters[SLOT_COUNT];
             find_matters(d, k, matters);
-            if (!kept_check(kept, drawer, d, k, &options, matters))
+            if (!kept_check(kept, drawer, &(KeptMaterial){d, k, &options}, matters))
                 fail_msg("%s, %s: %s\n%s", d->path, d->graph->materials[k].name, kept->error,
                          matc_layout_report(set->layout));
         }

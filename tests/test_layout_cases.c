@@ -165,24 +165,32 @@ static int group_bits(const FieldRow *fields, int count, unsigned slots)
     return bits;
 }
 
-/* The fewest bits that the largest of so many cases has, by all ways to put the sets from `next` on into them. */
-static int fewest_bits(const FieldRow *fields, int count, const unsigned *sets, int next, unsigned *cases, int used,
-                       int most)
+/* A way to put sets into at most so many cases, on its way. */
+typedef struct {
+    const FieldRow *fields;
+    int count;
+    const unsigned *sets; /* EXHAUSTIVE */
+    unsigned cases[EXHAUSTIVE];
+    int most;
+} Search;
+
+/* The fewest bits that the largest case has, by all ways to put the sets from `next` on into them; `used` have one already. */
+static int fewest_bits(Search *s, int next, int used)
 {
     int best = 1 << 20, largest = 0;
     if (next == EXHAUSTIVE) {
         for (int i = 0; i < used; i++) {
-            const int bits = group_bits(fields, count, cases[i]);
+            const int bits = group_bits(s->fields, s->count, s->cases[i]);
             largest = bits > largest ? bits : largest;
         }
         return largest;
     }
-    for (int i = 0; i < used + (used < most); i++) {
-        const unsigned before = i < used ? cases[i] : 0;
-        cases[i] = before | sets[next];
-        const int bits = fewest_bits(fields, count, sets, next + 1, cases, used + (i == used), most);
+    for (int i = 0; i < used + (used < s->most); i++) {
+        const unsigned before = i < used ? s->cases[i] : 0;
+        s->cases[i] = before | s->sets[next];
+        const int bits = fewest_bits(s, next + 1, used + (i == used));
         best = bits < best ? bits : best;
-        cases[i] = before;
+        s->cases[i] = before;
     }
     return best;
 }
@@ -195,7 +203,7 @@ static void few_sets_are_divided_best(void **state)
     uint64_t random = 5;
     int exact = 0, several = 0;
     for (int round = 0; round < DIVISIONS; round++) {
-        unsigned sets[EXHAUSTIVE], cases[EXHAUSTIVE];
+        unsigned sets[EXHAUSTIVE];
         FieldRow fields[SLOT_COUNT];
         for (int i = 0; i < EXHAUSTIVE; i++)
             sets[i] = random_slots(&random, 3);
@@ -205,7 +213,8 @@ static void few_sets_are_divided_best(void **state)
         const int words = matc_layout_bytes(layout) / 4, found = layout->row->case_count;
         int least = 1 << 20, fewest = 0;
         for (int most = 1; most <= EXHAUSTIVE; most++) {
-            const int bits = fewest_bits(fields, count, sets, 0, cases, 0, most) + case_bits[most];
+            Search search = {.fields = fields, .count = count, .sets = sets, .most = most};
+            const int bits = fewest_bits(&search, 0, 0) + case_bits[most];
             if ((bits + 31) / 32 < least) {
                 least = (bits + 31) / 32;
                 fewest = most;

@@ -209,7 +209,7 @@ static void examples_keep_what_they_promise(void **state)
         assert_true(document_open(&d, path));
         MatcOptions options = d.options;
         options.custom = layout;
-        if (!kept_check(&kept, &drawer, &d, 0, &options, NULL))
+        if (!kept_check(&kept, &drawer, &(KeptMaterial){&d, 0, &options}, NULL))
             print_message("%s: %s\n", tries[i].document, kept.error);
         document_close(&d);
         matc_layout_free(layout);

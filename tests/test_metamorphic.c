@@ -78,11 +78,20 @@ static bool is_fit(const Point *p)
     return !point_is_extreme(p);
 }
 
-static void compare(const char *a, const char *b, Slot slot, Same same, const Point *field, int first)
+/* A rule: two documents, made with the same random maps a, b, c. Where the maps are put in, those documents. */
+typedef struct {
+    const char *first, *second; /* %a, %b and %c stand for the maps */
+    Slot slot;
+    Same same;
+} Rule;
+
+static void compare(const Rule *rule, const Point *field, int first)
 {
+    const char *a = rule->first, *b = rule->second;
+    const Same same = rule->same;
     Side sides[2];
-    side_open(&sides[0], a, slot);
-    side_open(&sides[1], b, slot);
+    side_open(&sides[0], a, rule->slot);
+    side_open(&sides[1], b, rule->slot);
     int nodes[2], costs[2];
     for (int i = 0; i < 2; i++)
         ir_measure(sides[i].ir[1], &nodes[i], &costs[i]);
@@ -106,13 +115,6 @@ static void compare(const char *a, const char *b, Slot slot, Same same, const Po
     arena_free(&sides[0].arena);
     arena_free(&sides[1].arena);
 }
-
-/* A rule: two documents, made with the same random maps a, b, c. */
-typedef struct {
-    const char *first, *second; /* %a, %b and %c stand for the maps */
-    Slot slot;
-    Same same;
-} Rule;
 
 static void fill(char *out, const char *pattern, char *const maps[3])
 {
@@ -148,7 +150,7 @@ static void try_rule(const Rule *rule, uint64_t seed)
         }
         fill(first, rule->first, maps);
         fill(second, rule->second, maps);
-        compare(first, second, rule->slot, rule->same, field, tree * 131);
+        compare(&(Rule){first, second, rule->slot, rule->same}, field, tree * 131);
         arena_free(&arena);
     }
 }

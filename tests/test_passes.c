@@ -159,10 +159,19 @@ static void a_surface_stands_in_the_world(void **state)
     scene_close(&scene, STAGE->gl);
 }
 
+/* Vertices where they stand. */
+typedef struct {
+    Stage *stage;
+    const Space *space;
+    const Vertices *vertices;
+} PlacedVertices;
+
 /* One slot of all vertices; without a slot in the options the normal, as it is read back of a G-buffer. */
-static void compare_vertices(Stage *stage, const Space *space, const Vertices *vertices, const char *text,
-                             const SceneOptions *options, Slot slot)
+static void compare_vertices(const PlacedVertices *placed, const char *text, const SceneOptions *options, Slot slot)
 {
+    Stage *stage = placed->stage;
+    const Space *space = placed->space;
+    const Vertices *vertices = placed->vertices;
     Scene scene = open(stage, text, options);
     double worst = 0;
     bool eye = !options->slot;
@@ -195,15 +204,16 @@ static void compare_attributes(Stage *stage, const Space *space, Vertices *verti
 {
     static const Slot slots[] = {SLOT_diffuse, SLOT_specular, SLOT_normal};
     SceneOptions options = {.pass = "value", .target = target};
+    const PlacedVertices placed = {stage, space, vertices};
     assert_true(gl_use(stage->gl));
     vertices_upload(vertices, stage->gl);
     for (int k = 0; k < 3; k++) {
         options.slot = slot_table[slots[k]].name;
-        compare_vertices(stage, space, vertices, frame_text, &options, slots[k]);
+        compare_vertices(&placed, frame_text, &options, slots[k]);
     }
-    compare_vertices(stage, space, vertices, "material: Phong", &options, SLOT_normal);
+    compare_vertices(&placed, "material: Phong", &options, SLOT_normal);
     if (!strcmp(target, "glsl330"))
-        compare_vertices(stage, space, vertices, "material: Phong", &(SceneOptions){.target = target}, SLOT_normal);
+        compare_vertices(&placed, "material: Phong", &(SceneOptions){.target = target}, SLOT_normal);
     vertices_delete(vertices, stage->gl);
 }
 
@@ -332,11 +342,17 @@ static void only_what_is_transparent_is_discarded(void **state)
 
 enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 }; /* how a slot is kept: to a half float, to seven bits; a pixel */
 
-static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, int read, int lane, int how)
+/* Where a slot comes back: a texel of what was read, a lane of it, HALF or PAIR. */
+typedef struct {
+    int read, lane, how;
+} Back;
+
+static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, Back back)
 {
+    const int lane = back.lane, how = back.how;
     int from = slot == SLOT_shininess || slot == SLOT_transparencyShininess ? 0 : lane;
     double value = values->lane[slot][from], greatest = how == PAIR ? 1 : 65504, least = how == PAIR ? 0 : -greatest;
-    double want = fmin(fmax(value, least), greatest), got = s->slot[read][MIDDLE][lane];
+    double want = fmin(fmax(value, least), greatest), got = s->slot[back.read][MIDDLE][lane];
     double bound = how == PAIR ? 1 / 127.5 + 1e-6 : half_step(want) + 3e-6 * fabs(want);
     if (!(fabs(got - want) <= bound))
         fail_msg("%s: %.9g comes back as %.9g", slot_table[slot].name, value, got);
@@ -355,14 +371,14 @@ static void compare_round_trip(Stage *stage, const Scene *scene, const float dir
     s.front = normal[2] > 0;
     SlotValues values = values_at(scene, &s);
     assert_true(note(angle(stage->slot[READ_normal][MIDDLE], values.lane[SLOT_normal]), worst) < 0.22);
-    compare_slot(stage, &values, SLOT_shininess, READ_normal, 3, HALF);
-    compare_slot(stage, &values, SLOT_transparencyShininess, READ_diffuse, 3, HALF);
+    compare_slot(stage, &values, SLOT_shininess, (Back){READ_normal, 3, HALF});
+    compare_slot(stage, &values, SLOT_transparencyShininess, (Back){READ_diffuse, 3, HALF});
     for (int lane = 0; lane < 3; lane++) {
-        compare_slot(stage, &values, SLOT_diffuse, READ_diffuse, lane, HALF);
-        compare_slot(stage, &values, SLOT_specular, READ_specular, lane, HALF);
-        compare_slot(stage, &values, SLOT_transparency, READ_transparency, lane, HALF);
-        compare_slot(stage, &values, SLOT_emissive, READ_emissive, lane, PAIR);
-        compare_slot(stage, &values, SLOT_diffuseTransparency, READ_diffuseTransparency, lane, PAIR);
+        compare_slot(stage, &values, SLOT_diffuse, (Back){READ_diffuse, lane, HALF});
+        compare_slot(stage, &values, SLOT_specular, (Back){READ_specular, lane, HALF});
+        compare_slot(stage, &values, SLOT_transparency, (Back){READ_transparency, lane, HALF});
+        compare_slot(stage, &values, SLOT_emissive, (Back){READ_emissive, lane, PAIR});
+        compare_slot(stage, &values, SLOT_diffuseTransparency, (Back){READ_diffuseTransparency, lane, PAIR});
     }
 }
 

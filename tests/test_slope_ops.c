@@ -10,6 +10,7 @@
 #include "compiler/lower/slope.h"
 #include "runtime/library/java_random.h"
 #include "tests/value/cases.h"
+#include <stdio.h>
 #include <string.h>
 
 enum { TRIES = 40, OPERANDS = 5, CALLS = 200 };
@@ -84,7 +85,7 @@ static bool difference(Test *t, int axis, int lane, double h, double *slope)
 }
 
 /* By the differences over either of two steps: cells of fine octaves may begin within the one. */
-static void judge(Test *t, const char *name, int varying, int axis, int lane, double got)
+static void judge(Test *t, const char *what, int axis, int lane, double got)
 {
     double expected = 0;
     for (int i = 0; i < 2; i++) {
@@ -97,8 +98,7 @@ static void judge(Test *t, const char *name, int varying, int axis, int lane, do
             return;
         }
     }
-    fail_msg("%s, operands %x vary: d/d%c of lane %d is %.12g, by differences %.12g", name, (unsigned)varying,
-             axis ? 'v' : 'u', lane, got, expected);
+    fail_msg("%s: d/d%c of lane %d is %.12g, by differences %.12g", what, axis ? 'v' : 'u', lane, got, expected);
 }
 
 /* Of the value, by u and by v. */
@@ -106,6 +106,7 @@ static void compare(Test *t, Ref value, const char *name, int varying)
 {
     Type type = ir_type(t->l.ir, value);
     double result[MOST_OUTPUTS][4];
+    char what[64];
     ir_output(t->l.ir, OUT_color, 0, value);
     for (int d = 0; d < 2; d++) {
         Ref slope = slope_of(&t->l, value, d ? DIRECTION_v : DIRECTION_u);
@@ -113,9 +114,10 @@ static void compare(Test *t, Ref value, const char *name, int varying)
     }
     assert_null(ir_check(t->l.ir));
     evaluate(t, 0, 0, result);
+    snprintf(what, sizeof what, "%s, operands %x vary", name, (unsigned)varying);
     for (int d = 0; d < 2; d++)
         for (int lane = 0; lane < type_table[type].lanes; lane++)
-            judge(t, name, varying, d, lane, result[1 + d][lane]);
+            judge(t, what, d, lane, result[1 + d][lane]);
 }
 
 /* Where an operand may lie. */
@@ -149,25 +151,34 @@ static Ref random_operand(Test *t, Op op, int operand, Type type, bool varies)
     return moving(&t->l, type, base, rate, other);
 }
 
-/* An operation on operands of these types, of which those in `varying` vary. */
-static void check_operation(Test *t, Op op, Type type, const Type *types, int count, uint32_t payload, int varying)
+/* An operation on operands of these types. */
+typedef struct {
+    Op op;
+    Type type;
+    const Type *types;
+    int count;
+    uint32_t payload;
+} Operation;
+
+/* Of which those in `varying` vary. */
+static void check_operation(Test *t, const Operation *o, int varying)
 {
     Ref args[OPERANDS];
     begin(t);
-    for (int i = 0; i < count; i++) {
-        args[i] = random_operand(t, op, i, types[i], varying >> i & 1);
-        if (op == OP_select && i == 0)
+    for (int i = 0; i < o->count; i++) {
+        args[i] = random_operand(t, o->op, i, o->types[i], varying >> i & 1);
+        if (o->op == OP_select && i == 0)
             args[i] = build_lt(t->l.ir, args[i], number(&t->l, 0));
     }
-    compare(t, ir_make(t->l.ir, op, type, payload, args, count), op_table[op].name, varying);
+    compare(t, ir_make(t->l.ir, o->op, o->type, o->payload, args, o->count), op_table[o->op].name, varying);
     end(t);
 }
 
-static void check_subsets(Test *t, Op op, Type type, const Type *types, int count, uint32_t payload)
+static void check_subsets(Test *t, Operation o)
 {
-    for (int varying = 1; varying < 1 << count; varying++)
+    for (int varying = 1; varying < 1 << o.count; varying++)
         for (int i = 0; i < TRIES; i++)
-            check_operation(t, op, type, types, count, payload, varying);
+            check_operation(t, &o, varying);
 }
 
 /* By lane: numbers, vectors, and numbers with a vector. */
@@ -180,7 +191,7 @@ static void check_lanes(Test *t, Op op)
             types[i] = vectors >> i & 1 ? TYPE_vec3 : TYPE_float;
         if (vectors && op_table[op].shape == SHAPE_call && count > 1 && vectors != (1 << count) - 1)
             continue; /* GLSL has few of these forms, and lowering makes none */
-        check_subsets(t, op, vectors ? TYPE_vec3 : TYPE_float, types, count, 0);
+        check_subsets(t, (Operation){op, vectors ? TYPE_vec3 : TYPE_float, types, count, 0});
     }
 }
 
@@ -191,19 +202,19 @@ static bool check_special(Test *t, Op op)
     static const Type numbers[OPERANDS] = {TYPE_float, TYPE_float, TYPE_float, TYPE_float, TYPE_float};
     switch (op) {
     case OP_dot:
-        return check_subsets(t, op, TYPE_float, vectors, 2, 0), true;
+        return check_subsets(t, (Operation){op, TYPE_float, vectors, 2, 0}), true;
     case OP_cross:
-        return check_subsets(t, op, TYPE_vec3, vectors, 2, 0), true;
+        return check_subsets(t, (Operation){op, TYPE_vec3, vectors, 2, 0}), true;
     case OP_length:
-        return check_subsets(t, op, TYPE_float, vectors, 1, 0), true;
+        return check_subsets(t, (Operation){op, TYPE_float, vectors, 1, 0}), true;
     case OP_linear:
-        return check_subsets(t, op, TYPE_vec3, vectors, 4, 0), true;
+        return check_subsets(t, (Operation){op, TYPE_vec3, vectors, 4, 0}), true;
     case OP_vec:
-        return check_subsets(t, op, TYPE_vec3, numbers, 3, 0), true;
+        return check_subsets(t, (Operation){op, TYPE_vec3, numbers, 3, 0}), true;
     case OP_swizzle: /* .zx */
-        return check_subsets(t, op, TYPE_vec2, vectors, 1, 2), true;
+        return check_subsets(t, (Operation){op, TYPE_vec2, vectors, 1, 2}), true;
     case OP_select:
-        return check_subsets(t, op, TYPE_float, numbers, 3, 0), true;
+        return check_subsets(t, (Operation){op, TYPE_float, numbers, 3, 0}), true;
     default:
         return false;
     }

@@ -152,8 +152,9 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool ex
         return *hulls;
     }
     oracle_exact_derivatives(s->oracles[noise], exact);
-    points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, w->run->points, POINT_COUNT, front,
-                 noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT ? &reach_steep : &reach_float, *hulls);
+    const bool steep = noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT;
+    const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float};
+    points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points, *hulls);
     return *hulls;
 }
 
@@ -200,20 +201,27 @@ static const char *variant_name(const Variant *v, bool front, char text[64])
     return text;
 }
 
+/* What a draw gave. */
+typedef struct {
+    const char *name;
+    double worst;
+    int values, sharp;
+} Seen;
+
 /* Keeps the worst of a draw, for the subject whose bound counts or, where none stands out, for all that take part. */
-static void record(Run *run, const Case *c, double worst, const char *name, int values, int sharp)
+static void record(Run *run, const Case *c, const Seen *seen)
 {
     pthread_mutex_lock(&run->lock);
-    run->values += values;
-    run->sharp += sharp;
+    run->values += seen->values;
+    run->sharp += seen->sharp;
     for (int i = 0; i < SUBJECT_COUNT; i++) {
         Worst *w = &run->worst[i];
         bool counts = i == c->governing || (c->governing == SUBJECT_DEFAULT && !bound_table[i].bound);
-        if (!c->subjects->has[i] || !counts || (w->seen && worst <= w->miss))
+        if (!c->subjects->has[i] || !counts || (w->seen && seen->worst <= w->miss))
             continue;
         w->seen = true;
-        w->miss = worst;
-        snprintf(w->where, sizeof w->where, "%s", name);
+        w->miss = seen->worst;
+        snprintf(w->where, sizeof w->where, "%s", seen->name);
     }
     pthread_mutex_unlock(&run->lock);
 }
@@ -272,7 +280,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
         }
     char name[160], variant[64];
     name_slot(c, name, sizeof name);
-    record(w->run, c, worst, name, POINT_COUNT * lanes, sharp);
+    record(w->run, c, &(Seen){name, worst, POINT_COUNT * lanes, sharp});
     if (!bad)
         return;
     char at[200];

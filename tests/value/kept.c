@@ -14,11 +14,11 @@ typedef struct {
     float *want, *got;     /* four a point */
 } Comparison;
 
-static bool fail(Comparison *c, Slot slot, int lane, double want, double got, double bound)
+static bool fail(Comparison *c, SlotLane at, double want, double got, double bound)
 {
     snprintf(c->kept->error, sizeof c->kept->error,
              "layout %s, %s, lane %d: %.9g comes back as %.9g, the bound is %.3g", c->layout->name,
-             slot_table[slot].name, lane, want, got, bound);
+             slot_table[at.slot].name, at.lane, want, got, bound);
     return false;
 }
 
@@ -60,7 +60,7 @@ static bool compare_lane(Comparison *c, Slot slot, int lane, const float *want, 
         bound = bound_of(field, slot, lane, want);
     c->kept->values++;
     c->kept->worst = fmax(c->kept->worst, field ? fabs(got - value) / bound : 0);
-    return fabs(got - value) <= bound || fail(c, slot, lane, value, got, bound);
+    return fabs(got - value) <= bound || fail(c, (SlotLane){slot, lane}, value, got, bound);
 }
 
 /* A slot that the layout leaves out is as absent. */
@@ -74,22 +74,22 @@ static bool compare_slot(Comparison *c, Slot slot)
             if (has && !compare_lane(c, slot, lane, &c->want[4 * i], c->got[4 * i + lane]))
                 return false;
             if (!has && fabs(want - row->absent) > 1e-5)
-                return fail(c, slot, lane, want, row->absent, 0);
+                return fail(c, (SlotLane){slot, lane}, want, row->absent, 0);
         }
     return true;
 }
 
 /* The slots themselves: the pass value, all points. */
-static bool draw_values(Comparison *c, Drawer *drawer, Document *d, int material, const MatcOptions *options, Slot slot)
+static bool draw_values(Comparison *c, Drawer *drawer, const KeptMaterial *material, Slot slot)
 {
-    MatcOptions own = *options;
+    MatcOptions own = *material->options;
     own.pass = "value";
     own.slot = slot_table[slot].name;
-    MatcProgram *program = matc_compile(d->document, material, MATC_FRAGMENT, &own);
+    MatcProgram *program = matc_compile(material->document->document, material->material, MATC_FRAGMENT, &own);
     Shading shading = {.fragment = matc_output(program, MATC_FRAGMENT, NULL),
                        .target = TARGET_glsl330,
                        .program = program,
-                       .graph = d->graph};
+                       .graph = material->document->graph};
     GLuint name = matc_ok(program) ? drawer_program(drawer, &shading) : 0;
     bool fine = name && drawer_draw(drawer, name, &shading, true, &c->want, 1);
     if (!fine)
@@ -112,15 +112,14 @@ static int drawn_case(const Gbuffer *g, int count)
     return number;
 }
 
-static bool compare_all(Comparison *c, Gbuffer *g, Drawer *drawer, Document *d, int material,
-                        const MatcOptions *options, const bool matters[SLOT_COUNT])
+static bool compare_all(Comparison *c, Gbuffer *g, const KeptMaterial *material, const bool matters[SLOT_COUNT])
 {
     c->layout = g->layout;
     if (!gbuffer_draw(g, true)) {
         snprintf(c->kept->error, sizeof c->kept->error, "%.1000s", g->error);
         return false;
     }
-    const int number = drawn_case(g, drawer->count);
+    const int number = drawn_case(g, g->drawer->count);
     c->fields = &g->layout->cases[number];
     c->kept->drawn[number]++;
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
@@ -128,26 +127,26 @@ static bool compare_all(Comparison *c, Gbuffer *g, Drawer *drawer, Document *d, 
         if (slot == SLOT_normal || !(matters ? matters[slot] : has))
             continue;
         c->kept->fields += has;
-        if ((has && !gbuffer_read(g, (Slot)slot, c->got)) ||
-            !draw_values(c, drawer, d, material, options, (Slot)slot) || !compare_slot(c, (Slot)slot))
+        if ((has && !gbuffer_read(g, (Slot)slot, c->got)) || !draw_values(c, g->drawer, material, (Slot)slot) ||
+            !compare_slot(c, (Slot)slot))
             return false;
     }
     return true;
 }
 
-bool kept_check(Kept *kept, Drawer *drawer, Document *document, int material, const MatcOptions *options,
-                const bool matters[SLOT_COUNT])
+bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material, const bool matters[SLOT_COUNT])
 {
+    const Document *d = material->document;
     Gbuffer g;
     Comparison c = {.kept = kept, .count = drawer->count};
     c.want = calloc((size_t)c.count, 4 * sizeof(float));
     c.got = calloc((size_t)c.count, 4 * sizeof(float));
     if (!c.want || !c.got)
         abort();
-    bool fine = gbuffer_open_material(&g, drawer, document->document, document->graph, material, options);
+    bool fine = gbuffer_open_material(&g, drawer, d->document, d->graph, material->material, material->options);
     if (!fine)
         snprintf(kept->error, sizeof kept->error, "%.1000s", g.error);
-    fine = fine && compare_all(&c, &g, drawer, document, material, options, matters);
+    fine = fine && compare_all(&c, &g, material, matters);
     gbuffer_close(&g);
     kept->materials++;
     free(c.want);

@@ -202,18 +202,17 @@ static void meet(Oracle *oracle, const Node *material, const Surface *surface, H
     widen(hull, &values);
 }
 
-void points_hulls(Oracle *oracle, const Node *material, const Point *points, int count, bool front, const Reach *reach,
-                  Hull *hulls)
+void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls)
 {
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < points->count; i++) {
         Surface here;
-        point_surface(&points[i], front, &here);
+        point_surface(&points->at[i], points->front, &here);
         oracle_material(oracle, material, &here, &hulls[i].value);
         hulls[i].low = hulls[i].high = hulls[i].value;
         int corners = corner_count(&here);
         for (int corner = 0; corner < corners; corner++) {
             Surface there = here;
-            move(&there, corner, reach);
+            move(&there, corner, points->reach);
             meet(oracle, material, &there, &hulls[i]);
         }
         flush(&here);

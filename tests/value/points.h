@@ -39,9 +39,16 @@ typedef struct {
     SlotValues value, low, high;
 } Hull;
 
-/* hulls[i] belongs to points[i]. */
-void points_hulls(Oracle *oracle, const Node *material, const Point *points, int count, bool front, const Reach *reach,
-                  Hull *hulls);
+/* Points of one side, and how far around each is looked. */
+typedef struct {
+    const Point *at;
+    int count;
+    bool front;
+    const Reach *reach;
+} PointSet;
+
+/* A hull for every point. */
+void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls);
 
 /* How far a number lies outside of the hull of a lane, in units of max(1, |value|). The hull is a sample of the
  * neighbourhood: it is taken to be wider by its own width on both sides. */

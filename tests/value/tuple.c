@@ -189,13 +189,11 @@ static double reach_of(Form form, double v)
     }
 }
 
-void tuple_move(Tuple tuple, const Argument *arguments, const char *letters, double reach, uint64_t *state,
-                double *args)
+void tuple_move(double *args, const Argument *arguments, const char *letters, double reach, uint64_t *state)
 {
     for (int i = 0; letters[i]; i++)
-        for (int lane = 0; lane < argument_lanes(letters[i]); lane++) {
-            double v = (double)tuple[i][lane],
-                   way = pick(state, 2) ? uniform(state, -1, 1) : (double)pick(state, 3) - 1;
-            *args++ = v + way * reach * reach_of(arguments[i].form, v);
+        for (int lane = 0; lane < argument_lanes(letters[i]); lane++, args++) {
+            double way = pick(state, 2) ? uniform(state, -1, 1) : (double)pick(state, 3) - 1;
+            *args += way * reach * reach_of(arguments[i].form, *args);
         }
 }
