@@ -43,6 +43,21 @@ endforeach()
 matc_test(test_valid_spirv test_valid spirv)
 matc_test(test_gl_egl test_gl egl)
 
+# The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file
+set(ADDED ${PROJECT_BINARY_DIR}/operation/grammar/ops.def)
+add_custom_command(OUTPUT ${ADDED} COMMAND sh -c "mkdir -p operation/grammar && awk -f $1 $2 >$3" - ${PROJECT_SOURCE_DIR}/tests/operation/add.awk
+    ${PROJECT_SOURCE_DIR}/grammar/ops.def ${ADDED} WORKING_DIRECTORY ${PROJECT_BINARY_DIR}
+  DEPENDS ${PROJECT_SOURCE_DIR}/tests/operation/add.awk ${PROJECT_SOURCE_DIR}/grammar/ops.def VERBATIM)
+set(READERS ${COMPILER})
+list(FILTER READERS INCLUDE REGEX "compiler/((ir|lower|opt|emit|layout)/)?[a-z_]*\\.c$")
+add_executable(operation tests/operation/inversesqrt.c ${READERS} ${ADDED})
+target_include_directories(operation BEFORE PRIVATE ${PROJECT_BINARY_DIR}/operation)
+target_include_directories(operation PRIVATE ${GLSLANG_INCLUDE})
+target_compile_options(operation PRIVATE -O0)
+target_link_libraries(operation PRIVATE libmatc PkgConfig::XXHASH PkgConfig::CJSON)
+set_target_properties(operation PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
+matc_test(operation operation)
+
 # From outside
 matc_test(command_line sh tests/command_line.sh $<TARGET_FILE:matc>)
 matc_test(batch sh tests/batch.sh $<TARGET_FILE:matc>)
