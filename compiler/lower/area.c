@@ -2,6 +2,8 @@
 #include "compiler/lower/area.h"
 #include <math.h>
 
+enum { MOST_ARGUMENTS = 8 }; /* of a function */
+
 static Ref zero3(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
 
 /* The mean of what the taps gave. */
@@ -13,115 +15,128 @@ static Ref mean_of(Lower *l, const Ref *values, int count)
     return count > 1 ? mul(l, sum, number(l, 1.0 / count)) : sum;
 }
 
-/* Calls `filtered` for each tap, whose arguments are (middle, rest, args[1..], edge), and notes the variance that it leaves out. */
+/* A function of a position and what follows it. */
+static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int count)
+{
+    Ref all[MOST_ARGUMENTS] = {position};
+    for (int k = 0; k < count; k++)
+        all[k + 1] = args[k];
+    return ir_call(l->ir, function, all, count + 1);
+}
+
+/* Functions (middle, rest, args, edge) and, of the variance that it leaves out, (args, edge). */
 typedef struct {
     Function filtered, variance;
     Type type;
     double factor; /* on the variance */
 } Octaves;
 
-static Ref octaves(Lower *l, const Octaves *o, const Ref *args, int count)
+static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int count, Ref edge)
+{
+    Ref all[MOST_ARGUMENTS];
+    for (int k = 0; k < count; k++)
+        all[k] = args[k];
+    all[count] = edge;
+    Ref variance = mul(l, ir_call(l->ir, o->variance, all, count + 1), number(l, o->factor));
+    return ir_convert(l->ir, variance, o->type);
+}
+
+static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int count)
 {
     Tap taps[MOST_TAPS];
-    Ref values[MOST_TAPS] = {0}, all[8];
+    Ref values[MOST_TAPS] = {0}, all[MOST_ARGUMENTS];
     LongCoordinate parts;
-    int tap_count = footprint_taps(l, args[0], taps);
+    int tap_count = footprint_taps(l, p, taps);
     Ref edge = tap_count ? footprint_greatest_lane(l, taps[0].edges) : number(l, 0);
-    bool is_long = affine_coordinate(l, args[0], 1, &parts);
+    bool is_long = affine_coordinate(l, p.value, 1, &parts);
     for (int i = 0; i < tap_count + !tap_count; i++) {
         int used = 0;
-        Ref middle = tap_count ? taps[i].middle : args[0];
+        Ref middle = tap_count ? taps[i].middle : p.value;
         all[used++] = is_long ? parts.whole : middle;
         all[used++] = !is_long         ? zero3(l)
                       : tap_count <= 1 ? parts.fraction
-                                       : add(l, parts.fraction, sub(l, middle, args[0]));
-        for (int k = 1; k < count; k++)
+                                       : add(l, parts.fraction, sub(l, middle, p.value));
+        for (int k = 0; k < count; k++)
             all[used++] = args[k];
         all[used++] = edge;
         values[i] = ir_call(l->ir, o->filtered, all, used);
     }
-    Ref value = mean_of(l, values, tap_count + !tap_count);
-    if (!tap_count)
-        return value;
-    int used = 0;
-    for (int k = 1; k < count; k++)
-        all[used++] = args[k];
-    all[used++] = edge;
-    Ref variance = mul(l, ir_call(l->ir, o->variance, all, used), number(l, o->factor));
-    footprint_set_variance(l, value,
-                           o->type == TYPE_vec3 ? ir_vec(l->ir, TYPE_vec3, REFS(l->ir, variance, variance, variance), 3)
-                                                : variance);
-    return value;
+    Answer mean = answer_of(mean_of(l, values, tap_count + !tap_count));
+    if (tap_count)
+        mean.variance = octaves_variance(l, o, args, count, edge);
+    return mean;
 }
 
-static bool is_plain(Lower *l, Ref p)
+static bool is_plain(Lower *l, Answer p)
 {
     LongCoordinate parts;
-    return !footprint_edges(l, p) && !affine_coordinate(l, p, 1, &parts);
+    return !footprint_edges(l, p) && !affine_coordinate(l, p.value, 1, &parts);
 }
 
-Ref area_turbulence(Lower *l, const Ref args[4])
+/* Noise, by its function where nothing is filtered. */
+static Answer noise(Lower *l, int plain, const Octaves *o, Answer p, const Ref args[3])
+{
+    return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, 3)) : octaves(l, o, p, args, 3);
+}
+
+Answer area_turbulence(Lower *l, Answer p, const Ref args[3])
 {
     static const Octaves scalar = {FN_turbulenceFiltered, FN_turbulenceVariance, TYPE_float, 1};
-    return is_plain(l, args[0]) ? ir_call(l->ir, FN_turbulence, args, 4) : octaves(l, &scalar, args, 4);
+    return noise(l, FN_turbulence, &scalar, p, args);
 }
 
-Ref area_vector_turbulence(Lower *l, const Ref args[4])
+Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
 {
     /* a lane has the variance 0.26^2, the scalar noise 1/4; of simplex noise 0.256^2, 0.232 */
     static const Octaves lattice = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3, 0.26 * 0.26 / 0.25};
     static const Octaves simplex = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
                                     0.256 * 0.256 / 0.232};
-    const Octaves *vector = l->job->choice[AXIS_noise] == CHOICE_noise_simplex ? &simplex : &lattice;
-    return is_plain(l, args[0]) ? ir_call(l->ir, FN_vectorTurbulence, args, 4) : octaves(l, vector, args, 4);
+    bool is_simplex = l->job->choice[AXIS_noise] == CHOICE_noise_simplex;
+    return noise(l, FN_vectorTurbulence, is_simplex ? &simplex : &lattice, p, args);
 }
 
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
-static Ref sampled(Lower *l, Kind kind, const Ref *args, int count)
+static Answer sampled(Lower *l, int function, Ref p, const Ref *args, int count)
 {
-    Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0}, all[8];
-    int function = FN_FIRST_MAP + (int)kind, point_count = footprint_points(l, args[0], points);
+    Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0};
+    int point_count = footprint_points(l, p, points);
     if (!point_count)
-        return ir_call(l->ir, function, args, count);
-    for (int i = 0; i < point_count; i++) {
-        all[0] = points[i];
-        for (int k = 1; k < count; k++)
-            all[k] = args[k];
-        values[i] = ir_call(l->ir, function, all, count);
-    }
+        return answer_of(call_at(l, function, p, args, count));
+    for (int i = 0; i < point_count; i++)
+        values[i] = call_at(l, function, points[i], args, count);
     Ref mean = mean_of(l, values, point_count);
     for (int i = 0; i < point_count; i++) {
         Ref apart = sub(l, values[i], mean);
         squares[i] = mul(l, apart, apart);
     }
-    footprint_set_variance(l, mean, mean_of(l, squares, point_count));
-    return mean;
+    return (Answer){mean, mean_of(l, squares, point_count), NULL};
 }
 
-static Ref leopard(Lower *l, const Ref *args)
+static Ref leopard(Lower *l, Answer p)
 {
     Tap taps[MOST_TAPS];
     Ref values[MOST_TAPS] = {0};
-    int count = footprint_taps(l, args[0], taps);
+    int count = footprint_taps(l, p, taps);
     for (int i = 0; i < count; i++)
         values[i] = ir_call(l->ir, FN_leopardFiltered, REFS(l->ir, taps[i].middle, taps[i].edges), 2);
-    return count ? mean_of(l, values, count) : ir_call(l->ir, FN_FIRST_MAP + KIND_Leopard, args, 1);
+    return count ? mean_of(l, values, count) : ir_call(l->ir, FN_FIRST_MAP + KIND_Leopard, &p.value, 1);
 }
 
 /* Wood is nearly linear over a pixel: it is filtered by the wave that follows it. */
-Ref area_volume(Lower *l, Kind kind, const Ref *args, int count)
+Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     static const Octaves granite = {FN_graniteFiltered, FN_graniteVariance, TYPE_float, 1};
+    const int plain = FN_FIRST_MAP + (int)kind;
     switch (kind) {
     case KIND_Granite:
-        return is_plain(l, args[0]) ? ir_call(l->ir, FN_FIRST_MAP + (int)kind, args, count)
-                                    : octaves(l, &granite, args, count);
+        return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, count))
+                              : octaves(l, &granite, p, args, count);
     case KIND_Leopard:
-        return leopard(l, args);
+        return answer_of(leopard(l, p));
     case KIND_Wood:
-        return ir_call(l->ir, FN_FIRST_MAP + (int)kind, args, count);
+        return answer_of(call_at(l, plain, p.value, args, count));
     default:
-        return sampled(l, kind, args, count);
+        return sampled(l, plain, p.value, args, count);
     }
 }
 
@@ -137,14 +152,14 @@ static Ref within_period(Lower *l, Ref q)
     return part;
 }
 
-Ref area_odd_share(Lower *l, Ref q)
+Ref area_odd_share(Lower *l, Answer q)
 {
     static const char *const lane[] = {"x", "y", "z"};
-    int lanes = ir_lanes(l->ir, q);
+    int lanes = ir_lanes(l->ir, q.value);
     Ref edges = footprint_edges(l, q), product;
     if (!edges)
         return 0;
-    Ref part = within_period(l, q), longer = footprint_longer(l, q, &edges);
+    Ref part = within_period(l, q.value), longer = footprint_longer(l, q, &edges);
     if (longer) {
         product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, REFS(l->ir, part, longer, edges), 3);
     } else {

@@ -3,14 +3,14 @@
 #define MATC_AREA_H
 #include "compiler/lower/footprint.h"
 
-/* A volume map's function of args[0], a position, and its parameters. */
-Ref area_volume(Lower *l, Kind kind, const Ref *args, int count);
-/* turbulence and vectorTurbulence of (p, octaves, frequencyRatio, noiseRatio). */
-Ref area_turbulence(Lower *l, const Ref args[4]);
-Ref area_vector_turbulence(Lower *l, const Ref args[4]);
+/* A volume map's function of a position and its parameters. */
+Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count);
+/* turbulence and vectorTurbulence of a position and (octaves, frequencyRatio, noiseRatio). */
+Answer area_turbulence(Lower *l, Answer p, const Ref args[3]);
+Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3]);
 /* The share of the footprint where an odd number of lanes of q lie in the upper half of their period 1; q has two or three.
  * 0: it is everywhere the same, and only the point decides. */
-Ref area_odd_share(Lower *l, Ref q);
+Ref area_odd_share(Lower *l, Answer q);
 /* A picture's function (sampler, uv, size). */
 Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size);
 /* 1 / (high - low) of known numbers, computed in double here or where the buffer is filled; 0 where they are equal. */

@@ -1,6 +1,7 @@
 /* What a pixel covers of a value, for --aa: how wide it is, where to sample it, and how much a mean has left out. */
 #ifndef MATC_FOOTPRINT_H
 #define MATC_FOOTPRINT_H
+#include "compiler/lower/answer.h"
 #include "compiler/lower/slope.h"
 
 enum {
@@ -17,25 +18,17 @@ typedef struct {
 bool footprint_is_filtered(const Lower *l);
 /* The boxes that stand for the pixel's footprint on a coordinate, of equal weight: one, or MOST_TAPS along the longer side with
  * --aa=aniso. 0: the coordinate is the same all over the pixel. */
-int footprint_taps(Lower *l, Ref coordinate, Tap taps[MOST_TAPS]);
+int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS]);
 /* The longer side of the footprint, and the edges of the boxes along it; 0 but for --aa=aniso. */
-Ref footprint_longer(Lower *l, Ref coordinate, Ref *edges);
+Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges);
 /* MOST_TAPS points spread over the footprint; 0 as above. For functions of which nothing better is known. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
 /* Edges by lane of a box that varies as much as the value does within the pixel: by its slope and by what it has left out.
  * 0: it does not vary. Else they are numbers of the shader that may be 0, and a box without edges is its middle: whoever divides
  * by an edge guards that. */
-Ref footprint_edges(Lower *l, Ref value);
+Ref footprint_edges(Lower *l, Answer a);
 /* The greatest lane. */
 Ref footprint_greatest_lane(Lower *l, Ref value);
-/* Variance within the pixel that a mean's slope does not show, by lane; 0 for none. It passes through linear operations. */
-void footprint_set_variance(Lower *l, Ref value, Ref variance);
-Ref footprint_variance(Lower *l, Ref value);
-/* Notes that a value is the mean of two within the pixel: what is not linear has to be asked of both. */
-void footprint_set_split(Lower *l, Ref value, Split split);
-Split footprint_split(Lower *l, Ref value);
-/* The operand that a select or a mix is, because constants decide it; 0: they do not. settled.c */
-Ref settled_operand(Lower *l, Ref ref);
 /* `scale` times a coordinate that constants scaled, turned and moved, as a whole number and a fraction in [-1/2, 1/2], for
  * --coordinates=long. False: it is exact as it is, or not of that kind. affine.c */
 typedef struct {

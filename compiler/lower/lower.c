@@ -2,10 +2,10 @@
 #include "compiler/lower/area.h"
 #include <string.h>
 
-typedef Ref (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
+typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
 /* A volume map's answer is the same on every channel: its function of the position, sent through its wave. */
-static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env);
+static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env);
 
 #define OWN_LOWERING(name)    lower_##name
 #define VOLUME_LOWERING(name) lower_volume
@@ -99,61 +99,64 @@ void lower_mark_head(Ir *ir, Ref value, uint8_t hint)
     node->head = 1;
 }
 
-Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env)
+Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
 {
     if (!map)
-        return env->root[group];
+        return answer_of(env->root[group]);
     uint64_t key = ((uint64_t)env->number << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
     Memo *memo = memo_find(l, key);
     if (memo->key)
-        return memo->value;
+        return memo->answer;
     if (l->ir->count > LIMIT_IR_NODES) {
         if (!l->failed)
             diag_add(l->session, map->span, DIAG_graph_too_large, LIMIT_IR_NODES);
         l->failed = true;
-        return env->root[group];
+        return answer_of(env->root[group]);
     }
     uint8_t hint = l->ir->hint;
     l->ir->hint = (uint8_t)map->kind;
-    Ref value = lower_map[map->kind](l, map, group, env);
+    Answer answer = lower_map[map->kind](l, map, group, env);
     l->ir->hint = hint;
-    lower_mark_head(l->ir, value, (uint8_t)map->kind);
+    lower_mark_head(l->ir, answer.value, (uint8_t)map->kind);
     memo = memo_find(l, key); /* the table may have moved */
-    *memo = (Memo){key, value};
+    *memo = (Memo){key, answer};
     l->memo_count++;
-    return value;
+    return answer;
 }
 
+Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env) { return lower_answer(l, map, group, env).value; }
+
 /* w(frequency f + phase), w the node's wave. The first four parameters of every volume map are those of VOLUME_PARAMS. */
-static Ref through_wave(Lower *l, const Node *node, Ref f)
+static Answer through_wave(Lower *l, const Node *node, Answer f)
 {
     enum { WAVE_FORM = 1, FREQUENCY, PHASE };
     const Value *wave = &node->params[WAVE_FORM];
-    Ref v = mul(l, f, lower_param(l, &node->params[FREQUENCY], TYPE_float));
-    v = add(l, v, lower_param(l, &node->params[PHASE], TYPE_float));
+    Answer v = answer_scaled(l, f, lower_param(l, &node->params[FREQUENCY], TYPE_float));
+    v = answer_moved(l, v, lower_param(l, &node->params[PHASE], TYPE_float));
     return wave->kind == VALUE_wave ? lower_wave(l, wave->wave, v) : v;
 }
 
-static Ref lower_volume(Lower *l, const Node *node, Group group, const Env *env)
+static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env)
 {
-    enum { FIRST_OWN = 4, MOST_ARGUMENTS = 8 };
+    enum { FIRST_OWN = 4, MOST_OWN = 7 };
     const KindRow *row = &kind_table[node->kind];
-    Ref args[MOST_ARGUMENTS] = {
-        lower_ask(l, node->params[0].kind == VALUE_node ? node->params[0].node : NULL, GROUP_X, env)};
-    int count = 1;
+    const Node *input = node->params[0].kind == VALUE_node ? node->params[0].node : NULL;
+    Answer p = lower_answer(l, input, GROUP_X, env);
+    Ref args[MOST_OWN];
+    int count = 0;
     for (int i = FIRST_OWN; i < row->count; i++) {
         static const Type type_of[] = {[PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
         args[count++] = lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
-    return lower_as_group(l, through_wave(l, node, area_volume(l, node->kind, args, count)), group);
+    return answer_as_group(l, through_wave(l, node, area_volume(l, node->kind, p, args, count)), group);
 }
 
 /* Gradient: dot(p, direction). */
-Ref lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Ref p = lower_ask(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
+    Answer p = lower_answer(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
     Ref direction = lower_param(l, node_param(node, P_Gradient_direction), TYPE_vec3);
-    return lower_as_group(l, through_wave(l, node, ir_binary(l->ir, OP_dot, p, direction)), group);
+    return answer_as_group(l, through_wave(l, node, answer_dot(l, p, direction)), group);
 }
 
 /* a = max(|omega|, 1)^(1 - n): keeps strong octaves from growing the sum. */
@@ -164,7 +167,7 @@ static Ref octave_scale(Lower *l, Ref omega, double octaves)
 }
 
 /* VolumeTurbulence: a Turb(size p). */
-Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MOST_OCTAVES = 11 };
     const Value *octaves = node_param(node, P_VolumeTurbulence_octaves);
@@ -172,13 +175,14 @@ Ref lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *e
     double given[4];
     value_number(octaves, TYPE_float, given);
     double n = clamp(given[0], 1, MOST_OCTAVES);
-    Ref p = lower_ask(l, lower_param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
+    Answer p = lower_answer(l, lower_param_node(node, P_VolumeTurbulence_input), GROUP_X, env);
     Ref omega = lower_param(l, node_param(node, P_VolumeTurbulence_noiseRatio), TYPE_float);
     Ref size = lower_param(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
     Ref frequency = lower_param(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
-    Ref scaled = mul(l, p, size), args[] = {scaled, ir_int(l->ir, n), frequency, omega};
-    Ref f = mul(l, area_turbulence(l, args), octave_scale(l, omega, n));
-    return lower_as_group(l, through_wave(l, node, f), group);
+    p = answer_scaled(l, p, size);
+    Answer f = area_turbulence(l, p, (Ref[]){ir_int(l->ir, n), frequency, omega});
+    f = answer_scaled(l, f, octave_scale(l, omega, n));
+    return answer_as_group(l, through_wave(l, node, f), group);
 }
 
 /* Left to right, operands behind their users. What has no cost of its own, lanes and vectors of them, may be met without end

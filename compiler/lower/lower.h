@@ -15,15 +15,25 @@ typedef struct {
 /* Along what a value is differentiated: to the next pixel on the screen, and by the surface's own u and v. */
 typedef enum { DIRECTION_right, DIRECTION_up, DIRECTION_u, DIRECTION_v, DIRECTION_COUNT } Direction;
 
+/* What a map answers: a value, with --aa its mean over the pixel, and what is known of how it varies there. That goes by the maps that
+ * were asked, never by nodes of the IR: where the builder finds two values to be one node, each answer keeps its own, and
+ * programs of all levels of -O antialias alike. answer.h */
+typedef struct {
+    Ref value;
+    Ref variance; /* within the pixel, by lane, that the mean's slope does not show; of the value's type; 0 for none */
+    const struct Split *split; /* NULL: it is not known to be one of two */
+} Answer;
+
+/* A value that is one of two all over the pixel: what is not linear has to be asked of both. */
+typedef struct Split {
+    Ref by; /* how much of the pixel has a's value; or a bool: whether all of it has */
+    Answer a, b;
+} Split;
+
 typedef struct {
     uint64_t key; /* node, group, environment; 0 is empty */
-    Ref value;
+    Answer answer;
 } Memo;
-
-/* A value that is one of two all over the pixel: a for a share of it, b for the rest. No share: it is not known to be. */
-typedef struct {
-    Ref share, a, b;
-} Split;
 
 typedef struct {
     Ref u, v;
@@ -51,15 +61,6 @@ typedef struct {
     size_t slope_room;
     Ref *to_differ; /* stack of values whose derivatives are under way; slope.c */
     size_t to_differ_count, to_differ_room;
-    Ref *variances; /* by Ref; footprint.c */
-    size_t variance_room;
-    Ref *to_vary; /* stack of values whose variances are under way; footprint.c */
-    size_t to_vary_count, to_vary_room;
-    Split *splits; /* by Ref; footprint.c */
-    size_t split_room;
-    Ref *settled; /* by Ref: the constant that it is; settled.c */
-    size_t settled_room;
-    Ref settled_count;
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
     Affine affine;        /* affine.c */
@@ -73,12 +74,12 @@ Env lower_surface_env(Lower *l);
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
+Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
+/* Its value. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint8_t hint);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
 Ref lower_as_group(Lower *l, Ref value, Group group);
-/* The type that holds colours of both types lane by lane. A float stands for all lanes and a vec2 for two, hence a vec3. */
-Type lower_common_type(Type a, Type b);
 /* A parameter's value as IR, converted to the type. */
 Ref lower_param(Lower *l, const Value *value, Type type);
 /* The map in a parameter, NULL if it has none. */
@@ -101,15 +102,13 @@ void lower_no_case(Lower *l, const Node *material, const Env *env);
 /* The slots that a case of a layout made for a set must store for the material to take it, 1 << slot; alpha is in the
  * transparency. */
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
-Ref lower_wave(Lower *l, const Wave *wave, Ref v);
+Answer lower_wave(Lower *l, const Wave *wave, Answer v);
 /* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse of its matrix,
  * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */
 Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
-/* M q for a Transform. */
-Ref lower_transform(Lower *l, const Transform *transform, Ref q);
 
 #define MAP(name, function, lowering, cost, doc)                                                                       \
-    Ref lower_##name(Lower *l, const Node *node, Group group, const Env *env);
+    Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"
 
 /* Shorthands for building. */

@@ -11,7 +11,7 @@ enum {
 };
 
 typedef struct {
-    Ref value, result; /* of an item: where it lies on t, and its answer */
+    Ref value, result, variance; /* of an item: where it lies on t, its answer and what that leaves out */
 } Stop;
 
 /* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
@@ -166,26 +166,46 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* The same of items that are not alike: each by its own weight, exactly 0 where the box does not reach it. */
-static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+/* Of every item, how much of the box it is: exactly 0 where the box does not reach it. */
+static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
-    Ref result = 0, share = number(l, 1);
-    for (int i = 0; i < count; i++) {
-        bool last = i + 1 == count;
-        Ref next = last ? 0 : step_share(l, t, edge, &stops[i]);
-        Ref term = mul(l, stops[i].result, last ? share : sub(l, share, next));
-        result = i ? add(l, result, term) : term;
+    Ref share = number(l, 1), *weight = ARENA_ARRAY(l->session->arena, Ref, count);
+    for (int i = 0; i + 1 < count; i++) {
+        Ref next = step_share(l, t, edge, &stops[i]);
+        weight[i] = sub(l, share, next);
         share = next;
     }
+    weight[count - 1] = share;
+    return weight;
+}
+
+/* The mean of items that are not alike. */
+static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    const Ref *weight = weights(l, t, edge, stops, count);
+    Ref result = mul(l, stops[0].result, weight[0]);
+    for (int i = 1; i < count; i++)
+        result = add(l, result, mul(l, stops[i].result, weight[i]));
     return result;
 }
 
-static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
+/* Of a sum by weights, whichever form the sum has; `edge` may be none. */
+static Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
-    Ref edge = count <= MOST_AREA_ITEMS && ascending(l->ir, stops, count, false) ? footprint_edges(l, t) : 0;
-    if (edge)
-        return alike_arms(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
-                                               : blend_weights(l, t, edge, stops, count);
+    Ref variance = 0, *weight = NULL;
+    for (int i = 0; i < count; i++) {
+        if (!stops[i].variance)
+            continue;
+        weight = weight ? weight : weights(l, t, edge ? edge : number(l, 0), stops, count);
+        Ref term = mul(l, stops[i].variance, mul(l, weight[i], weight[i]));
+        variance = variance ? add(l, variance, term) : term;
+    }
+    return variance;
+}
+
+/* At a point of t. */
+static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
+{
     bool ordered = ascending(l->ir, stops, count, true);
     if (l->cheap && ordered && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
         alike_arms(l->ir, stops, count))
@@ -195,42 +215,64 @@ static Ref blend_at(Lower *l, Ref t, const Stop *stops, int count)
     return blend_walk(l, t, stops, count);
 }
 
-/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */
-static Ref blend_split(Lower *l, Ref x, const Stop *stops, int count, int depth)
+static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
 {
-    Split split = footprint_split(l, x);
-    if (!split.share || depth == 0)
-        return blend_at(l, ir_swizzle(l->ir, x, "x"), stops, count);
-    split.a = blend_split(l, split.a, stops, count, depth - 1);
-    split.b = blend_split(l, split.b, stops, count, depth - 1);
-    Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, split.share);
-    footprint_set_split(l, value, split);
-    return value;
+    if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
+        return answer_of(blend_point(l, t.value, stops, count));
+    Ref edge = footprint_edges(l, t);
+    Answer blend = answer_of(!edge                             ? blend_point(l, t.value, stops, count)
+                             : alike_arms(l->ir, stops, count) ? blend_area(l, t.value, edge, stops, count)
+                                                               : blend_weights(l, t.value, edge, stops, count));
+    blend.variance = blend_variance(l, t.value, edge, stops, count);
+    return blend;
 }
 
-Ref lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
+/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */
+static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int depth)
+{
+    if (!x.split || depth == 0)
+        return blend_at(l, answer_swizzle(l, x, "x"), stops, count);
+    Answer a = blend_split(l, x.split->a, stops, count, depth - 1);
+    Answer b = blend_split(l, x.split->b, stops, count, depth - 1);
+    return answer_either(l, x.split->by, a, b);
+}
+
+/* The items, as one type. */
+static Stop *stops_of(Lower *l, const Value *blend, Group group, const Env *env)
+{
+    const int count = blend->items->count;
+    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, count);
+    Answer *answers = ARENA_ARRAY(l->session->arena, Answer, count);
+    Type type = TYPE_float;
+    for (int i = 0; i < count; i++) {
+        const Item *item = &blend->items->item[i];
+        stops[i].value = lower_param(l, &item->value, TYPE_float);
+        answers[i] = lower_answer(l, item->input, group, env);
+        Type own = ir_type(l->ir, answers[i].value);
+        type = i ? answer_common_type(type, own) : own;
+    }
+    for (int i = 0; i < count; i++) {
+        Answer wide = answer_widened(l, answers[i], type);
+        stops[i].result = wide.value;
+        stops[i].variance = wide.variance;
+    }
+    return stops;
+}
+
+Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *blend = node_param(node, P_Blend_blend);
     const Node *input = lower_param_node(node, P_Blend_input);
     int count = blend->kind == VALUE_items ? blend->items->count : 0;
     if (!count || l->failed)
-        return lower_ask(l, input, group, env);
-    Ref x = lower_ask(l, input, GROUP_X, env);
-    ir_swizzle(l->ir, x, "x"); /* before what the items make */
-    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, count);
-    Type type = TYPE_float;
-    for (int i = 0; i < count; i++) {
-        const Item *item = &blend->items->item[i];
-        stops[i].value = lower_param(l, &item->value, TYPE_float);
-        stops[i].result = lower_ask(l, item->input, group, env);
-        type = i ? lower_common_type(type, ir_type(l->ir, stops[i].result)) : ir_type(l->ir, stops[i].result);
-    }
-    for (int i = 0; i < count; i++)
-        stops[i].result = ir_convert(l->ir, stops[i].result, type);
+        return lower_answer(l, input, group, env);
+    Answer x = lower_answer(l, input, GROUP_X, env);
+    ir_swizzle(l->ir, x.value, "x"); /* before what the items make */
+    const Stop *stops = stops_of(l, blend, group, env);
     if (count > LIMIT_WALK && !ascending(l->ir, stops, count, true)) {
         diag_add(l->session, blend->span, DIAG_long_walk, LIMIT_WALK);
         l->failed = true;
-        return stops[0].result;
+        return answer_of(stops[0].result);
     }
     return blend_split(l, x, stops, count, MOST_SPLITS);
 }

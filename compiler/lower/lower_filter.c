@@ -54,18 +54,17 @@ static Ref filter_size(Lower *l, const Node *node)
     return ir_vec(l->ir, TYPE_vec3, size, 3);
 }
 
-/* What follows takes the result as it is, instead of differentiating every one of its evaluations. They have no variance either:
- * footprint_variance passes through no application. */
-static Ref steady(Lower *l, Ref value)
+/* What follows takes the result as it is, instead of differentiating every one of its evaluations. */
+static Answer steady(Lower *l, Ref value)
 {
     slope_set(l, value, DIRECTION_right, 0);
     slope_set(l, value, DIRECTION_up, 0);
-    return value;
+    return answer_of(value);
 }
 
 /* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input would take them minutes to
  * compile: it is summed in a loop. */
-Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     int function = make_function(l, lower_param_node(node, P_Smooth3D_input), group, env);
     Ref size = filter_size(l, node), sum = 0;
@@ -81,7 +80,7 @@ Ref lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 }
 
 /* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
-Ref lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     int function = make_function(l, lower_param_node(node, P_Laplace3D_input), group, env);
     Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, 0, 0, 0), sum = 0;

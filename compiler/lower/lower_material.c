@@ -31,20 +31,20 @@ static Ref alpha_of(Lower *l, const Node *map, const Env *env)
 }
 
 /* Of a shininess that is one of two within the pixel: the mean of both exponents. */
-static Ref exponent_of(Lower *l, Ref shininess, int depth)
+static Ref exponent_of(Lower *l, Answer shininess, int depth)
 {
-    Split split = footprint_split(l, shininess);
-    if (!split.share || depth == 0)
-        return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, shininess, "x")}, 1);
-    Ref a = exponent_of(l, split.a, depth - 1), b = exponent_of(l, split.b, depth - 1);
-    return ir_ternary(l->ir, OP_mix, b, a, split.share);
+    const Split *split = shininess.split;
+    if (!split || depth == 0)
+        return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, shininess.value, "x")}, 1);
+    Ref a = exponent_of(l, split->a, depth - 1), b = exponent_of(l, split->b, depth - 1);
+    return answer_mean(l, split->by, a, b);
 }
 
 static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 {
     if (!map)
         return number(l, without);
-    return exponent_of(l, lower_ask(l, map, GROUP_R, env), MOST_SPLITS);
+    return exponent_of(l, lower_answer(l, map, GROUP_R, env), MOST_SPLITS);
 }
 
 /* 1 + alpha (c - 1) */

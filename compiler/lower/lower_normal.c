@@ -1,5 +1,5 @@
 /* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
-#include "compiler/lower/lower.h"
+#include "compiler/lower/answer.h"
 #include "compiler/lower/slope.h"
 
 typedef struct {
@@ -109,18 +109,18 @@ static Slopes height_slopes(Lower *l, const Node *displacement, const Node *inpu
     return along_tangents(l, input, (Slopes){by_u, by_v});
 }
 
-Ref lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     const double step = 0.02;
     const Node *input = lower_param_node(node, P_BumpMap_input),
                *displacement = lower_param_node(node, P_BumpMap_displacement);
     if (!is_frame(group) || !displacement)
-        return lower_ask(l, input, group, env);
+        return lower_answer(l, input, group, env);
     Frame frame = input_frame(l, input, env);
     Ref strength = lower_param(l, node_param(node, P_BumpMap_strength), TYPE_float);
     Ref k = mul(l, strength, number(l, step));
     Slopes slopes = height_slopes(l, displacement, input, env);
-    return tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group);
+    return answer_of(tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group));
 }
 
 /* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
@@ -145,11 +145,11 @@ static Ref in_box_top(Lower *l, Ref u, Ref v)
     return ir_binary(ir, OP_and, along_u, along_v);
 }
 
-Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *input = lower_param_node(node, P_WaveMap_input);
     if (!is_frame(group))
-        return lower_ask(l, input, group, env);
+        return lower_answer(l, input, group, env);
     double box_top[4];
     value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
     Ref uvw = lower_ask(l, input, GROUP_U, env), u = ir_swizzle(l->ir, uvw, "x"), v = ir_swizzle(l->ir, uvw, "y");
@@ -166,5 +166,7 @@ Ref lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
     Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
     Ref by_u = mul(l, k, mul(l, a.slope, b.height)), by_v = mul(l, k, mul(l, a.height, b.slope));
     Ref result = tilted(l, &frame, REFS(l->ir, by_u, by_v), group);
-    return box_top[0] != 0 ? ir_select(l->ir, in_box_top(l, u, v), result, lower_ask(l, input, group, env)) : result;
+    if (box_top[0] != 0)
+        result = ir_select(l->ir, in_box_top(l, u, v), result, lower_ask(l, input, group, env));
+    return answer_of(result);
 }

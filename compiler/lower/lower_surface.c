@@ -7,19 +7,19 @@ enum { FIRST_TEXTURES = 16 }; /* places of the table */
 
 static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
 
-static Ref constant(Lower *l, Ref value, Group group)
+static Answer constant(Lower *l, Ref value, Group group)
 {
-    return is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : lower_as_group(l, value, group);
+    return answer_of(is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : lower_as_group(l, value, group));
 }
 
-Ref lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     const Value *value = &node->params[0];
     return constant(l, lower_param(l, value, value->type), group);
 }
 
-Ref lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     Ref r = lower_param(l, node_param(node, P_RGBColor_r), TYPE_float);
@@ -28,35 +28,10 @@ Ref lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
     return constant(l, ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3), group);
 }
 
-Ref lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
 {
     (void)env;
     return constant(l, lower_param(l, node_param(node, P_Graytone_value), TYPE_float), group);
-}
-
-Type lower_common_type(Type a, Type b)
-{
-    if ((a == TYPE_float && b == TYPE_vec2) || (a == TYPE_vec2 && b == TYPE_float))
-        return TYPE_vec3;
-    return type_table[a].lanes > type_table[b].lanes ? a : b;
-}
-
-/* a where the condition holds, else b, both widened to the type that holds both. */
-static Ref choose(Lower *l, Ref condition, Ref a, Ref b)
-{
-    Type type = lower_common_type(ir_type(l->ir, a), ir_type(l->ir, b));
-    return ir_select(l->ir, condition, ir_convert(l->ir, a, type), ir_convert(l->ir, b, type));
-}
-
-/* a for a share of the footprint, b for the rest. */
-static Ref mixed(Lower *l, Ref share, Ref a, Ref b)
-{
-    Type type = lower_common_type(ir_type(l->ir, a), ir_type(l->ir, b));
-    Split split = {share, ir_convert(l->ir, a, type), 0};
-    split.b = ir_convert(l->ir, b, type);
-    Ref value = ir_ternary(l->ir, OP_mix, split.b, split.a, share);
-    footprint_set_split(l, value, split);
-    return value;
 }
 
 static const char *const lane_name[] = {"x", "y", "z"};
@@ -114,23 +89,25 @@ static Ref checker_slope(Lower *l, const Node *color1, const Node *color2, Ref u
     return ir_select(l->ir, ir_binary(l->ir, OP_ne, odd, beyond), rise, inside);
 }
 
-Ref lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
-    Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
+    Answer uv = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
-        return checker_slope(l, color1, color2, uv, group, env);
-    Ref a = lower_ask(l, color1, group, env), b = lower_ask(l, color2, group, env), share = area_odd_share(l, uv);
-    return share ? mixed(l, share, a, b) : choose(l, odd_square(l, uv, 0, 0), a, b);
+        return answer_of(checker_slope(l, color1, color2, uv.value, group, env));
+    Answer a = lower_answer(l, color1, group, env), b = lower_answer(l, color2, group, env);
+    Ref share = area_odd_share(l, uv);
+    return answer_either(l, share ? share : odd_square(l, uv.value, 0, 0), a, b);
 }
 
-Ref lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Ref p = lower_ask(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    Ref a = lower_ask(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
-    Ref b = lower_ask(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
-    Ref half = mul(l, p, number(l, 0.5)), share = area_odd_share(l, half);
-    return share ? mixed(l, share, a, b) : choose(l, odd_sum(l, half), a, b);
+    Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
+    Answer a = lower_answer(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
+    Answer b = lower_answer(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
+    p = answer_scaled(l, p, number(l, 0.5));
+    Ref share = area_odd_share(l, p);
+    return answer_either(l, share ? share : odd_sum(l, p.value), a, b);
 }
 
 /* The same picture, or reliefs of the same parameters. */
@@ -205,7 +182,7 @@ static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Re
     return lower_as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
 }
 
-Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Value *image = node_param(node, P_ImageMap_image);
     if (image->kind != VALUE_image)
@@ -218,11 +195,11 @@ Ref lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
                              1.0 / picture->width, 1.0 / picture->height);
     if (group == GROUP_R && picture->opaque)
-        return ir_vec(l->ir, TYPE_vec4, REFS(l->ir, ir_swizzle(l->ir, value, "xyz"), number(l, 1)), 2);
-    return value;
+        value = ir_vec(l->ir, TYPE_vec4, REFS(l->ir, ir_swizzle(l->ir, value, "xyz"), number(l, 1)), 2);
+    return answer_of(value);
 }
 
-Ref lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
 {
     const double step = 0.005;
     const KindRow *row = &kind_table[KIND_Carpenter];
@@ -234,5 +211,5 @@ Ref lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
     Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     IrTexture wanted = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
-    return sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step);
+    return answer_of(sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step));
 }

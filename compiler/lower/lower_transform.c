@@ -20,6 +20,20 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
     return ir_make(l->ir, OP_linear, type, 0, args, size + 1);
 }
 
+/* The same of a mean: lanes that vary independently are added up by the squares of their factors. */
+static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
+{
+    Ref squares[3][3] = {{0}};
+    Answer answer = answer_of(times_matrix(l, m, size, q.value));
+    if (!q.variance)
+        return answer;
+    for (int i = 0; i < size; i++)
+        for (int k = 0; k < size; k++)
+            squares[i][k] = mul(l, m[i][k], m[i][k]);
+    answer.variance = times_matrix(l, squares, size, q.variance);
+    return answer;
+}
+
 /* The 2x2 part of a UVTransform: uv' = m (uv - offset). */
 static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
 {
@@ -53,22 +67,32 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
     return add(l, mul(l, du, mul(l, by_u, inverse)), mul(l, dv, mul(l, by_v, inverse)));
 }
 
-Ref lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
+/* m ((u, v) - offset), w as it is. */
+static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
 {
-    const Node *input = lower_param_node(node, P_UVTransform_input);
-    if (group == GROUP_DU || group == GROUP_DV) {
-        Ref du = lower_ask(l, input, GROUP_DU, env), dv = lower_ask(l, input, GROUP_DV, env);
-        return lower_uv_tangent(l, node, du, dv, group);
-    }
-    if (group != GROUP_U)
-        return lower_ask(l, input, group, env);
-    Ref m[3][3], uvw = lower_ask(l, input, GROUP_U, env);
+    Ref m[3][3];
     uv_matrix(l, node, m);
     Ref offset_u = lower_param(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
     Ref offset_v = lower_param(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
     Ref offset = ir_vec(l->ir, TYPE_vec2, REFS(l->ir, offset_u, offset_v), 2);
-    Ref from = sub(l, ir_swizzle(l->ir, uvw, "xy"), offset);
-    return ir_vec(l->ir, TYPE_vec3, REFS(l->ir, times_matrix(l, m, 2, from), ir_swizzle(l->ir, uvw, "z")), 2);
+    Answer uv = answer_swizzle(l, uvw, "xy");
+    uv.value = sub(l, uv.value, offset);
+    uv = turned(l, m, 2, uv);
+    Answer answer = answer_of(ir_vec(l->ir, TYPE_vec3, REFS(l->ir, uv.value, ir_swizzle(l->ir, uvw.value, "z")), 2));
+    if (uv.variance)
+        answer.variance = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, uv.variance, ir_swizzle(l->ir, uvw.variance, "z")), 2);
+    return answer;
+}
+
+Answer lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Node *input = lower_param_node(node, P_UVTransform_input);
+    if (group == GROUP_DU || group == GROUP_DV) {
+        Ref du = lower_ask(l, input, GROUP_DU, env), dv = lower_ask(l, input, GROUP_DV, env);
+        return answer_of(lower_uv_tangent(l, node, du, dv, group));
+    }
+    Answer answer = lower_answer(l, input, group, env);
+    return group == GROUP_U ? turned_uv(l, node, answer) : answer;
 }
 
 /* a b for 3x3 matrices of scalars. */
@@ -121,14 +145,15 @@ static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
     }
 }
 
-Ref lower_transform(Lower *l, const Transform *transform, Ref q)
+/* M q for a Transform. */
+static Answer transformed(Lower *l, const Transform *transform, Answer q)
 {
     Ref m[3][3], shift;
     switch (transform->kind) {
     case TRANSFORM_scale:
-        return mul(l, q, lower_param(l, &transform->scale, TYPE_float));
+        return answer_scaled(l, q, lower_param(l, &transform->scale, TYPE_float));
     case TRANSFORM_translation:
-        return add(l, q, lower_param(l, &transform->translation, TYPE_vec3));
+        return answer_moved(l, q, lower_param(l, &transform->translation, TYPE_vec3));
     case TRANSFORM_matrix:
         for (int i = 0; i < 9; i++)
             m[i / 3][i % 3] = number(l, transform->matrix[i / 3 * 4 + i % 3]);
@@ -139,26 +164,26 @@ Ref lower_transform(Lower *l, const Transform *transform, Ref q)
         shift = lower_param(l, &transform->translation, TYPE_vec3);
         break;
     }
-    return add(l, times_matrix(l, m, 3, q), shift);
+    return answer_moved(l, turned(l, m, 3, q), shift);
 }
 
-Ref lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *input = lower_param_node(node, P_XYZTransform_input);
     if (group != GROUP_X)
-        return lower_ask(l, input, group, env);
+        return lower_answer(l, input, group, env);
     double global[4];
     value_number(node_param(node, P_XYZTransform_useGlobal), TYPE_float, global);
-    Ref q = lower_ask(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
+    Answer q = lower_answer(l, input, global[0] != 0 ? GROUP_P : GROUP_X, env);
     const Value *transform = node_param(node, P_XYZTransform_transform);
-    return transform->kind == VALUE_transform ? lower_transform(l, transform->transform, q) : q;
+    return transform->kind == VALUE_transform ? transformed(l, transform->transform, q) : q;
 }
 
 /* q + amount DTurb(q), for the position and for the texture coordinate alike. */
-Ref lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
+Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MOST_OCTAVES = 10 };
-    Ref q = lower_ask(l, lower_param_node(node, P_Turbulence_input), group, env);
+    Answer q = lower_answer(l, lower_param_node(node, P_Turbulence_input), group, env);
     if (group != GROUP_X && group != GROUP_U)
         return q;
     const Value *octaves = node_param(node, P_Turbulence_octaves);
@@ -167,7 +192,8 @@ Ref lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     value_number(octaves, TYPE_float, given);
     Ref n = ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
     Ref frequency = lower_param(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
-    Ref args[] = {q, n, frequency, lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float)};
-    Ref offset = area_vector_turbulence(l, args);
-    return add(l, q, mul(l, lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3), offset));
+    Ref noise_ratio = lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float);
+    Answer offset = area_vector_turbulence(l, q, (Ref[]){n, frequency, noise_ratio});
+    offset = answer_scaled(l, offset, lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3));
+    return answer_sum(l, q, offset);
 }

@@ -53,32 +53,50 @@ static Ref box_mean(Lower *l, WaveKind kind, Ref v, Ref w, double *variance, dou
     }
 }
 
-/* All of the variance once the box holds a period; below, about the cube of its share is not seen in the mean's slope. */
-static void note_variance(Lower *l, Ref mean, Ref w, double variance, double period)
+/* By how much the wave multiplies what is small; 0: it is taken to leave nothing of it. */
+static Ref rate(Lower *l, WaveKind kind, Ref v)
 {
-    if (variance == 0)
-        return;
-    Ref share = ir_binary(l->ir, OP_min, mul(l, w, K(1 / period)), K(1));
-    footprint_set_variance(l, mean, MUL(MUL(MUL(share, share), share), K(variance)));
+    switch (kind) {
+#define RATE(name, rate)                                                                                               \
+    case WAVE_##name:                                                                                                  \
+        return rate;
+#include "grammar/waves.def"
+    default:
+        return 0;
+    }
 }
 
-static Ref one_wave(Lower *l, WaveKind kind, Ref v)
+/* All of the variance once the box holds a period; below, about the cube of its share is not seen in the mean's slope. */
+static Ref period_variance(Lower *l, Ref w, double variance, double period)
+{
+    Ref share = ir_binary(l->ir, OP_min, mul(l, w, K(1 / period)), K(1));
+    return MUL(MUL(MUL(share, share), share), K(variance));
+}
+
+/* Of the argument's variance. */
+static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
+{
+    Ref factor = v.variance ? rate(l, kind, v.value) : 0;
+    return factor ? MUL(v.variance, MUL(factor, factor)) : 0;
+}
+
+static Answer one_wave(Lower *l, WaveKind kind, Answer v)
 {
     double variance = 0, period = 1;
-    Ref w = footprint_edges(l, v), mean = w ? box_mean(l, kind, v, w, &variance, &period) : 0;
-    if (!mean)
-        return point_value(l, kind, v);
-    note_variance(l, mean, w, variance, period);
-    return mean;
+    Ref w = footprint_edges(l, v), mean = w ? box_mean(l, kind, v.value, w, &variance, &period) : 0;
+    Answer answer = answer_of(mean ? mean : point_value(l, kind, v.value));
+    answer.variance = variance > 0 ? period_variance(l, w, variance, period) : passed_variance(l, kind, v);
+    return answer;
 }
 
-Ref lower_wave(Lower *l, const Wave *wave, Ref v)
+Answer lower_wave(Lower *l, const Wave *wave, Answer v)
 {
     if (!wave)
         return v;
     if (wave->kind != WAVE_Chain)
         return one_wave(l, wave->kind, v);
-    Ref first = lower_wave(l, wave->first, v);
-    Ref scaled = mul(l, first, lower_param(l, &wave->factor, TYPE_float));
-    return lower_wave(l, wave->second, add(l, scaled, lower_param(l, &wave->shift, TYPE_float)));
+    Answer first = lower_wave(l, wave->first, v);
+    first = answer_scaled(l, first, lower_param(l, &wave->factor, TYPE_float));
+    first = answer_moved(l, first, lower_param(l, &wave->shift, TYPE_float));
+    return lower_wave(l, wave->second, first);
 }
