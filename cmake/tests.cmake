@@ -101,10 +101,26 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
   set_tests_properties(browser PROPERTIES LABELS browser)
 endif()
 
-# A first run starts those that take longest first; later ones go by what they took.
-set(LONG order schema test_value test_valid test_equiv test_function test_layout subproject install install_make package)
-foreach(name ${LONG})
+# A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
+set(LONG test_value=300 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
+  test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_layout_auto=20 test_text=20 schema=20
+  install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15)
+foreach(pair ${LONG})
+  string(REPLACE "=" ";" pair ${pair})
+  list(GET pair 0 name)
+  list(GET pair 1 seconds)
   if(TEST ${name})
-    set_tests_properties(${name} PROPERTIES COST 100)
+    set_tests_properties(${name} PROPERTIES COST ${seconds})
+  endif()
+endforeach()
+
+# ctest -L quick: for the inner loop, a few seconds in all
+set(QUICK golden abi embed_example functions layers
+  test_affine test_bounded test_defaults test_exact test_exact_material test_filtered_pass test_ir_check test_journal test_json test_json_write
+  test_key test_ktx test_layout_cases test_layout_file test_oracle test_oracle_material test_oracle_space test_pack test_picture test_png
+  test_range test_rules test_tables test_thesis)
+foreach(name ${QUICK})
+  if(TEST ${name})
+    set_tests_properties(${name} PROPERTIES LABELS quick)
   endif()
 endforeach()

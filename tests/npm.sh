@@ -12,7 +12,7 @@ npm_fetch() {
     from=$1
     to=$2
     shift 2
-    command -v node >/dev/null && command -v npm >/dev/null || skip "node or npm is not installed (./setup installs both)"
+    command -v node >/dev/null && command -v npm >/dev/null || skip "node or npm is not installed (./setup test installs both)"
     mkdir -p "$to"
     for file in package.json package-lock.json; do
         cmp -s "$from/$file" "$to/$file" || rm -rf "$to/node_modules"
