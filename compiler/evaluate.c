@@ -35,12 +35,11 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     Oracle *oracle = oracle_open(d->graph, &context);
     oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
     bool known = true;
-    for (int i = 0; i < points.count; i++) {
-        if (oracle_material(oracle, d->graph->materials[material].node, &points.at[i], &values[i]))
-            continue;
-        known = false;
-        for (int slot = 0; slot < SLOT_COUNT; slot++)
-            values[i].lane[slot][0] = NAN;
+    double work = 0;
+    for (int i = 0; i < points.count && known; i++) {
+        known = oracle_material(oracle, d->graph->materials[material].node, &points.at[i], &values[i]);
+        work += oracle_work(oracle);
+        known = known && work <= (double)LIMIT_WORK * LIMIT_WORK_POINTS;
     }
     oracle_close(oracle);
     return known;
@@ -60,7 +59,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault && !evaluate_material(d, material, &whole, (SurfacePoints){&surface, 1}, &values))
-        *fault = "the value takes too many answers of maps: filters within filters";
+        *fault = "the value takes too many operations: filters within filters, over maps that cost much";
     if (!*fault) {
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             text_put(&out, slot_table[slot].name);

@@ -10,8 +10,8 @@ typedef struct {
 } SurfacePoints;
 
 /* The slots of a material at those points, in double, as the options compute them (their noise and derivatives). The material exists, and
- * the options name what exists. Pictures are 0.5 where the document was read without `pixels`. False: one takes
- * more than LIMIT_ANSWERS; its values are no numbers. */
+ * the options name what exists. Pictures are 0.5 where the document was read without `pixels`. False: one
+ * takes more than LIMIT_WORK, or all together LIMIT_WORK_POINTS times that; then none is known. */
 bool evaluate_material(const MatcDocument *document, int material, const MatcOptions *options, SurfacePoints points,
                        SlotValues *values);
 #endif

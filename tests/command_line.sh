@@ -53,7 +53,18 @@ check "and under --precision=exact" status 0 timeout 10 $fast --precision=exact 
     echo
 } >"$work/filters.yaml"
 check "--eval is bounded" status 2 timeout 60 "$matc" --eval 'u=0.5' "$work/filters.yaml"
-check "and says so" says 'too many answers of maps'
+check "and says so" says 'too many operations'
+check "so is measuring" status 1 timeout 60 $fast --max-error=0.1 "$work/filters.yaml" -o "$work/none.frag"
+check "which says so" says '^matc: error: --max-error: its values at 2048 points take .* too many operations'
+{
+    printf 'material: Phong\ndiffuse: { map: Blend, blend: ['
+    for i in $(seq 1 300); do printf '{ value: { param: p%d, default: %d }, input: 0.5 }, ' $i $i; done
+    echo '] }'
+} >"$work/refused.yaml"
+for option in --max-error=0.1 --pareto; do
+    check "$option of a refused material" status 1 $fast $option "$work/refused.yaml"
+    check "says why, where" says 'refused.yaml:2:31: error: more than 256 items'
+done
 
 check "no document is wrong usage" status 2 "$matc"
 check "an unknown option is wrong usage" status 2 "$matc" --frobnicate $example

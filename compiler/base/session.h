@@ -33,7 +33,8 @@ enum {
     LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range_guard.c */
     LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
     LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
-    LIMIT_ANSWERS = 10000000,   /* answers of maps that a value of the oracle takes: filters within filters */
+    LIMIT_WORK = 2000000000,    /* steps that the oracle takes for a point's values: oracle_work.c */
+    LIMIT_WORK_POINTS = 4,      /* times that for all points that a material is measured at */
     LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
 };
 

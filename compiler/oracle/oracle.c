@@ -72,7 +72,8 @@ double oracle_ask(Environment *environment, const Node *map, int channel)
         return environment->surface->root[channel];
     if (memo_find(environment, map, channel, &value))
         return value;
-    if (++environment->oracle->answers > LIMIT_ANSWERS)
+    oracle_spend(environment, ANSWER_WORK);
+    if (oracle_spent(environment->oracle))
         return 0;
     value = oracle_answer(environment, map, channel);
     memo_set(environment, map, channel, value);
@@ -123,15 +124,10 @@ double oracle_number(const Node *node, int param) { return oracle_float(node_par
 
 void oracle_number3(const Node *node, int param, double result[3]) { oracle_vec3(node_param(node, param), result); }
 
-void oracle_call(const Environment *environment, int function, const double *args, double *result)
-{
-    reference_of(function)(&environment->oracle->context, args, result);
-}
-
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface)
 {
     assert(channel >= 0 && channel < CHANNEL_ID_COUNT);
     Environment environment = environment_open(oracle, surface, 0);
-    oracle->answers = 0;
+    oracle->work = 0;
     return oracle_ask(&environment, map, channel);
 }

@@ -38,8 +38,10 @@ void oracle_slope_side(Oracle *oracle, int side);
 void oracle_close(Oracle *oracle);
 
 /* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. False: it takes more
- * than LIMIT_ANSWERS answers of maps, and is not known. */
+ * than LIMIT_WORK steps, and is not known. */
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result);
+/* What the last point took, in steps of some 5 ns. */
+double oracle_work(const Oracle *oracle);
 /* One channel of one map at a point. A NULL map is the surface. */
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface);
 #endif

@@ -59,13 +59,15 @@ static double named_wave(WaveKind kind, double v)
 }
 
 /* NULL is the identity. */
-static double wave(const Wave *of, double v)
+static double wave(const Environment *environment, const Wave *of, double v)
 {
+    oracle_spend(environment, WAVE_WORK);
     if (!of)
         return v;
     if (of->kind != WAVE_Chain)
         return named_wave(of->kind, v);
-    return wave(of->second, oracle_float(&of->factor) * wave(of->first, v) + oracle_float(&of->shift));
+    double first = wave(environment, of->first, v);
+    return wave(environment, of->second, oracle_float(&of->factor) * first + oracle_float(&of->shift));
 }
 
 /* Where VOLUME_PARAMS stand in the run of a volume map's parameters, and where those of its own begin. */
@@ -76,13 +78,17 @@ enum {
     VOLUME_OWN
 };
 
-/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. */
-static double waved(const Node *node, double value)
+/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. It is remembered for
+ * the lanes beside the one that was asked for. */
+static double waved(const Environment *environment, const Node *node, int channel, double value)
 {
     int first = kind_table[node->kind].first;
     const Value *form = node_param(node, first + VOLUME_WAVE);
     double argument = oracle_number(node, first + VOLUME_FREQUENCY) * value + oracle_number(node, first + VOLUME_PHASE);
-    return wave(form->kind == VALUE_wave ? form->wave : NULL, argument);
+    double result = wave(environment, form->kind == VALUE_wave ? form->wave : NULL, argument);
+    for (int lane = 0; lane < 3; lane++)
+        memo_set(environment, node, channel_id(group_of(channel), lane), result);
+    return result;
 }
 
 enum { VOLUME_ARGUMENTS = 64 }; /* room for a position and 20 parameters of three lanes */
@@ -111,7 +117,7 @@ double oracle_volume(Environment *environment, const Node *node, int channel)
     for (int i = VOLUME_OWN; i < row->count; i++)
         count = append(node, row->first + i, args, count);
     oracle_call(environment, FN_FIRST_MAP + (int)node->kind, args, result);
-    return waved(node, result[0]);
+    return waved(environment, node, channel, result[0]);
 }
 
 double oracle_Gradient(Environment *environment, const Node *node, int channel)
@@ -121,7 +127,7 @@ double oracle_Gradient(Environment *environment, const Node *node, int channel)
     double p[3], direction[3];
     oracle_ask_input3(environment, node, GROUP_X, p);
     oracle_number3(node, P_Gradient_direction, direction);
-    return waved(node, p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2]);
+    return waved(environment, node, channel, p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2]);
 }
 
 double oracle_VolumeTurbulence(Environment *environment, const Node *node, int channel)
@@ -137,7 +143,7 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
                 (double[]){size * p[0], size * p[1], size * p[2], octaves,
                            oracle_number(node, P_VolumeTurbulence_frequencyRatio), ratio},
                 &sum);
-    return waved(node, fabs(ratio) > 1 ? sum * pow(fabs(ratio), 1 - octaves) : sum);
+    return waved(environment, node, channel, fabs(ratio) > 1 ? sum * pow(fabs(ratio), 1 - octaves) : sum);
 }
 
 static double item_value(const Item *item) { return oracle_float(&item->value); }
@@ -160,6 +166,7 @@ double oracle_Blend(Environment *environment, const Node *node, int channel)
     const Items *items = blend->items;
     double t = oracle_ask_input(environment, node, channel_id(GROUP_X, 0));
     int above = item_above(items, t);
+    oracle_spend(environment, (double)ITEM_WORK * above);
     if (above == 0)
         return oracle_ask(environment, items->item[0].input, channel);
     const Item *a = &items->item[above - 1], *b = a + 1;

@@ -47,7 +47,7 @@ struct Oracle {
     bool exact;     /* derivatives are those of the map, not GroIMP's finite steps */
     int side;       /* of the point that they are taken on; 0: both */
     uint64_t stamp; /* that of the environment opened last; 0 is in no environment */
-    long answers;   /* of this point; beyond LIMIT_ANSWERS all are 0 */
+    double work;    /* steps for this point; beyond LIMIT_WORK all answers are 0 */
 };
 
 /* A surface point in which maps are asked. A filter opens further ones, each a depth below its own. */
@@ -77,7 +77,19 @@ void oracle_vec3(const Value *value, double result[3]);
 double oracle_number(const Node *node, int param);
 void oracle_number3(const Node *node, int param, double result[3]);
 
-/* Calls the C reference of a library function. */
+/* Work of the oracle, in steps of some 5 ns. oracle_work.c */
+enum {
+    ANSWER_WORK = 100, /* of every answer: delegation and memory */
+    CALL_WORK = 3,     /* of an operation of a reference, as grammar/ counts those of its GLSL */
+    ITEM_WORK = 3,     /* of an item of a Blend that is passed by */
+    WAVE_WORK = 10,    /* of a wave, alone or in a chain */
+    TEXEL_WORK = 12    /* of a texel that a Carpenter bakes */
+};
+/* Adds to the point's work. */
+void oracle_spend(const Environment *environment, double steps);
+/* It is more than LIMIT_WORK. */
+bool oracle_spent(const Oracle *oracle);
+/* Calls the C reference of a library function, and adds its cost. */
 void oracle_call(const Environment *environment, int function, const double *args, double *result);
 
 /* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */

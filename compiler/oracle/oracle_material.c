@@ -188,7 +188,7 @@ static void answer_on_stack(void *user)
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
 {
     Question question = {environment_open(oracle, surface, 0), material, result};
-    oracle->answers = 0;
+    oracle->work = 0;
     stack_run(material ? material->depth : 0, answer_on_stack, &question);
-    return oracle->answers <= LIMIT_ANSWERS;
+    return !oracle_spent(oracle);
 }

@@ -173,7 +173,7 @@ static double filtered(Environment *environment, const Node *node, int channel, 
     if (lane_of(channel) >= lanes.count)
         return 1;
     shifted_input(environment, node, &lanes, (double[3]){0}, centre);
-    for (int cell = 0; cell < 27 && environment->oracle->answers <= LIMIT_ANSWERS; cell++) {
+    for (int cell = 0; cell < 27 && !oracle_spent(environment->oracle); cell++) {
         int offset[3] = {cell % 3 - 1, cell / 3 % 3 - 1, cell / 9 - 1};
         double weight = kernel[(offset[0] != 0) + (offset[1] != 0) + (offset[2] != 0)];
         if (weight == 0)

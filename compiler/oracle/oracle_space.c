@@ -197,6 +197,9 @@ double oracle_Turbulence(Environment *environment, const Node *node, int channel
                 (double[]){q[0], q[1], q[2], octaves, oracle_number(node, P_Turbulence_frequencyRatio),
                            oracle_number(node, P_Turbulence_noiseRatio)},
                 offset);
-    int lane = lane_of(channel);
-    return q[lane] + amount[lane] * offset[lane];
+    for (int lane = 0; lane < 3; lane++) {
+        q[lane] += amount[lane] * offset[lane];
+        memo_set(environment, node, channel_id(group_of(channel), lane), q[lane]);
+    }
+    return q[lane_of(channel)];
 }

@@ -109,15 +109,19 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
     return picture_channel(&picture, uv, channel);
 }
 
-/* A Carpenter's texels, baked when they are first read. */
-static const float *relief(Oracle *oracle, const Node *node, int width, int height)
+/* A Carpenter's texels, baked when they are first read; NULL: they are more than a value may cost. */
+static const float *relief(const Environment *environment, const Node *node, int width, int height)
 {
+    Oracle *oracle = environment->oracle;
     size_t number = node_number(&oracle->arena, &oracle->baked, node);
     oracle->reliefs =
         arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_room, sizeof *oracle->reliefs);
     float **texels = &oracle->reliefs[number];
     if (*texels)
         return *texels;
+    oracle_spend(environment, (double)TEXEL_WORK * width * height);
+    if (oracle_spent(oracle))
+        return NULL;
     *texels = ARENA_ARRAY(&oracle->arena, float, (size_t)width *(size_t)height);
     const CarpenterRelief carpenter = {
         .color = oracle_number(node, P_Carpenter_color),
@@ -139,13 +143,12 @@ double oracle_Carpenter(Environment *environment, const Node *node, int channel)
     Picture picture = {
         .environment = environment,
         .function = FN_carpenterRelief,
-        .texture = {.width = width,
-                    .height = height,
-                    .lanes = 1,
-                    .floats = relief(environment->oracle, node, width, height)},
+        .texture = {.width = width, .height = height, .lanes = 1, .floats = relief(environment, node, width, height)},
         .step_u = SURFACE_STEP,
         .step_v = SURFACE_STEP,
     };
+    if (!picture.texture.floats)
+        return 0;
     double uv[2];
     ask_uv(environment, node, uv);
     return picture_channel(&picture, uv, channel);

@@ -81,6 +81,19 @@ static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *doc
     return subject;
 }
 
+/* A material that does not compile as it was asked for says why, and is not measured. */
+static bool is_refused(const CommandLine *line, const MatcDocument *document, int material)
+{
+    MatcOptions options = line->compile;
+    options.validate = false;
+    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT, &options);
+    bool refused = !matc_ok(program);
+    if (refused)
+        print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
+    matc_program_free(program);
+    return refused;
+}
+
 /* The options that a material is compiled with: with --max-error, those that measuring finds. */
 static int choose_options(const CommandLine *line, const MatcDocument *document, int material, MatcOptions *options)
 {
@@ -88,6 +101,8 @@ static int choose_options(const CommandLine *line, const MatcDocument *document,
     *options = line->compile;
     if (!line->max_error)
         return FINE;
+    if (is_refused(line, document, material))
+        return FAULT;
     ParetoSubject subject = subject_of(line, document, material);
     if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &why, error, sizeof error))
         return complain("--max-error", error);
@@ -100,6 +115,8 @@ static int choose_options(const CommandLine *line, const MatcDocument *document,
 static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
 {
     char error[LONGEST_MESSAGE], *table;
+    if (is_refused(line, document, material))
+        return FAULT;
     ParetoSubject subject = subject_of(line, document, material);
     if (!pareto_measure(&subject, &line->compile, line->output, &table, error, sizeof error))
         return complain("--pareto", error);

@@ -19,6 +19,7 @@ typedef struct {
 /* Values that several variants are compared with. */
 typedef struct {
     SlotValues *values;      /* by the C reference */
+    bool unknown;            /* they take it too many operations */
     float *mean[SLOT_COUNT]; /* supersampled; NULL: not made yet */
 } Truth;
 
@@ -66,8 +67,18 @@ static Truth *truth_of(Work *w, const Variant *variant)
     if (truth->values)
         return truth;
     truth->values = make(POINTS, sizeof *truth->values);
-    measure_reference(w->request, variant, w->vertices, truth->values);
+    truth->unknown = !measure_reference(w->request, variant, w->vertices, truth->values);
     return truth;
+}
+
+/* What nothing can be compared with is not measured. */
+static bool has_truth(Work *w, const Variant *variant)
+{
+    return !truth_of(w, variant)->unknown ||
+           message_fail(w->meter->error, sizeof w->meter->error,
+                        "its values at %d points take the reference too many operations: filters within filters, over "
+                        "maps that cost much",
+                        POINTS);
 }
 
 static bool make_work(Work *w)
@@ -217,6 +228,8 @@ static void measure_slot(Work *w, Measured *m, int slot)
 
 static bool measure_packed(Work *w, Measured *m, MatcProgram *program, Shader *shader)
 {
+    if (!has_truth(w, &m->variant))
+        return false;
     char *unpack = strdup(matc_output(program, MATC_UNPACK, NULL));
     SlotValues *found = make(POINTS, sizeof *found);
     bool fine = shader_make(w->meter->gl, program, shader) ||
@@ -365,7 +378,9 @@ bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList 
     w->request = request;
     w->start = meter_now();
     *meter->error = 0;
-    bool fine = make_work(w);
+    Variant base;
+    variant_of(request->options, &base);
+    bool fine = make_work(w) && has_truth(w, &base);
     if (fine) {
         Candidate *candidates = candidates_make(request, list, &count);
         measure_errors(w, candidates, count, list);

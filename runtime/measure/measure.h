@@ -56,8 +56,9 @@ extern const double measure_range; /* that of matc */
 bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList *list);
 void measured_free(MeasuredList *list);
 
-/* Values of all points by the C reference, with the noise of a variant. `values` has room for POINTS. */
-void measure_reference(const MeasureRequest *request, const Variant *variant, const FieldVertex *points,
+/* Values of all points by the C reference, with the noise of a variant. `values` has room for POINTS. False: they take more operations
+ * than the reference is given, and are not known. */
+bool measure_reference(const MeasureRequest *request, const Variant *variant, const FieldVertex *points,
                        SlotValues *values);
 /* Of one slot over the points; `lanes` lanes each. */
 Distance measure_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count);

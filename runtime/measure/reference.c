@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-void measure_reference(const MeasureRequest *request, const Variant *variant, const FieldVertex *points,
+bool measure_reference(const MeasureRequest *request, const Variant *variant, const FieldVertex *points,
                        SlotValues *values)
 {
     MatcOptions options = variant_options(variant, request->options);
@@ -14,8 +14,10 @@ void measure_reference(const MeasureRequest *request, const Variant *variant, co
         abort();
     for (int i = 0; i < POINTS; i++)
         field_surface(&points[i], &surfaces[i]);
-    evaluate_material(request->document, request->material, &options, (SurfacePoints){surfaces, POINTS}, values);
+    bool known =
+        evaluate_material(request->document, request->material, &options, (SurfacePoints){surfaces, POINTS}, values);
     free(surfaces);
+    return known;
 }
 
 static double distance(const SlotRow *row, double found, double wanted)
