@@ -1,4 +1,8 @@
-/* Expressions: one switch over the shape of an operation, not over operations. */
+/* Expressions, by the shape of an operation and its lines in ops.def. Parentheses stand where an operand binds less tightly than
+ * its place asks for:
+ *
+ *     sub(a, sub(b, c))    a - (b - c): the right operand of - has to bind more tightly than -
+ *     sub(sub(a, b), c)    a - b - c */
 #include "compiler/emit/emit_scope.h"
 #include <string.h>
 

@@ -1,4 +1,7 @@
-/* Placement by one sweep from users to operands: a node's block is the nearest common one of its uses. */
+/* Placement by one sweep from users to operands: a node's block is the nearest common one of its uses.
+ *
+ *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch
+ *     v lies in main's block, b in the first arm and c in the second, a in main: the nearest that holds both of its uses */
 #include "compiler/emit/schedule.h"
 
 enum { BRANCH_COST = 40 }; /* scalar operations in an arm from which on a branch pays */

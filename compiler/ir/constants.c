@@ -95,6 +95,9 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
     node->payload = add_constant(ir, (Type)node->type, numbers, NULL, hint);
 }
 
+/* div(1, c) with c = 4 from the buffer is known to be 0.25: it becomes c' = 0.25 in the buffer, and c, which nothing else reads, goes.
+ * So mul(x, div(1, c)) is a product with a member, and no division is left. Only what is needed from the outputs down to the first such
+ * node is kept: the operands of a node that became a number are not looked at. */
 void constants_hoist(Ir *ir)
 {
     Ref count = (Ref)ir->count;

@@ -1,5 +1,8 @@
 /* The deep structure of an IR as a list of words, and its hash. A word stands for a node's operation, type and payload, then one
- * for each operand: the number that the walk gave it, or for a constant its type. Numbers are listed beside. */
+ * for each operand: the number that the walk gave it, or for a constant its type. Numbers are listed beside.
+ *
+ *     add(x, 2)    words: input x -- add, 1, a float --    numbers: 2
+ *     add(x, 3)    the same words: one shape; other numbers: two keys */
 #include "compiler/ir/key.h"
 #include <string.h>
 #define XXH_INLINE_ALL

@@ -1,4 +1,9 @@
-/* Interval arithmetic over the IR, operands first. */
+/* Interval arithmetic over the IR, operands first.
+ *
+ *     a = fract(u)       [0, 1], whatever u is
+ *     b = sub(a, 0.5)    [-0.5, 0.5]
+ *     c = mul(b, b)      [0, 0.25]: one value twice, where the corners alone would give [-0.25, 0.25]
+ *     d = max(c, 0)      is c, as opt_range finds */
 #include "compiler/ir/range.h"
 #include "runtime/library/references.h"
 #include <math.h>

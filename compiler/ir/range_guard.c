@@ -1,5 +1,7 @@
 /* Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it in b. What an arm computes of
- * t is computed once more with that, as far as LIMIT_GUARD_STEPS go; beyond, what is known everywhere. */
+ * t is computed once more with that, as far as LIMIT_GUARD_STEPS go; beyond, what is known everywhere.
+ *
+ *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1], so [0, 2] */
 #include "compiler/ir/range.h"
 #include <math.h>
 

@@ -1,4 +1,7 @@
-/* Functions that do not depend on their arguments become their bodies; arguments that are not read are dropped. */
+/* Functions that do not depend on their arguments become their bodies; arguments that are not read are dropped.
+ *
+ *     f(p, st) = noise(p)    the calls f(a, b) become g(a), g(p) = noise(p)
+ *     f(p, st) = 0.5         the calls become 0.5, and a kernel's sum of it 27 times that */
 #include "compiler/opt/opt.h"
 
 enum { MOST_TOLD_APART = 64 }; /* arguments of a program; of any further one every function is taken to read it */

@@ -1,4 +1,7 @@
-/* A value whose gradient is computed too comes out of that: the gradient's function has it in its fourth lane. */
+/* A value whose gradient is computed too comes out of that: the gradient's function has it in its fourth lane.
+ *
+ *     turbulence(p, 4, 2, 0.5) beside turbulenceGradient(p, none, 4, 2, 0.5, 0), as slopes.def says by "0r123w"
+ *     becomes .w of the latter: one loop over the octaves where there were two */
 #include "compiler/opt/opt.h"
 
 /* The gradients that the outputs reach, by the arguments that they share with their value. */

@@ -4,6 +4,7 @@
 
 enum { LARGEST_EXPONENT = 64 };
 
+/* 13 is 1101 in binary: x^13 = x x^4 x^8, three squares and two products. */
 static Ref power(Ir *ir, Ref x, int n)
 {
     Ref result = 0;

@@ -41,7 +41,7 @@ static Ref lanes_of_vec(Ir *ir, Ref vec, uint32_t lanes, int count)
 
 static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP_select; }
 
-/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody. */
+/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody: (a + b).x is a.x + b.x. */
 static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
 {
     const IrNode node = *ir_at(ir, operation);
