@@ -491,19 +491,19 @@ enum { GRADIENTS = 300 };
 static Ref point_of(Ir *ir, int number)
 {
     const double at[4] = {number, .25 * number, -number};
-    return ir_binary(ir, OP_add, ir_input(ir, INPUT_X), ir_const(ir, TYPE_vec3, at));
+    return build_add(ir, build_input(ir, INPUT_X), ir_const(ir, TYPE_vec3, at));
 }
 
 static Ref sum_of_gradients(Ir *ir)
 {
-    Ref sum = ir_const(ir, TYPE_float, (double[4]){0});
+    Ref sum = build_all(ir, TYPE_float, 0);
     for (int i = 0; i < GRADIENTS; i++) {
         int moved = i % 2 ? 0 : GRADIENTS;
-        Ref slope = ir_call(ir, FN_leopardGradient, (Ref[]){point_of(ir, i)}, 1);
-        Ref value = ir_call(ir, FN_FIRST_MAP + KIND_Leopard, (Ref[]){point_of(ir, i + moved)}, 1);
+        Ref slope = build_call(ir, FN_leopardGradient, point_of(ir, i));
+        Ref value = build_call(ir, FN_FIRST_MAP + KIND_Leopard, point_of(ir, i + moved));
         Ref weight = ir_const(ir, TYPE_float, (double[4]){i + 1});
-        sum = ir_binary(ir, OP_add, sum, ir_binary(ir, OP_mul, ir_swizzle(ir, slope, "x"), value));
-        sum = ir_binary(ir, OP_add, sum, ir_binary(ir, OP_mul, weight, value));
+        sum = build_add(ir, sum, build_mul(ir, build_swizzle(ir, slope, "x"), value));
+        sum = build_add(ir, sum, build_mul(ir, weight, value));
     }
     return sum;
 }

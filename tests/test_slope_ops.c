@@ -50,8 +50,8 @@ static Ref moving(Lower *l, Type type, const double base[4], const double rate[4
 {
     Ref uv = build_input(l->ir, INPUT_U), u = build_swizzle(l->ir, uv, "x"), v = build_swizzle(l->ir, uv, "y");
     Ref at = ir_const(l->ir, type, base);
-    at = add(l, at, mul(l, ir_const(l->ir, type, rate), u));
-    return add(l, at, mul(l, ir_const(l->ir, type, other), v));
+    at = build_add(l->ir, at, build_mul(l->ir, ir_const(l->ir, type, rate), u));
+    return build_add(l->ir, at, build_mul(l->ir, ir_const(l->ir, type, other), v));
 }
 
 static void evaluate(Test *t, double u, double v, double result[MOST_OUTPUTS][4])
@@ -168,7 +168,7 @@ static void check_operation(Test *t, const Operation *o, int varying)
     for (int i = 0; i < o->count; i++) {
         args[i] = random_operand(t, o->op, i, o->types[i], varying >> i & 1);
         if (o->op == OP_select && i == 0)
-            args[i] = build_lt(t->l.ir, args[i], number(&t->l, 0));
+            args[i] = build_lt(t->l.ir, args[i], build_float(t->l.ir, 0));
     }
     compare(t, ir_make(t->l.ir, o->op, o->type, o->payload, args, o->count), op_table[o->op].name, varying);
     end(t);
@@ -303,7 +303,7 @@ static void a_function_without_a_row_has_the_slope_of_its_differences(void **sta
         double base[4] = {uniform(&t, -5, 5)}, rate[4] = {uniform(&t, -4, 4)}, none[4] = {0};
         double result[MOST_OUTPUTS][4], expected = rate[0] * exp(base[0]), squared = rate[0] * rate[0] * step * step;
         begin(&t);
-        Ref value = ir_call(t.l.ir, function, (Ref[]){moving(&t.l, TYPE_float, base, rate, none)}, 1);
+        Ref value = build_call(t.l.ir, function, moving(&t.l, TYPE_float, base, rate, none));
         ir_output(t.l.ir, OUT_color, 0, slope_of(&t.l, value, DIRECTION_u));
         evaluate(&t, 0, 0, result);
         end(&t);

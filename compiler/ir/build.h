@@ -124,22 +124,4 @@ Ref build_times_of(Ir *ir, const Ref x[2]);
 Ref build_over_of(Ir *ir, const Ref x[2]);
 Ref build_minus(Ir *ir, Ref a);
 Ref build_or_zero(Ir *ir, Ref a, Type type);
-
-/* For files that still say it so. */
-#define ir_float                    build_float
-#define ir_int                      build_int
-#define ir_vec3                     build_vec3
-#define ir_input                    build_input
-#define ir_unary                    build_unary
-#define ir_binary                   build_binary
-#define ir_ternary(ir, op, a, b, c) ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b, c), 3)
-#define ir_select                   build_select
-#define ir_select_of                build_select_of
-#define ir_swizzle                  build_swizzle
-#define ir_swizzle_lanes            build_lanes
-#define ir_vec                      build_vec_of
-#define ir_call                     build_call_of
-#define ir_apply                    build_apply
-#define ir_kernel                   build_kernel
-#define ir_convert                  build_convert
 #endif

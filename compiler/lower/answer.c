@@ -2,8 +2,6 @@
 #include "compiler/lower/answer.h"
 #include "compiler/lower/footprint.h"
 
-static Ref zero_of(Lower *l, Type type) { return ir_const(l->ir, type, (double[4]){0}); }
-
 Type answer_common_type(Type a, Type b)
 {
     if ((a == TYPE_float && b == TYPE_vec2) || (a == TYPE_vec2 && b == TYPE_float))
@@ -13,23 +11,25 @@ Type answer_common_type(Type a, Type b)
 
 Answer answer_swizzle(Lower *l, Answer a, const char *lanes)
 {
-    Answer part = answer_of(ir_swizzle(l->ir, a.value, lanes));
+    Ir *ir = l->ir;
+    Answer part = answer_of(build_swizzle(ir, a.value, lanes));
     if (a.variance)
-        part.variance = ir_swizzle(l->ir, a.variance, lanes);
+        part.variance = build_swizzle(ir, a.variance, lanes);
     return part;
 }
 
 /* An alpha that the conversion adds does not vary. */
 Answer answer_widened(Lower *l, Answer a, Type type)
 {
-    if (ir_type(l->ir, a.value) == type)
+    Ir *ir = l->ir;
+    if (ir_type(ir, a.value) == type)
         return a;
-    Answer wide = answer_of(ir_convert(l->ir, a.value, type));
+    Answer wide = answer_of(build_convert(ir, a.value, type));
     if (!a.variance)
         return wide;
-    wide.variance = ir_convert(l->ir, a.variance, type == TYPE_vec4 ? TYPE_vec3 : type);
+    wide.variance = build_convert(ir, a.variance, type == TYPE_vec4 ? TYPE_vec3 : type);
     if (type == TYPE_vec4)
-        wide.variance = ir_vec(l->ir, type, REFS(l->ir, wide.variance, number(l, 0)), 2);
+        wide.variance = build_vec(ir, type, wide.variance, build_float(ir, 0));
     return wide;
 }
 
@@ -42,47 +42,52 @@ Answer answer_as_group(Lower *l, Answer a, Group group)
 
 Answer answer_moved(Lower *l, Answer a, Ref by)
 {
-    Ref value = add(l, a.value, by);
+    Ref value = build_add(l->ir, a.value, by);
     return (Answer){value, a.variance, NULL};
 }
 
 Answer answer_scaled(Lower *l, Answer a, Ref factor)
 {
-    Answer scaled = answer_of(mul(l, a.value, factor));
+    Ir *ir = l->ir;
+    Answer scaled = answer_of(build_mul(ir, a.value, factor));
     if (a.variance)
-        scaled.variance = mul(l, a.variance, mul(l, factor, factor));
+        scaled.variance = build_mul(ir, a.variance, build_square(ir, factor));
     return scaled;
 }
 
 Answer answer_dot(Lower *l, Answer a, Ref factors)
 {
-    Answer sum = answer_of(ir_binary(l->ir, OP_dot, a.value, factors));
+    Ir *ir = l->ir;
+    Answer sum = answer_of(build_dot(ir, a.value, factors));
     if (a.variance)
-        sum.variance = ir_binary(l->ir, OP_dot, a.variance, mul(l, factors, factors));
+        sum.variance = build_dot(ir, a.variance, build_square(ir, factors));
     return sum;
 }
 
 Answer answer_sum(Lower *l, Answer a, Answer b)
 {
-    Answer sum = answer_of(add(l, a.value, b.value));
-    sum.variance = !a.variance ? b.variance : !b.variance ? a.variance : add(l, a.variance, b.variance);
+    Ir *ir = l->ir;
+    Answer sum = answer_of(build_add(ir, a.value, b.value));
+    sum.variance = build_plus(ir, a.variance, b.variance);
     return sum;
 }
 
 Ref answer_mean(Lower *l, Ref by, Ref a, Ref b)
 {
-    return ir_type(l->ir, by) == TYPE_bool ? ir_select(l->ir, by, a, b) : ir_ternary(l->ir, OP_mix, b, a, by);
+    Ir *ir = l->ir;
+    return ir_type(ir, by) == TYPE_bool ? build_select(ir, by, a, b) : build_mix(ir, b, a, by);
 }
 
 /* Both variances, each by its share; how far the two are apart is the split's to tell. A share may be a rounding beyond 0 or 1, a
  * variance never below 0. */
 static Ref either_variance(Lower *l, Ref by, const Answer *a, const Answer *b)
 {
+    Ir *ir = l->ir;
     if (!a->variance && !b->variance)
         return 0;
-    Ref none = zero_of(l, ir_type(l->ir, a->value));
-    if (ir_type(l->ir, by) != TYPE_bool)
-        by = ir_ternary(l->ir, OP_clamp, by, number(l, 0), number(l, 1));
+    Ref none = build_all(ir, ir_type(ir, a->value), 0);
+    if (ir_type(ir, by) != TYPE_bool)
+        by = build_clamp(ir, by, build_float(ir, 0), build_float(ir, 1));
     return answer_mean(l, by, a->variance ? a->variance : none, b->variance ? b->variance : none);
 }
 

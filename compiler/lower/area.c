@@ -4,15 +4,14 @@
 
 enum { MOST_ARGUMENTS = 8 }; /* of a function */
 
-static Ref zero3(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
-
 /* The mean of what the taps gave. */
 static Ref mean_of(Lower *l, const Ref *values, int count)
 {
+    Ir *ir = l->ir;
     Ref sum = values[0];
     for (int i = 1; i < count; i++)
-        sum = add(l, sum, values[i]);
-    return count > 1 ? mul(l, sum, number(l, 1.0 / count)) : sum;
+        sum = build_add(ir, sum, values[i]);
+    return count > 1 ? build_scale(ir, sum, 1.0 / count) : sum;
 }
 
 /* A function of a position and what follows it. */
@@ -21,7 +20,7 @@ static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int co
     Ref all[MOST_ARGUMENTS] = {position};
     for (int k = 0; k < count; k++)
         all[k + 1] = args[k];
-    return ir_call(l->ir, function, all, count + 1);
+    return build_call_of(l->ir, function, all, count + 1);
 }
 
 /* Functions (middle, rest, args, edge) and, of the variance that it leaves out, (args, edge). */
@@ -33,33 +32,35 @@ typedef struct {
 
 static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int count, Ref edge)
 {
+    Ir *ir = l->ir;
     Ref all[MOST_ARGUMENTS];
     for (int k = 0; k < count; k++)
         all[k] = args[k];
     all[count] = edge;
-    Ref variance = mul(l, ir_call(l->ir, o->variance, all, count + 1), number(l, o->factor));
-    return ir_convert(l->ir, variance, o->type);
+    Ref variance = build_scale(ir, build_call_of(ir, o->variance, all, count + 1), o->factor);
+    return build_convert(ir, variance, o->type);
 }
 
 static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int count)
 {
+    Ir *ir = l->ir;
     Tap taps[MOST_TAPS];
     Ref values[MOST_TAPS] = {0}, all[MOST_ARGUMENTS];
     LongCoordinate parts;
     int tap_count = footprint_taps(l, p, taps);
-    Ref edge = tap_count ? footprint_greatest_lane(l, taps[0].edges) : number(l, 0);
+    Ref edge = tap_count ? footprint_greatest_lane(l, taps[0].edges) : build_float(ir, 0);
     bool is_long = affine_coordinate(l, p.value, 1, &parts);
     for (int i = 0; i < tap_count + !tap_count; i++) {
         int used = 0;
         Ref middle = tap_count ? taps[i].middle : p.value;
         all[used++] = is_long ? parts.whole : middle;
-        all[used++] = !is_long         ? zero3(l)
+        all[used++] = !is_long         ? build_vec3(ir, 0, 0, 0)
                       : tap_count <= 1 ? parts.fraction
-                                       : add(l, parts.fraction, sub(l, middle, p.value));
+                                       : build_add(ir, parts.fraction, build_sub(ir, middle, p.value));
         for (int k = 0; k < count; k++)
             all[used++] = args[k];
         all[used++] = edge;
-        values[i] = ir_call(l->ir, o->filtered, all, used);
+        values[i] = build_call_of(ir, o->filtered, all, used);
     }
     Answer mean = answer_of(mean_of(l, values, tap_count + !tap_count));
     if (tap_count)
@@ -98,6 +99,7 @@ Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
 static Answer sampled(Lower *l, int function, Ref p, const Ref *args, int count)
 {
+    Ir *ir = l->ir;
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0};
     int point_count = footprint_points(l, p, points);
     if (!point_count)
@@ -106,20 +108,21 @@ static Answer sampled(Lower *l, int function, Ref p, const Ref *args, int count)
         values[i] = call_at(l, function, points[i], args, count);
     Ref mean = mean_of(l, values, point_count);
     for (int i = 0; i < point_count; i++) {
-        Ref apart = sub(l, values[i], mean);
-        squares[i] = mul(l, apart, apart);
+        Ref apart = build_sub(ir, values[i], mean);
+        squares[i] = build_square(ir, apart);
     }
     return (Answer){mean, mean_of(l, squares, point_count), NULL};
 }
 
 static Ref leopard(Lower *l, Answer p)
 {
+    Ir *ir = l->ir;
     Tap taps[MOST_TAPS];
     Ref values[MOST_TAPS] = {0};
     int count = footprint_taps(l, p, taps);
     for (int i = 0; i < count; i++)
-        values[i] = ir_call(l->ir, FN_leopardFiltered, REFS(l->ir, taps[i].middle, taps[i].edges), 2);
-    return count ? mean_of(l, values, count) : ir_call(l->ir, FN_FIRST_MAP + KIND_Leopard, &p.value, 1);
+        values[i] = build_call(ir, FN_leopardFiltered, taps[i].middle, taps[i].edges);
+    return count ? mean_of(l, values, count) : build_call_of(ir, FN_FIRST_MAP + KIND_Leopard, &p.value, 1);
 }
 
 /* Wood is nearly linear over a pixel: it is filtered by the wave that follows it. */
@@ -143,10 +146,11 @@ Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 /* q without its whole part. It changes as q does, also where the parts of a long coordinate leave the change to the whole one. */
 static Ref within_period(Lower *l, Ref q)
 {
+    Ir *ir = l->ir;
     LongCoordinate parts;
     if (!affine_coordinate(l, q, 1, &parts))
-        return ir_unary(l->ir, OP_fract, q);
-    Ref part = ir_unary(l->ir, OP_fract, parts.fraction);
+        return build_fract(ir, q);
+    Ref part = build_fract(ir, parts.fraction);
     for (int d = 0; d < DIRECTION_COUNT; d++)
         slope_set(l, part, (Direction)d, slope_of(l, q, (Direction)d));
     return part;
@@ -154,57 +158,59 @@ static Ref within_period(Lower *l, Ref q)
 
 Ref area_odd_share(Lower *l, Answer q)
 {
+    Ir *ir = l->ir;
     static const char *const lane[] = {"x", "y", "z"};
-    int lanes = ir_lanes(l->ir, q.value);
+    int lanes = ir_lanes(ir, q.value);
     Ref edges = footprint_edges(l, q), product;
     if (!edges)
         return 0;
     Ref part = within_period(l, q.value), longer = footprint_longer(l, q, &edges);
     if (longer) {
-        product = ir_call(l->ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, REFS(l->ir, part, longer, edges), 3);
+        product = build_call(ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, part, longer, edges);
     } else {
-        Ref stripes = ir_call(l->ir, lanes == 2 ? FN_stripes2 : FN_stripes3, REFS(l->ir, part, edges), 2);
-        product = ir_swizzle(l->ir, stripes, lane[0]);
+        Ref stripes = build_call(ir, lanes == 2 ? FN_stripes2 : FN_stripes3, part, edges);
+        product = build_swizzle(ir, stripes, lane[0]);
         for (int k = 1; k < lanes; k++)
-            product = mul(l, product, ir_swizzle(l->ir, stripes, lane[k]));
+            product = build_mul(ir, product, build_swizzle(ir, stripes, lane[k]));
     }
-    return sub(l, number(l, 0.5), mul(l, product, number(l, 0.5)));
+    return build_sub(ir, build_float(ir, 0.5), build_scale(ir, product, 0.5));
 }
 
 Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
 {
+    Ir *ir = l->ir;
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
     Ref right = slope_of(l, uv, DIRECTION_right), up = slope_of(l, uv, DIRECTION_up);
     if (!footprint_is_filtered(l) || (!right && !up))
-        return ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
-    Ref none = ir_const(l->ir, TYPE_vec2, (double[]){0, 0});
+        return build_call(ir, function, sampler, uv, size);
+    Ref none = build_all(ir, TYPE_vec2, 0);
     if (function == FN_imageBilinear)
-        return ir_call(l->ir, FN_imageFiltered, REFS(l->ir, sampler, uv, size, right ? right : none, up ? up : none),
-                       5);
+        return build_call(ir, FN_imageFiltered, sampler, uv, size, right ? right : none, up ? up : none);
     int count = footprint_points(l, uv, points);
     for (int i = 0; i < count; i++)
-        values[i] = ir_call(l->ir, function, REFS(l->ir, sampler, points[i], size), 3);
+        values[i] = build_call(ir, function, sampler, points[i], size);
     return mean_of(l, values, count);
 }
 
 Ref area_known_inverse(Lower *l, Ref low, Ref high)
 {
-    const double width = ir_known(l->ir, high)[0] - ir_known(l->ir, low)[0];
+    Ir *ir = l->ir;
+    const double width = ir_known(ir, high)[0] - ir_known(ir, low)[0];
     if (width == 0)
-        return number(l, 0);
-    if (ir_is(l->ir, low, OP_const) && ir_is(l->ir, high, OP_const))
-        return number(l, 1 / width);
-    return ir_binary(l->ir, OP_div, number(l, 1), sub(l, high, low));
+        return build_float(ir, 0);
+    if (ir_is(ir, low, OP_const) && ir_is(ir, high, OP_const))
+        return build_float(ir, 1 / width);
+    return build_div(ir, build_float(ir, 1), build_sub(ir, high, low));
 }
 
 /* A step: the share of the box that is not below it; of no box, whether t is. */
 static Ref step_share(Lower *l, Ref from, Ref edge)
 {
-    Ref zero = number(l, 0), one = number(l, 1), least = ir_unary(l->ir, OP_neg, edge);
-    Ref along = add(l, over_edge(l, ir_ternary(l->ir, OP_clamp, from, least, edge), edge), number(l, 0.5));
-    Ref is_box = ir_binary(l->ir, OP_lt, zero, edge);
-    return ir_select(l->ir, is_box, ir_ternary(l->ir, OP_clamp, along, zero, one),
-                     ir_binary(l->ir, OP_step, zero, from));
+    Ir *ir = l->ir;
+    Ref zero = build_float(ir, 0), one = build_float(ir, 1), least = build_neg(ir, edge);
+    Ref along = build_add(ir, over_edge(l, build_clamp(ir, from, least, edge), edge), build_float(ir, 0.5));
+    Ref is_box = build_lt(ir, zero, edge);
+    return build_select(ir, is_box, build_clamp(ir, along, zero, one), build_step(ir, zero, from));
 }
 
 /* The mean of a ramp of width w over a box of edge b is a ramp too, as wide as the wider of the two, with both its bends rounded over
@@ -213,15 +219,16 @@ static Ref step_share(Lower *l, Ref from, Ref edge)
  *   low + 1/2, and its mean is 1/32: a bend's share of 1/8, over 4 */
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
 {
-    Ref zero = number(l, 0), one = number(l, 1), from = sub(l, t, low);
-    if (ir_known(l->ir, high)[0] <= ir_known(l->ir, low)[0])
+    Ir *ir = l->ir;
+    Ref zero = build_float(ir, 0), one = build_float(ir, 1), from = build_sub(ir, t, low);
+    if (ir_known(ir, high)[0] <= ir_known(ir, low)[0])
         return step_share(l, from, edge);
-    Ref width = sub(l, high, low);
-    Ref wider = ir_binary(l->ir, OP_max, edge, width), narrower = ir_binary(l->ir, OP_min, edge, width);
-    Ref more = mul(l, sub(l, wider, width), number(l, 0.5));
-    Ref begin = add(l, from, more), end = sub(l, sub(l, t, high), more);
-    Ref place = ir_ternary(l->ir, OP_clamp, begin, ir_unary(l->ir, OP_neg, wider), add(l, wider, wider));
-    Ref bends = sub(l, footprint_box_corner(l, begin, narrower), footprint_box_corner(l, end, narrower));
-    Ref share = ir_ternary(l->ir, OP_clamp, over_edge(l, place, wider), zero, one);
-    return add(l, share, over_edge(l, bends, wider));
+    Ref width = build_sub(ir, high, low);
+    Ref wider = build_max(ir, edge, width), narrower = build_min(ir, edge, width);
+    Ref more = build_scale(ir, build_sub(ir, wider, width), 0.5);
+    Ref begin = build_add(ir, from, more), end = build_sub(ir, build_sub(ir, t, high), more);
+    Ref place = build_clamp(ir, begin, build_neg(ir, wider), build_add(ir, wider, wider));
+    Ref bends = build_sub(ir, footprint_box_corner(l, begin, narrower), footprint_box_corner(l, end, narrower));
+    Ref share = build_clamp(ir, over_edge(l, place, wider), zero, one);
+    return build_add(ir, share, over_edge(l, bends, wider));
 }

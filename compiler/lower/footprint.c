@@ -6,46 +6,46 @@ static const double LEAST_DIVISOR = 1e-37; /* a float that is no denormal */
 
 bool footprint_is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none && !l->filters; }
 
-static Ref unary(Lower *l, Op op, Ref a) { return a ? ir_unary(l->ir, op, a) : 0; }
-
 /* The edge of one box that stands for two, one after the other. Of a number, whose box is all that is known: their variances add. Of
  * a coordinate by lane the greater one, which is as good for checkers and noise, and cheaper. */
 static Ref together(Lower *l, Ref a, Ref b)
 {
+    Ir *ir = l->ir;
+    if (!a && !b)
+        return 0;
     if (!a || !b)
-        return unary(l, OP_abs, a ? a : b);
-    if (ir_lanes(l->ir, a) > 1)
-        return ir_binary(l->ir, OP_max, unary(l, OP_abs, a), unary(l, OP_abs, b));
-    return unary(l, OP_sqrt, add(l, mul(l, a, a), mul(l, b, b)));
+        return build_abs(ir, a ? a : b);
+    if (ir_lanes(ir, a) > 1)
+        return build_max(ir, build_abs(ir, a), build_abs(ir, b));
+    return build_sqrt(ir, build_add(ir, build_square(ir, a), build_square(ir, b)));
 }
-
-static Ref filled(Lower *l, Ref value, Type type) { return value ? value : ir_const(l->ir, type, (double[4]){0}); }
-
-static Ref scaled(Lower *l, Ref value, double factor) { return mul(l, value, number(l, factor)); }
 
 /* The edge of a box as far as slopes tell, and the box that varies as much as what they do not: their variances add. */
 static Ref with_variance(Lower *l, Ref edges, Ref variance)
 {
+    Ir *ir = l->ir;
     if (!variance)
         return edges;
-    Ref square = scaled(l, variance, BOX_VARIANCE);
-    return unary(l, OP_sqrt, edges ? add(l, mul(l, edges, edges), square) : square);
+    Ref square = build_scale(ir, variance, BOX_VARIANCE);
+    return build_sqrt(ir, edges ? build_add(ir, build_square(ir, edges), square) : square);
 }
 
 Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges)
 {
+    Ir *ir = l->ir;
     Ref right = slope_of(l, coordinate.value, DIRECTION_right), up = slope_of(l, coordinate.value, DIRECTION_up);
     if (l->job->choice[AXIS_aa] != CHOICE_aa_aniso || !footprint_is_filtered(l) || !right || !up)
         return 0;
-    Ref wide = ir_binary(l->ir, OP_lt, ir_binary(l->ir, OP_dot, up, up), ir_binary(l->ir, OP_dot, right, right));
-    Ref longer = ir_select(l->ir, wide, right, up), shorter = ir_select(l->ir, wide, up, right);
-    Ref part = scaled(l, longer, 1.0 / MOST_TAPS);
+    Ref wide = build_lt(ir, build_dot(ir, up, up), build_dot(ir, right, right));
+    Ref longer = build_select(ir, wide, right, up), shorter = build_select(ir, wide, up, right);
+    Ref part = build_scale(ir, longer, 1.0 / MOST_TAPS);
     *edges = with_variance(l, together(l, part, shorter), coordinate.variance);
     return longer;
 }
 
 int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
 {
+    Ir *ir = l->ir;
     Ref edges = footprint_edges(l, coordinate);
     if (!edges)
         return 0;
@@ -55,23 +55,25 @@ int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
         return 1;
     }
     for (int i = 0; i < MOST_TAPS; i++)
-        taps[i] = (Tap){add(l, coordinate.value, scaled(l, longer, (i + 0.5) / MOST_TAPS - 0.5)), edges};
+        taps[i] = (Tap){build_add(ir, coordinate.value, build_scale(ir, longer, (i + 0.5) / MOST_TAPS - 0.5)), edges};
     return MOST_TAPS;
 }
 
 /* A grid that is turned, so that every row and column of the pixel's sixteenths has a point. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
 {
+    Ir *ir = l->ir;
     static const double place[MOST_TAPS][2] = {
         {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
-    Type type = ir_type(l->ir, coordinate);
+    Type type = ir_type(ir, coordinate);
     if (!footprint_is_filtered(l) || (!right && !up))
         return 0;
-    right = filled(l, right, type);
-    up = filled(l, up, type);
+    right = build_or_zero(ir, right, type);
+    up = build_or_zero(ir, up, type);
     for (int i = 0; i < MOST_TAPS; i++)
-        points[i] = add(l, coordinate, add(l, scaled(l, right, place[i][0]), scaled(l, up, place[i][1])));
+        points[i] = build_add(ir, coordinate,
+                              build_add(ir, build_scale(ir, right, place[i][0]), build_scale(ir, up, place[i][1])));
     return MOST_TAPS;
 }
 
@@ -85,27 +87,31 @@ Ref footprint_edges(Lower *l, Answer a)
 
 Ref footprint_greatest_lane(Lower *l, Ref value)
 {
+    Ir *ir = l->ir;
     static const char *const lane[] = {"x", "y", "z", "w"};
-    Ref greatest = ir_swizzle(l->ir, value, "x");
-    for (int i = 1; i < ir_lanes(l->ir, value); i++)
-        greatest = ir_binary(l->ir, OP_max, greatest, ir_swizzle(l->ir, value, lane[i]));
+    Ref greatest = build_swizzle(ir, value, "x");
+    for (int i = 1; i < ir_lanes(ir, value); i++)
+        greatest = build_max(ir, greatest, build_swizzle(ir, value, lane[i]));
     return greatest;
 }
 
 Ref box_over(Lower *l, Ref x, Ref edge)
 {
-    Ref over = sub(l, scaled(l, edge, 0.5), unary(l, OP_abs, x));
-    return ir_binary(l->ir, OP_max, over, number(l, 0));
+    Ir *ir = l->ir;
+    Ref over = build_sub(ir, build_scale(ir, edge, 0.5), build_abs(ir, x));
+    return build_max(ir, over, build_float(ir, 0));
 }
 
 Ref over_edge(Lower *l, Ref part, Ref edge)
 {
-    return ir_binary(l->ir, OP_div, part, ir_binary(l->ir, OP_max, edge, number(l, LEAST_DIVISOR)));
+    Ir *ir = l->ir;
+    return build_div(ir, part, build_max(ir, edge, build_float(ir, LEAST_DIVISOR)));
 }
 
 /* The quotient, at most 1/2, comes before the product, which is then neither too great nor too small for a float. */
 Ref footprint_box_corner(Lower *l, Ref x, Ref edge)
 {
+    Ir *ir = l->ir;
     Ref over = box_over(l, x, edge);
-    return mul(l, scaled(l, over, 0.5), over_edge(l, over, edge));
+    return build_mul(ir, build_scale(ir, over, 0.5), over_edge(l, over, edge));
 }

@@ -33,19 +33,20 @@ static void note_use(Lower *l, const Value *value, bool count)
 
 Ref lower_param(Lower *l, const Value *value, Type type)
 {
+    Ir *ir = l->ir;
     if (value->kind == VALUE_uniform) {
         const Uniform *uniform = value->uniform;
         note_use(l, value, type == TYPE_int);
         if (type == TYPE_int)
-            return ir_make(l->ir, OP_uniform, TYPE_int, (uint32_t)uniform->index, NULL, 0);
-        Ref ref = ir_make(l->ir, OP_uniform, uniform->type, (uint32_t)uniform->index, NULL, 0);
-        return type == TYPE_bool ? ref : ir_convert(l->ir, ref, type);
+            return ir_make(ir, OP_uniform, TYPE_int, (uint32_t)uniform->index, NULL, 0);
+        Ref ref = ir_make(ir, OP_uniform, uniform->type, (uint32_t)uniform->index, NULL, 0);
+        return type == TYPE_bool ? ref : build_convert(ir, ref, type);
     }
     double numbers[4];
     if (l->job->from_buffer && value->given && type >= TYPE_float && value->type >= TYPE_float)
-        return ir_convert(l->ir, ir_constant(l->ir, value->type, value->number, value), type);
+        return build_convert(ir, ir_constant(ir, value->type, value->number, value), type);
     value_number(value, type, numbers);
-    return ir_const(l->ir, type, numbers);
+    return ir_const(ir, type, numbers);
 }
 
 void lower_reject_uniform(Lower *l, const Value *value, const char *name, const char *why)
@@ -58,9 +59,10 @@ void lower_reject_uniform(Lower *l, const Value *value, const char *name, const 
 
 Ref lower_as_group(Lower *l, Ref value, Group group)
 {
+    Ir *ir = l->ir;
     if (group == GROUP_R)
         return value;
-    return group == GROUP_IOR ? ir_swizzle(l->ir, value, "x") : ir_convert(l->ir, value, TYPE_vec3);
+    return group == GROUP_IOR ? build_swizzle(ir, value, "x") : build_convert(ir, value, TYPE_vec3);
 }
 
 static void memo_grow(Lower *l)
@@ -162,8 +164,9 @@ Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
 /* a = max(|omega|, 1)^(1 - n): keeps strong octaves from growing the sum. */
 static Ref octave_scale(Lower *l, Ref omega, double octaves)
 {
-    Ref one = number(l, 1), size = ir_unary(l->ir, OP_abs, omega);
-    return ir_binary(l->ir, OP_pow, ir_binary(l->ir, OP_max, size, one), number(l, 1 - octaves));
+    Ir *ir = l->ir;
+    Ref one = build_float(ir, 1), size = build_abs(ir, omega);
+    return build_pow(ir, build_max(ir, size, one), build_float(ir, 1 - octaves));
 }
 
 /* VolumeTurbulence: a Turb(size p). */
@@ -180,7 +183,7 @@ Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env
     Ref size = lower_param(l, node_param(node, P_VolumeTurbulence_size), TYPE_float);
     Ref frequency = lower_param(l, node_param(node, P_VolumeTurbulence_frequencyRatio), TYPE_float);
     p = answer_scaled(l, p, size);
-    Answer f = area_turbulence(l, p, (Ref[]){ir_int(l->ir, n), frequency, omega});
+    Answer f = area_turbulence(l, p, (Ref[]){build_int(l->ir, n), frequency, omega});
     f = answer_scaled(l, f, octave_scale(l, omega, n));
     return answer_as_group(l, through_wave(l, node, f), group);
 }

@@ -110,10 +110,4 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 #define MAP(name, function, lowering, cost, doc)                                                                       \
     Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"
-
-/* Shorthands for building. */
-#define add(l, a, b) ir_binary((l)->ir, OP_add, a, b)
-#define sub(l, a, b) ir_binary((l)->ir, OP_sub, a, b)
-#define mul(l, a, b) ir_binary((l)->ir, OP_mul, a, b)
-static inline Ref number(Lower *l, double value) { return ir_float(l->ir, value); }
 #endif

@@ -17,13 +17,14 @@ typedef struct {
 /* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
 static Ref position(Lower *l, Ref t, Ref low, Ref high)
 {
-    const double *from = ir_known(l->ir, low), *to = ir_known(l->ir, high);
-    Ref along = sub(l, t, low);
+    Ir *ir = l->ir;
+    const double *from = ir_known(ir, low), *to = ir_known(ir, high);
+    Ref along = build_sub(ir, t, low);
     if (from && to)
-        return mul(l, along, area_known_inverse(l, low, high));
-    Ref width = sub(l, high, low);
-    Ref flat = ir_binary(l->ir, OP_eq, width, number(l, 0));
-    return ir_binary(l->ir, OP_div, along, ir_select(l->ir, flat, number(l, 1), width));
+        return build_mul(ir, along, area_known_inverse(l, low, high));
+    Ref width = build_sub(ir, high, low);
+    Ref flat = build_eq(ir, width, build_float(ir, 0));
+    return build_div(ir, along, build_select(ir, flat, build_float(ir, 1), width));
 }
 
 /* What holds below item i's value and not below that of the one before. */
@@ -32,16 +33,17 @@ static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
     if (i == 0)
         return stops[0].result;
     Ref at = position(l, t, stops[i - 1].value, stops[i].value);
-    return ir_ternary(l->ir, OP_mix, stops[i - 1].result, stops[i].result, at);
+    return build_mix(l->ir, stops[i - 1].result, stops[i].result, at);
 }
 
 /* As written: the first item whose value is above t decides. */
 static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
 {
+    Ir *ir = l->ir;
     Ref result = stops[count - 1].result;
     for (int i = count - 1; i >= 0; i--) {
-        Ref below = ir_binary(l->ir, OP_lt, t, stops[i].value);
-        result = ir_select(l->ir, below, segment(l, t, stops, i), result);
+        Ref below = build_lt(ir, t, stops[i].value);
+        result = build_select(ir, below, segment(l, t, stops, i), result);
     }
     return result;
 }
@@ -49,22 +51,24 @@ static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
 /* The same by halving, for values known to ascend: segments first..last, the last of all being what holds beyond the end. */
 static Ref blend_search(Lower *l, Ref t, const Stop *stops, int count, int first, int last)
 {
+    Ir *ir = l->ir;
     if (first == last)
         return first == count ? stops[count - 1].result : segment(l, t, stops, first);
     int middle = first + (last - first) / 2;
-    Ref below = ir_binary(l->ir, OP_lt, t, stops[middle].value);
+    Ref below = build_lt(ir, t, stops[middle].value);
     Ref low = blend_search(l, t, stops, count, first, middle);
-    return ir_select(l->ir, below, low, blend_search(l, t, stops, count, middle + 1, last));
+    return build_select(ir, below, low, blend_search(l, t, stops, count, middle + 1, last));
 }
 
 /* The same without branches, for values known to ascend: each item is mixed over what the ones before it made. Where t has
  * passed a segment its weight is 1, where it has not come to it 0. */
 static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
 {
-    Ref result = stops[0].result, zero = number(l, 0), one = number(l, 1);
+    Ir *ir = l->ir;
+    Ref result = stops[0].result, zero = build_float(ir, 0), one = build_float(ir, 1);
     for (int i = 1; i < count; i++) {
         Ref at = position(l, t, stops[i - 1].value, stops[i].value);
-        result = ir_ternary(l->ir, OP_mix, result, stops[i].result, ir_ternary(l->ir, OP_clamp, at, zero, one));
+        result = build_mix(ir, result, stops[i].result, build_clamp(ir, at, zero, one));
     }
     return result;
 }
@@ -158,10 +162,11 @@ static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
 /* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
 static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
+    Ir *ir = l->ir;
     Ref result = stops[0].result;
     for (int i = 1; i < count; i++) {
         Ref share = step_share(l, t, edge, &stops[i - 1]);
-        result = add(l, result, mul(l, sub(l, stops[i].result, stops[i - 1].result), share));
+        result = build_add(ir, result, build_mul(ir, build_sub(ir, stops[i].result, stops[i - 1].result), share));
     }
     return result;
 }
@@ -169,10 +174,11 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 /* Of every item, how much of the box it is: exactly 0 where the box does not reach it. */
 static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
-    Ref share = number(l, 1), *weight = ARENA_ARRAY(l->session->arena, Ref, count);
+    Ir *ir = l->ir;
+    Ref share = build_float(ir, 1), *weight = ARENA_ARRAY(l->session->arena, Ref, count);
     for (int i = 0; i + 1 < count; i++) {
         Ref next = step_share(l, t, edge, &stops[i]);
-        weight[i] = sub(l, share, next);
+        weight[i] = build_sub(ir, share, next);
         share = next;
     }
     weight[count - 1] = share;
@@ -182,23 +188,25 @@ static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 /* The mean of items that are not alike. */
 static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
+    Ir *ir = l->ir;
     const Ref *weight = weights(l, t, edge, stops, count);
-    Ref result = mul(l, stops[0].result, weight[0]);
+    Ref result = build_mul(ir, stops[0].result, weight[0]);
     for (int i = 1; i < count; i++)
-        result = add(l, result, mul(l, stops[i].result, weight[i]));
+        result = build_add(ir, result, build_mul(ir, stops[i].result, weight[i]));
     return result;
 }
 
 /* Of a sum by weights, whichever form the sum has; `edge` may be none. */
 static Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
+    Ir *ir = l->ir;
     Ref variance = 0, *weight = NULL;
     for (int i = 0; i < count; i++) {
         if (!stops[i].variance)
             continue;
-        weight = weight ? weight : weights(l, t, edge ? edge : number(l, 0), stops, count);
-        Ref term = mul(l, stops[i].variance, mul(l, weight[i], weight[i]));
-        variance = variance ? add(l, variance, term) : term;
+        weight = weight ? weight : weights(l, t, edge ? edge : build_float(ir, 0), stops, count);
+        Ref term = build_mul(ir, stops[i].variance, build_square(ir, weight[i]));
+        variance = variance ? build_add(ir, variance, term) : term;
     }
     return variance;
 }
@@ -261,15 +269,16 @@ static Stop *stops_of(Lower *l, const Value *blend, Group group, const Env *env)
 
 Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     const Value *blend = node_param(node, P_Blend_blend);
     const Node *input = lower_param_node(node, P_Blend_input);
     int count = blend->kind == VALUE_items ? blend->items->count : 0;
     if (!count || l->failed)
         return lower_answer(l, input, group, env);
     Answer x = lower_answer(l, input, GROUP_X, env);
-    ir_swizzle(l->ir, x.value, "x"); /* before what the items make */
+    build_swizzle(ir, x.value, "x"); /* before what the items make */
     const Stop *stops = stops_of(l, blend, group, env);
-    if (count > LIMIT_WALK && !ascending(l->ir, stops, count, true)) {
+    if (count > LIMIT_WALK && !ascending(ir, stops, count, true)) {
         diag_add(l->session, blend->span, DIAG_long_walk, LIMIT_WALK);
         l->failed = true;
         return answer_of(stops[0].result);

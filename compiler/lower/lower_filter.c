@@ -9,24 +9,27 @@ enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 
 /* What the input reads of the root, replaced by the function's arguments: position and texture coordinate. */
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
+    Ir *ir = l->ir;
     Env env = *outer;
     env.number = outer->number + 1;
     env.root[GROUP_X] = arguments[0];
-    env.root[GROUP_U] = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, arguments[1], number(l, 0)), 2);
+    env.root[GROUP_U] = build_vec(ir, TYPE_vec3, arguments[1], build_float(ir, 0));
     return env;
 }
 
 /* A filter's alpha is always 1: colours keep three lanes at most. */
 static Ref without_alpha(Lower *l, Ref value)
 {
-    return ir_type(l->ir, value) == TYPE_vec4 ? ir_convert(l->ir, value, TYPE_vec3) : value;
+    Ir *ir = l->ir;
+    return ir_type(ir, value) == TYPE_vec4 ? build_convert(ir, value, TYPE_vec3) : value;
 }
 
 static int make_function(Lower *l, const Node *input, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     Ref arguments[2];
-    ir_arguments(l->ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
-    Ref root[] = {env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")};
+    ir_arguments(ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
+    Ref root[] = {env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")};
     for (int i = 0; i < 2; i++)
         for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
             slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
@@ -34,15 +37,16 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
     l->filters++;
     Ref result = without_alpha(l, lower_ask(l, input, group, &inner));
     l->filters--;
-    return ir_function(l->ir, arguments, 2, result);
+    return ir_function(ir, arguments, 2, result);
 }
 
 /* The input at (i, j, k) of the kernel, each from -1 to 1. */
 static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, int i, int j, int k)
 {
-    Ref offset = mul(l, size, ir_vec3(l->ir, 0.5 * i, 0.5 * j, 0.5 * k));
-    Ref uv = add(l, ir_swizzle(l->ir, env->root[GROUP_U], "xy"), ir_swizzle(l->ir, offset, "xy"));
-    return ir_apply(l->ir, function, REFS(l->ir, add(l, env->root[GROUP_X], offset), uv));
+    Ir *ir = l->ir;
+    Ref offset = build_mul(ir, size, build_vec3(ir, 0.5 * i, 0.5 * j, 0.5 * k));
+    Ref uv = build_add(ir, build_swizzle(ir, env->root[GROUP_U], "xy"), build_swizzle(ir, offset, "xy"));
+    return build_apply(ir, function, REFS(ir, build_add(ir, env->root[GROUP_X], offset), uv));
 }
 
 /* The three sizes, which are the first parameters behind `input`. */
@@ -51,7 +55,7 @@ static Ref filter_size(Lower *l, const Node *node)
     Ref size[3];
     for (int i = 0; i < 3; i++)
         size[i] = lower_param(l, &node->params[1 + i], TYPE_float);
-    return ir_vec(l->ir, TYPE_vec3, size, 3);
+    return build_vec_of(l->ir, TYPE_vec3, size, 3);
 }
 
 /* What follows takes the result as it is, instead of differentiating every one of its evaluations. */
@@ -66,30 +70,32 @@ static Answer steady(Lower *l, Ref value)
  * compile: it is summed in a loop. */
 Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     int function = make_function(l, lower_param_node(node, P_Smooth3D_input), group, env);
     Ref size = filter_size(l, node), sum = 0;
-    bool costly = lower_cost_below(l->ir, l->ir->functions[function].result, LOOP_COST) >= LOOP_COST;
+    bool costly = lower_cost_below(ir, ir->functions[function].result, LOOP_COST) >= LOOP_COST;
     if (costly)
-        sum = ir_kernel(l->ir, function, REFS(l->ir, env->root[GROUP_X], ir_swizzle(l->ir, env->root[GROUP_U], "xy")),
-                        size);
+        sum =
+            build_kernel(ir, function, REFS(ir, env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")), size);
     for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
         Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
-        sum = n ? add(l, sum, value) : value;
+        sum = n ? build_add(ir, sum, value) : value;
     }
-    return steady(l, mul(l, sum, number(l, 1.0 / KERNEL_POINTS)));
+    return steady(l, build_scale(ir, sum, 1.0 / KERNEL_POINTS));
 }
 
 /* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
 Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     int function = make_function(l, lower_param_node(node, P_Laplace3D_input), group, env);
     Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, 0, 0, 0), sum = 0;
     for (int n = 0; n < 6; n++) {
         int axis = n / 2, side = n % 2 * 2 - 1;
         Ref neighbour =
             at_neighbour(l, function, env, size, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
-        Ref difference = sub(l, centre, neighbour);
-        sum = n ? add(l, sum, difference) : difference;
+        Ref difference = build_sub(ir, centre, neighbour);
+        sum = n ? build_add(ir, sum, difference) : difference;
     }
-    return steady(l, mul(l, sum, number(l, 1.0 / 12)));
+    return steady(l, build_scale(ir, sum, 1.0 / 12));
 }

@@ -7,8 +7,8 @@ static const double missing_gray = 128.0 / 255;
 
 enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
 
-static Ref white(Lower *l) { return ir_vec3(l->ir, 1, 1, 1); }
-static Ref black(Lower *l) { return ir_vec3(l->ir, 0, 0, 0); }
+static Ref white(Lower *l) { return build_vec3(l->ir, 1, 1, 1); }
+static Ref black(Lower *l) { return build_vec3(l->ir, 0, 0, 0); }
 
 /* The normal as it comes, not of unit length. */
 static Ref raw_normal(Lower *l, const Node *material, const Env *env)
@@ -20,22 +20,24 @@ static Ref raw_normal(Lower *l, const Node *material, const Env *env)
 
 static Ref color(Lower *l, const Node *map, const Env *env)
 {
-    return ir_convert(l->ir, lower_ask(l, map, GROUP_R, env), TYPE_vec3);
+    return build_convert(l->ir, lower_ask(l, map, GROUP_R, env), TYPE_vec3);
 }
 
 /* Alpha of a colour: only a vec4 has one, the conversion table makes 1 of all others. */
 static Ref alpha_of(Lower *l, const Node *map, const Env *env)
 {
+    Ir *ir = l->ir;
     Ref value = lower_ask(l, map, GROUP_R, env);
-    return ir_type(l->ir, value) == TYPE_vec4 ? ir_swizzle(l->ir, value, "w") : number(l, 1);
+    return ir_type(ir, value) == TYPE_vec4 ? build_swizzle(ir, value, "w") : build_float(ir, 1);
 }
 
 /* Of a shininess that is one of two within the pixel: the mean of both exponents. */
 static Ref exponent_of(Lower *l, Answer shininess, int depth)
 {
+    Ir *ir = l->ir;
     const Split *split = shininess.split;
     if (!split || depth == 0)
-        return ir_call(l->ir, FN_phongExponent, (Ref[]){ir_swizzle(l->ir, shininess.value, "x")}, 1);
+        return build_call(ir, FN_phongExponent, build_swizzle(ir, shininess.value, "x"));
     Ref a = exponent_of(l, split->a, depth - 1), b = exponent_of(l, split->b, depth - 1);
     return answer_mean(l, split->by, a, b);
 }
@@ -43,18 +45,19 @@ static Ref exponent_of(Lower *l, Answer shininess, int depth)
 static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
 {
     if (!map)
-        return number(l, without);
+        return build_float(l->ir, without);
     return exponent_of(l, lower_answer(l, map, GROUP_R, env), MOST_SPLITS);
 }
 
 /* 1 + alpha (c - 1) */
 static Ref transparency(Lower *l, const Node *m, const Env *env)
 {
+    Ir *ir = l->ir;
     Ref alpha = alpha_of(l, lower_param_node(m, P_Phong_diffuse), env);
     Ref c = color(l, lower_param_node(m, P_Phong_transparency), env);
-    if (ir_is_number(l->ir, alpha, 1))
+    if (ir_is_number(ir, alpha, 1))
         return c;
-    return add(l, mul(l, alpha, sub(l, c, white(l))), white(l));
+    return build_add(ir, build_mul(ir, alpha, build_sub(ir, c, white(l))), white(l));
 }
 
 static Ref phong_slot(Lower *l, const Node *m, Slot slot, const Env *env)
@@ -91,19 +94,20 @@ static Ref phong_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 /* A material of one colour: Phong with that diffuse, a uniform transparency and no more. */
 static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *env)
 {
+    Ir *ir = l->ir;
     switch (slot) {
     case SLOT_diffuse:
         return diffuse;
     case SLOT_alpha:
-        return number(l, 1);
+        return build_float(ir, 1);
     case SLOT_transparency:
-        return ir_convert(l->ir, clear, TYPE_vec3);
+        return build_convert(ir, clear, TYPE_vec3);
     case SLOT_shininess:
-        return number(l, DEFAULT_EXPONENT);
+        return build_float(ir, DEFAULT_EXPONENT);
     case SLOT_transparencyShininess:
-        return number(l, MAX_EXPONENT);
+        return build_float(ir, MAX_EXPONENT);
     case SLOT_interpolatedTransparency:
-        return number(l, 1);
+        return build_float(ir, 1);
     case SLOT_ior:
         return env->root[GROUP_IOR];
     default:
@@ -113,23 +117,26 @@ static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *en
 
 static Ref rgba_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
+    Ir *ir = l->ir;
     Ref r = lower_param(l, node_param(m, P_RGBA_r), TYPE_float),
         g = lower_param(l, node_param(m, P_RGBA_g), TYPE_float);
     Ref b = lower_param(l, node_param(m, P_RGBA_b), TYPE_float),
         a = lower_param(l, node_param(m, P_RGBA_a), TYPE_float);
-    Ref diffuse = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3);
-    return plain_slot(l, diffuse, sub(l, number(l, 1), a), slot, env);
+    Ref diffuse = build_vec(ir, TYPE_vec3, r, g, b);
+    return plain_slot(l, diffuse, build_sub(ir, build_float(ir, 1), a), slot, env);
 }
 
 static Ref missing_slot(Lower *l, Slot slot, const Env *env)
 {
-    Ref diffuse = ir_vec3(l->ir, missing_gray, missing_gray, missing_gray);
-    return plain_slot(l, diffuse, number(l, 0), slot, env);
+    Ir *ir = l->ir;
+    Ref diffuse = build_vec3(ir, missing_gray, missing_gray, missing_gray);
+    return plain_slot(l, diffuse, build_float(ir, 0), slot, env);
 }
 
 /* The sky's radiance along the local position. What depends on the sun alone is computed here, in double. */
 static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
 {
+    Ir *ir = l->ir;
     const char *why = "the sky's coefficients are computed when the shader is written";
     lower_reject_uniform(l, node_param(m, P_SunSkyLight_sun), "sun", why);
     lower_reject_uniform(l, node_param(m, P_SunSkyLight_turbidity), "turbidity", why);
@@ -141,9 +148,9 @@ static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
     static const int order[] = {6, 0, 1, 2, 3, 4, 5};
     Ref args[8] = {lower_ask(l, NULL, GROUP_X, env)};
     for (int i = 0; i < 7; i++)
-        args[i + 1] = ir_const(l->ir, TYPE_vec3, row[order[i]]);
+        args[i + 1] = ir_const(ir, TYPE_vec3, row[order[i]]);
     Ref factor = lower_param(l, node_param(m, P_SunSkyLight_radianceFactor), TYPE_float);
-    return mul(l, ir_call(l->ir, FN_skyRadiance, args, 8), factor);
+    return build_mul(ir, build_call_of(ir, FN_skyRadiance, args, 8), factor);
 }
 
 static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
@@ -151,7 +158,7 @@ static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
     if (slot == SLOT_emissive)
         return sky_radiance(l, m, env);
     Ref diffuse = black(l);
-    return plain_slot(l, diffuse, number(l, 0), slot, env);
+    return plain_slot(l, diffuse, build_float(l->ir, 0), slot, env);
 }
 
 /* The material of a side. A missing back is as the front; a missing front stays missing. */
@@ -179,7 +186,7 @@ static const Node *seen_from(const Node *m, bool front)
 
 static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
 {
-    return sides[0] == sides[1] ? sides[0] : ir_select(l->ir, env->front, sides[0], sides[1]);
+    return sides[0] == sides[1] ? sides[0] : build_select(l->ir, env->front, sides[0], sides[1]);
 }
 
 /* Of a material that is no switch. */
@@ -212,7 +219,7 @@ static Ref in_eye_space(Lower *l, Ref normal, const Env *env)
 {
     if (normal == env->root[GROUP_N] && env->eye_n)
         return env->eye_n;
-    return ir_call(l->ir, FN_eyeFromWorld, &normal, 1);
+    return build_call(l->ir, FN_eyeFromWorld, normal);
 }
 
 static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
@@ -232,8 +239,9 @@ static Ref normal_of(Lower *l, const Node *m, const Env *env, bool eye)
 /* Unit length, and turned to the viewer's side. */
 static Ref finished_normal(Lower *l, Ref normal, const Env *env)
 {
-    Ref side = ir_select(l->ir, env->front, number(l, 1), number(l, -1));
-    return mul(l, ir_call(l->ir, FN_safeNormalize, &normal, 1), side);
+    Ir *ir = l->ir;
+    Ref side = build_select(ir, env->front, build_float(ir, 1), build_float(ir, -1));
+    return build_mul(ir, build_call(ir, FN_safeNormalize, normal), side);
 }
 
 Ref lower_eye_normal(Lower *l, const Node *material, const Env *env)
@@ -246,10 +254,11 @@ Ref lower_eye_normal(Lower *l, const Node *material, const Env *env)
 
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
-    l->ir->hint = (uint8_t)(KIND_COUNT + slot);
+    Ir *ir = l->ir;
+    ir->hint = (uint8_t)(KIND_COUNT + slot);
     Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
                                     : value_slot(l, material, slot, env);
-    value = ir_convert(l->ir, value, slot_table[slot].type);
-    lower_mark_head(l->ir, value, (uint8_t)(KIND_COUNT + slot));
+    value = build_convert(ir, value, slot_table[slot].type);
+    lower_mark_head(ir, value, (uint8_t)(KIND_COUNT + slot));
     return value;
 }

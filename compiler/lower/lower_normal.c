@@ -9,12 +9,13 @@ typedef struct {
 
 static Frame input_frame(Lower *l, const Node *input, const Env *env)
 {
+    Ir *ir = l->ir;
     const double least = 1e-30;
     Ref n = lower_ask(l, input, GROUP_N, env);
     Frame f = {.tu = lower_ask(l, input, GROUP_DU, env)};
     f.tv = lower_ask(l, input, GROUP_DV, env);
-    Ref size = ir_binary(l->ir, OP_max, ir_unary(l->ir, OP_length, n), number(l, least));
-    f.unit = mul(l, n, ir_binary(l->ir, OP_div, number(l, 1), size));
+    Ref size = build_max(ir, build_length(ir, n), build_float(ir, least));
+    f.unit = build_mul(ir, n, build_div(ir, build_float(ir, 1), size));
     return f;
 }
 
@@ -22,18 +23,17 @@ static Frame input_frame(Lower *l, const Node *input, const Env *env)
  * slopes the product would be none of floats. */
 static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 {
-    Ref tu = group == GROUP_DV ? 0 : add(l, f->tu, mul(l, f->unit, slope[0]));
+    Ir *ir = l->ir;
+    Ref tu = group == GROUP_DV ? 0 : build_add(ir, f->tu, build_mul(ir, f->unit, slope[0]));
     if (group == GROUP_DU)
         return tu;
     if (group == GROUP_DV)
-        return add(l, f->tv, mul(l, f->unit, slope[1]));
-    Ref by_v = mul(l, ir_binary(l->ir, OP_cross, f->tu, f->unit), slope[1]);
-    return add(l, ir_binary(l->ir, OP_cross, tu, f->tv), by_v);
+        return build_add(ir, f->tv, build_mul(ir, f->unit, slope[1]));
+    Ref by_v = build_mul(ir, build_cross(ir, f->tu, f->unit), slope[1]);
+    return build_add(ir, build_cross(ir, tu, f->tv), by_v);
 }
 
 static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
-
-static Ref filled(Lower *l, Ref slope) { return slope ? slope : number(l, 0); }
 
 static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
 {
@@ -45,7 +45,8 @@ static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
 /* What the slopes along u (0) and along v (1) become. */
 static Slopes column_of(Lower *l, const Turn *turn, int column)
 {
-    Ref u = number(l, column == 0), v = number(l, column == 1);
+    Ir *ir = l->ir;
+    Ref u = build_float(ir, column == 0), v = build_float(ir, column == 1);
     return turn->transform ? turned_by(l, turn->transform, (Slopes){u, v}) : turn->column[column];
 }
 
@@ -88,29 +89,33 @@ static Turn turn_of(Lower *l, const Node *node)
 /* The slopes along the input's tangents: where a UVTransform turned those, it turns the slopes. */
 static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
 {
+    Ir *ir = l->ir;
     const Turn turn = turn_of(l, input);
     if (turn.count <= 1)
         return turn.count ? turned_by(l, turn.transform, slopes) : slopes;
-    Ref u = add(l, mul(l, slopes.u, turn.column[0].u), mul(l, slopes.v, turn.column[1].u));
-    Ref v = add(l, mul(l, slopes.u, turn.column[0].v), mul(l, slopes.v, turn.column[1].v));
+    Ref u = build_add(ir, build_mul(ir, slopes.u, turn.column[0].u), build_mul(ir, slopes.v, turn.column[1].u));
+    Ref v = build_add(ir, build_mul(ir, slopes.u, turn.column[0].v), build_mul(ir, slopes.v, turn.column[1].v));
     return (Slopes){u, v};
 }
 
 /* How red rises: what the maps answer for their derivative channels, or the derivative of what they compute. */
 static Slopes height_slopes(Lower *l, const Node *displacement, const Node *input, const Env *env)
 {
+    Ir *ir = l->ir;
     if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite) {
-        Ref by_u = ir_swizzle(l->ir, lower_ask(l, displacement, GROUP_DU, env), "x");
-        Ref by_v = ir_swizzle(l->ir, lower_ask(l, displacement, GROUP_DV, env), "x");
+        Ref by_u = build_swizzle(ir, lower_ask(l, displacement, GROUP_DU, env), "x");
+        Ref by_v = build_swizzle(ir, lower_ask(l, displacement, GROUP_DV, env), "x");
         return (Slopes){by_u, by_v};
     }
-    Ref height = ir_swizzle(l->ir, lower_ask(l, displacement, GROUP_R, env), "x");
-    Ref by_u = filled(l, slope_of(l, height, DIRECTION_u)), by_v = filled(l, slope_of(l, height, DIRECTION_v));
+    Ref height = build_swizzle(ir, lower_ask(l, displacement, GROUP_R, env), "x");
+    Ref by_u = build_or_zero(ir, slope_of(l, height, DIRECTION_u), TYPE_float),
+        by_v = build_or_zero(ir, slope_of(l, height, DIRECTION_v), TYPE_float);
     return along_tangents(l, input, (Slopes){by_u, by_v});
 }
 
 Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     const double step = 0.02;
     const Node *input = lower_param_node(node, P_BumpMap_input),
                *displacement = lower_param_node(node, P_BumpMap_displacement);
@@ -118,9 +123,9 @@ Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
         return lower_answer(l, input, group, env);
     Frame frame = input_frame(l, input, env);
     Ref strength = lower_param(l, node_param(node, P_BumpMap_strength), TYPE_float);
-    Ref k = mul(l, strength, number(l, step));
+    Ref k = build_scale(ir, strength, step);
     Slopes slopes = height_slopes(l, displacement, input, env);
-    return answer_of(tilted(l, &frame, REFS(l->ir, mul(l, k, slopes.u), mul(l, k, slopes.v)), group));
+    return answer_of(tilted(l, &frame, REFS(ir, build_mul(ir, k, slopes.u), build_mul(ir, k, slopes.v)), group));
 }
 
 /* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
@@ -130,43 +135,46 @@ typedef struct {
 
 static Ripple ripple(Lower *l, Ref x, Ref count)
 {
-    Ref rate = mul(l, count, number(l, 2 * M_PI)), angle = mul(l, rate, x);
-    Ref height = ir_unary(l->ir, OP_cos, angle), sine = ir_unary(l->ir, OP_sin, angle);
-    return (Ripple){height, ir_unary(l->ir, OP_neg, mul(l, rate, sine))};
+    Ir *ir = l->ir;
+    Ref rate = build_scale(ir, count, 2 * M_PI), angle = build_mul(ir, rate, x);
+    Ref height = build_cos(ir, angle), sine = build_sin(ir, angle);
+    return (Ripple){height, build_neg(ir, build_mul(ir, rate, sine))};
 }
 
 /* The top face of a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
 static Ref in_box_top(Lower *l, Ref u, Ref v)
 {
     Ir *ir = l->ir;
-    Ref zero = number(l, 0);
-    Ref along_u = ir_binary(ir, OP_and, ir_binary(ir, OP_le, zero, u), ir_binary(ir, OP_le, u, number(l, 1.0 / 4)));
-    Ref along_v = ir_binary(ir, OP_and, ir_binary(ir, OP_le, zero, v), ir_binary(ir, OP_le, v, number(l, 1.0 / 3)));
-    return ir_binary(ir, OP_and, along_u, along_v);
+    Ref zero = build_float(ir, 0);
+    Ref along_u = build_and(ir, build_le(ir, zero, u), build_le(ir, u, build_float(ir, 1.0 / 4)));
+    Ref along_v = build_and(ir, build_le(ir, zero, v), build_le(ir, v, build_float(ir, 1.0 / 3)));
+    return build_and(ir, along_u, along_v);
 }
 
 Answer lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     const Node *input = lower_param_node(node, P_WaveMap_input);
     if (!is_frame(group))
         return lower_answer(l, input, group, env);
     double box_top[4];
     value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
-    Ref uvw = lower_ask(l, input, GROUP_U, env), u = ir_swizzle(l->ir, uvw, "x"), v = ir_swizzle(l->ir, uvw, "y");
+    Ref uvw = lower_ask(l, input, GROUP_U, env), u = build_swizzle(ir, uvw, "x"), v = build_swizzle(ir, uvw, "y");
     Ref u_count = lower_param(l, node_param(node, P_WaveMap_uCount), TYPE_float);
     Ref v_count = lower_param(l, node_param(node, P_WaveMap_vCount), TYPE_float);
     if (box_top[0] != 0) {
-        u = sub(l, u, number(l, 1.0 / 4));
-        v = sub(l, v, number(l, 1.0 / 3));
-        u_count = mul(l, u_count, number(l, 4));
-        v_count = mul(l, v_count, number(l, 3));
+        u = build_sub(ir, u, build_float(ir, 1.0 / 4));
+        v = build_sub(ir, v, build_float(ir, 1.0 / 3));
+        u_count = build_scale(ir, u_count, 4);
+        v_count = build_scale(ir, v_count, 3);
     }
     Frame frame = input_frame(l, input, env);
     Ref k = lower_param(l, node_param(node, P_WaveMap_amplitude), TYPE_float);
     Ripple a = ripple(l, u, u_count), b = ripple(l, v, v_count);
-    Ref by_u = mul(l, k, mul(l, a.slope, b.height)), by_v = mul(l, k, mul(l, a.height, b.slope));
-    Ref result = tilted(l, &frame, REFS(l->ir, by_u, by_v), group);
+    Ref by_u = build_mul(ir, k, build_mul(ir, a.slope, b.height)),
+        by_v = build_mul(ir, k, build_mul(ir, a.height, b.slope));
+    Ref result = tilted(l, &frame, REFS(ir, by_u, by_v), group);
     if (box_top[0] != 0)
-        result = ir_select(l->ir, in_box_top(l, u, v), result, lower_ask(l, input, group, env));
+        result = build_select(ir, in_box_top(l, u, v), result, lower_ask(l, input, group, env));
     return answer_of(result);
 }

@@ -9,7 +9,7 @@ static bool is_derivative(Group group) { return group == GROUP_DU || group == GR
 
 static Answer constant(Lower *l, Ref value, Group group)
 {
-    return answer_of(is_derivative(group) ? ir_vec3(l->ir, 0, 0, 0) : lower_as_group(l, value, group));
+    return answer_of(is_derivative(group) ? build_vec3(l->ir, 0, 0, 0) : lower_as_group(l, value, group));
 }
 
 Answer lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
@@ -25,7 +25,7 @@ Answer lower_RGBColor(Lower *l, const Node *node, Group group, const Env *env)
     Ref r = lower_param(l, node_param(node, P_RGBColor_r), TYPE_float);
     Ref g = lower_param(l, node_param(node, P_RGBColor_g), TYPE_float);
     Ref b = lower_param(l, node_param(node, P_RGBColor_b), TYPE_float);
-    return constant(l, ir_vec(l->ir, TYPE_vec3, REFS(l->ir, r, g, b), 3), group);
+    return constant(l, build_vec(l->ir, TYPE_vec3, r, g, b), group);
 }
 
 Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
@@ -40,24 +40,26 @@ static const char *const lane_name[] = {"x", "y", "z"};
  * the fraction is small and good to its last bit. */
 static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
 {
-    Ref whole = ir_swizzle(l->ir, twice->whole, lane), fraction = ir_swizzle(l->ir, twice->fraction, lane);
-    Ref half = ir_unary(l->ir, OP_fract, mul(l, whole, number(l, 0.5)));
-    Ref odd = ir_binary(l->ir, OP_le, number(l, 0.5), half);
-    return ir_binary(l->ir, OP_ne, odd, ir_binary(l->ir, OP_lt, fraction, number(l, 0)));
+    Ir *ir = l->ir;
+    Ref whole = build_swizzle(ir, twice->whole, lane), fraction = build_swizzle(ir, twice->fraction, lane);
+    Ref half = build_fract(ir, build_scale(ir, whole, 0.5));
+    Ref odd = build_le(ir, build_float(ir, 0.5), half);
+    return build_ne(ir, odd, build_lt(ir, fraction, build_float(ir, 0)));
 }
 
 /* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
  * for every float, while a sum of large whole numbers loses its last bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
+    Ir *ir = l->ir;
     LongCoordinate twice;
     bool is_long = affine_coordinate(l, q, 2, &twice);
-    Ref part = is_long ? 0 : ir_unary(l->ir, OP_fract, q), odd = 0;
-    for (int i = 0; i < ir_lanes(l->ir, q); i++) {
+    Ref part = is_long ? 0 : build_fract(ir, q), odd = 0;
+    for (int i = 0; i < ir_lanes(ir, q); i++) {
         const char *lane = lane_name[i];
         Ref upper = is_long ? odd_beside_edge(l, &twice, lane)
-                            : ir_binary(l->ir, OP_le, number(l, 0.5), ir_swizzle(l->ir, part, lane));
-        odd = i ? ir_binary(l->ir, OP_ne, odd, upper) : upper;
+                            : build_le(ir, build_float(ir, 0.5), build_swizzle(ir, part, lane));
+        odd = i ? build_ne(ir, odd, upper) : upper;
     }
     return odd;
 }
@@ -65,7 +67,8 @@ static Ref odd_sum(Lower *l, Ref q)
 /* uv + (step_u, step_v), whole turns dropped first: far from the origin the step would be lost. */
 static Ref stepped(Lower *l, Ref uv, double step_u, double step_v)
 {
-    return add(l, ir_unary(l->ir, OP_fract, uv), ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
+    Ir *ir = l->ir;
+    return build_add(ir, build_fract(ir, uv), ir_const(ir, TYPE_vec2, (double[]){step_u, step_v}));
 }
 
 /* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
@@ -79,14 +82,15 @@ static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 /* A difference of the two colours where a step crosses an edge, else the slope of the colour itself. */
 static Ref checker_slope(Lower *l, const Node *color1, const Node *color2, Ref uv, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     const double step = 0.05;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
-    Ref a = ir_convert(l->ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
-    Ref b = ir_convert(l->ir, lower_ask(l, color2, GROUP_R, env), TYPE_vec3);
-    Ref rise = mul(l, ir_select(l->ir, odd, sub(l, b, a), sub(l, a, b)), number(l, 1 / step));
-    Ref inside = ir_select(l->ir, odd, lower_ask(l, color1, group, env), lower_ask(l, color2, group, env));
-    return ir_select(l->ir, ir_binary(l->ir, OP_ne, odd, beyond), rise, inside);
+    Ref a = build_convert(ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
+    Ref b = build_convert(ir, lower_ask(l, color2, GROUP_R, env), TYPE_vec3);
+    Ref rise = build_scale(ir, build_select(ir, odd, build_sub(ir, b, a), build_sub(ir, a, b)), 1 / step);
+    Ref inside = build_select(ir, odd, lower_ask(l, color1, group, env), lower_ask(l, color2, group, env));
+    return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
 Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
@@ -105,7 +109,7 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
     Answer a = lower_answer(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
     Answer b = lower_answer(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
-    p = answer_scaled(l, p, number(l, 0.5));
+    p = answer_scaled(l, p, build_float(l->ir, 0.5));
     Ref share = area_odd_share(l, p);
     return answer_either(l, share ? share : odd_sum(l, p.value), a, b);
 }
@@ -170,32 +174,34 @@ static Ref texture(Lower *l, IrTexture wanted)
 static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Ref uv, Group group, double step_u,
                         double step_v)
 {
-    Ref size = ir_const(l->ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
+    Ir *ir = l->ir;
+    Ref size = ir_const(ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
     Ref sampler = texture(l, *wanted);
     if (!is_derivative(group))
         return lower_as_group(l, area_picture(l, function, sampler, uv, size), group);
-    Ref here = ir_call(l->ir, function, REFS(l->ir, sampler, uv, size), 3);
+    Ref here = build_call(ir, function, sampler, uv, size);
     double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
     bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
-    Ref beyond = turns ? stepped(l, uv, u, v) : add(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){u, v}));
-    Ref there = ir_call(l->ir, function, REFS(l->ir, sampler, beyond, size), 3);
-    return lower_as_group(l, mul(l, sub(l, there, here), number(l, 1 / h)), group);
+    Ref beyond = turns ? stepped(l, uv, u, v) : build_add(ir, uv, ir_const(ir, TYPE_vec2, (double[]){u, v}));
+    Ref there = build_call(ir, function, sampler, beyond, size);
+    return lower_as_group(l, build_scale(ir, build_sub(ir, there, here), 1 / h), group);
 }
 
 Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
 {
+    Ir *ir = l->ir;
     const Value *image = node_param(node, P_ImageMap_image);
     if (image->kind != VALUE_image)
-        return constant(l, number(l, 0.5), group);
+        return constant(l, build_float(ir, 0.5), group);
     double bilinear[4];
     value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
-    Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
+    Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
     const Image *picture = image->image;
     IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
     Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
                              1.0 / picture->width, 1.0 / picture->height);
     if (group == GROUP_R && picture->opaque)
-        value = ir_vec(l->ir, TYPE_vec4, REFS(l->ir, ir_swizzle(l->ir, value, "xyz"), number(l, 1)), 2);
+        value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
     return answer_of(value);
 }
 
@@ -209,7 +215,7 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     double width[4], height[4];
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
-    Ref uv = ir_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
+    Ref uv = build_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     IrTexture wanted = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
     return answer_of(sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step));
 }

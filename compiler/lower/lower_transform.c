@@ -7,17 +7,18 @@ static bool is_zero(const Ir *ir, Ref ref) { return ir_is_number(ir, ref, 0); }
 /* A matrix of scalars, m[row][column], times q; a diagonal one is a product by lane. */
 static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
 {
+    Ir *ir = l->ir;
     Type type = size == 2 ? TYPE_vec2 : TYPE_vec3;
     bool diagonal = true;
     for (int i = 0; i < size; i++)
         for (int k = 0; k < size; k++)
-            diagonal &= i == k || is_zero(l->ir, m[i][k]);
+            diagonal &= i == k || is_zero(ir, m[i][k]);
     if (diagonal)
-        return mul(l, q, ir_vec(l->ir, type, REFS(l->ir, m[0][0], m[1][1], size == 3 ? m[2][2] : 0), size));
+        return build_mul(ir, q, build_vec_of(ir, type, REFS(ir, m[0][0], m[1][1], size == 3 ? m[2][2] : 0), size));
     Ref args[4] = {q};
     for (int k = 0; k < size; k++)
-        args[k + 1] = ir_vec(l->ir, type, REFS(l->ir, m[0][k], m[1][k], size == 3 ? m[2][k] : 0), size);
-    return ir_make(l->ir, OP_linear, type, 0, args, size + 1);
+        args[k + 1] = build_vec_of(ir, type, REFS(ir, m[0][k], m[1][k], size == 3 ? m[2][k] : 0), size);
+    return build_linear(ir, args, size + 1);
 }
 
 /* The same of a mean: lanes that vary independently are added up by the squares of their factors. */
@@ -29,7 +30,7 @@ static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
         return answer;
     for (int i = 0; i < size; i++)
         for (int k = 0; k < size; k++)
-            squares[i][k] = mul(l, m[i][k], m[i][k]);
+            squares[i][k] = build_square(l->ir, m[i][k]);
     answer.variance = times_matrix(l, squares, size, q.variance);
     return answer;
 }
@@ -37,50 +38,55 @@ static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
 /* The 2x2 part of a UVTransform: uv' = m (uv - offset). */
 static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
 {
+    Ir *ir = l->ir;
     Ref angle = lower_param(l, node_param(node, P_UVTransform_angle), TYPE_float);
-    Ref c = ir_unary(l->ir, OP_cos, angle), s = ir_unary(l->ir, OP_sin, angle);
+    Ref c = build_cos(ir, angle), s = build_sin(ir, angle);
     Ref scale_u = lower_param(l, node_param(node, P_UVTransform_scaleU), TYPE_float);
     Ref scale_v = lower_param(l, node_param(node, P_UVTransform_scaleV), TYPE_float);
-    Ref sheared = mul(l, lower_param(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
-    m[0][0] = add(l, mul(l, scale_u, c), mul(l, sheared, s));
-    m[0][1] = sub(l, mul(l, scale_u, s), mul(l, sheared, c));
-    m[1][0] = ir_unary(l->ir, OP_neg, mul(l, scale_v, s));
-    m[1][1] = mul(l, scale_v, c);
+    Ref sheared = build_mul(ir, lower_param(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
+    m[0][0] = build_add(ir, build_mul(ir, scale_u, c), build_mul(ir, sheared, s));
+    m[0][1] = build_sub(ir, build_mul(ir, scale_u, s), build_mul(ir, sheared, c));
+    m[1][0] = build_neg(ir, build_mul(ir, scale_v, s));
+    m[1][1] = build_mul(ir, scale_v, c);
 }
 
 /* 1/x, 0 for 0: a texture that is scaled to nothing has no tangent. */
 static Ref guarded_inverse(Lower *l, Ref x)
 {
-    Ref flat = ir_binary(l->ir, OP_eq, x, number(l, 0));
-    Ref inverse = ir_binary(l->ir, OP_div, number(l, 1), ir_select(l->ir, flat, number(l, 1), x));
-    return ir_select(l->ir, flat, number(l, 0), inverse);
+    Ir *ir = l->ir;
+    Ref flat = build_eq(ir, x, build_float(ir, 0));
+    Ref inverse = build_div(ir, build_float(ir, 1), build_select(ir, flat, build_float(ir, 1), x));
+    return build_select(ir, flat, build_float(ir, 0), inverse);
 }
 
 Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
 {
+    Ir *ir = l->ir;
     Ref m[3][3];
     uv_matrix(l, node, m);
-    Ref determinant = sub(l, mul(l, m[0][0], m[1][1]), mul(l, m[0][1], m[1][0]));
+    Ref determinant = build_sub(ir, build_mul(ir, m[0][0], m[1][1]), build_mul(ir, m[0][1], m[1][0]));
     Ref inverse = guarded_inverse(l, determinant);
-    Ref by_u = group == GROUP_DU ? m[1][1] : ir_unary(l->ir, OP_neg, m[0][1]);
-    Ref by_v = group == GROUP_DU ? ir_unary(l->ir, OP_neg, m[1][0]) : m[0][0];
-    return add(l, mul(l, du, mul(l, by_u, inverse)), mul(l, dv, mul(l, by_v, inverse)));
+    Ref by_u = group == GROUP_DU ? m[1][1] : build_neg(ir, m[0][1]);
+    Ref by_v = group == GROUP_DU ? build_neg(ir, m[1][0]) : m[0][0];
+    return build_add(ir, build_mul(ir, du, build_mul(ir, by_u, inverse)),
+                     build_mul(ir, dv, build_mul(ir, by_v, inverse)));
 }
 
 /* m ((u, v) - offset), w as it is. */
 static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
 {
+    Ir *ir = l->ir;
     Ref m[3][3];
     uv_matrix(l, node, m);
     Ref offset_u = lower_param(l, node_param(node, P_UVTransform_offsetU), TYPE_float);
     Ref offset_v = lower_param(l, node_param(node, P_UVTransform_offsetV), TYPE_float);
-    Ref offset = ir_vec(l->ir, TYPE_vec2, REFS(l->ir, offset_u, offset_v), 2);
+    Ref offset = build_vec(ir, TYPE_vec2, offset_u, offset_v);
     Answer uv = answer_swizzle(l, uvw, "xy");
-    uv.value = sub(l, uv.value, offset);
+    uv.value = build_sub(ir, uv.value, offset);
     uv = turned(l, m, 2, uv);
-    Answer answer = answer_of(ir_vec(l->ir, TYPE_vec3, REFS(l->ir, uv.value, ir_swizzle(l->ir, uvw.value, "z")), 2));
+    Answer answer = answer_of(build_vec(ir, TYPE_vec3, uv.value, build_swizzle(ir, uvw.value, "z")));
     if (uv.variance)
-        answer.variance = ir_vec(l->ir, TYPE_vec3, REFS(l->ir, uv.variance, ir_swizzle(l->ir, uvw.variance, "z")), 2);
+        answer.variance = build_vec(ir, TYPE_vec3, uv.variance, build_swizzle(ir, uvw.variance, "z"));
     return answer;
 }
 
@@ -98,11 +104,12 @@ Answer lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env
 /* a b for 3x3 matrices of scalars. */
 static void matrix_product(Lower *l, Ref a[3][3], Ref b[3][3], Ref result[3][3])
 {
+    Ir *ir = l->ir;
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
-            result[i][k] = mul(l, a[i][0], b[0][k]);
+            result[i][k] = build_mul(ir, a[i][0], b[0][k]);
             for (int j = 1; j < 3; j++)
-                result[i][k] = add(l, result[i][k], mul(l, a[i][j], b[j][k]));
+                result[i][k] = build_add(ir, result[i][k], build_mul(ir, a[i][j], b[j][k]));
         }
 }
 
@@ -110,35 +117,37 @@ static void identity(Lower *l, Ref m[3][3])
 {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            m[i][k] = number(l, i == k);
+            m[i][k] = build_float(l->ir, i == k);
 }
 
 /* Rotation about an axis: x 0, y 1, z 2. */
 static void rotation(Lower *l, int axis, Ref angle, Ref m[3][3])
 {
+    Ir *ir = l->ir;
     int i = (axis + 1) % 3, k = (axis + 2) % 3;
-    Ref c = ir_unary(l->ir, OP_cos, angle), s = ir_unary(l->ir, OP_sin, angle);
+    Ref c = build_cos(ir, angle), s = build_sin(ir, angle);
     identity(l, m);
     m[i][i] = m[k][k] = c;
-    m[i][k] = ir_unary(l->ir, OP_neg, s);
+    m[i][k] = build_neg(ir, s);
     m[k][i] = s;
 }
 
 /* Rz Ry Rx S H of a component transformation. */
 static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
 {
+    Ir *ir = l->ir;
     static const char *const lane[] = {"x", "y", "z"};
     Ref angles = lower_param(l, &transform->rotation, TYPE_vec3), turn[3][3], before[3][3];
     Ref scale = lower_param(l, &transform->scale, TYPE_vec3), shear = lower_param(l, &transform->shear, TYPE_vec3);
     identity(l, m);
-    m[0][1] = ir_swizzle(l->ir, shear, "x");
-    m[0][2] = ir_swizzle(l->ir, shear, "y");
-    m[1][2] = ir_swizzle(l->ir, shear, "z");
+    m[0][1] = build_swizzle(ir, shear, "x");
+    m[0][2] = build_swizzle(ir, shear, "y");
+    m[1][2] = build_swizzle(ir, shear, "z");
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            m[i][k] = mul(l, m[i][k], ir_swizzle(l->ir, scale, lane[i]));
+            m[i][k] = build_mul(ir, m[i][k], build_swizzle(ir, scale, lane[i]));
     for (int axis = 0; axis < 3; axis++) {
-        rotation(l, axis, ir_swizzle(l->ir, angles, lane[axis]), turn);
+        rotation(l, axis, build_swizzle(ir, angles, lane[axis]), turn);
         for (int i = 0; i < 9; i++)
             before[i / 3][i % 3] = m[i / 3][i % 3];
         matrix_product(l, turn, before, m);
@@ -148,6 +157,7 @@ static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
 /* M q for a Transform. */
 static Answer transformed(Lower *l, const Transform *transform, Answer q)
 {
+    Ir *ir = l->ir;
     Ref m[3][3], shift;
     switch (transform->kind) {
     case TRANSFORM_scale:
@@ -156,8 +166,8 @@ static Answer transformed(Lower *l, const Transform *transform, Answer q)
         return answer_moved(l, q, lower_param(l, &transform->translation, TYPE_vec3));
     case TRANSFORM_matrix:
         for (int i = 0; i < 9; i++)
-            m[i / 3][i % 3] = number(l, transform->matrix[i / 3 * 4 + i % 3]);
-        shift = ir_vec3(l->ir, transform->matrix[3], transform->matrix[7], transform->matrix[11]);
+            m[i / 3][i % 3] = build_float(ir, transform->matrix[i / 3 * 4 + i % 3]);
+        shift = build_vec3(ir, transform->matrix[3], transform->matrix[7], transform->matrix[11]);
         break;
     default:
         component_matrix(l, transform, m);
@@ -190,7 +200,7 @@ Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     lower_reject_uniform(l, octaves, "octaves", "the loop over the octaves has a fixed length");
     double given[4];
     value_number(octaves, TYPE_float, given);
-    Ref n = ir_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
+    Ref n = build_int(l->ir, clamp(given[0], 1, MOST_OCTAVES));
     Ref frequency = lower_param(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
     Ref noise_ratio = lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float);
     Answer offset = area_vector_turbulence(l, q, (Ref[]){n, frequency, noise_ratio});

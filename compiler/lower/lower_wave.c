@@ -1,33 +1,29 @@
 /* Waveforms, from the `build` column of waves.def, and with a footprint from its MEAN rows. */
 #include "compiler/lower/footprint.h"
+#include "compiler/ir/build_words.h"
 
-#define K(x)              number(l, x)
-#define UNARY(op, a)      ir_unary(l->ir, OP_##op, a)
-#define BINARY(op, a, b)  ir_binary(l->ir, OP_##op, a, b)
-#define ADD(a, b)         add(l, a, b)
-#define MUL(a, b)         mul(l, a, b)
-#define SUB(a, b)         sub(l, a, b)
-#define TWICE(a)          mul(l, a, K(2))
 #define SQUARE(a)         square(l, a)
-#define CLAMP(a, b, c)    ir_ternary(l->ir, OP_clamp, a, K(b), K(c))
-#define CALL(name, a)     ir_call(l->ir, FN_##name, REFS(l->ir, a), 1)
-#define CALL2(name, a, b) ir_call(l->ir, FN_##name, REFS(l->ir, a, b), 2)
+#define CLAMP(a, b, c)    build_clamp(ir, a, K(b), K(c))
+#define CALL(name, a)     build_call(ir, FN_##name, a)
+#define CALL2(name, a, b) build_call(ir, FN_##name, a, b)
 
 /* By the choice of --powers. Squares of squares become higher powers in opt_power.c. */
 static Ref square(Lower *l, Ref v)
 {
+    Ir *ir = l->ir;
     switch (l->job->choice[AXIS_powers]) {
     case CHOICE_powers_pow:
         return BINARY(pow, UNARY(abs, v), K(2));
     case CHOICE_powers_compensated:
-        return ir_call(l->ir, FN_powerCompensated, REFS(l->ir, v, ir_int(l->ir, 2)), 2);
+        return build_call(ir, FN_powerCompensated, v, build_int(ir, 2));
     default:
-        return MUL(v, v);
+        return build_square(ir, v);
     }
 }
 
 static Ref point_value(Lower *l, WaveKind kind, Ref v)
 {
+    Ir *ir = l->ir;
     switch (kind) {
 #define WAVE(name, reference, build, doc)                                                                              \
     case WAVE_##name:                                                                                                  \
@@ -41,6 +37,7 @@ static Ref point_value(Lower *l, WaveKind kind, Ref v)
 /* The mean over a box, and what it leaves out; 0 where the wave has no MEAN row. */
 static Ref box_mean(Lower *l, WaveKind kind, Ref v, Ref w, double *variance, double *period)
 {
+    Ir *ir = l->ir;
     switch (kind) {
 #define MEAN(name, mean, left, length)                                                                                 \
     case WAVE_##name:                                                                                                  \
@@ -56,6 +53,7 @@ static Ref box_mean(Lower *l, WaveKind kind, Ref v, Ref w, double *variance, dou
 /* By how much the wave multiplies what is small; 0: it is taken to leave nothing of it. */
 static Ref rate(Lower *l, WaveKind kind, Ref v)
 {
+    Ir *ir = l->ir;
     switch (kind) {
 #define RATE(name, rate)                                                                                               \
     case WAVE_##name:                                                                                                  \
@@ -69,13 +67,15 @@ static Ref rate(Lower *l, WaveKind kind, Ref v)
 /* All of the variance once the box holds a period; below, about the cube of its share is not seen in the mean's slope. */
 static Ref period_variance(Lower *l, Ref w, double variance, double period)
 {
-    Ref share = ir_binary(l->ir, OP_min, mul(l, w, K(1 / period)), K(1));
+    Ir *ir = l->ir;
+    Ref share = build_min(ir, build_scale(ir, w, 1 / period), K(1));
     return MUL(MUL(MUL(share, share), share), K(variance));
 }
 
 /* Of the argument's variance. */
 static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
 {
+    Ir *ir = l->ir;
     Ref factor = v.variance ? rate(l, kind, v.value) : 0;
     return factor ? MUL(v.variance, MUL(factor, factor)) : 0;
 }
