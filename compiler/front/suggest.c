@@ -1,4 +1,6 @@
-/* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case aside. */
+/* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case aside.
+ *
+ *     Cheker -> Checker: a letter is missing, 1.  Wodo -> Wood: two letters are swapped, 1.  Cheker has 6 letters, so 3 are forgiven. */
 #include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <stdlib.h>

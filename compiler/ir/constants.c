@@ -1,4 +1,8 @@
-/* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in places, laid out. */
+/* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in places, laid out.
+ *
+ *     scaleU: 8 and rotation: 0 are constants c1 and c2; a coordinate is u * (c1 * cos(c2))
+ *     constants_hoist: c1 * cos(c2) depends on such numbers alone, so it is evaluated, 8, and is one constant itself: c3
+ *     the program reads u * c3, and neither c1 nor c2 is in the buffer */
 #include "compiler/ir/constants.h"
 #include "compiler/ir/std140.h"
 #include <float.h>

@@ -35,7 +35,7 @@ bool layout_case_has_slot(const CaseRow *row, Slot slot);
 /* A case stores every slot of the layout that is not fixed, so that every material has one. Where none does, what changes
  * nothing need not be stored. */
 bool layout_is_whole(const LayoutRow *row);
-/* The slot that is not stored but the same for all materials; NULL: it is not such a one. */
+/* The slot that is not stored but the same for all materials; NULL: it is stored, or absent. */
 const FixedRow *layout_fixed(const LayoutRow *row, Slot slot);
 /* The lanes are all lanes of one slot, in order. */
 bool piece_is_slot(const Piece *piece);

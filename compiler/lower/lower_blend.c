@@ -1,4 +1,10 @@
-/* Blend: a walk along items of ascending value. */
+/* Blend: a walk along items of ascending value.
+ *
+ *     items at 0, .3 and 1 answering a, b, c, and t = .65: the first item that t is below is the third, at (.65 - .3) / (1 - .3) = 1/2
+ *     of the way from the second: (b + c) / 2. Below 0 it is a, from 1 on c.
+ *     walk:    t < 0 ? a : t < .3 ? mix(a, b, ..) : t < 1 ? mix(b, c, ..) : c
+ *     search:  t < .3 ? (t < 0 ? a : mix(a, b, ..)) : (t < 1 ? mix(b, c, ..) : c)
+ *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7)) */
 #include "compiler/lower/area.h"
 #include <math.h>
 

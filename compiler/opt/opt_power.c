@@ -1,4 +1,5 @@
-/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper (numerics.md 6.2). */
+/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper (numerics.md 6.2). x^5 = x^4 x:
+ * two squares and a product. */
 #include "compiler/opt/opt.h"
 #include <math.h>
 

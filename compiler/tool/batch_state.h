@@ -120,7 +120,7 @@ bool batch_is_of_program(int emit);
 void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int));
 
 /* -- batch_inputs.c */
-/* Documents, what they are made from, lists and a layout: the files that a change of which changes the batch. */
+/* The files that change the batch when they change: documents, what they are made from, lists and a layout. */
 void batch_inputs(const Batch *batch, StringSet *files);
 /* Complains of each output that would replace an input. Once all outputs are in the stage. */
 void batch_spare_inputs(Batch *batch);
