@@ -157,19 +157,34 @@ const FormatRow format_table[FORMAT_COUNT] = {
 #include "formats.def"
 };
 
+#define IN_FLOATS false
+#define IN_WORDS  true
 const EncodingRow encoding_table[ENCODING_COUNT] = {
-#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
-    {#name, words, takes, least, most, FN_##pack, unpack, UNIT_##unit, doc},
+#define ENCODING(code, store, lanes, text)                                                                             \
+    [ENCODING_##code].name = #code, [ENCODING_##code].words = IN_##store, [ENCODING_##code].takes = lanes,             \
+    [ENCODING_##code].doc = text,
+#define BITS(code, size, at_least, at_most) [ENCODING_##code].least = at_least, [ENCODING_##code].most = at_most,
+#define CODE(code, to, from)                [ENCODING_##code].pack = FN_##to, [ENCODING_##code].unpack = from,
+#define ERROR(code, error_unit, error)      [ENCODING_##code].unit = UNIT_##error_unit,
 #include "encodings.def"
 };
+enum {
+    ENCODING_LINES = 0
+#define BITS(...)   +1
+#define STORES(...) +1
+#define CODE(...)   +1
+#define ERROR(...)  +1
+#include "encodings.def"
+};
+_Static_assert((int)ENCODING_LINES == 4 * (int)ENCODING_COUNT, "encodings.def has every line below every encoding");
 
-/* What depends on a field's bits: a column of encodings.def. */
+/* What depends on a field's bits: columns of encodings.def. */
 int field_size(const FieldRow *field)
 {
     const int n = field->count, b = field->bits;
     (void)n, (void)b;
     switch (field->encoding) {
-#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+#define BITS(name, size, least, most)                                                                                  \
     case ENCODING_##name:                                                                                              \
         return size;
 #include "encodings.def"
@@ -184,7 +199,7 @@ static double encoding_error(const FieldRow *field)
     const double b = field->bits;
     (void)b;
     switch (field->encoding) {
-#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+#define ERROR(name, unit, error)                                                                                       \
     case ENCODING_##name:                                                                                              \
         return error;
 #include "encodings.def"
@@ -196,7 +211,7 @@ static double encoding_error(const FieldRow *field)
 static double encoding_low(Encoding encoding)
 {
     switch (encoding) {
-#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+#define STORES(name, low, high)                                                                                        \
     case ENCODING_##name:                                                                                              \
         return low;
 #include "encodings.def"
@@ -209,7 +224,7 @@ static double encoding_high(Encoding encoding, double b)
 {
     (void)b;
     switch (encoding) {
-#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc)                     \
+#define STORES(name, low, high)                                                                                        \
     case ENCODING_##name:                                                                                              \
         return high;
 #include "encodings.def"

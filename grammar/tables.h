@@ -267,7 +267,7 @@ typedef struct {
 extern const FormatRow format_table[FORMAT_COUNT];
 
 typedef enum {
-#define ENCODING(name, words, takes, size, least, most, low, high, pack, unpack, error, unit, doc) ENCODING_##name,
+#define ENCODING(name, store, takes, doc) ENCODING_##name,
 #include "encodings.def"
     ENCODING_COUNT
 } Encoding;
