@@ -54,8 +54,15 @@ enum {
 #define VOLUME LOWERING_VOLUME
 #define OWN    LOWERING_OWN
 const KindRow kind_table[KIND_COUNT] = {
-#define MATERIAL(name, doc)                      {#name, #name, LOWERING_MATERIAL, 0, FIRST_##name, COUNT_##name, doc},
-#define MAP(name, function, lowering, cost, doc) {#name, #function, lowering, cost, FIRST_##name, COUNT_##name, doc},
+#define KIND_ROW(kind, glsl, how, work, text)                                                                          \
+    [KIND_##kind].name = #kind, [KIND_##kind].function = #glsl, [KIND_##kind].lowering = how,                          \
+    [KIND_##kind].cost = work, [KIND_##kind].first = FIRST_##kind, [KIND_##kind].count = COUNT_##kind,                 \
+    [KIND_##kind].doc = text,
+#define MATERIAL(name, doc)                      KIND_ROW(name, name, LOWERING_MATERIAL, 0, doc)
+#define MAP(name, function, lowering, cost, doc) KIND_ROW(name, function, lowering, cost, doc)
+#define FORMULA(kind, channels, text)            [KIND_##kind].answers = channels, [KIND_##kind].formula = text,
+#define FILTER(kind, how, by, rest)                                                                                    \
+    [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by, [KIND_##kind].variance = FN_##rest,
 #include "materials.def"
 #include "maps.def"
 };
@@ -82,16 +89,13 @@ Section section_of(Kind kind)
     return (Section)section;
 }
 
-const FormulaRow formula_table[KIND_COUNT] = {
-#define FORMULA(kind, answers, formula) [KIND_##kind] = {answers, formula},
-#include "formulas.def"
-};
 enum {
     FORMULAS = 0
 #define FORMULA(kind, answers, formula) +1
-#include "formulas.def"
+#include "materials.def"
+#include "maps.def"
 };
-_Static_assert((int)FORMULAS == (int)KIND_COUNT, "formulas.def has a row for every map and material, and one only");
+_Static_assert((int)FORMULAS == (int)KIND_COUNT, "every map and material has a FORMULA");
 
 const AliasRow alias_table[] = {
 #define ALIAS(alias, name) {#alias, KIND_##name},
@@ -117,9 +121,9 @@ const SlopeRow *slope_row(int function)
 {
     static const SlopeRow rows[FUNCTION_COUNT] = {
 #define SLOPE(function, kind, argument, by, arguments) [FN_##function] = {SLOPE_##kind, argument, FN_##by, arguments},
-#define MAP_SLOPE(map, kind, argument, by, arguments)                                                                  \
-    [FN_FIRST_MAP + KIND_##map] = {SLOPE_##kind, argument, FN_##by, arguments},
 #include "slopes.def"
+#define SLOPE(map, kind, by, arguments) [FN_FIRST_MAP + KIND_##map] = {SLOPE_##kind, 0, FN_##by, arguments},
+#include "maps.def"
     };
     return &rows[function];
 }

@@ -96,6 +96,9 @@ extern const ParamRow param_table[PARAM_COUNT];
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
 
+/* What --aa makes of a volume map. */
+typedef enum { FILTER_samples, FILTER_point, FILTER_box, FILTER_octaves } FilterKind;
+
 typedef struct {
     const char *name;
     const char *function; /* its name in GLSL: of its function, or of temporaries with its value */
@@ -103,6 +106,10 @@ typedef struct {
     int cost;
     int first, count; /* its run in param_table */
     const char *doc;
+    const char *answers; /* which channels or slots it gives, and what it does with others */
+    const char *formula; /* what it computes: lines of plain text */
+    FilterKind filter;
+    int mean, variance; /* the filter's Functions, or FN_none */
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 
@@ -119,13 +126,6 @@ typedef struct {
 } SectionRow;
 extern const SectionRow section_table[SECTION_COUNT];
 Section section_of(Kind kind);
-
-/* What a kind computes, as text. */
-typedef struct {
-    const char *answers; /* which channels or slots it gives, and what it does with others */
-    const char *formula; /* lines of plain text */
-} FormulaRow;
-extern const FormulaRow formula_table[KIND_COUNT];
 
 typedef struct {
     const char *alias;

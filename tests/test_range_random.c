@@ -172,7 +172,7 @@ static void values_of_random_programs_lie_within_their_intervals(void **state)
     }
 }
 
-/* -- what functions.def and ranges.def say of library functions and maps */
+/* -- what functions.def and maps.def say of library functions and maps */
 
 enum { CALLS = 3000, MOST_NUMBERS = 64, TEXELS = 8 };
 

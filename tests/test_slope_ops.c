@@ -256,8 +256,9 @@ static Ref argument(Test *t, char letter, const float lanes[4], const Argument *
     return varies ? moving(&t->l, type, base, rate, other) : ir_const(t->l.ir, type, base);
 }
 
-static void check_call(Test *t, const FunctionCase *row, int function, const SlopeRow *slope)
+static void check_call(Test *t, const FunctionCase *row, const SlopeRow *slope)
 {
+    const int function = row->function;
     const char *letters = function_arguments(function);
     for (int i = 0; i < CALLS; i++) {
         Tuple tuple;
@@ -269,24 +270,24 @@ static void check_call(Test *t, const FunctionCase *row, int function, const Slo
         t->l.ir->textures = ARENA_ARRAY(&t->arena, IrTexture, CALL_TEXTURES);
         for (int k = 0; k < count; k++)
             args[k] = argument(t, letters[k], tuple[k], &row->arguments[k], k == slope->argument);
-        compare(t, build_call_of(t->l.ir, function, args, count), row->function, 1 << slope->argument);
+        compare(t, build_call_of(t->l.ir, function, args, count), function_row(function)->name, 1 << slope->argument);
         end(t);
     }
 }
 
-/* Those of slopes.def: the others are differences of themselves. */
+/* Those of slopes.def and maps.def: the others are differences of themselves. */
 static void functions_have_the_slopes_of_their_rows(void **state)
 {
     (void)state;
     for (int i = 0; i < case_count; i++) {
         const FunctionCase *row = &function_cases[i];
-        Test t = {.random = java_random(i), .bound = 3e-5, .step = 1e-7};
-        int function = function_find(row->function);
+        Test t = {.random = case_random(row, 0), .bound = 3e-5, .step = 1e-7};
+        const int function = row->function;
         const SlopeRow *slope = slope_row(function);
         if (slope->kind == SLOPE_difference || function == FN_imageFiltered) /* that of the picture as it is */
             continue;
-        check_call(&t, row, function, slope);
-        print_message("%s: %d slopes, %d at jumps and creases\n", row->function, t.compared, t.skipped);
+        check_call(&t, row, slope);
+        print_message("%s: %d slopes, %d at jumps and creases\n", function_row(function)->name, t.compared, t.skipped);
         assert_true(t.compared > CALLS / 4 || slope->kind == SLOPE_flat);
     }
 }
@@ -297,7 +298,7 @@ static void a_function_without_a_row_has_the_slope_of_its_differences(void **sta
     (void)state;
     Test t = {.random = java_random(15)};
     const double step = 1. / 256;
-    const int function = function_find("waveExp");
+    const int function = FN_waveExp;
     assert_int_equal(slope_row(function)->kind, SLOPE_difference);
     for (int i = 0; i < CALLS; i++) {
         double base[4] = {uniform(&t, -5, 5)}, rate[4] = {uniform(&t, -4, 4)}, none[4] = {0};

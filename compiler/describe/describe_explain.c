@@ -106,9 +106,9 @@ static void put_kind(Text *out, Kind kind, const char *preset)
         put_presets(out, kind);
     put_parameters(out, row, preset);
     text_put(out, "\nMeaning\n");
-    put_indented(out, formula_table[kind].formula);
+    put_indented(out, kind_table[kind].formula);
     text_put(out, "\nAnswers\n");
-    put_indented(out, formula_table[kind].answers);
+    put_indented(out, kind_table[kind].answers);
     Text example = text_new(out->arena);
     describe_example(&example, kind, preset ? preset : row->name);
     text_put(out, "\nExample\n");

@@ -114,10 +114,10 @@ static Interval table_range(int function)
     case FN_##name:                                                                                                    \
         return (Interval){low, high};
 #include "grammar/functions.def"
-#define MAP_RANGE(map, low, high)                                                                                      \
+#define BETWEEN(map, low, high)                                                                                        \
     case FN_FIRST_MAP + KIND_##map:                                                                                    \
         return (Interval){low, high};
-#include "grammar/ranges.def"
+#include "grammar/maps.def"
     default:
         return everything;
     }

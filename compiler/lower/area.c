@@ -96,16 +96,22 @@ Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
     return noise(l, FN_vectorTurbulence, is_simplex ? &simplex : &lattice, p, args);
 }
 
+/* The map's own function. */
+static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+{
+    return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
+}
+
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
-static Answer sampled(Lower *l, int function, Ref p, const Ref *args, int count)
+static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0}, squares[MOST_TAPS] = {0};
-    int point_count = footprint_points(l, p, points);
+    int point_count = footprint_points(l, p.value, points);
     if (!point_count)
-        return answer_of(call_at(l, function, p, args, count));
+        return point(l, kind, p, args, count);
     for (int i = 0; i < point_count; i++)
-        values[i] = call_at(l, function, points[i], args, count);
+        values[i] = call_at(l, FN_FIRST_MAP + (int)kind, points[i], args, count);
     Ref mean = mean_of(l, values, point_count);
     for (int i = 0; i < point_count; i++) {
         Ref apart = build_sub(ir, values[i], mean);
@@ -114,33 +120,32 @@ static Answer sampled(Lower *l, int function, Ref p, const Ref *args, int count)
     return (Answer){mean, mean_of(l, squares, point_count), NULL};
 }
 
-static Ref leopard(Lower *l, Answer p)
+/* Closed means over boxes, functions (middle, edges, args). */
+static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
-    Ir *ir = l->ir;
     Tap taps[MOST_TAPS];
-    Ref values[MOST_TAPS] = {0};
-    int count = footprint_taps(l, p, taps);
-    for (int i = 0; i < count; i++)
-        values[i] = build_call(ir, FN_leopardFiltered, taps[i].middle, taps[i].edges);
-    return count ? mean_of(l, values, count) : build_call_of(ir, FN_FIRST_MAP + KIND_Leopard, &p.value, 1);
+    Ref values[MOST_TAPS] = {0}, all[MOST_ARGUMENTS];
+    int tap_count = footprint_taps(l, p, taps);
+    for (int k = 0; k < count; k++)
+        all[k + 1] = args[k];
+    for (int i = 0; i < tap_count; i++) {
+        all[0] = taps[i].edges;
+        values[i] = call_at(l, kind_table[kind].mean, taps[i].middle, all, count + 1);
+    }
+    return tap_count ? answer_of(mean_of(l, values, tap_count)) : point(l, kind, p, args, count);
 }
 
-/* Wood is nearly linear over a pixel: it is filtered by the wave that follows it. */
+static Answer fading(Lower *l, Kind kind, Answer p, const Ref *args, int count)
+{
+    const Octaves own = {(Function)kind_table[kind].mean, (Function)kind_table[kind].variance, TYPE_float, 1};
+    return is_plain(l, p) ? point(l, kind, p, args, count) : octaves(l, &own, p, args, count);
+}
+
 Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
-    static const Octaves granite = {FN_graniteFiltered, FN_graniteVariance, TYPE_float, 1};
-    const int plain = FN_FIRST_MAP + (int)kind;
-    switch (kind) {
-    case KIND_Granite:
-        return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, count))
-                              : octaves(l, &granite, p, args, count);
-    case KIND_Leopard:
-        return answer_of(leopard(l, p));
-    case KIND_Wood:
-        return answer_of(call_at(l, plain, p.value, args, count));
-    default:
-        return sampled(l, plain, p.value, args, count);
-    }
+    static Answer (*const filters[])(Lower *, Kind, Answer, const Ref *, int) = {
+        [FILTER_samples] = sampled, [FILTER_point] = point, [FILTER_box] = boxes, [FILTER_octaves] = fading};
+    return filters[kind_table[kind].filter](l, kind, p, args, count);
 }
 
 /* q without its whole part. It changes as q does, also where the parts of a long coordinate leave the change to the whole one. */

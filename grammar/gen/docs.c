@@ -167,9 +167,9 @@ static void put_kind(Text *out, Kind kind)
     const KindRow *row = &kind_table[kind];
     text_format(out, "\n### %s\n\n%s\n", row->name, row->doc);
     put_aliases(out, kind);
-    text_format(out, "\n```\n%s\n```\n", formula_table[kind].formula);
+    text_format(out, "\n```\n%s\n```\n", kind_table[kind].formula);
     put_parameters(out, row);
-    text_format(out, "\nAnswers: %s\n", formula_table[kind].answers);
+    text_format(out, "\nAnswers: %s\n", kind_table[kind].answers);
     put_example(out, kind, row->name);
     put_presets(out, kind);
 }

@@ -1,6 +1,7 @@
-/* tests/functions.def as a table. */
+/* tests/functions.def and the POINTS lines of grammar/maps.def as a table. */
 #include "cases.h"
-#include <string.h>
+#include "runtime/library/java_random.h"
+#include <math.h>
 
 #define PLACE(size, far)                                                                                               \
     {                                                                                                                  \
@@ -55,15 +56,36 @@
         FORM_sky, 0, 0                                                                                                 \
     }
 const FunctionCase function_cases[] = {
-#define CASE(function, bound, unit, reach, ...) {#function, bound, UNIT_##unit, reach, {__VA_ARGS__}},
+#define CASE(function, bound, unit, reach, ...) {FN_##function, bound, UNIT_##unit, reach, {__VA_ARGS__}},
 #include "tests/functions.def"
+#define POINTS(map, bound, unit, reach, ...) {FN_FIRST_MAP + KIND_##map, bound, UNIT_##unit, reach, {__VA_ARGS__}},
+#include "grammar/maps.def"
 };
 const int case_count = sizeof function_cases / sizeof *function_cases;
 
-int function_find(const char *name)
+/* Numbers without a range are drawn from one of some size. */
+static Argument argument_of(const ParamRow *row)
 {
-    for (int i = 0; i < FUNCTION_COUNT; i++)
-        if (function_row(i)->name && !strcmp(function_row(i)->name, name))
-            return i;
-    return FN_none;
+    const double most = 16;
+    bool bounded = row->low > -INFINITY && row->high < INFINITY;
+    return (Argument){row->type == PARAM_Int ? FORM_whole : FORM_range, bounded ? row->low : -most,
+                      bounded ? row->high : most};
+}
+
+FunctionCase case_of_ranges(Kind kind)
+{
+    enum { FIRST_OWN = 4 }; /* behind those of VOLUME_PARAMS */
+    const KindRow *row = &kind_table[kind];
+    FunctionCase all = {FN_FIRST_MAP + (int)kind, 1e-5, UNIT_MIXED, 4, {PLACE(4, 1e4)}};
+    for (int i = FIRST_OWN; i < row->count; i++)
+        all.arguments[1 + i - FIRST_OWN] = argument_of(&param_table[row->first + i]);
+    return all;
+}
+
+uint64_t case_random(const FunctionCase *row, int seed)
+{
+    uint64_t number = (uint64_t)seed;
+    for (const char *letter = function_row(row->function)->name; *letter; letter++)
+        number = number * 131 + (unsigned char)*letter;
+    return java_random((int64_t)number);
 }
