@@ -36,16 +36,16 @@ const ParamRow param_table[PARAM_COUNT] = {
 
 /* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
 enum {
-#define MATERIAL(name, doc)                       FIRST_##name, RESET_##name = FIRST_##name - 1,
-#define MAP(name, function, lowering, cost, doc)  MATERIAL(name, doc)
+#define MATERIAL(name, sort, doc)                 FIRST_##name, RESET_##name = FIRST_##name - 1,
+#define MAP(name, function, lowering, cost, doc)  MATERIAL(name, SHADER, doc)
 #define PARAM(kind, name, type, init, range, doc) AT_##kind##_##name,
 #include "materials.def"
 #include "maps.def"
 };
 enum {
     KINDS_BEGIN = -1 /* each kind's count starts behind a comma and sums over its PARAM lines */
-#define MATERIAL(name, doc)                       , COUNT_##name = 0
-#define MAP(name, function, lowering, cost, doc)  MATERIAL(name, doc)
+#define MATERIAL(name, sort, doc)                 , COUNT_##name = 0
+#define MAP(name, function, lowering, cost, doc)  MATERIAL(name, SHADER, doc)
 #define PARAM(kind, name, type, init, range, doc) +1
 #include "materials.def"
 #include "maps.def"
@@ -58,7 +58,7 @@ const KindRow kind_table[KIND_COUNT] = {
     [KIND_##kind].name = #kind, [KIND_##kind].function = #glsl, [KIND_##kind].lowering = how,                          \
     [KIND_##kind].cost = work, [KIND_##kind].first = FIRST_##kind, [KIND_##kind].count = COUNT_##kind,                 \
     [KIND_##kind].doc = text,
-#define MATERIAL(name, doc)                      KIND_ROW(name, name, LOWERING_MATERIAL, 0, doc)
+#define MATERIAL(name, sort, doc)                KIND_ROW(name, name, LOWERING_MATERIAL, 0, doc)
 #define MAP(name, function, lowering, cost, doc) KIND_ROW(name, function, lowering, cost, doc)
 #define FORMULA(kind, channels, text)            [KIND_##kind].answers = channels, [KIND_##kind].formula = text,
 #define FILTER(kind, how, by, rest)                                                                                    \
@@ -70,7 +70,7 @@ const KindRow kind_table[KIND_COUNT] = {
 /* The kind that follows each heading: an enumerator that the kind behind it has too. */
 enum {
 #define SECTION(name, title)                     SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
-#define MATERIAL(name, doc)                      SECTION_KIND_##name,
+#define MATERIAL(name, sort, doc)                SECTION_KIND_##name,
 #define MAP(name, function, lowering, cost, doc) SECTION_KIND_##name,
 #include "materials.def"
 #include "maps.def"
@@ -387,7 +387,7 @@ static const char *const map_arguments[KIND_COUNT] = {
 static const FunctionRow function_table[FUNCTION_COUNT] = {
 #define FUNCTION(name, result, arguments, low, high, cost, doc) {#name, TYPE_##result, cost, doc},
 #include "functions.def"
-#define MATERIAL(name, doc)                      OWN_ROW(name, 0, doc)
+#define MATERIAL(name, sort, doc)                OWN_ROW(name, 0, doc)
 #define MAP(name, function, lowering, cost, doc) lowering##_ROW(function, cost, doc)
 #include "materials.def"
 #include "maps.def"

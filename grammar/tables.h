@@ -55,7 +55,7 @@ extern const SlotRow slot_table[SLOT_COUNT];
 
 /* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come first. */
 typedef enum {
-#define MATERIAL(name, doc)                      KIND_##name,
+#define MATERIAL(name, sort, doc)                KIND_##name,
 #define MAP(name, function, lowering, cost, doc) KIND_##name,
 #include "materials.def"
 #include "maps.def"

@@ -110,4 +110,13 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 #define MAP(name, function, lowering, cost, doc)                                                                       \
     Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"
+/* What a material answers for a slot; for the normal, not of unit length and on no side yet. */
+#define DECLARE_SHADER(name) Ref lower_##name(Lower *l, const Node *material, Slot slot, const Env *env);
+/* The material that a switch stands for, seen of one side; NULL: it is missing. */
+#define DECLARE_SWITCH(name)      const Node *lower_choose_##name(const Node *material, bool front);
+#define MATERIAL(name, sort, doc) DECLARE_##sort(name)
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+#undef DECLARE_SHADER
+#undef DECLARE_SWITCH
 #endif

@@ -10,13 +10,24 @@ enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
 static Ref white(Lower *l) { return build_vec3(l->ir, 1, 1, 1); }
 static Ref black(Lower *l) { return build_vec3(l->ir, 0, 0, 0); }
 
-/* The normal as it comes, not of unit length. */
-static Ref raw_normal(Lower *l, const Node *material, const Env *env)
-{
-    if (material && material->kind == KIND_Phong)
-        return lower_ask(l, lower_param_node(material, P_Phong_input), GROUP_N, env);
-    return env->root[GROUP_N];
-}
+typedef Ref LowerShader(Lower *l, const Node *material, Slot slot, const Env *env);
+typedef const Node *LowerSwitch(const Node *material, bool front);
+
+#define SHADER_OF_SHADER(name) lower_##name
+#define SWITCH_OF_SHADER(name) NULL
+static LowerShader *const shaders[KIND_COUNT] = {
+#define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SHADER(name),
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+};
+
+#define SHADER_OF_SWITCH(name) NULL
+#define SWITCH_OF_SWITCH(name) lower_choose_##name
+static LowerSwitch *const switches[KIND_COUNT] = {
+#define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SWITCH(name),
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+};
 
 static Ref color(Lower *l, const Node *map, const Env *env)
 {
@@ -60,10 +71,12 @@ static Ref transparency(Lower *l, const Node *m, const Env *env)
     return build_add(ir, build_mul(ir, alpha, build_sub(ir, c, white(l))), white(l));
 }
 
-static Ref phong_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+Ref lower_Phong(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     const Node *diffuse = lower_param_node(m, P_Phong_diffuse);
     switch (slot) {
+    case SLOT_normal:
+        return lower_ask(l, lower_param_node(m, P_Phong_input), GROUP_N, env);
     case SLOT_diffuse:
         return color(l, diffuse, env);
     case SLOT_alpha:
@@ -115,9 +128,11 @@ static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *en
     }
 }
 
-static Ref rgba_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+Ref lower_RGBA(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
+    if (slot == SLOT_normal)
+        return env->root[GROUP_N];
     Ref r = lower_param(l, node_param(m, P_RGBA_r), TYPE_float),
         g = lower_param(l, node_param(m, P_RGBA_g), TYPE_float);
     Ref b = lower_param(l, node_param(m, P_RGBA_b), TYPE_float),
@@ -129,6 +144,8 @@ static Ref rgba_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 static Ref missing_slot(Lower *l, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
+    if (slot == SLOT_normal)
+        return env->root[GROUP_N];
     Ref diffuse = build_vec3(ir, missing_gray, missing_gray, missing_gray);
     return plain_slot(l, diffuse, build_float(ir, 0), slot, env);
 }
@@ -153,8 +170,10 @@ static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
     return build_mul(ir, build_call_of(ir, FN_skyRadiance, args, 8), factor);
 }
 
-static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
+Ref lower_SunSkyLight(Lower *l, const Node *m, Slot slot, const Env *env)
 {
+    if (slot == SLOT_normal)
+        return env->root[GROUP_N];
     if (slot == SLOT_emissive)
         return sky_radiance(l, m, env);
     Ref diffuse = black(l);
@@ -162,15 +181,16 @@ static Ref sky_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 }
 
 /* The material of a side. A missing back is as the front; a missing front stays missing. */
-static const Node *side(const Node *m, bool front)
+const Node *lower_choose_SideSwitch(const Node *m, bool front)
 {
     const Node *back = front ? NULL : lower_param_node(m, P_SideSwitch_backShader);
     return back ? back : lower_param_node(m, P_SideSwitch_frontShader);
 }
 
 /* A preview takes the GUI's material; the others stand in where it is missing. */
-static const Node *algorithm(const Node *m)
+const Node *lower_choose_AlgorithmSwitch(const Node *m, bool front)
 {
+    (void)front;
     const Node *gui = lower_param_node(m, P_AlgorithmSwitch_guiShader);
     const Node *ray = lower_param_node(m, P_AlgorithmSwitch_raytracerShader);
     return gui ? gui : ray ? ray : lower_param_node(m, P_AlgorithmSwitch_radiationShader);
@@ -179,8 +199,8 @@ static const Node *algorithm(const Node *m)
 /* The material that is seen of one side, through any number of switches: within one of them the side is known. */
 static const Node *seen_from(const Node *m, bool front)
 {
-    while (m && (m->kind == KIND_SideSwitch || m->kind == KIND_AlgorithmSwitch))
-        m = m->kind == KIND_SideSwitch ? side(m, front) : algorithm(m);
+    while (m && switches[m->kind])
+        m = switches[m->kind](m, front);
     return m;
 }
 
@@ -192,18 +212,7 @@ static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
 /* Of a material that is no switch. */
 static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
-    if (!m)
-        return missing_slot(l, slot, env);
-    switch (m->kind) {
-    case KIND_Phong:
-        return phong_slot(l, m, slot, env);
-    case KIND_RGBA:
-        return rgba_slot(l, m, slot, env);
-    case KIND_SunSkyLight:
-        return sky_slot(l, m, slot, env);
-    default:
-        return missing_slot(l, slot, env);
-    }
+    return m ? shaders[m->kind](l, m, slot, env) : missing_slot(l, slot, env);
 }
 
 static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env)
@@ -224,7 +233,7 @@ static Ref in_eye_space(Lower *l, Ref normal, const Env *env)
 
 static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
 {
-    Ref normal = raw_normal(l, m, env);
+    Ref normal = side_slot(l, m, SLOT_normal, env);
     return eye ? in_eye_space(l, normal, env) : normal;
 }
 

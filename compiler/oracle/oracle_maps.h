@@ -117,4 +117,13 @@ Answer oracle_volume; /* LOWERING_VOLUME */
 #include "grammar/maps.def"
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
+/* What a material answers, over the values of a neutral one. oracle_material.c */
+#define DECLARE_SHADER(name) void oracle_##name(Environment *environment, const Node *material, SlotValues *result);
+/* The material that a switch stands for, seen of one side; NULL: it is missing. */
+#define DECLARE_SWITCH(name)      const Node *oracle_choose_##name(const Node *material, bool front);
+#define MATERIAL(name, sort, doc) DECLARE_##sort(name)
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+#undef DECLARE_SHADER
+#undef DECLARE_SWITCH
 #endif

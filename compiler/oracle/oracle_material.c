@@ -3,8 +3,26 @@
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/stack.h"
 #include "runtime/library/sky.h"
-#include <assert.h>
 #include <string.h>
+
+typedef void OracleShader(Environment *environment, const Node *material, SlotValues *result);
+typedef const Node *OracleSwitch(const Node *material, bool front);
+
+#define SHADER_OF_SHADER(name) oracle_##name
+#define SWITCH_OF_SHADER(name) NULL
+static OracleShader *const shaders[KIND_COUNT] = {
+#define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SHADER(name),
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+};
+
+#define SHADER_OF_SWITCH(name) NULL
+#define SWITCH_OF_SWITCH(name) oracle_choose_##name
+static OracleSwitch *const switches[KIND_COUNT] = {
+#define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SWITCH(name),
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+};
 
 static const double DEFAULT_EXPONENT = 4;
 static const double GREATEST_EXPONENT = 65504;
@@ -57,8 +75,9 @@ static void set_rgba(const double rgb[3], double a, SlotValues *result)
     set_colour(result, SLOT_transparency, (double[3]){1 - a, 1 - a, 1 - a});
 }
 
-static void rgba(const Node *material, SlotValues *result)
+void oracle_RGBA(Environment *environment, const Node *material, SlotValues *result)
 {
+    (void)environment;
     double rgb[3] = {oracle_number(material, P_RGBA_r), oracle_number(material, P_RGBA_g),
                      oracle_number(material, P_RGBA_b)};
     set_rgba(rgb, oracle_number(material, P_RGBA_a), result);
@@ -87,7 +106,7 @@ static void transparency(Environment *environment, const Node *material, SlotVal
 }
 
 /* Only the normal and the index of refraction come from `input`; the other maps read the surface. */
-static void phong(Environment *environment, const Node *material, SlotValues *result)
+void oracle_Phong(Environment *environment, const Node *material, SlotValues *result)
 {
     double normal[3];
     for (int i = 0; i < 3; i++)
@@ -110,7 +129,7 @@ enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
 /* The rows of sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. */
 enum { ROW_ZENITH, ROW_A, ROW_SUN = ROW_A + 5, ROW_COUNT };
 
-static void sky(const Environment *environment, const Node *material, SlotValues *result)
+void oracle_SunSkyLight(Environment *environment, const Node *material, SlotValues *result)
 {
     double sun[3], row[ROW_COUNT][3], args[SKY_ARGUMENTS][3];
     oracle_number3(material, P_SunSkyLight_sun, sun);
@@ -131,14 +150,15 @@ static const Node *material_of(const Node *material, int param)
 }
 
 /* A missing back is the front; a missing front stays missing, whatever the back is. */
-static const Node *choose_side(const Node *material, bool front)
+const Node *oracle_choose_SideSwitch(const Node *material, bool front)
 {
     const Node *back = front ? NULL : material_of(material, P_SideSwitch_backShader);
     return back ? back : material_of(material, P_SideSwitch_frontShader);
 }
 
-static const Node *choose_algorithm(const Node *material)
+const Node *oracle_choose_AlgorithmSwitch(const Node *material, bool front)
 {
+    (void)front;
     const int order[] = {P_AlgorithmSwitch_guiShader, P_AlgorithmSwitch_raytracerShader,
                          P_AlgorithmSwitch_radiationShader};
     for (int i = 0; i < 3; i++) {
@@ -152,8 +172,8 @@ static const Node *choose_algorithm(const Node *material)
 /* The material that a switch stands for, through any number of switches; NULL when it is missing. */
 static const Node *chosen(const Node *material, bool front)
 {
-    while (material && (material->kind == KIND_SideSwitch || material->kind == KIND_AlgorithmSwitch))
-        material = material->kind == KIND_SideSwitch ? choose_side(material, front) : choose_algorithm(material);
+    while (material && switches[material->kind])
+        material = switches[material->kind](material, front);
     return material;
 }
 
@@ -161,16 +181,10 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
 {
     set_neutral(environment, result);
     const Node *shader = chosen(material, environment->surface->front);
-    if (!shader)
-        missing(result);
-    else if (shader->kind == KIND_Phong)
-        phong(environment, shader, result);
-    else if (shader->kind == KIND_RGBA)
-        rgba(shader, result);
-    else if (shader->kind == KIND_SunSkyLight)
-        sky(environment, shader, result);
+    if (shader)
+        shaders[shader->kind](environment, shader, result);
     else
-        assert(!"a material");
+        missing(result);
 }
 
 typedef struct {
