@@ -35,14 +35,10 @@ int emit_table_binding(const Ir *ir, const Interface *interface, const char *nam
     for (size_t i = 0; i < ir->texture_count; i++)
         index += interface->textures[i];
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
-            const char *end = strchr(line, '\n'), *sampler = strstr(line, "sampler2D ");
-            if (!sampler || sampler > end)
-                continue;
-            size_t length = (size_t)(end - sampler) - strlen("sampler2D ");
-            if (strlen(name) == length && !strncmp(sampler + strlen("sampler2D "), name, length))
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++) {
+            if (uniform->sampler && !strcmp(uniform->name, name))
                 return emit_texture_binding(index);
-            index++;
+            index += uniform->sampler;
         }
     return -1;
 }
@@ -96,38 +92,31 @@ static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, con
         count++;
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1)
-            if (!strstr(line, "sampler") || strstr(line, "sampler") > strchr(line, '\n')) {
-                text_format(out, "%s%.*s;\n", prefix, (int)strcspn(line, "\n"), line);
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++)
+            if (!uniform->sampler) {
+                text_format(out, "%s%s %s;\n", prefix, uniform->type, uniform->name);
                 count++;
             }
     return count;
 }
 
-static void put_sampler(Text *out, Target target, int *index, const char *declaration, int size)
+static void put_sampler(Text *out, Target target, int *index, const char *type, const char *name)
 {
     if (target_table[target].locations)
         text_format(out, "layout(binding = %d) ", emit_texture_binding((*index)++));
-    text_format(out, "uniform %.*s;\n", size, declaration);
+    text_format(out, "uniform %s %s;\n", type, name);
 }
 
 static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     int index = 0;
-    for (size_t i = 0; i < ir->texture_count; i++) {
-        Text declaration = text_new(session->arena);
-        if (!interface->textures[i])
-            continue;
-        text_format(&declaration, "sampler2D %s", emit_texture_name(session, ir, (int)i));
-        put_sampler(out, job->target, &index, declaration.at, (int)declaration.size);
-    }
+    for (size_t i = 0; i < ir->texture_count; i++)
+        if (interface->textures[i])
+            put_sampler(out, job->target, &index, "sampler2D", emit_texture_name(session, ir, (int)i));
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
-            int size = (int)strcspn(line, "\n");
-            const char *sampler = strstr(line, "sampler2D");
-            if (sampler && sampler < line + size)
-                put_sampler(out, job->target, &index, line, size);
-        }
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++)
+            if (uniform->sampler)
+                put_sampler(out, job->target, &index, uniform->type, uniform->name);
 }
 
 void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)

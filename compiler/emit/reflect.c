@@ -93,14 +93,12 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
         text_put(out, "]}");
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const char *line = interface->chunks.at[i]->uniforms; *line; line = strchr(line, '\n') + 1) {
-            int type = (int)strcspn(line, " "), size = (int)strcspn(line, "\n");
-            if (!strncmp(line, "highp", 5) || !strncmp(line, "sampler", 7))
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++) {
+            if (uniform->sampler)
                 continue;
             next(&list);
-            put_typed(out, arena_string(out->arena, line + type + 1, (size_t)(size - type - 1)),
-                      arena_string(out->arena, line, (size_t)type));
-            put_offset(out, job, line, size_of_block);
+            put_typed(out, uniform->name, uniform->type);
+            put_offset(out, job, uniform->type, size_of_block);
             text_char(out, '}');
         }
     close_list(&list);

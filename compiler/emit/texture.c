@@ -46,8 +46,9 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
 static bool declares(const Interface *interface, const char *name)
 {
     for (size_t i = 0; i < interface->chunks.count; i++)
-        if (strstr(interface->chunks.at[i]->uniforms, name))
-            return true;
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++)
+            if (!strcmp(uniform->name, name))
+                return true;
     return false;
 }
 

@@ -55,21 +55,34 @@ static const char *line_end(const char *line)
     return end ? end + 1 : line + strlen(line);
 }
 
-/* Lines that declare uniforms, without the word and the semicolon; or all others. */
-static char *pick_lines(const char *text, int uniforms)
+/* Lines that declare uniforms: "uniform highp sampler2D name;" as {"highp sampler2D", "name", true}. */
+static void put_uniforms(FILE *out, const char *text)
 {
-    char *picked = calloc(1, strlen(text) + 1), *to = picked;
-    for (const char *line = text, *end; picked && *line; line = end) {
-        end = line_end(line);
-        if (is_uniform(line) != uniforms)
+    fputs("(const ChunkUniform[]){", out);
+    for (const char *line = text; *line; line = line_end(line)) {
+        if (!is_uniform(line))
             continue;
-        const char *from = uniforms ? line + 8 : line, *stop = uniforms ? strchr(line, ';') : end;
-        memcpy(to, from, (size_t)(stop - from));
-        to += stop - from;
-        if (uniforms)
-            *to++ = '\n';
+        const char *type = line + 8, *stop = strchr(line, ';'), *name = stop, *sampler = strstr(type, "sampler");
+        while (name[-1] != ' ')
+            name--;
+        fprintf(out, "{\"%.*s\", \"%.*s\", %s}, ", (int)(name - 1 - type), type, (int)(stop - name), name,
+                sampler && sampler < name ? "true" : "false");
     }
-    return picked;
+    fputs("{0}}", out);
+}
+
+/* All other lines. */
+static char *without_uniforms(const char *text)
+{
+    char *rest = calloc(1, strlen(text) + 1), *to = rest;
+    for (const char *line = text, *end; rest && *line; line = end) {
+        end = line_end(line);
+        if (is_uniform(line))
+            continue;
+        memcpy(to, line, (size_t)(end - line));
+        to += end - line;
+    }
+    return rest;
 }
 
 static int put_chunk(FILE *out, const File *file)
@@ -81,15 +94,14 @@ static int put_chunk(FILE *out, const File *file)
     }
     const char *needs = file->text + sizeof tag - 1, *body = line_end(file->text);
     needs += strspn(needs, " ");
-    char *uniforms = pick_lines(body, 1), *rest = pick_lines(body, 0);
+    char *rest = without_uniforms(body);
     fprintf(out, "    {\"%s\", ", file->name);
     put_string(out, needs, strcspn(needs, "\n"));
     fputs(",\n    ", out);
-    put_string(out, uniforms, strlen(uniforms));
+    put_uniforms(out, body);
     fputs(",\n    ", out);
     put_string(out, rest, strlen(rest));
     fputs("},\n", out);
-    free(uniforms);
     free(rest);
     return 1;
 }

@@ -101,16 +101,12 @@ void caller_close(Caller *c)
 
 static void put(Caller *c, const char *text) { strncat(c->text, text, CALL_TEXT - 1 - strlen(c->text)); }
 
-/* A line of declarations each. */
-static void put_uniforms(Caller *c, const char *lines)
+static void put_uniforms(Caller *c, const ChunkUniform *uniform)
 {
     char line[128];
-    for (const char *at = lines; *at;) {
-        int size = (int)strcspn(at, "\n");
-        snprintf(line, sizeof line, "uniform %.*s;\n", size, at);
+    for (; uniform->name; uniform++) {
+        snprintf(line, sizeof line, "uniform %s %s;\n", uniform->type, uniform->name);
         put(c, line);
-        at += size;
-        at += strspn(at, "\n");
     }
 }
 
