@@ -188,7 +188,7 @@ MATC_API char *matc_eval(const MatcDocument *document, int material, const char 
                          const char **fault);
 
 typedef enum { MATC_TEXT, MATC_JSON } MatcForm;
-/* All diagnostics so far, as gcc prints them or as a JSON array; owned by the document or program. "" when there are none. */
+/* All diagnostics so far, as gcc prints them or as a JSON array; owned by the document or program. "" in both forms when there are none. */
 MATC_API const char *matc_diagnostics(MatcDocument *document, MatcForm form);
 MATC_API const char *matc_program_diagnostics(MatcProgram *program, MatcForm form);
 MATC_API int matc_error_count(const MatcDocument *document);

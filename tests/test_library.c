@@ -305,6 +305,21 @@ static void evaluation_reads_back(void **state)
     matc_document_free(document);
 }
 
+/* What matc.h promises: none is "", and no empty array that somebody would compare with. */
+static void no_diagnostics_are_no_text(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    MatcDocument *document = matc_read("x.yaml", "material: Phong\n", 16, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    for (int form = MATC_TEXT; form <= MATC_JSON; form++) {
+        assert_string_equal(matc_diagnostics(document, (MatcForm)form), "");
+        assert_string_equal(matc_program_diagnostics(program, (MatcForm)form), "");
+    }
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
 static void output_is_the_same_in_any_locale(void **state)
 {
     (void)state;
@@ -430,6 +445,7 @@ int main(void)
         cmocka_unit_test(newer_options_work),
         cmocka_unit_test(cut_documents_are_refused),
         cmocka_unit_test(evaluation_reads_back),
+        cmocka_unit_test(no_diagnostics_are_no_text),
         cmocka_unit_test(output_is_the_same_in_any_locale),
         cmocka_unit_test(threads_share_a_document),
         cmocka_unit_test(deep_chains_are_bounded),

@@ -32,6 +32,8 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
 const char *diag_all(Session *session, MatcForm form)
 {
     Text out = text_new(session->arena);
+    if (!session->diags.count)
+        return "";
     if (form == MATC_JSON)
         text_put(&out, "[");
     for (size_t i = 0; i < session->diags.count; i++) {
@@ -43,6 +45,6 @@ const char *diag_all(Session *session, MatcForm form)
         }
     }
     if (form == MATC_JSON)
-        text_put(&out, session->diags.count ? "\n]\n" : "]\n");
-    return out.at ? out.at : "";
+        text_put(&out, "\n]\n");
+    return out.at;
 }

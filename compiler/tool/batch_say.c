@@ -18,7 +18,7 @@ void batch_say_complete(Batch *b)
 /* Adds to what is said of the document, if it is anything. */
 void batch_say(Batch *b, BatchDocument *document, const char *text)
 {
-    if (!*text || !strcmp(text, "[]\n"))
+    if (!*text)
         return;
     pthread_mutex_lock(&b->mutex);
     bytes_add(document ? &document->said : &b->general, text, strlen(text));
@@ -27,7 +27,7 @@ void batch_say(Batch *b, BatchDocument *document, const char *text)
 
 void batch_say_of(Batch *b, BatchDocument *document, int material, const char *text)
 {
-    if (!*text || !strcmp(text, "[]\n"))
+    if (!*text)
         return;
     pthread_mutex_lock(&b->mutex);
     bytes_add(&document->materials[material].said, text, strlen(text));

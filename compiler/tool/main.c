@@ -56,12 +56,6 @@ static int usage(const char *what)
     return USAGE;
 }
 
-static void print_diagnostics(const char *text, const CommandLine *line)
-{
-    if (line->diagnostics == MATC_TEXT || strcmp(text, "[]\n") != 0)
-        fputs(text, stderr);
-}
-
 static unsigned wanted_outputs(const CommandLine *line)
 {
     unsigned outputs = line->stats ? MATC_STATS : 0;
@@ -89,7 +83,7 @@ static bool is_refused(const CommandLine *line, const MatcDocument *document, in
     MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT, &options);
     bool refused = !matc_ok(program);
     if (refused)
-        print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
+        fputs(matc_program_diagnostics(program, line->diagnostics), stderr);
     matc_program_free(program);
     return refused;
 }
@@ -133,7 +127,7 @@ static int compile_material(const CommandLine *line, MatcDocument *document, int
     if (choose_options(line, document, material, &options) != FINE)
         return FAULT;
     MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &options);
-    print_diagnostics(matc_program_diagnostics(program, line->diagnostics), line);
+    fputs(matc_program_diagnostics(program, line->diagnostics), stderr);
     int status = matc_ok(program) ? FINE : FAULT;
     if (status == FINE && line->stats)
         fputs(matc_output(program, MATC_STATS, NULL), stderr);
@@ -202,7 +196,7 @@ static int run_input(const CommandLine *line, const char *path)
         return complain(path, why);
     MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
     free(text);
-    print_diagnostics(matc_diagnostics(document, line->diagnostics), line);
+    fputs(matc_diagnostics(document, line->diagnostics), stderr);
     for (int i = 0; line->watched && i < matc_depend_count(document); i++)
         watch_list_add(line->watched, matc_depend(document, i));
     bool tree_only = line->emit[EMIT_tree] && !line->folder && !line->depend && !line->textures;
@@ -219,10 +213,10 @@ static int run_input(const CommandLine *line, const char *path)
 
 static void say(void *user, const char *text)
 {
-    const CommandLine *line = user;
+    (void)user;
     if (isatty(STDERR_FILENO))
         fputs("\r\033[K", stderr); /* over the progress */
-    print_diagnostics(text, line);
+    fputs(text, stderr);
 }
 
 static void show_progress(void *user, int done, int documents)
@@ -278,7 +272,7 @@ static int use_layout(CommandLine *line)
         print_fault(fault);
     free(fault);
     if (layout)
-        print_diagnostics(matc_layout_diagnostics(layout, line->diagnostics), line);
+        fputs(matc_layout_diagnostics(layout, line->diagnostics), stderr);
     bool fine = !fault && (!layout || matc_layout_ok(layout));
     if (layout && fine && line->stats && !line->explain)
         fputs(matc_layout_report(layout), stderr);
