@@ -1,5 +1,6 @@
 /* A compiled material as the view wants it: its texts, textures and uniforms' defaults. */
 #include "runtime/view/picture.h"
+#include "compiler/evaluate.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/message.h"
 #include <math.h>
@@ -84,31 +85,27 @@ static bool draw(MatcProgram *program, const ViewOptions *view, unsigned char *r
     return done;
 }
 
-/* How bright the material is in a direction, by the C reference. */
-static double brightness(const MatcDocument *document, int material, const MatcOptions *options, double azimuth)
-{
-    char point[128];
-    const char *fault;
-    double r = 0, g = 0, b = 0, height = 0.3;
-    snprintf(point, sizeof point, "x=%.6f y=%.6f z=%.6f", cos(azimuth), sin(azimuth), height);
-    char *values = matc_eval(document, material, point, options, &fault);
-    const char *line = values ? strstr(values, "\nemissive ") : NULL;
-    if (line)
-        sscanf(line, " emissive %lf %lf %lf", &r, &g, &b);
-    free(values);
-    return r + g + b;
-}
-
-/* Where a sky is brightest above the horizon: there it is worth looking. */
+/* The azimuth at which the material is brightest a little above the horizon, by the C reference: there it is worth looking. A
+ * direction that takes too long is no number, and never the brightest. */
 static double find_azimuth(const MatcDocument *document, int material, const MatcOptions *options)
 {
     enum { STEPS = 72 };
-    const double step = 6.283185307179586 / STEPS;
+    const double step = 6.283185307179586 / STEPS, height = 0.3;
+    Surface surfaces[STEPS];
+    SlotValues values[STEPS];
     double best = 0, azimuth = 0;
     for (int i = 0; i < STEPS; i++) {
-        double b = brightness(document, material, options, i * step);
-        azimuth = b > best ? i * step : azimuth;
-        best = b > best ? b : best;
+        oracle_surface_default(&surfaces[i]);
+        double *position = &surfaces[i].root[channel_id(GROUP_X, 0)];
+        position[0] = cos(i * step);
+        position[1] = sin(i * step);
+        position[2] = height;
+    }
+    evaluate_material(document, material, options, (SurfacePoints){surfaces, STEPS}, values);
+    for (int i = 0; i < STEPS; i++) {
+        const double *rgb = values[i].lane[SLOT_emissive], bright = rgb[0] + rgb[1] + rgb[2];
+        azimuth = bright > best ? i * step : azimuth;
+        best = bright > best ? bright : best;
     }
     return azimuth;
 }
