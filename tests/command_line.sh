@@ -88,6 +88,32 @@ echo precious >"$work/precious"
 check "an existing output is left as it was" same "$work/precious" "$work/kept.frag"
 check "JSON diagnostics" status 1 "$matc" --diagnostics=json "$work/bad.yaml"
 check "name the kind" says '"kind": "unknown_map"'
+# Whatever is wrong, standard error is nothing but JSON
+is_json() { grep -q . "$work/stderr" && ! grep -vE '^(\[|\]| \{"severity": .*"message": ".*\},?)$' "$work/stderr" >&2; }
+printf 'materials: { a: { material: Phong }, b: { material: Phong } }\n' >"$work/several.yaml"
+json="$fast --diagnostics=json"
+check_json() {
+    check "in JSON: $*" status "$@"
+    check "all of it: $*" is_json
+}
+check_json 1 $json "$work/none.yaml"
+check "names the file" says '"kind": "run".*"subject": ".*none.yaml"'
+check_json 1 $json $example -o "$work/no/such/folder.frag"
+check_json 1 $json -d "$work/jsons" $example "$work/none.yaml"
+check_json 1 $json -d "$work/none.yaml/below" $example
+check_json 1 $json --layout="$work/none.yaml" $example
+check_json 1 $json --layout="$work/bad.yaml" $example
+check_json 1 $json "$work/several.yaml"
+check_json 1 $json --material=c "$work/several.yaml"
+check_json 1 $json --max-error=1e-9 $example
+check_json 2 $json --frobnicate $example
+check_json 2 "$matc" --frobnicate $example --diagnostics=json
+check_json 2 "$matc" --diagnostics=json
+check_json 2 $json -o x -d y $example
+check_json 2 $json --eval 'q=1' $example
+check_json 2 $json @"$work/none.yaml"
+check_json 2 $json --explain nothing
+check_json 1 $json -d "$work/jsons" -j 1 --cache "$work/bad.yaml/cache" $example
 mkdir "$work/none"
 check "nothing is written" status 1 "$matc" "$work/bad.yaml" -d "$work/none"
 check "not even a temporary file" test -z "$(ls "$work/none")"

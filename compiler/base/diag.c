@@ -125,9 +125,28 @@ void diag_print_json(Text *out, const Diag *diag, const Source *sources)
     text_put(out, "}");
 }
 
-void diag_complain(Text *out, Severity severity, const char *what, const char *why)
+static void complain_in_json(Text *out, Severity severity, const char *what, const char *why)
 {
+    text_put(out, "[\n {");
+    json_member(out, "severity", severity_name[severity]);
+    json_next(out, "kind", "run");
+    json_next(out, "message", why);
+    if (what)
+        json_next(out, "subject", what);
+    text_put(out, "}\n]\n");
+}
+
+void diag_complain(Text *out, MatcForm form, Severity severity, const char *what, const char *why)
+{
+    if (form == MATC_JSON) {
+        complain_in_json(out, severity, what, why);
+        return;
+    }
     text_format(out, "matc: %s: ", severity_name[severity]);
-    text_visible(out, what, strlen(what));
-    text_format(out, ": %s\n", why);
+    if (what) {
+        text_visible(out, what, strlen(what));
+        text_put(out, ": ");
+    }
+    text_visible(out, why, strlen(why));
+    text_char(out, '\n');
 }

@@ -3,6 +3,7 @@
 #define MATC_DIAG_H
 #include "compiler/base/source.h"
 #include "compiler/base/text.h"
+#include "compiler/matc.h"
 #include <stdbool.h>
 
 typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error } Severity;
@@ -43,8 +44,9 @@ extern const DiagRow diag_table[DIAG_COUNT];
 void diag_message(Text *out, DiagKind kind, va_list args);
 /* gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
-/* What a program says of a file or an option: "matc: error: what: why". */
-void diag_complain(Text *out, Severity severity, const char *what, const char *why);
+/* What a program says of a file or an option: "matc: error: what: why", or an array of one object whose kind is "run" and whose subject
+ * is `what`. NULL: it is about nothing that has a name. */
+void diag_complain(Text *out, MatcForm form, Severity severity, const char *what, const char *why);
 /* One JSON object. */
 void diag_print_json(Text *out, const Diag *diag, const Source *sources);
 #endif

@@ -50,7 +50,7 @@ static void say_of_file(Batch *b, BatchDocument *document, Severity severity, co
 {
     Arena arena = {0};
     Text text = text_new(&arena);
-    diag_complain(&text, severity, what, why);
+    diag_complain(&text, b->line->diagnostics, severity, what, why);
     batch_say(b, document, text.at);
     arena_free(&arena);
 }

@@ -27,32 +27,37 @@ enum {
     WATCH_MS = 200 /* between looks for a signal */
 };
 
-static int complain(const char *what, const char *why)
+static void print_complaint(const CommandLine *line, Severity severity, const char *what, const char *why)
 {
     Arena arena = {0};
     Text text = text_new(&arena);
-    diag_complain(&text, SEVERITY_error, what, why);
+    diag_complain(&text, line->diagnostics, severity, what, why);
     fputs(text.at, stderr);
     arena_free(&arena);
+}
+
+/* `what`: a file or an option; NULL: neither. */
+static int complain(const CommandLine *line, const char *what, const char *why)
+{
+    print_complaint(line, SEVERITY_error, what, why);
     return FAULT;
 }
 
 /* Diagnostics, or what is wrong in a line. */
-static void print_fault(const char *fault)
+static void print_fault(const CommandLine *line, const char *fault)
 {
-    Arena arena = {0};
-    Text text = text_new(&arena);
-    text_visible(&text, fault, strlen(fault));
     if (strchr(fault, '\n'))
         fputs(fault, stderr);
     else
-        fprintf(stderr, "matc: error: %s\n", text.at);
-    arena_free(&arena);
+        complain(line, NULL, fault);
 }
 
-static int usage(const char *what)
+static int usage(const CommandLine *line, const char *what)
 {
-    fprintf(stderr, "matc: %s; see matc --help\n", what);
+    if (line->diagnostics == MATC_JSON)
+        complain(line, NULL, what);
+    else
+        fprintf(stderr, "matc: %s; see matc --help\n", what);
     return USAGE;
 }
 
@@ -99,7 +104,7 @@ static int choose_options(const CommandLine *line, const MatcDocument *document,
         return FAULT;
     ParetoSubject subject = subject_of(line, document, material);
     if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &why, error, sizeof error))
-        return complain("--max-error", error);
+        return complain(line, "--max-error", error);
     if (line->stats)
         fputs(why, stderr);
     free(why);
@@ -113,7 +118,7 @@ static int print_pareto(const CommandLine *line, const MatcDocument *document, i
         return FAULT;
     ParetoSubject subject = subject_of(line, document, material);
     if (!pareto_measure(&subject, &line->compile, line->output, &table, error, sizeof error))
-        return complain("--pareto", error);
+        return complain(line, "--pareto", error);
     fputs(table, stdout);
     free(table);
     return FINE;
@@ -133,7 +138,7 @@ static int compile_material(const CommandLine *line, MatcDocument *document, int
         fputs(matc_output(program, MATC_STATS, NULL), stderr);
     const char *why = status == FINE ? single_write(line, document, program, path) : NULL;
     if (why)
-        status = complain(path, why);
+        status = complain(line, path, why);
     matc_program_free(program);
     return status;
 }
@@ -143,10 +148,22 @@ static int eval_material(const CommandLine *line, const MatcDocument *document, 
     const char *fault;
     char *values = matc_eval(document, material, line->eval, &line->compile, &fault);
     if (!values)
-        return usage(fault);
+        return usage(line, fault);
     fputs(values, stdout);
     free(values);
     return FINE;
+}
+
+static void complain_of_several(const CommandLine *line, const MatcDocument *document)
+{
+    static const char why[] = "the document has several materials; name one with --material, or use -d";
+    if (line->diagnostics == MATC_JSON) {
+        complain(line, NULL, why);
+        return;
+    }
+    fprintf(stderr, "matc: error: %s:\n", why);
+    for (int i = 0; i < matc_material_count(document); i++)
+        fprintf(stderr, "  %s\n", matc_material_name(document, i));
 }
 
 /* The material that is meant, or -1: a fault, reported. */
@@ -155,14 +172,12 @@ static int choose_material(const CommandLine *line, const MatcDocument *document
     if (line->material) {
         int found = matc_material_find(document, line->material);
         if (found < 0)
-            complain(line->material, "no such material in the document");
+            complain(line, line->material, "no such material in the document");
         return found;
     }
     if (matc_material_count(document) == 1)
         return 0;
-    fputs("matc: error: the document has several materials; name one with --material, or use -d:\n", stderr);
-    for (int i = 0; i < matc_material_count(document); i++)
-        fprintf(stderr, "  %s\n", matc_material_name(document, i));
+    complain_of_several(line, document);
     return -1;
 }
 
@@ -182,7 +197,7 @@ static int write_tree(const CommandLine *line, MatcDocument *document)
 {
     char path[SINGLE_PATH];
     const char *why = single_write(line, document, NULL, path);
-    return why ? complain(path, why) : FINE;
+    return why ? complain(line, path, why) : FINE;
 }
 
 static int run_input(const CommandLine *line, const char *path)
@@ -193,7 +208,7 @@ static int run_input(const CommandLine *line, const char *path)
     if (!text && line->watched)
         watch_list_add(line->watched, path);
     if (!text)
-        return complain(path, why);
+        return complain(line, path, why);
     MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
     free(text);
     fputs(matc_diagnostics(document, line->diagnostics), stderr);
@@ -228,8 +243,11 @@ static void show_progress(void *user, int done, int documents)
 
 static void warn_of_cache(void *user, const char *folder, const char *why)
 {
-    (void)user;
-    fprintf(stderr, "matc: warning: the cache %s: %s\n", folder, why);
+    Arena arena = {0};
+    Text what = text_new(&arena);
+    text_format(&what, "the cache %s", folder);
+    print_complaint(user, SEVERITY_warning, what.at, why);
+    arena_free(&arena);
 }
 
 static bool choose_for_batch(void *user, const MatcDocument *document, int material, MatcOptions *options)
@@ -269,7 +287,7 @@ static int use_layout(CommandLine *line)
         return FINE; /* the batch makes it of what it reads */
     MatcLayout *layout = layout_open(line, &fault);
     if (fault)
-        print_fault(fault);
+        print_fault(line, fault);
     free(fault);
     if (layout)
         fputs(matc_layout_diagnostics(layout, line->diagnostics), stderr);
@@ -324,10 +342,10 @@ static int explain_layout(CommandLine *line)
     return status;
 }
 
-static int answer(char *text, const char *otherwise)
+static int answer(const CommandLine *line, char *text, const char *otherwise)
 {
     if (!text)
-        return usage(otherwise);
+        return usage(line, otherwise);
     fputs(text, stdout);
     free(text);
     return FINE;
@@ -336,10 +354,10 @@ static int answer(char *text, const char *otherwise)
 static int print_cache(const CommandLine *line)
 {
     if (!line->cache)
-        return usage("--cache-stats wants --cache or MATC_CACHE");
+        return usage(line, "--cache-stats wants --cache or MATC_CACHE");
     char *text = cache_statistics(line->cache);
     if (!text)
-        return complain(line->cache, strerror(errno));
+        return complain(line, line->cache, strerror(errno));
     fputs(text, stdout);
     free(text);
     return FINE;
@@ -351,7 +369,7 @@ static int check_usage(const CommandLine *line)
     const char *fault = options_check(line, room);
     if (!fault && line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
         fault = "--gl: osmesa or egl";
-    return fault ? usage(fault) : FINE;
+    return fault ? usage(line, fault) : FINE;
 }
 
 static bool read_command_line(CommandLine *line, int argc, char **argv, const char **fault)
@@ -423,7 +441,7 @@ static int run_watching(CommandLine *line, int argc, char **argv)
     while (!(signal = wait_for_change(watch))) {
         options_free(line);
         if (!read_command_line(line, argc, argv, &fault))
-            usage(fault);
+            usage(line, fault);
         else if (check_usage(line) == FINE)
             run_and_tell(line, watch);
     }
@@ -443,29 +461,30 @@ int main(int argc, char **argv)
     CommandLine line;
     BatchResult result;
     const char *fault;
-    if (!read_command_line(&line, argc, argv, &fault)) {
-        options_free(&line);
-        return usage(fault);
-    }
     int status = FINE;
+    if (!read_command_line(&line, argc, argv, &fault)) {
+        status = usage(&line, fault);
+        options_free(&line);
+        return status;
+    }
     if (line.help)
         print_help();
     else if (line.version)
         puts("matc " MATC_VERSION);
     else if (line.schema)
-        status = answer(matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
+        status = answer(&line, matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
     else if (line.list)
-        status = answer(matc_list(), "");
+        status = answer(&line, matc_list(), "");
     else if (line.explain && layout_is_file(line.explain))
         status = explain_layout(&line);
     else if (line.explain)
-        status = answer(matc_explain(line.explain), "nothing has that name; see --list");
+        status = answer(&line, matc_explain(line.explain), "nothing has that name; see --list");
     else if (line.cache_stats)
         status = print_cache(&line);
     else if ((status = check_usage(&line)) == FINE)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
     if (fflush(stdout) || ferror(stdout))
-        status |= complain("standard output", strerror(errno));
+        status |= complain(&line, "standard output", strerror(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;
 }

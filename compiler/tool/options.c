@@ -273,11 +273,21 @@ void options_free(CommandLine *line)
     free(line->inputs);
 }
 
+/* A fault of an option is said in the form that one behind it asks for. */
+static MatcForm form_asked_for(int argc, char **argv)
+{
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++)
+        if (!strcmp(argv[i], "--diagnostics=json"))
+            return MATC_JSON;
+    return MATC_TEXT;
+}
+
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
 {
     *line = (CommandLine){0};
     matc_options_init(&line->compile);
     line->emit[EMIT_glsl] = true;
+    line->diagnostics = form_asked_for(argc, argv);
     *fault = NULL;
     bool only_files = false;
     for (int i = 1; i < argc; i++) {
