@@ -212,7 +212,7 @@ static Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int coun
             continue;
         weight = weight ? weight : weights(l, t, edge ? edge : build_float(ir, 0), stops, count);
         Ref term = build_mul(ir, stops[i].variance, build_square(ir, weight[i]));
-        variance = variance ? build_add(ir, variance, term) : term;
+        variance = build_plus(ir, variance, term);
     }
     return variance;
 }

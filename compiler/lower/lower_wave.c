@@ -77,7 +77,7 @@ static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
 {
     Ir *ir = l->ir;
     Ref factor = v.variance ? rate(l, kind, v.value) : 0;
-    return factor ? MUL(v.variance, MUL(factor, factor)) : 0;
+    return factor ? MUL(v.variance, build_square(ir, factor)) : 0;
 }
 
 static Answer one_wave(Lower *l, WaveKind kind, Answer v)
