@@ -177,12 +177,20 @@ static double upper_bits(double x)
     return ldexp(trunc(ldexp(mantissa, BITS)), exponent - BITS);
 }
 
-/* A column, or the offset, times `scale`, as three vectors that add up to it: two of 12 bits, and what is left. */
-static void put_column(Lower *l, const Line *lines, int lanes, int column, double scale, Ref parts[3])
+/* A coordinate as lines of one root, a lane each, which are to be taken `scale` times. */
+typedef struct {
+    Line line[LANES];
+    int lanes;
+    double scale;
+} Lines;
+
+/* A column, or the offset, as three vectors that add up to it: two of 12 bits, and what is left. */
+static void put_column(Lower *l, const Lines *lines, int column, Ref parts[3])
 {
     double value[3][4] = {{0}};
-    for (int i = 0; i < lanes; i++) {
-        double exact = scale * (column < LANES ? lines[i].factor[column] : lines[i].offset);
+    for (int i = 0; i < lines->lanes; i++) {
+        const Line *line = &lines->line[i];
+        double exact = lines->scale * (column < LANES ? line->factor[column] : line->offset);
         value[0][i] = upper_bits(exact);
         value[1][i] = upper_bits(exact - value[0][i]);
         value[2][i] = exact - value[0][i] - value[1][i];
@@ -227,14 +235,14 @@ bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *p
 {
     Ir *ir = l->ir;
     static const char *const lanes_of[] = {"", "x", "xy"};
-    Line lines[LANES];
     Ref root, args[1 + 3 * (LANES + 1)];
-    int lanes = ir_lanes(ir, coordinate);
-    if (!lines_of(l, coordinate, lines, &root))
+    const int lanes = ir_lanes(ir, coordinate);
+    Lines lines = {.lanes = lanes, .scale = scale};
+    if (!lines_of(l, coordinate, lines.line, &root))
         return false;
     args[0] = as_vec3(l, root);
     for (int column = 0; column <= LANES; column++)
-        put_column(l, lines, lanes, column, scale, &args[1 + 3 * column]);
+        put_column(l, &lines, column, &args[1 + 3 * column]);
     parts->whole = build_call_of(ir, FN_affineWhole, args, 1 + 3 * (LANES + 1));
     parts->fraction = build_call_of(ir, FN_affineFraction, args, 1 + 3 * (LANES + 1));
     if (lanes < LANES) {

@@ -54,16 +54,22 @@ static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
     return result;
 }
 
-/* The same by halving, for values known to ascend: segments first..last, the last of all being what holds beyond the end. */
-static Ref blend_search(Lower *l, Ref t, const Stop *stops, int count, int first, int last)
+/* Segments first..last of so many stops; segment `count` is what holds beyond the end. */
+typedef struct {
+    const Stop *stops;
+    int count, first, last;
+} Segments;
+
+/* The same by halving, for values known to ascend. */
+static Ref blend_search(Lower *l, Ref t, Segments s)
 {
     Ir *ir = l->ir;
-    if (first == last)
-        return first == count ? stops[count - 1].result : segment(l, t, stops, first);
-    int middle = first + (last - first) / 2;
-    Ref below = build_lt(ir, t, stops[middle].value);
-    Ref low = blend_search(l, t, stops, count, first, middle);
-    return build_select(ir, below, low, blend_search(l, t, stops, count, middle + 1, last));
+    if (s.first == s.last)
+        return s.first == s.count ? s.stops[s.count - 1].result : segment(l, t, s.stops, s.first);
+    const int middle = s.first + (s.last - s.first) / 2;
+    Ref below = build_lt(ir, t, s.stops[middle].value);
+    Ref low = blend_search(l, t, (Segments){s.stops, s.count, s.first, middle});
+    return build_select(ir, below, low, blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
 }
 
 /* The same without branches, for values known to ascend: each item is mixed over what the ones before it made. Where t has
@@ -225,7 +231,7 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
         alike_arms(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);
     if (ordered && (l->cheap || count > LIMIT_WALK))
-        return blend_search(l, t, stops, count, 0, count);
+        return blend_search(l, t, (Segments){stops, count, 0, count});
     return blend_walk(l, t, stops, count);
 }
 

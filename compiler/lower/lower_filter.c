@@ -40,11 +40,11 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
     return ir_function(ir, arguments, 2, result);
 }
 
-/* The input at (i, j, k) of the kernel, each from -1 to 1. */
-static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, int i, int j, int k)
+/* The input at a point of the kernel, whose coordinates are -1, 0 or 1. */
+static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, const int at[3])
 {
     Ir *ir = l->ir;
-    Ref offset = build_mul(ir, size, build_vec3(ir, 0.5 * i, 0.5 * j, 0.5 * k));
+    Ref offset = build_mul(ir, size, build_vec3(ir, 0.5 * at[0], 0.5 * at[1], 0.5 * at[2]));
     Ref uv = build_add(ir, build_swizzle(ir, env->root[GROUP_U], "xy"), build_swizzle(ir, offset, "xy"));
     return build_apply(ir, function, REFS(ir, build_add(ir, env->root[GROUP_X], offset), uv));
 }
@@ -78,7 +78,7 @@ Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
         sum =
             build_kernel(ir, function, REFS(ir, env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")), size);
     for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
-        Ref value = at_neighbour(l, function, env, size, n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1);
+        Ref value = at_neighbour(l, function, env, size, (int[3]){n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1});
         sum = n ? build_add(ir, sum, value) : value;
     }
     return steady(l, build_scale(ir, sum, 1.0 / KERNEL_POINTS));
@@ -89,11 +89,11 @@ Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     int function = make_function(l, lower_param_node(node, P_Laplace3D_input), group, env);
-    Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, 0, 0, 0), sum = 0;
+    Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, (int[3]){0}), sum = 0;
     for (int n = 0; n < 6; n++) {
-        int axis = n / 2, side = n % 2 * 2 - 1;
-        Ref neighbour =
-            at_neighbour(l, function, env, size, axis == 0 ? side : 0, axis == 1 ? side : 0, axis == 2 ? side : 0);
+        int at[3] = {0};
+        at[n / 2] = n % 2 * 2 - 1;
+        Ref neighbour = at_neighbour(l, function, env, size, at);
         Ref difference = build_sub(ir, centre, neighbour);
         sum = n ? build_add(ir, sum, difference) : difference;
     }

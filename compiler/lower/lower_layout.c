@@ -55,17 +55,23 @@ static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const
     return build_call_of(ir, pack, args, 2);
 }
 
+/* A material, and where what is stored of it goes. */
+typedef struct {
+    const Placement *placement;
+    const Node *material;
+    const Env *env;
+} Packed;
+
 /* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together there. */
-static Ref word_value(Lower *l, const Placement *placement, int target, int lane, double known, const Node *material,
-                      const Env *env)
+static Ref word_value(Lower *l, const Packed *p, int target, int lane, double known)
 {
     Ir *ir = l->ir;
     Ref word = 0;
-    for (int i = 0; i < placement->count; i++) {
-        const Piece *piece = &placement->pieces[i];
+    for (int i = 0; i < p->placement->count; i++) {
+        const Piece *piece = &p->placement->pieces[i];
         if (piece->target != target || piece->lane != lane)
             continue;
-        Ref code = piece_value(l, piece, material, env);
+        Ref code = piece_value(l, piece, p->material, p->env);
         ir->hint = HINT_SURFACE; /* a word is no slot's */
         if (ir_is(ir, code, OP_const)) {
             known += ldexp(ir_numbers(ir, code)[0], piece->shift);
@@ -80,13 +86,12 @@ static Ref word_value(Lower *l, const Placement *placement, int target, int lane
 }
 
 /* The case's number is at the bottom of the first word. */
-static Ref words_value(Lower *l, const Placement *placement, int target, int number, const Node *material,
-                       const Env *env)
+static Ref words_value(Lower *l, const Packed *p, int target, int number)
 {
     Ref words[FIELD_LANES];
     for (int lane = 0; lane < FIELD_LANES; lane++) {
         double known = target || lane ? 0 : number;
-        words[lane] = word_value(l, placement, target, lane, known, material, env);
+        words[lane] = word_value(l, p, target, lane, known);
     }
     return build_vec_of(l->ir, TYPE_uvec4, words, FIELD_LANES);
 }
@@ -100,14 +105,14 @@ static const Piece *piece_at(const Placement *placement, int target, int lane)
 }
 
 /* The pieces of a float target side by side. */
-static Ref floats_value(Lower *l, const Placement *placement, int target, const Node *material, const Env *env)
+static Ref floats_value(Lower *l, const Packed *p, int target)
 {
     Ir *ir = l->ir;
     Ref parts[FIELD_LANES];
     int count = 0;
     for (int lane = 0; lane < FIELD_LANES;) {
-        const Piece *piece = piece_at(placement, target, lane);
-        parts[count++] = piece ? piece_value(l, piece, material, env) : build_float(ir, 0);
+        const Piece *piece = piece_at(p->placement, target, lane);
+        parts[count++] = piece ? piece_value(l, piece, p->material, p->env) : build_float(ir, 0);
         lane += piece ? piece->size : 1;
     }
     return count == 1 ? parts[0] : build_vec_of(ir, TYPE_vec4, parts, count);
@@ -220,8 +225,9 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env)
         return;
     }
     check_fixed(l, row, material, env);
+    const Packed packed = {&placement, material, env};
     for (int target = 0; target < layout_targets(row); target++)
         ir_output(l->ir, OUT_color, target,
-                  format_table[row->formats[target]].words ? words_value(l, &placement, target, number, material, env)
-                                                           : floats_value(l, &placement, target, material, env));
+                  format_table[row->formats[target]].words ? words_value(l, &packed, target, number)
+                                                           : floats_value(l, &packed, target));
 }

@@ -80,9 +80,10 @@ static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 }
 
 /* A difference of the two colours where a step crosses an edge, else the slope of the colour itself. */
-static Ref checker_slope(Lower *l, const Node *color1, const Node *color2, Ref uv, Group group, const Env *env)
+static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const Env *env)
 {
     Ir *ir = l->ir;
+    const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
     const double step = 0.05;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
@@ -98,7 +99,7 @@ Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
     const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
     Answer uv = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
-        return answer_of(checker_slope(l, color1, color2, uv.value, group, env));
+        return answer_of(checker_slope(l, node, uv.value, group, env));
     Answer a = lower_answer(l, color1, group, env), b = lower_answer(l, color2, group, env);
     Ref share = area_odd_share(l, uv);
     return answer_either(l, share ? share : odd_square(l, uv.value, 0, 0), a, b);
@@ -170,17 +171,25 @@ static Ref texture(Lower *l, IrTexture wanted)
     return ir_make(ir, OP_texture, TYPE_sampler, *place - 1, NULL, 0);
 }
 
+/* A picture, the function that reads it, and the steps of its slopes along u and v. */
+typedef struct {
+    IrTexture texture;
+    Function function;
+    double step_u, step_v;
+} Sampled;
+
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
-static Ref sample_group(Lower *l, Function function, const IrTexture *wanted, Ref uv, Group group, double step_u,
-                        double step_v)
+static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
 {
     Ir *ir = l->ir;
+    const IrTexture *wanted = &sampled->texture;
+    const Function function = sampled->function;
     Ref size = ir_const(ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
     Ref sampler = texture(l, *wanted);
     if (!is_derivative(group))
         return lower_as_group(l, area_picture(l, function, sampler, uv, size), group);
     Ref here = build_call(ir, function, sampler, uv, size);
-    double h = group == GROUP_DU ? step_u : step_v, u = group == GROUP_DU ? h : 0, v = h - u;
+    double h = group == GROUP_DU ? sampled->step_u : sampled->step_v, u = group == GROUP_DU ? h : 0, v = h - u;
     bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
     Ref beyond = turns ? stepped(l, uv, u, v) : build_add(ir, uv, ir_const(ir, TYPE_vec2, (double[]){u, v}));
     Ref there = build_call(ir, function, sampler, beyond, size);
@@ -197,9 +206,13 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
     Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
     const Image *picture = image->image;
-    IrTexture wanted = {TEXTURE_image, picture, NULL, picture->width, picture->height, false};
-    Ref value = sample_group(l, bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest, &wanted, uv, group,
-                             1.0 / picture->width, 1.0 / picture->height);
+    const Sampled sampled = {
+        .texture = {TEXTURE_image, picture, NULL, picture->width, picture->height, false},
+        .function = bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest,
+        .step_u = 1.0 / picture->width,
+        .step_v = 1.0 / picture->height,
+    };
+    Ref value = sample_group(l, &sampled, uv, group);
     if (group == GROUP_R && picture->opaque)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
     return answer_of(value);
@@ -216,6 +229,6 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
     Ref uv = build_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
-    IrTexture wanted = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
-    return answer_of(sample_group(l, FN_carpenterRelief, &wanted, uv, group, step, step));
+    const IrTexture texture = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
+    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, step}, uv, group));
 }

@@ -34,19 +34,22 @@ static Ref point_value(Lower *l, WaveKind kind, Ref v)
     }
 }
 
-/* The mean over a box, and what it leaves out; 0 where the wave has no MEAN row. */
-static Ref box_mean(Lower *l, WaveKind kind, Ref v, Ref w, double *variance, double *period)
+/* The mean over a box, 0 where the wave has no MEAN row, and what it leaves out of a period. */
+typedef struct {
+    Ref mean;
+    double variance, period;
+} BoxMean;
+
+static BoxMean box_mean(Lower *l, WaveKind kind, Ref v, Ref w)
 {
     Ir *ir = l->ir;
     switch (kind) {
 #define MEAN(name, mean, left, length)                                                                                 \
     case WAVE_##name:                                                                                                  \
-        *variance = left;                                                                                              \
-        *period = length;                                                                                              \
-        return mean;
+        return (BoxMean){mean, left, length};
 #include "grammar/waves.def"
     default:
-        return 0;
+        return (BoxMean){0, 0, 1};
     }
 }
 
@@ -82,10 +85,10 @@ static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
 
 static Answer one_wave(Lower *l, WaveKind kind, Answer v)
 {
-    double variance = 0, period = 1;
-    Ref w = footprint_edges(l, v), mean = w ? box_mean(l, kind, v.value, w, &variance, &period) : 0;
-    Answer answer = answer_of(mean ? mean : point_value(l, kind, v.value));
-    answer.variance = variance > 0 ? period_variance(l, w, variance, period) : passed_variance(l, kind, v);
+    Ref w = footprint_edges(l, v);
+    const BoxMean box = w ? box_mean(l, kind, v.value, w) : (BoxMean){0, 0, 1};
+    Answer answer = answer_of(box.mean ? box.mean : point_value(l, kind, v.value));
+    answer.variance = box.variance > 0 ? period_variance(l, w, box.variance, box.period) : passed_variance(l, kind, v);
     return answer;
 }
 
