@@ -35,41 +35,60 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
     auto_sets_join(ranges, other);
 }
 
-/* Lanes that are the same by how they are computed. */
-static bool same_lanes(const Ir *ir, Ref ref, const uint8_t *same)
+/* Lanes that are the same by how they are computed, by those of the operands: the SAME lines of ops.def. */
+static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {
-    const IrNode *node = ir_at(ir, ref);
-    const double *numbers;
-    if (ir_lanes(ir, ref) == 1)
-        return true;
-    switch (node->op) {
-    case OP_const:
-        numbers = ir_numbers(ir, ref);
-        for (int i = 1; i < ir_lanes(ir, ref); i++)
-            if (numbers[i] != numbers[0])
-                return false;
-        return true;
-    case OP_swizzle:
-        for (int i = 1; i < ir_lanes(ir, ref); i++)
-            if ((node->payload >> 2 * i & 3) != (node->payload & 3) && !same[ir_arg(ir, ref, 0)])
-                return false;
-        return true;
-    case OP_vec:
-        for (int i = 0; i < node->count; i++)
-            if (ir_arg(ir, ref, i) != ir_arg(ir, ref, 0) || !same[ir_arg(ir, ref, i)])
-                return false;
-        return true;
-    case OP_apply:
-        return same[ir->functions[node->payload].result];
-    default:
-        break;
-    }
-    if (op_table[node->op].shape == SHAPE_special && node->op != OP_select)
-        return false;
-    for (int i = 0; i < node->count; i++)
+    const double *numbers = ir_numbers(ir, ref);
+    (void)same;
+    for (int i = 1; i < ir_lanes(ir, ref); i++)
+        if (numbers[i] != numbers[0])
+            return false;
+    return true;
+}
+
+static bool same_swizzle(const Ir *ir, Ref ref, const uint8_t *same)
+{
+    const uint32_t lanes = ir_at(ir, ref)->payload;
+    for (int i = 1; i < ir_lanes(ir, ref); i++)
+        if ((lanes >> 2 * i & 3) != (lanes & 3) && !same[ir_arg(ir, ref, 0)])
+            return false;
+    return true;
+}
+
+static bool same_vec(const Ir *ir, Ref ref, const uint8_t *same)
+{
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
+        if (ir_arg(ir, ref, i) != ir_arg(ir, ref, 0) || !same[ir_arg(ir, ref, i)])
+            return false;
+    return true;
+}
+
+static bool same_apply(const Ir *ir, Ref ref, const uint8_t *same)
+{
+    return same[ir->functions[ir_at(ir, ref)->payload].result];
+}
+
+static bool same_operands(const Ir *ir, Ref ref, const uint8_t *same)
+{
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
         if (!same[ir_arg(ir, ref, i)])
             return false;
-    return node->op != OP_cross;
+    return true;
+}
+
+static bool same_lanes(const Ir *ir, Ref ref, const uint8_t *same)
+{
+    const Op op = (Op)ir_at(ir, ref)->op;
+    if (ir_lanes(ir, ref) == 1)
+        return true;
+    switch (op) {
+#define SAME(name, function)                                                                                           \
+    case OP_##name:                                                                                                    \
+        return function(ir, ref, same);
+#include "grammar/ops.def"
+    default:
+        return op_table[op].rule == RULE_widest && same_operands(ir, ref, same);
+    }
 }
 
 static uint8_t *find_same(const Ir *ir, Arena *arena)

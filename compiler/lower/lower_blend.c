@@ -104,35 +104,31 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < CHEAP_ARMS;
 }
 
+/* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT lines of ops.def; -1: it may be
+ * anywhere. */
+static int first_in_unit(Op op)
+{
+    switch (op) {
+#define UNIT(name, first)                                                                                              \
+    case OP_##name:                                                                                                    \
+        return first;
+#include "grammar/ops.def"
+    default:
+        return -1;
+    }
+}
+
 /* Every lane of a value is surely in [0, 1]. */
 static bool within_unit(const Ir *ir, Ref ref, int depth)
 {
     const IrNode *node = ir_at(ir, ref);
-    int first = 0; /* of the operands that must be so too */
-    switch (node->op) {
-    case OP_const:
-    case OP_constant:
-        for (int i = 0; i < ir_lanes(ir, ref); i++)
-            if (!(ir_known(ir, ref)[i] >= 0 && ir_known(ir, ref)[i] <= 1))
-                return false;
-        return true;
-    case OP_fract:
-    case OP_step:
-        return true;
-    case OP_select: /* whatever decides */
-    case OP_clamp:  /* whatever is clamped */
-        first = 1;
-        break;
-    case OP_mix:
-    case OP_mul:
-    case OP_min:
-    case OP_max:
-    case OP_vec:
-    case OP_swizzle:
-        break;
-    default:
-        return false;
-    }
+    const double *known = ir_known(ir, ref);
+    const int first = first_in_unit((Op)node->op);
+    for (int i = 0; known && i < ir_lanes(ir, ref); i++)
+        if (!(known[i] >= 0 && known[i] <= 1))
+            return false;
+    if (known || first < 0)
+        return known != NULL;
     for (int i = first; i < node->count; i++)
         if (!depth || !within_unit(ir, ir_arg(ir, ref, i), depth - 1))
             return false;
