@@ -72,7 +72,7 @@ static void step_sum(Trial *t)
     Ref constant = ir_const(t->l.ir, TYPE_vec3, shift);
     int form = choose(t, 4); /* x + k, k + x, x - k, k - x */
     Ref a = form % 2 ? constant : t->value, b = form % 2 ? t->value : constant;
-    t->value = ir_make(t->l.ir, form < 2 ? OP_add : OP_sub, TYPE_bool, 0, (Ref[]){a, b}, 2);
+    t->value = build_binary(t->l.ir, form < 2 ? OP_add : OP_sub, a, b);
     for (int i = 0; i < LANES; i++) {
         for (int k = 0; form == 3 && k < LANES; k++)
             t->exact.row[i][k] *= -1;
@@ -92,8 +92,7 @@ static void step_product(Trial *t)
     double by[LANES] = {factor(t), factor(t), factor(t)};
     bool one = choose(t, 2), first = choose(t, 2);
     Ref constant = one ? build_float(t->l.ir, by[0]) : ir_const(t->l.ir, TYPE_vec3, by);
-    t->value =
-        ir_make(t->l.ir, OP_mul, TYPE_bool, 0, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant}, 2);
+    t->value = build_mul_of(t->l.ir, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant});
     for (int i = 0; i < LANES; i++)
         scale_lane(t, i, by[one ? 0 : i]);
 }
@@ -119,7 +118,7 @@ static void step_matrix(Trial *t)
     column[k][i] = -sin(angle);
     Ref args[] = {t->value, ir_const(t->l.ir, TYPE_vec3, column[0]), ir_const(t->l.ir, TYPE_vec3, column[1]),
                   ir_const(t->l.ir, TYPE_vec3, column[2])};
-    t->value = ir_make(t->l.ir, OP_linear, TYPE_vec3, 0, args, 4);
+    t->value = build_linear(t->l.ir, args, 4);
     Exact before = t->exact;
     for (int row = 0; row < LANES; row++) {
         t->exact.offset[row] = 0;

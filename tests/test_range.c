@@ -170,7 +170,7 @@ static Interval claim(Site *s, Op op, const Interval *of, bool square)
     Ref args[3] = {expression_read(s->ir, "x"), expression_read(s->ir, "y"), expression_read(s->ir, "z")};
     if (square)
         args[1] = args[0];
-    Ref ref = ir_make(s->ir, op, TYPE_float, 0, args, op_table[op].arity);
+    Ref ref = ir_make(s->ir, (IrNode){.op = op, .type = TYPE_float, .count = op_table[op].arity}, args);
     Ranges ranges = {ARENA_ARRAY(&s->arena, Interval, s->ir->count), (Ref)s->ir->count, 1, NULL};
     for (int k = op_table[op].arity - 1; k >= 0; k--)
         ranges.of[args[k]] = of[k];

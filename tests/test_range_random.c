@@ -95,7 +95,7 @@ static Ref vector_step(Program *p)
     case 2:
         return build_fract(ir, a_vector(p));
     case 3:
-        return ir_make(ir, OP_linear, TYPE_vec3, 0, REFS(ir, a_vector(p), a_vector(p), a_vector(p), a_vector(p)), 4);
+        return build_linear(ir, REFS(ir, a_vector(p), a_vector(p), a_vector(p), a_vector(p)), 4);
     default:
         return build_swizzle(ir, a_vector(p), "zxy");
     }
@@ -225,7 +225,7 @@ static int an_argument(Choices *c, char letter, double *to)
 static Interval claimed_of(Site *s, int function)
 {
     Ref args[MOST_NUMBERS] = {0};
-    Ref ref = ir_make(s->ir, OP_call, function_row(function)->result, (uint32_t)function, args, 0);
+    Ref ref = build_call_of(s->ir, function, args, 0);
     Ranges none = {0};
     return range_computed(&none, s->ir, ref, 0);
 }

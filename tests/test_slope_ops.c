@@ -170,7 +170,8 @@ static void check_operation(Test *t, const Operation *o, int varying)
         if (o->op == OP_select && i == 0)
             args[i] = build_lt(t->l.ir, args[i], build_float(t->l.ir, 0));
     }
-    compare(t, ir_make(t->l.ir, o->op, o->type, o->payload, args, o->count), op_table[o->op].name, varying);
+    compare(t, ir_make(t->l.ir, (IrNode){.op = o->op, .type = o->type, .count = o->count, .payload = o->payload}, args),
+            op_table[o->op].name, varying);
     end(t);
 }
 
@@ -249,7 +250,7 @@ static Ref argument(Test *t, char letter, const float lanes[4], const Argument *
         other[i] = varies ? uniform(t, -size, size) : 0;
     }
     if (letter == 's')
-        return ir_make(t->l.ir, OP_texture, TYPE_sampler, (uint32_t)base[0], NULL, 0);
+        return build_leaf(t->l.ir, OP_texture, TYPE_sampler, (int)base[0]);
     if (letter == 'i')
         return build_int(t->l.ir, base[0]);
     Type type = types[(int)letter];

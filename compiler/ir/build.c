@@ -2,31 +2,43 @@
 #include "compiler/ir/build.h"
 #include <string.h>
 
-Ref build_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, op, TYPE_bool, 0, &a, 1); }
+Ref build_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, (IrNode){.op = op, .count = 1}, &a); }
 
 Ref build_float(Ir *ir, double value) { return ir_const(ir, TYPE_float, &value); }
 Ref build_int(Ir *ir, double value) { return ir_const(ir, TYPE_int, &value); }
 Ref build_vec3(Ir *ir, double x, double y, double z) { return ir_const(ir, TYPE_vec3, (double[]){x, y, z}); }
 Ref build_truth(Ir *ir, bool value) { return ir_const(ir, TYPE_bool, (double[]){value}); }
 Ref build_all(Ir *ir, Type type, double value) { return ir_const(ir, type, (double[]){value, value, value, value}); }
-Ref build_input(Ir *ir, Input input) { return ir_make(ir, OP_input, input_table[input].type, input, NULL, 0); }
+Ref build_leaf(Ir *ir, Op op, Type type, int index)
+{
+    return ir_make(ir, (IrNode){.op = op, .type = type, .payload = (uint32_t)index}, NULL);
+}
+
+Ref build_input(Ir *ir, Input input) { return build_leaf(ir, OP_input, input_table[input].type, input); }
 
 Ref build_scale(Ir *ir, Ref a, double factor) { return build_mul(ir, a, build_float(ir, factor)); }
 Ref build_square(Ir *ir, Ref a) { return build_mul(ir, a, a); }
-Ref build_select_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_select, ir_type(ir, x[1]), 0, x, 3); }
+Ref build_select_of(Ir *ir, const Ref x[3])
+{
+    return ir_make(ir, (IrNode){.op = OP_select, .type = ir_type(ir, x[1]), .count = 3}, x);
+}
 
 Ref build_linear(Ir *ir, const Ref *args, int count)
 {
-    return ir_make(ir, OP_linear, ir_type(ir, args[0]), 0, args, count);
+    return ir_make(ir, (IrNode){.op = OP_linear, .type = ir_type(ir, args[0]), .count = count}, args);
 }
 
-static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+Type build_lanes_type(int lanes)
+{
+    static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+    return types[lanes];
+}
 
 Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count)
 {
     if (ir_lanes(ir, a) == 1)
-        return count == 1 ? a : build_convert(ir, a, type_of_lanes[count]);
-    return ir_make(ir, OP_swizzle, type_of_lanes[count], lanes, &a, 1);
+        return count == 1 ? a : build_convert(ir, a, build_lanes_type(count));
+    return ir_make(ir, (IrNode){.op = OP_swizzle, .type = build_lanes_type(count), .count = 1, .payload = lanes}, &a);
 }
 
 Ref build_lane(Ir *ir, Ref a, int lane) { return build_lanes(ir, a, (uint32_t)lane, 1); }
@@ -40,7 +52,10 @@ Ref build_swizzle(Ir *ir, Ref a, const char *letters)
     return build_lanes(ir, a, lanes, count);
 }
 
-Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count) { return ir_make(ir, OP_vec, type, 0, parts, count); }
+Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count)
+{
+    return ir_make(ir, (IrNode){.op = OP_vec, .type = type, .count = count}, parts);
+}
 
 Ref build_splat(Ir *ir, Ref a, Type type)
 {
@@ -75,13 +90,18 @@ Ref build_convert(Ir *ir, Ref a, Type type)
 
 Ref build_call_of(Ir *ir, int function, const Ref *args, int count)
 {
-    return ir_make(ir, OP_call, function_row(function)->result, (uint32_t)function, args, count);
+    return ir_make(
+        ir,
+        (IrNode){.op = OP_call, .type = function_row(function)->result, .count = count, .payload = (uint32_t)function},
+        args);
 }
 
 Ref build_apply(Ir *ir, int function, const Ref *args)
 {
     const IrFunction *f = &ir->functions[function];
-    return ir_make(ir, OP_apply, ir_type(ir, f->result), (uint32_t)function, args, f->count);
+    return ir_make(
+        ir, (IrNode){.op = OP_apply, .type = ir_type(ir, f->result), .count = f->count, .payload = (uint32_t)function},
+        args);
 }
 
 Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size)
@@ -91,7 +111,10 @@ Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size)
     for (int i = 0; i < f->count; i++)
         all[i] = args[i];
     all[f->count] = size;
-    return ir_make(ir, OP_kernel, ir_type(ir, f->result), (uint32_t)function, all, f->count + 1);
+    return ir_make(
+        ir,
+        (IrNode){.op = OP_kernel, .type = ir_type(ir, f->result), .count = f->count + 1, .payload = (uint32_t)function},
+        all);
 }
 
 Ref build_plus_of(Ir *ir, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0] : build_add_of(ir, x); }

@@ -40,11 +40,17 @@ static inline Refs build_held(Ir *ir, size_t count)
 /* A word for every operation of ops.def that is written as an operator or a call: build_<op> of one operand, build_<op>_of of
  * an array of them. */
 #define BUILD_1(name)                                                                                                  \
-    static inline Ref build_##name(Ir *ir, Ref a) { return ir_make(ir, OP_##name, TYPE_bool, 0, &a, 1); }
+    static inline Ref build_##name(Ir *ir, Ref a) { return ir_make(ir, (IrNode){.op = OP_##name, .count = 1}, &a); }
 #define BUILD_2(name)                                                                                                  \
-    static inline Ref build_##name##_of(Ir *ir, const Ref x[2]) { return ir_make(ir, OP_##name, TYPE_bool, 0, x, 2); }
+    static inline Ref build_##name##_of(Ir *ir, const Ref x[2])                                                        \
+    {                                                                                                                  \
+        return ir_make(ir, (IrNode){.op = OP_##name, .count = 2}, x);                                                  \
+    }
 #define BUILD_3(name)                                                                                                  \
-    static inline Ref build_##name##_of(Ir *ir, const Ref x[3]) { return ir_make(ir, OP_##name, TYPE_bool, 0, x, 3); }
+    static inline Ref build_##name##_of(Ir *ir, const Ref x[3])                                                        \
+    {                                                                                                                  \
+        return ir_make(ir, (IrNode){.op = OP_##name, .count = 3}, x);                                                  \
+    }
 #define BUILD_prefix(name, arity) BUILD_##arity(name)
 #define BUILD_infix(name, arity)  BUILD_##arity(name)
 #define BUILD_call(name, arity)   BUILD_##arity(name)
@@ -76,7 +82,7 @@ static inline Refs build_held(Ir *ir, size_t count)
 #define build_mix(ir, a, b, c)   build_mix_of(ir, REFS(ir, a, b, c))
 /* Of an operation that is not known here. */
 Ref build_unary(Ir *ir, Op op, Ref a);
-#define build_binary(ir, op, a, b) ir_make(ir, op, TYPE_bool, 0, REFS(ir, a, b), 2)
+#define build_binary(ir, which, a, b) ir_make(ir, (IrNode){.op = which, .count = 2}, REFS(ir, a, b))
 
 /* Numbers: a float, an int, a vector, a truth value; a number in every lane of a type. */
 Ref build_float(Ir *ir, double value);
@@ -85,6 +91,8 @@ Ref build_vec3(Ir *ir, double x, double y, double z);
 Ref build_truth(Ir *ir, bool value);
 Ref build_all(Ir *ir, Type type, double value);
 Ref build_input(Ir *ir, Input input);
+/* A uniform, a texture, a constant of the IR, by its index. */
+Ref build_leaf(Ir *ir, Op op, Type type, int index);
 
 /* a factor; a a */
 Ref build_scale(Ir *ir, Ref a, double factor);
@@ -99,6 +107,8 @@ Ref build_linear(Ir *ir, const Ref *args, int count);
 Ref build_swizzle(Ir *ir, Ref a, const char *letters);
 Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
 Ref build_lane(Ir *ir, Ref a, int lane);
+/* float for one lane, vec2, vec3, vec4 */
+Type build_lanes_type(int lanes);
 /* A vector of the parts' lanes, which are as many as the type has. */
 #define build_vec(ir, type, ...) build_vec_of(ir, type, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
 Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count);

@@ -4,6 +4,7 @@
  *     constants_hoist: c1 * cos(c2) depends on such numbers alone, so it is evaluated, 8, and is one constant itself: c3
  *     the program reads u * c3, and neither c1 nor c2 is in the buffer */
 #include "compiler/ir/constants.h"
+#include "compiler/ir/build.h"
 #include "compiler/ir/std140.h"
 #include <float.h>
 #include <math.h>
@@ -48,11 +49,11 @@ Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
 {
     uint32_t at = source ? find(ir, source) : 0;
     if (source && ir->constant_table[at])
-        return ir_make(ir, OP_constant, type, ir->constant_table[at] - 1, NULL, 0);
+        return build_leaf(ir, OP_constant, type, (int)ir->constant_table[at] - 1);
     uint32_t index = add_constant(ir, type, numbers, source, ir->hint);
     if (source)
         ir->constant_table[at] = index + 1;
-    return ir_make(ir, OP_constant, type, index, NULL, 0);
+    return build_leaf(ir, OP_constant, type, (int)index);
 }
 
 bool constant_storable(Type type)

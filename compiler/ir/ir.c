@@ -139,11 +139,11 @@ static Type widest(const Ir *ir, const Ref *args, int count)
     return type;
 }
 
-static Type type_by_rule(const Ir *ir, Op op, Type given, const Ref *args, int count)
+static Type type_by_rule(const Ir *ir, const IrNode *node, const Ref *args)
 {
-    switch (op_table[op].rule) {
+    switch (op_table[node->op].rule) {
     case RULE_widest:
-        return widest(ir, args, count);
+        return widest(ir, args, node->count);
     case RULE_boolean:
         return TYPE_bool;
     case RULE_scalar:
@@ -151,17 +151,17 @@ static Type type_by_rule(const Ir *ir, Op op, Type given, const Ref *args, int c
     case RULE_first:
         return ir_type(ir, args[0]);
     default:
-        return given;
+        return (Type)node->type;
     }
 }
 
-Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count)
+Ref ir_make(Ir *ir, IrNode made, const Ref *args)
 {
-    type = type_by_rule(ir, op, type, args, count);
-    IrNode node = {.op = (uint8_t)op, .type = (uint8_t)type, .count = (uint8_t)count, .payload = payload};
+    IrNode node = {.op = made.op, .count = made.count, .payload = made.payload};
+    node.type = (uint8_t)type_by_rule(ir, &made, args);
     node.hash = hash_node(&node, args);
     Ref ref = find_or_add(ir, &node, args);
-    return ir->simplify && count ? ir->simplify(ir, ref) : ref;
+    return ir->simplify && node.count ? ir->simplify(ir, ref) : ref;
 }
 
 bool ir_is_number(const Ir *ir, Ref ref, double value)
@@ -178,7 +178,9 @@ void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments)
 {
     enum { SET_SHIFT = 8 };
     for (int i = 0; i < count; i++)
-        arguments[i] = ir_make(ir, OP_argument, types[i], (uint32_t)set << SET_SHIFT | (uint32_t)i, NULL, 0);
+        arguments[i] = ir_make(
+            ir, (IrNode){.op = OP_argument, .type = types[i], .payload = (uint32_t)set << SET_SHIFT | (uint32_t)i},
+            NULL);
 }
 
 static int *function_of(Ir *ir, Ref result)

@@ -162,9 +162,9 @@ static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nod
 /* A constant all of whose lanes are `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
-/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. The type follows from op_table's rule unless that is
- * `given`. build.h has words for it. */
-Ref ir_make(Ir *ir, Op op, Type type, uint32_t payload, const Ref *args, int count);
+/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. Of `made` are its op, count and payload, and its
+ * type, unless op_table's rule gives that. build.h has words for it. */
+Ref ir_make(Ir *ir, IrNode made, const Ref *args);
 Ref ir_const(Ir *ir, Type type, const double *numbers);
 /* A number from the buffer. Equal sources are one; without a source each is its own. constants.c */
 Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source);

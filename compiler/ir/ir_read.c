@@ -161,7 +161,7 @@ static Ref read_node(Scanner *s)
         fail(s, "the wrong number of operands");
         return 0;
     }
-    return ir_make(s->ir, (Op)op, (Type)type, payload, args, count);
+    return ir_make(s->ir, (IrNode){.op = op, .type = type, .count = count, .payload = payload}, args);
 }
 
 static bool read_output(Scanner *s)

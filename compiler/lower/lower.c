@@ -38,8 +38,8 @@ Ref lower_param(Lower *l, const Value *value, Type type)
         const Uniform *uniform = value->uniform;
         note_use(l, value, type == TYPE_int);
         if (type == TYPE_int)
-            return ir_make(ir, OP_uniform, TYPE_int, (uint32_t)uniform->index, NULL, 0);
-        Ref ref = ir_make(ir, OP_uniform, uniform->type, (uint32_t)uniform->index, NULL, 0);
+            return build_leaf(ir, OP_uniform, TYPE_int, uniform->index);
+        Ref ref = build_leaf(ir, OP_uniform, uniform->type, uniform->index);
         return type == TYPE_bool ? ref : build_convert(ir, ref, type);
     }
     double numbers[4];

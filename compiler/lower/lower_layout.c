@@ -19,14 +19,13 @@ static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *
 /* Lanes of one slot side by side are a swizzle of it, others are put together. */
 static Ref source_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
-    static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
     const SlotLane *source = &piece->field->source[piece->first];
     Ref lanes[FIELD_LANES];
     if (piece_is_slot(piece))
         return stored_slot(l, material, source[0].slot, env);
     for (int i = 0; i < piece->count; i++)
         lanes[i] = one_lane(l, material, source[i], env);
-    return piece->count == 1 ? lanes[0] : build_vec_of(l->ir, types[piece->count], lanes, piece->count);
+    return piece->count == 1 ? lanes[0] : build_vec_of(l->ir, build_lanes_type(piece->count), lanes, piece->count);
 }
 
 /* What of the field's range is at 0 and at 1. */

@@ -168,7 +168,7 @@ static Ref texture(Lower *l, IrTexture wanted)
         ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, wanted);
         *place = (uint32_t)ir->texture_count;
     }
-    return ir_make(ir, OP_texture, TYPE_sampler, *place - 1, NULL, 0);
+    return build_leaf(ir, OP_texture, TYPE_sampler, (int)*place - 1);
 }
 
 /* A picture, the function that reads it, and the steps of its slopes along u and v. */

@@ -206,7 +206,7 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
 /* A function of the program gets a function of its derivative. What its arguments change by was set when it was made. */
 static Ref apply_slope(Lower *l, Ref ref, Direction direction)
 {
-    const IrNode node = *ir_at(l->ir, ref);
+    IrNode node = *ir_at(l->ir, ref);
     Ref args[8];
     int function = (int)node.payload;
     Ref slope = slope_of(l, l->ir->functions[function].result, direction);
@@ -218,7 +218,9 @@ static Ref apply_slope(Lower *l, Ref ref, Direction direction)
     l->ir->hint = l->ir->functions[function].hint;
     int derived = ir_function(l->ir, l->ir->functions[function].arguments, l->ir->functions[function].count, slope);
     l->ir->hint = hint;
-    return ir_make(l->ir, (Op)node.op, ir_type(l->ir, slope), (uint32_t)derived, args, node.count);
+    node.type = ir_at(l->ir, slope)->type;
+    node.payload = (uint32_t)derived;
+    return ir_make(l->ir, node, args);
 }
 
 static Ref input_slope(Lower *l, Ref ref, Direction direction)

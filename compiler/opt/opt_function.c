@@ -64,7 +64,7 @@ typedef struct {
 static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
 {
     const Plan *plan = user;
-    const IrNode node = *ir_at(ir, ref);
+    IrNode node = *ir_at(ir, ref);
     if (!ir_applies(ir, ref) || node.payload >= plan->count)
         return ref;
     uint32_t f = node.payload, all = (1u << ir->functions[f].count) - 1;
@@ -77,11 +77,12 @@ static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
     if (!plan->trimmed[f])
         plan->trimmed[f] = trimmed(ir, (int)f, plan->read[f]) + 1;
     Ref args[32];
-    int count = 0;
-    for (int i = 0; i < node.count; i++)
+    node.count = 0;
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
         if (plan->read[f] >> i & 1 || i == ir->functions[f].count) /* a kernel's size stays */
-            args[count++] = ir_arg(ir, ref, i);
-    return ir_make(ir, (Op)node.op, (Type)node.type, (uint32_t)plan->trimmed[f] - 1, args, count);
+            args[node.count++] = ir_arg(ir, ref, i);
+    node.payload = (uint32_t)plan->trimmed[f] - 1;
+    return ir_make(ir, node, args);
 }
 
 bool opt_function(Ir *ir)

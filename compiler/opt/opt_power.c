@@ -31,7 +31,7 @@ static Ref composed(Ir *ir, Ref ref)
     if (!(product >= 1 && product <= LARGEST_EXPONENT))
         return ref;
     Ref exponent = node.op == OP_call ? build_int(ir, product) : build_float(ir, product);
-    return ir_make(ir, (Op)node.op, (Type)node.type, node.payload, REFS(ir, ir_arg(ir, inner, 0), exponent), 2);
+    return ir_make(ir, node, REFS(ir, ir_arg(ir, inner, 0), exponent));
 }
 
 Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user)

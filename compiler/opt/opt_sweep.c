@@ -27,10 +27,11 @@ static Moves new_moves(const Ir *ir, Arena *scratch)
 
 static Ref remake(Ir *ir, Ref ref, const Moves *moves)
 {
-    const IrNode node = ir->nodes[ref];
+    IrNode node = ir->nodes[ref];
     Ref args[UINT8_MAX];
-    uint32_t payload = ir_applies(ir, ref) ? moves->function[node.payload] : node.payload;
-    bool same = payload == node.payload;
+    if (ir_applies(ir, ref))
+        node.payload = moves->function[node.payload];
+    bool same = node.payload == ir->nodes[ref].payload;
     for (int i = 0; i < node.count; i++) {
         Ref old = ir->args[node.first + (uint32_t)i];
         args[i] = moves->node[old];
@@ -38,7 +39,7 @@ static Ref remake(Ir *ir, Ref ref, const Moves *moves)
     }
     if (same)
         return ref;
-    Ref made = ir_make(ir, (Op)node.op, (Type)node.type, payload, args, node.count);
+    Ref made = ir_make(ir, node, args);
     if (!ir_is(ir, made, OP_const))
         ir->nodes[made].head |= node.head;
     return made;

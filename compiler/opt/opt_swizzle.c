@@ -35,8 +35,7 @@ static Ref lanes_of_vec(Ir *ir, Ref vec, uint32_t lanes, int count)
         return build_lanes(ir, parts[0], together, count);
     for (int i = 0; i < count; i++)
         parts[i] = build_lanes(ir, parts[i], inner[i], 1);
-    return count == 1 ? parts[0]
-                      : build_vec_of(ir, (Type[]){0, 0, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count], parts, count);
+    return count == 1 ? parts[0] : build_vec_of(ir, build_lanes_type(count), parts, count);
 }
 
 static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP_select; }
@@ -44,17 +43,17 @@ static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP
 /* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody: (a + b).x is a.x + b.x. */
 static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
 {
-    const IrNode node = *ir_at(ir, operation);
+    IrNode node = *ir_at(ir, operation);
     Ref args[3];
     for (int i = 0; i < node.count; i++) {
         args[i] = ir_arg(ir, operation, i);
         if (ir_lanes(ir, args[i]) > 1)
             args[i] = build_lanes(ir, args[i], lanes, count);
     }
-    Type type = (Type[]){0, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4}[count];
+    node.type = (uint8_t)build_lanes_type(count);
     bool narrow = node.op != OP_select && count > 1;
-    Ref made = ir_make(ir, (Op)node.op, type, 0, args, node.count);
-    return narrow && ir_type(ir, made) != type ? 0 : made;
+    Ref made = ir_make(ir, node, args);
+    return narrow && ir_at(ir, made)->type != node.type ? 0 : made;
 }
 
 /* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that lane, say. */

@@ -72,7 +72,7 @@ static Ref make(Ir *ir, const char *word, const Ref *args, int count)
         return build_vec_of(ir, type_of_lanes[word[3] - '0'], args, count);
     for (int op = 0; op < OP_COUNT; op++)
         if (!strcmp(op_table[op].name, word))
-            return ir_make(ir, (Op)op, ir_type(ir, args[op == OP_select]), 0, args, count);
+            return ir_make(ir, (IrNode){.op = op, .type = ir_type(ir, args[op == OP_select]), .count = count}, args);
     for (int function = 0; function < FUNCTION_COUNT; function++)
         if (function_row(function)->name && !strcmp(function_row(function)->name, word))
             return build_call_of(ir, function, args, count);
