@@ -72,6 +72,7 @@ matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
 matc_test(order sh tests/order.sh)
 matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
+matc_test(exports sh tests/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
 matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
 add_executable(tree_json tests/suites/tree.c)
 target_link_libraries(tree_json PRIVATE libmatc)
@@ -115,7 +116,7 @@ foreach(pair ${LONG})
 endforeach()
 
 # ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers
+set(QUICK golden abi embed_example functions layers exports
   test_affine test_bounded test_defaults test_exact test_exact_material test_filtered_pass test_ir_check test_journal test_json test_json_write
   test_key test_ktx test_layout_cases test_layout_file test_names test_oracle test_oracle_material test_oracle_space test_pack test_picture test_png
   test_range test_rules test_tables test_thesis)

@@ -213,7 +213,7 @@ static Ref step_share(Lower *l, Ref from, Ref edge)
 {
     Ir *ir = l->ir;
     Ref zero = build_float(ir, 0), one = build_float(ir, 1), least = build_neg(ir, edge);
-    Ref along = build_add(ir, over_edge(l, build_clamp(ir, from, least, edge), edge), build_float(ir, 0.5));
+    Ref along = build_add(ir, footprint_over_edge(l, build_clamp(ir, from, least, edge), edge), build_float(ir, 0.5));
     Ref is_box = build_lt(ir, zero, edge);
     return build_select(ir, is_box, build_clamp(ir, along, zero, one), build_step(ir, zero, from));
 }
@@ -234,6 +234,6 @@ Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
     Ref begin = build_add(ir, from, more), end = build_sub(ir, build_sub(ir, t, high), more);
     Ref place = build_clamp(ir, begin, build_neg(ir, wider), build_add(ir, wider, wider));
     Ref bends = build_sub(ir, footprint_box_corner(l, begin, narrower), footprint_box_corner(l, end, narrower));
-    Ref share = build_clamp(ir, over_edge(l, place, wider), zero, one);
-    return build_add(ir, share, over_edge(l, bends, wider));
+    Ref share = build_clamp(ir, footprint_over_edge(l, place, wider), zero, one);
+    return build_add(ir, share, footprint_over_edge(l, bends, wider));
 }

@@ -99,14 +99,14 @@ Ref footprint_greatest_lane(Lower *l, Ref value)
     return greatest;
 }
 
-Ref box_over(Lower *l, Ref x, Ref edge)
+Ref footprint_over(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;
     Ref over = build_sub(ir, build_scale(ir, edge, 0.5), build_abs(ir, x));
     return build_max(ir, over, build_float(ir, 0));
 }
 
-Ref over_edge(Lower *l, Ref part, Ref edge)
+Ref footprint_over_edge(Lower *l, Ref part, Ref edge)
 {
     Ir *ir = l->ir;
     return build_div(ir, part, build_max(ir, edge, build_float(ir, LEAST_DIVISOR)));
@@ -116,6 +116,6 @@ Ref over_edge(Lower *l, Ref part, Ref edge)
 Ref footprint_box_corner(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;
-    Ref over = box_over(l, x, edge);
-    return build_mul(ir, build_scale(ir, over, 0.5), over_edge(l, over, edge));
+    Ref over = footprint_over(l, x, edge);
+    return build_mul(ir, build_scale(ir, over, 0.5), footprint_over_edge(l, over, edge));
 }
