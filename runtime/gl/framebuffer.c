@@ -26,7 +26,8 @@ static const struct {
 };
 enum { FORMAT_COUNT = sizeof known / sizeof *known };
 
-GLenum framebuffer_format(const char *name)
+/* 0: of none. */
+static GLenum format_of(const char *name)
 {
     for (int i = 0; i < FORMAT_COUNT; i++)
         if (!strcmp(known[i].name, name))
@@ -94,11 +95,9 @@ static bool check_complete(GlContext *gl)
     }
 }
 
-bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
+/* The spec is checked. */
+static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
 {
-    memset(made, 0, sizeof *made);
-    if (!check_spec(gl, spec))
-        return false;
     made->spec = *spec;
     memcpy(made->formats, formats, sizeof *formats * (size_t)spec->color_count);
     attach(gl, made);
@@ -112,9 +111,32 @@ bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenu
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made)
 {
     GLenum formats[FRAMEBUFFER_COLORS];
+    memset(made, 0, sizeof *made);
     for (int i = 0; i < FRAMEBUFFER_COLORS; i++)
         formats[i] = spec->color_format;
-    return framebuffer_make_of(gl, spec, formats, made);
+    return check_spec(gl, spec) && make_of(gl, spec, formats, made);
+}
+
+bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made)
+{
+    GLenum formats[FRAMEBUFFER_COLORS] = {0};
+    memset(made, 0, sizeof *made);
+    if (!check_spec(gl, spec))
+        return false;
+    for (int i = 0; i < spec->color_count; i++) {
+        formats[i] = format_of(names[i]);
+        if (!formats[i])
+            return gl_fail(gl, "no render target can be \"%s\" here", names[i]);
+    }
+    return make_of(gl, spec, formats, made);
+}
+
+GLenum framebuffer_format(const char *name) { return format_of(name); }
+
+bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
+{
+    memset(made, 0, sizeof *made);
+    return check_spec(gl, spec) && make_of(gl, spec, formats, made);
 }
 
 void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)

@@ -29,9 +29,10 @@ typedef struct {
 /* Makes the textures and checks completeness; the framebuffer is bound afterwards. On false *made is empty. */
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made);
 
-/* The same with a format for each colour target, in the place of color_format. */
+/* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI", in the place of color_format. */
+bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made);
+/* The same with formats; the format of a name, 0 if there is none. */
 bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made);
-/* The format of a name, such as "RGBA16F" or "RG32UI"; 0 if there is none. */
 GLenum framebuffer_format(const char *name);
 /* The target holds whole numbers. */
 bool framebuffer_has_words(const Framebuffer *framebuffer, int color);

@@ -14,6 +14,7 @@
     F(BINDVERTEXARRAY, BindVertexArray)                                                                                \
     F(BLENDFUNC, BlendFunc)                                                                                            \
     F(BUFFERDATA, BufferData)                                                                                          \
+    F(BUFFERSUBDATA, BufferSubData)                                                                                    \
     F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus)                                                                  \
     F(CLEAR, Clear)                                                                                                    \
     F(CLEARBUFFERFV, ClearBufferfv)                                                                                    \
@@ -80,6 +81,8 @@
 /* What a driver may lack: of OpenGL 3.1 and 3.3. */
 #define GL_OPTIONAL_FUNCTIONS(F)                                                                                       \
     F(BINDBUFFERBASE, BindBufferBase)                                                                                  \
+    F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                \
+    F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                        \
     F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                                        \
     F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex)                                                                      \
     F(UNIFORMBLOCKBINDING, UniformBlockBinding)

@@ -1,7 +1,7 @@
 /* Texels in, a texture out. */
 #include "runtime/gl/texture.h"
 
-static bool check_spec(GlContext *gl, const TextureSpec *spec)
+bool texture_check(GlContext *gl, const TextureSpec *spec)
 {
     if (spec->width < 1 || spec->height < 1)
         return gl_fail(gl, "a texture needs at least one texel");
@@ -39,7 +39,7 @@ static void upload(const GlContext *gl, const TextureSpec *spec)
 
 GLuint texture_make(GlContext *gl, const TextureSpec *spec)
 {
-    if (!check_spec(gl, spec))
+    if (!texture_check(gl, spec))
         return 0;
     GLuint texture = 0;
     gl->GenTextures(1, &texture);

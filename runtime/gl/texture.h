@@ -15,6 +15,9 @@ typedef struct {
     bool mipmaps;         /* make them, and filter linearly in and between them */
 } TextureSpec;
 
+/* The spec can be one. */
+bool texture_check(GlContext *gl, const TextureSpec *spec);
+
 /* The texture stays bound to the active unit. 0: see gl->error. Delete with gl->DeleteTextures. */
 GLuint texture_make(GlContext *gl, const TextureSpec *spec);
 

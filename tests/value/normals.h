@@ -15,12 +15,12 @@ typedef enum {
     STORE_spheremap_halves,
     STORE_xyz, /* each lane 2^bits levels, normalised when read */
     STORE_xyz_halves
-} Store;
+} NormalStore;
 
 /* With what numerics.md 1.1 has for it, degrees. */
 typedef struct {
     const char *name;
-    Store store;
+    NormalStore store;
     int bits;
     bool hemisphere;           /* directions of z >= 0 alone */
     double mean, rms, maximum; /* 0: the table has none */

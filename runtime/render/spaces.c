@@ -1,0 +1,35 @@
+/* From matrices to the uniforms that are named after them. */
+#include "runtime/render/spaces.h"
+
+static void set(Material *material, const char *name, int lanes, const float *values)
+{
+    material_set(material, &(MaterialValue){name, lanes, values});
+}
+
+static void set_plane(const Spaces *spaces, const Mat4 *clip_from_world, Material *material)
+{
+    const float *m = clip_from_world->m;
+    set(material, "matc_planeOrigin", 3, spaces->plane[0]);
+    set(material, "matc_planeU", 3, spaces->plane[1]);
+    set(material, "matc_planeV", 3, spaces->plane[2]);
+    set(material, "matc_clipZ", 4, (float[4]){m[2], m[6], m[10], m[14]}); /* rows of the matrix */
+    set(material, "matc_clipW", 4, (float[4]){m[3], m[7], m[11], m[15]});
+}
+
+void spaces_set(const Spaces *spaces, Material *material)
+{
+    const Mat4 clip_from_world = mat4_multiply(&spaces->clip_from_eye, &spaces->eye_from_world);
+    const Mat3 eye_from_world = mat3_from_mat4(&spaces->eye_from_world);
+    const Mat3 normal = mat3_normal(&spaces->world_from_local);
+    const Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal); /* a rotation is its own inverse transpose */
+    Mat4 world_from_clip = mat4_identity();
+    mat4_inverse(&clip_from_world, &world_from_clip);
+    set(material, "matc_worldFromLocal", 16, spaces->world_from_local.m);
+    set(material, "matc_clipFromWorld", 16, clip_from_world.m);
+    set(material, "matc_worldFromClip", 16, world_from_clip.m);
+    set(material, "matc_worldNormalFromLocal", 9, normal.m);
+    set(material, "matc_eyeNormalFromLocal", 9, eye_normal.m);
+    set(material, "matc_eyeFromWorld", 9, eye_from_world.m);
+    set(material, "matc_eyePosition", 3, spaces->eye);
+    set_plane(spaces, &clip_from_world, material);
+}

@@ -1,0 +1,15 @@
+/* Where a draw stands and is seen from: all that matc's vertex programs, and the passes plane and sky, are told by uniforms. */
+#ifndef MATC_RENDER_SPACES_H
+#define MATC_RENDER_SPACES_H
+#include "runtime/gl/matrix.h"
+#include "runtime/render/material.h"
+
+typedef struct {
+    Mat4 world_from_local, eye_from_world, clip_from_eye;
+    float eye[3];      /* in the world */
+    float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
+} Spaces;
+
+/* Sets those that the material's program has. */
+void spaces_set(const Spaces *spaces, Material *material);
+#endif
