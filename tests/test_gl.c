@@ -1,5 +1,4 @@
-/* The GL layer and the preview, in software: contexts, framebuffers, programs, shapes, PNG files, and a whole picture.
- * With TEST_GL_PICTURES=folder in the environment, the pictures are left there to be looked at.
+/* The GL layer, in software: contexts, framebuffers, programs, uniforms, shapes, PNG files.
  * test_gl egl: by EGL; status 77 where there is none. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,8 +13,8 @@
 #include "runtime/gl/png_write.h"
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
+#include "runtime/gl/uniforms.h"
 #include "runtime/view/resolve.h"
-#include "runtime/view/view.h"
 #include <math.h>
 #include <png.h>
 #include <stdio.h>
@@ -26,7 +25,6 @@
 #define SOURCE_FOLDER "."
 #endif
 enum { SKIPPED = 77 };
-#define LINES(...) #__VA_ARGS__ "\n"
 
 static GlContext *open_context(bool core)
 {
@@ -105,6 +103,19 @@ static GLuint make_program(GlContext *gl, const Language *language)
     return program;
 }
 
+/* Of the current program; false: it has none such. */
+static bool set(GlContext *gl, GLuint program, const char *name, const float *values)
+{
+    GlUniforms uniforms;
+    assert_true(uniforms_read(gl, program, &uniforms));
+    int found = uniforms_find(&uniforms, name);
+    gl->UseProgram(program);
+    if (found >= 0)
+        uniform_set(gl, &uniforms.at[found], values);
+    uniforms_free(&uniforms);
+    return found >= 0;
+}
+
 /* Half floats keep these numbers exactly; outside of [0, 1] nothing is clamped; the plane is met at its middle. */
 static void draw_constant(GlContext *gl, GLuint program, GLenum format)
 {
@@ -114,7 +125,7 @@ static void draw_constant(GlContext *gl, GLuint program, GLenum format)
     float texels[5 * 3 * 4];
     assert_true(framebuffer_make(gl, &(FramebufferSpec){5, 3, 2, format, true}, &target));
     assert_true(mesh_make(gl, SHAPE_plane, &plane));
-    assert_true(program_set(gl, program, &(ProgramValue){"value", 4, value}));
+    assert_true(set(gl, program, "value", value));
     gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     mesh_draw(gl, &plane);
     for (int color = 0; color < 2; color++) {
@@ -135,8 +146,7 @@ static void every_language_draws(void **state)
         GLuint program = make_program(gl, &languages[i]);
         draw_constant(gl, program, GL_RGBA32F);
         draw_constant(gl, program, GL_RGBA16F);
-        assert_false(program_set(gl, program, &(ProgramValue){"absent", 1, &(float){1}}));
-        assert_false(program_set(gl, program, &(ProgramValue){"value", 3, (float[3]){1, 2, 3}}));
+        assert_false(set(gl, program, "absent", &(float){1}));
         assert_true(gl_check(gl, "drawing"));
         gl->DeleteProgram(program);
         gl_close(gl);
@@ -238,8 +248,8 @@ static void look_up(GlContext *gl, const TextureSpec *spec, const float uv[2], f
     assert_true(mesh_make(gl, SHAPE_plane, &plane));
     assert_true(framebuffer_make(gl, &(FramebufferSpec){1, 1, 1, GL_RGBA32F, false}, &target));
     texture_bind(gl, texture, 3);
-    assert_true(program_set(gl, program, &(ProgramValue){"image", 1, &(float){3}}));
-    assert_true(program_set(gl, program, &(ProgramValue){"at", 2, uv}));
+    assert_true(set(gl, program, "image", &(float){3}));
+    assert_true(set(gl, program, "at", uv));
     mesh_draw(gl, &plane);
     assert_true(framebuffer_read(gl, &target, 0, rgba));
     framebuffer_delete(gl, &target);
@@ -406,165 +416,6 @@ static void encoding_is_srgb(void **state)
     assert_int_equal(resolve_encode(0.2158605), 128);
 }
 
-static char *read_text(const char *path)
-{
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        fail_msg("%s is missing", path);
-    char *text = calloc(1, 1 << 16);
-    assert_non_null(text);
-    size_t size = fread(text, 1, (1 << 16) - 1, file);
-    assert_true(size > 0);
-    fclose(file);
-    return text;
-}
-
-/* A material by hand: plain floats in the four targets; a checker of two colours, or what the uniforms say. */
-static const char vertex_text[] = "#version 330 core\n" LINES(
-    layout(location = 0) in vec3 position; layout(location = 1) in vec3 normal; layout(location = 2) in vec2 texcoord;
-    uniform mat4 matc_worldFromLocal; uniform mat4 matc_clipFromWorld; uniform mat3 matc_eyeNormalFromLocal;
-    out vec3 eyeNormal; out vec2 uv; void main() {
-        eyeNormal = matc_eyeNormalFromLocal * normal;
-        uv = texcoord;
-        gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.));
-    });
-static const char fragment_text[] = "#version 330 core\n" LINES(
-    in vec3 eyeNormal; in vec2 uv; uniform vec3 dark; uniform vec3 specular; uniform vec3 transparency;
-    uniform float shininess; uniform sampler2D image; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;
-    layout(location = 2) out vec4 c; layout(location = 3) out vec4 d; void main() {
-        vec3 n = normalize(eyeNormal);
-        a = vec4(gl_FrontFacing ? n : -n, shininess);
-        b = vec4(mix(dark, texture(image, uv).rgb, mod(floor(uv.x * 16.) + floor(uv.y * 8.), 2.)), 0.);
-        c = vec4(specular, 0.);
-        d = vec4(transparency, 0.);
-    });
-static const char unpack_text[] = LINES(
-    struct Surface {
-        vec3 normal;
-        vec3 diffuse;
-        vec3 specular;
-        float shininess;
-        vec3 transparency;
-        float transparencyShininess;
-        vec3 diffuseTransparency;
-        vec3 emissive;
-    };
-    uniform sampler2D matc_gbuffer0; uniform sampler2D matc_gbuffer1; uniform sampler2D matc_gbuffer2;
-    uniform sampler2D matc_gbuffer3; Surface unpackSurface(ivec2 pixel) {
-        vec4 a = texelFetch(matc_gbuffer0, pixel, 0);
-        return Surface(a.xyz, texelFetch(matc_gbuffer1, pixel, 0).rgb, texelFetch(matc_gbuffer2, pixel, 0).rgb, a.w,
-                       texelFetch(matc_gbuffer3, pixel, 0).rgb, 0., vec3(0.), vec3(0.));
-    });
-
-typedef struct {
-    const char *name;
-    ShapeKind shape;
-    uint8_t light[4]; /* of the checker */
-    float dark[3], specular[3], transparency[3], shininess;
-} Case;
-
-static const Case cases[] = {
-    {"clay", SHAPE_sphere, {190, 190, 190, 255}, {0.5f, 0.5f, 0.5f}, {0, 0, 0}, {0, 0, 0}, 4},
-    {"paint", SHAPE_sphere, {150, 14, 6, 255}, {0.6f, 0.55f, 0.45f}, {0.5f, 0.5f, 0.5f}, {0, 0, 0}, 60},
-    {"metal", SHAPE_torus, {20, 16, 10, 255}, {0.08f, 0.06f, 0.04f}, {1, 0.78f, 0.4f}, {0, 0, 0}, 30},
-    {"glass", SHAPE_sphere, {30, 90, 160, 255}, {0.1f, 0.3f, 0.6f}, {0.8f, 0.8f, 0.8f}, {0.7f, 0.8f, 0.9f}, 500},
-    {"cube", SHAPE_cube, {60, 140, 90, 255}, {0.7f, 0.7f, 0.6f}, {0.2f, 0.2f, 0.2f}, {0, 0, 0}, 20},
-    {"tiles", SHAPE_plane, {40, 60, 120, 255}, {0.7f, 0.7f, 0.7f}, {0.4f, 0.4f, 0.4f}, {0, 0, 0}, 40},
-};
-
-typedef struct {
-    char *screen, *light;
-    int size;
-} Texts;
-
-static void render_case(const Case *c, const Texts *texts, GlContext *gl, unsigned char *rgb)
-{
-    char error[4096] = "";
-    const ViewTexture texture = {"image", {1, 1, 4, c->light, NULL, true, true, false}};
-    const ProgramValue values[] = {{"dark", 3, c->dark},
-                                   {"specular", 3, c->specular},
-                                   {"transparency", 3, c->transparency},
-                                   {"shininess", 1, &c->shininess},
-                                   {"absent", 1, &c->shininess}};
-    const ViewProgram program = {.vertex_text = vertex_text,
-                                 .fragment_text = fragment_text,
-                                 .unpack_text = unpack_text,
-                                 .textures = &texture,
-                                 .texture_count = 1,
-                                 .uniforms = values,
-                                 .uniform_count = 5};
-    const ViewOptions options = {.shape = c->shape,
-                                 .width = texts->size,
-                                 .height = texts->size,
-                                 .supersampling = 4,
-                                 .screen_text = texts->screen,
-                                 .light_text = texts->light,
-                                 .gl = gl};
-    if (!view_render(&options, &program, rgb, error, sizeof error))
-        fail_msg("%s", error);
-    const char *folder = getenv("TEST_GL_PICTURES");
-    if (!folder)
-        return;
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s.png", folder, c->name);
-    size_t size;
-    const char *why;
-    uint8_t *file = png_write(&(PngPicture){texts->size, texts->size, 3, rgb}, &size, &why);
-    if (!file || (why = output_write(path, file, size)))
-        fail_msg("%s: %s", path, why);
-    free(file);
-}
-
-static void assert_shows_something(const unsigned char *rgb, int size)
-{
-    const unsigned char *middle = rgb + 3 * (size / 2 * size + size / 2), *corner = rgb;
-    int least = 255, most = 0, differing = 0;
-    for (int i = 0; i < size * size * 3; i++) {
-        least = rgb[i] < least ? rgb[i] : least;
-        most = rgb[i] > most ? rgb[i] : most;
-    }
-    for (int k = 0; k < 3; k++)
-        differing |= middle[k] != corner[k];
-    assert_true(differing);
-    assert_true(most - least > 60);
-}
-
-static void materials_are_seen(void **state)
-{
-    (void)state;
-    Texts texts = {read_text(SOURCE_FOLDER "/runtime/view/screen.glsl"),
-                   read_text(SOURCE_FOLDER "/runtime/view/light.glsl"), getenv("TEST_GL_PICTURES") ? 384 : 96};
-    unsigned char *rgb = malloc((size_t)texts.size * (size_t)texts.size * 3);
-    assert_non_null(rgb);
-    GlContext *gl = open_context(true);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        render_case(&cases[i], &texts, i % 2 ? NULL : gl, rgb); /* in a context of ours and in its own */
-        assert_shows_something(rgb, texts.size);
-        assert_true(gl_use(gl)); /* its own took ours away */
-    }
-    gl_close(gl);
-    free(rgb);
-    free(texts.screen);
-    free(texts.light);
-}
-
-static void view_refuses(void **state)
-{
-    (void)state;
-    char error[512] = "";
-    unsigned char rgb[3];
-    ViewProgram program = {
-        .vertex_text = vertex_text, .fragment_text = "#version 330 core\nwrong", .unpack_text = unpack_text};
-    ViewOptions options = {.width = 1, .height = 1, .screen_text = "void main() { }", .light_text = "void main() { }"};
-    assert_false(view_render(&options, &program, rgb, error, sizeof error));
-    assert_int_equal(strncmp(error, "fragment: ", 10), 0);
-    options.width = 100000;
-    assert_false(view_render(&options, &program, rgb, error, sizeof error));
-    options.width = 1, options.supersampling = 9;
-    assert_false(view_render(&options, &program, rgb, error, sizeof error));
-    assert_string_equal(error, "supersampling is 1 to 8");
-}
-
 static bool has_egl(void)
 {
     char error[512] = "";
@@ -593,8 +444,6 @@ int main(int count, char **arguments)
         cmocka_unit_test(png_comes_back),
         cmocka_unit_test(no_picture_is_refused),
         cmocka_unit_test(encoding_is_srgb),
-        cmocka_unit_test(materials_are_seen),
-        cmocka_unit_test(view_refuses),
     };
     if (count < 2 || strcmp(arguments[1], "egl") != 0)
         return cmocka_run_group_tests(tests, NULL, NULL);

@@ -75,13 +75,13 @@ typedef struct {
     MatcOptions options;
     View view;
     unsigned char *rgb;
-} Picture;
+} Preview;
 
 /* A sample a pixel, in its middle. */
-static Picture draw(const char *text, const char *pass, int width, int height)
+static Preview draw(const char *text, const char *pass, int width, int height)
 {
-    char error[1024], *diagnostics;
-    Picture p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
+    Preview p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
+    Picture drawn = {.rgb = p.rgb};
     matc_options_init(&p.options);
     p.options.pass = pass;
     p.options.layout = "integer";
@@ -95,13 +95,13 @@ static Picture draw(const char *text, const char *pass, int width, int height)
                                      .screen_text = view_text_screen,
                                      .light_text = view_text_light,
                                      .sky = !strcmp(pass, "sky")}};
-    if (!picture_draw(p.document, 0, &options, p.rgb, &diagnostics, error, sizeof error))
-        fail_msg("%s%s", diagnostics, error);
-    free(diagnostics);
+    if (!picture_draw(p.document, 0, &options, &drawn))
+        fail_msg("%s%s", drawn.diagnostics, drawn.error);
+    free(drawn.diagnostics);
     return p;
 }
 
-static void discard(Picture *p)
+static void discard(Preview *p)
 {
     matc_document_free(p->document);
     free(p->rgb);
@@ -174,7 +174,7 @@ static void spheres_are_lit(void **state)
     enum { SIDE = 96 };
     const double most = 1; /* a byte */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Picture p = draw(cases[i].text, "gbuffer", SIDE, SIDE);
+        Preview p = draw(cases[i].text, "gbuffer", SIDE, SIDE);
         Vector back = from_angles(-112 * RADIANS, 22 * RADIANS);
         View view = look(scaled(back, 4.55), back, 15 * RADIANS, SIDE, SIDE);
         double worst = 0;
@@ -194,7 +194,7 @@ static void spheres_are_lit(void **state)
 }
 
 /* A sky's own brightness by the C reference, exposed as the preview does. */
-static void want_sky(const Picture *p, Vector ray, double want[3])
+static void want_sky(const Preview *p, Vector ray, double want[3])
 {
     char point[128];
     const char *fault;
@@ -219,7 +219,7 @@ static View sky_view(Vector sun, int width, int height)
 /* What is near the horizon jumps to black. */
 static const double horizon = .01;
 
-static void compare_sky(const Picture *p, const View *view)
+static void compare_sky(const Preview *p, const View *view)
 {
     double worst = 0;
     int ground = 0;
@@ -238,7 +238,7 @@ static void compare_sky(const Picture *p, const View *view)
 }
 
 /* Of the brightest pixel. */
-static Vector brightest(const Picture *p, const View *view)
+static Vector brightest(const Preview *p, const View *view)
 {
     int most = 0, at = 0;
     for (int i = 0; i < view->width * view->height; i++) {
@@ -265,7 +265,7 @@ static void skies_stand_upright(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof skies / sizeof *skies; i++) {
-        Picture p = draw(skies[i].text, "sky", skies[i].width, skies[i].height);
+        Preview p = draw(skies[i].text, "sky", skies[i].width, skies[i].height);
         View view = sky_view(skies[i].sun, skies[i].width, skies[i].height);
         compare_sky(&p, &view);
         double apart = acos(dot(brightest(&p, &view), unit(skies[i].sun))) / RADIANS;

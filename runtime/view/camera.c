@@ -25,7 +25,6 @@ static void complete(Camera *camera, const float target[3], const Mat4 *clip_fro
     const float up[3] = {0, 0, 1};
     camera->eye_from_world = mat4_look_at(camera->position, target, up);
     camera->clip_from_eye = *clip_from_eye;
-    camera->clip_from_world = mat4_multiply(&camera->clip_from_eye, &camera->eye_from_world);
     mat4_inverse(&camera->clip_from_eye, &camera->eye_from_clip); /* never singular */
 }
 

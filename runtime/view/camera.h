@@ -8,7 +8,6 @@ typedef struct {
     float position[3]; /* in the world */
     Mat4 eye_from_world;
     Mat4 clip_from_eye;
-    Mat4 clip_from_world;
     Mat4 eye_from_clip;
 } Camera;
 

@@ -193,19 +193,19 @@ static bool write_picture(const PngPicture *picture, const char *path)
 static int draw_material(const CommandLine *line, MatcDocument *document, int material, const char *path)
 {
     const ViewOptions *view = &line->picture.view;
-    char error[LONGEST_MESSAGE] = "", *diagnostics = NULL;
-    PngPicture picture = {view->width, view->height, 3, malloc((size_t)view->width * (size_t)view->height * 3)};
-    if (!picture.bytes)
+    Picture picture = {.rgb = malloc((size_t)view->width * (size_t)view->height * 3)};
+    const PngPicture png = {view->width, view->height, 3, picture.rgb};
+    if (!picture.rgb)
         abort();
-    bool done = picture_draw(document, material, &line->picture, picture.bytes, &diagnostics, error, sizeof error);
-    fputs(diagnostics ? diagnostics : "", stderr);
-    if (!done && *error)
-        complain(path, error);
-    done = done && write_picture(&picture, path);
+    bool done = picture_draw(document, material, &line->picture, &picture);
+    fputs(picture.diagnostics ? picture.diagnostics : "", stderr);
+    if (!done && *picture.error)
+        complain(path, picture.error);
+    done = done && write_picture(&png, path);
     if (done && strcmp(path, "-") != 0)
         puts(path);
-    free(diagnostics);
-    free(picture.bytes);
+    free(picture.diagnostics);
+    free(picture.rgb);
     return done ? FINE : FAULT;
 }
 

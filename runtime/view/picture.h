@@ -9,8 +9,12 @@ typedef struct {
     ViewOptions view;
 } PictureOptions;
 
-/* Draws a material into rgb, which has 3 bytes a pixel. False: see the program's diagnostics, then `error`, which stays
- * empty when they tell it. The diagnostics, from malloc, are "" when there are none. */
-bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, unsigned char *rgb,
-                  char **diagnostics, char *error, size_t room);
+typedef struct {
+    unsigned char *rgb; /* 3 bytes a pixel; the caller's */
+    char *diagnostics;  /* of the program, from malloc; "" when there are none */
+    char error[8192];   /* what else went wrong, or "" */
+} Picture;
+
+/* Draws a material into picture->rgb. False: see the diagnostics, then the error, which stays empty when they tell it. */
+bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, Picture *picture);
 #endif
