@@ -63,7 +63,7 @@ static void variants_are_all_there(void **state)
     MatcOptions options = defaults();
     assert_true(variant_of(&options, &base));
     VariantAxes open = variant_open(&options);
-    Variant *list = variants_list(&base, &open, &count);
+    Variant *list = variant_list(&base, &open, &count);
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         product *= axis_choices((Axis)axis);
     assert_int_equal(count, product);
@@ -112,7 +112,7 @@ static void known_errors_are_found(void **state)
     assert_true(m->computed[SLOT_diffuse].maximum < 1e-7);
     assert_true(isnan(m->packed[SLOT_ior].maximum));
     assert_true(m->aliasing == 0);
-    measured_free(&list);
+    measure_free(&list);
 }
 
 /* A checker near the horizon is aliased; noise takes time. */
@@ -134,7 +134,7 @@ static void aliasing_and_time_are_found(void **state)
     assert_true(list.at[0].nanoseconds > 0 && list.constant > 0);
     assert_true(list.at[0].front);
     assert_true(list.at[0].error < 0.05); /* not far from the reference */
-    measured_free(&list);
+    measure_free(&list);
 }
 
 static int count_fields(const char *line)
@@ -166,7 +166,7 @@ static void tables_are_well_formed(void **state)
     assert_null(strstr(svg, "nan"));
     free(csv);
     free(svg);
-    measured_free(&list);
+    measure_free(&list);
     meter_close(meter);
 }
 
@@ -210,8 +210,8 @@ static void long_coordinates_lose_nothing(void **state)
     assert_true(plain.at[0].computed[SLOT_emissive].maximum > 1e-3);
     assert_true(parts.at[0].computed[SLOT_diffuse].maximum < 1e-6);
     assert_true(parts.at[0].computed[SLOT_emissive].maximum < 2e-6);
-    measured_free(&plain);
-    measured_free(&parts);
+    measure_free(&plain);
+    measure_free(&parts);
 }
 
 int main(void)

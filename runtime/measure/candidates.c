@@ -21,7 +21,7 @@ Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, in
     int all;
     Variant base;
     variant_of(request->options, &base);
-    Variant *variants = variants_list(&base, &request->open, &all);
+    Variant *variants = variant_list(&base, &request->open, &all);
     Candidate *kept = calloc((size_t)all + 1, sizeof *kept);
     if (!kept)
         abort();
@@ -29,13 +29,13 @@ Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, in
     for (int i = 0; i < all; i++) {
         MatcOptions options = variant_options(&variants[i], request->options);
         options.pass = "gbuffer";
-        MatcProgram *program = is_wanted(request, &options) ? shader_compile(request->document, request->material,
+        MatcProgram *program = is_wanted(request, &options) ? variant_compile(request->document, request->material,
                                                                              MATC_FRAGMENT | MATC_UNPACK, &options)
                                                             : NULL;
         bool same = false;
         for (int k = 0; k < *count && program && !same; k++)
             same = variant_programs_equal(matc_output(kept[k].program, MATC_FRAGMENT, NULL),
-                                  matc_output(program, MATC_FRAGMENT, NULL));
+                                          matc_output(program, MATC_FRAGMENT, NULL));
         list->same += same;
         list->refused += !program;
         if (same || !program) {

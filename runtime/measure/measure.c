@@ -32,7 +32,7 @@ typedef struct {
     Known *known;
     int known_count, known_room;
     Truth truth[CHOICE_COUNT * CHOICE_COUNT]; /* by the choices of noise and derivatives */
-    Shader *shaders;                          /* of pass gbuffer, one for each of the list */
+    Material *materials;                      /* of pass gbuffer, one for each of the list */
     double start;
 } Work;
 
@@ -88,8 +88,8 @@ static bool make_work(Work *w)
     double scale = w->request->scale > 0 ? w->request->scale : 1;
     FramebufferSpec spec = {
         .width = MEASURE_SIDE, .height = MEASURE_SIDE, .color_count = 1, .color_format = GL_RGBA32F};
-    field_points(w->vertices, w->request->range);
-    field_plane(plane, &(PlaneView){.yaw = 0.3, .scale = scale, .aspect = 1, .height = MEASURE_SIDE});
+    sample_points(w->vertices, w->request->range);
+    sample_plane(plane, &(PlaneView){.yaw = 0.3, .scale = scale, .aspect = 1, .height = MEASURE_SIDE});
     return (field_make(m->gl, w->vertices, POINTS, GL_POINTS, &w->points) &&
             field_make(m->gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &w->view) &&
             framebuffer_make(m->gl, &spec, &w->picture)) ||
@@ -97,13 +97,13 @@ static bool make_work(Work *w)
 }
 
 /* n for n x n samples: as many as a second of drawing allows. */
-static int mean_side(Work *w, const Shader *shader)
+static int mean_side(Work *w, const MeterDraw *draw)
 {
     const double seconds = clamp(w->request->seconds / 50, 0.05, 0.8);
     float *scratch = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *scratch);
-    meter_draw_mean(w->meter, shader, &w->view, &w->picture, 1, scratch);
+    meter_draw_mean(w->meter, draw, 1, scratch);
     double start = meter_now();
-    meter_draw_mean(w->meter, shader, &w->view, &w->picture, 2, scratch);
+    meter_draw_mean(w->meter, draw, 2, scratch);
     double once = fmax((meter_now() - start) / 4, 1e-5);
     free(scratch);
     return (int)clamp(sqrt(seconds / once), 8, 2 * REFERENCE_SIDE);
@@ -124,15 +124,17 @@ static const float *mean_of(Work *w, const Variant *variant, int slot)
     MatcOptions options = variant_options(&plain, w->request->options);
     options.pass = "value";
     options.slot = slot_table[slot].name;
-    MatcProgram *program = shader_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
-    Shader shader = {0};
+    MatcProgram *program = variant_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
+    Material material = {0};
+    const MeterDraw draw = {&material, &w->view, &w->picture};
     float *mean = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *mean);
-    if (program && shader_make(w->meter->gl, program, &shader) &&
-        meter_draw_mean(w->meter, &shader, &w->view, &w->picture, mean_side(w, &shader), mean))
+    if (program && meter_make_material(w->meter, program, &material) &&
+        meter_draw_mean(w->meter, &draw, mean_side(w, &draw), mean))
         truth->mean[slot] = mean;
     else
         free(mean);
-    shader_delete(w->meter->gl, &shader);
+    material_delete(&material);
+    matc_program_free(program);
     return truth->mean[slot];
 }
 
@@ -151,25 +153,25 @@ static Distance picture_distance(int slot, const float *found, const float *want
     return (Distance){most, sqrt(squares / (count * lanes))};
 }
 
-static Distance find_aliased(Work *w, const Variant *variant, int slot, const Shader *shader)
+static Distance find_aliased(Work *w, const Variant *variant, int slot, Material *material)
 {
     Distance none = {NAN, NAN};
     if (!w->request->aliasing || slot == SLOT_normal)
         return none;
     const float *wanted = mean_of(w, variant, slot);
     float *found = make(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *found);
-    if (wanted && meter_draw_mean(w->meter, shader, &w->view, &w->picture, 1, found))
+    if (wanted && meter_draw_mean(w->meter, &(MeterDraw){material, &w->view, &w->picture}, 1, found))
         none = picture_distance(slot, found, wanted);
     free(found);
     return none;
 }
 
-static Distance find_computed(Work *w, const Variant *variant, int slot, const Shader *shader)
+static Distance find_computed(Work *w, const Variant *variant, int slot, Material *material)
 {
     Distance result = {NAN, NAN};
     float(*rgba)[4] = make(POINTS, sizeof *rgba);
     SlotValues *found = make(POINTS, sizeof *found);
-    if (meter_draw_points(w->meter, shader, &w->points, rgba)) {
+    if (meter_draw_points(w->meter, material, &w->points, rgba)) {
         for (int i = 0; i < POINTS; i++)
             for (int lane = 0; lane < 4; lane++)
                 found[i].lane[slot][lane] = rgba[i][lane];
@@ -183,7 +185,8 @@ static Distance find_computed(Work *w, const Variant *variant, int slot, const S
 static const Known *find_known(const Work *w, const char *fragment, int slot, int truth)
 {
     for (int i = 0; i < w->known_count; i++)
-        if (w->known[i].slot == slot && w->known[i].truth == truth && variant_programs_equal(w->known[i].fragment, fragment))
+        if (w->known[i].slot == slot && w->known[i].truth == truth &&
+            variant_programs_equal(w->known[i].fragment, fragment))
             return &w->known[i];
     return NULL;
 }
@@ -193,16 +196,16 @@ static bool is_constant(const char *fragment) { return !strstr(fragment, "\nin "
 
 static const Known *learn(Work *w, const Variant *variant, int slot, MatcProgram *program)
 {
-    Shader shader = {0};
+    Material material;
     const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
     Known known = {strdup(fragment), slot, truth_index(variant), {NAN, NAN}, {NAN, NAN}};
     if (!known.fragment)
         abort();
-    if (shader_make(w->meter->gl, program, &shader)) {
-        known.computed = find_computed(w, variant, slot, &shader);
-        known.aliased = is_constant(fragment) ? (Distance){0, 0} : find_aliased(w, variant, slot, &shader);
+    if (meter_make_material(w->meter, program, &material)) {
+        known.computed = find_computed(w, variant, slot, &material);
+        known.aliased = is_constant(fragment) ? (Distance){0, 0} : find_aliased(w, variant, slot, &material);
     }
-    shader_delete(w->meter->gl, &shader);
+    material_delete(&material);
     w->known = grow(w->known, w->known_count, &w->known_room, sizeof *w->known);
     w->known[w->known_count] = known;
     return &w->known[w->known_count++];
@@ -214,33 +217,31 @@ static void measure_slot(Work *w, Measured *m, int slot)
     MatcOptions options = variant_options(&m->variant, w->request->options);
     options.pass = "value";
     options.slot = slot_table[slot].name;
-    MatcProgram *program = shader_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
+    MatcProgram *program = variant_compile(w->request->document, w->request->material, MATC_FRAGMENT, &options);
     if (!program)
         return;
     const Known *known = find_known(w, matc_output(program, MATC_FRAGMENT, NULL), slot, truth_index(&m->variant));
-    if (known)
-        matc_program_free(program);
-    else
+    if (!known)
         known = learn(w, &m->variant, slot, program);
+    matc_program_free(program);
     m->computed[slot] = known->computed;
     m->aliased[slot] = known->aliased;
 }
 
-static bool measure_packed(Work *w, Measured *m, MatcProgram *program, Shader *shader)
+static bool measure_packed(Work *w, Measured *m, MatcProgram *program, Material *material)
 {
+    const Layout layout = (Layout)m->variant.layout;
     if (!has_truth(w, &m->variant))
         return false;
-    char *unpack = strdup(matc_output(program, MATC_UNPACK, NULL));
     SlotValues *found = make(POINTS, sizeof *found);
-    bool fine = shader_make(w->meter->gl, program, shader) ||
-                message_fail(w->meter->error, sizeof w->meter->error, "%s", w->meter->gl->error);
-    fine = fine && meter_draw_packed(w->meter, shader, (Layout)m->variant.layout, unpack, &w->points, found);
+    bool fine = meter_make_material(w->meter, program, material) &&
+                meter_open_layout(w->meter, layout, matc_output(program, MATC_UNPACK, NULL)) &&
+                meter_draw_packed(w->meter, material, layout, &w->points, found);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        m->packed[slot] = fine && w->meter->holds[m->variant.layout][slot]
+        m->packed[slot] = fine && w->meter->readers[layout].holds[slot]
                               ? measure_distance((Slot)slot, found, truth_of(w, &m->variant)->values, POINTS)
                               : (Distance){NAN, NAN};
     free(found);
-    free(unpack);
     return fine;
 }
 
@@ -261,22 +262,21 @@ static bool has_time(const Work *w) { return meter_now() - w->start < w->request
 static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredList *list)
 {
     list->at = make((size_t)count, sizeof *list->at);
-    w->shaders = make((size_t)count, sizeof *w->shaders);
+    w->materials = make((size_t)count, sizeof *w->materials);
     for (int i = 0; i < count; i++) {
         Measured *m = &list->at[list->count];
-        Shader *shader = &w->shaders[list->count];
+        Material *material = &w->materials[list->count];
         if (w->request->progress)
             w->request->progress(w->request->user, i, count);
         if (i > 0 && !has_time(w)) {
             list->left_out++;
-            matc_program_free(candidates[i].program);
             continue;
         }
         *m = (Measured){.variant = candidates[i].variant};
         for (int slot = 0; slot < SLOT_COUNT; slot++)
             m->computed[slot] = m->aliased[slot] = (Distance){NAN, NAN};
-        if (!measure_packed(w, m, candidates[i].program, shader)) {
-            shader_delete(w->meter->gl, shader);
+        if (!measure_packed(w, m, candidates[i].program, material)) {
+            material_delete(material);
             list->refused++;
             continue;
         }
@@ -302,7 +302,7 @@ static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[
 }
 
 /* As many rounds as the rest of the time allows. */
-static int find_rounds(Work *w, const TimedDraw *draws, int count)
+static int find_rounds(Work *w, const MeterDraw *draws, int count)
 {
     double *scratch = make((size_t)count, sizeof *scratch), start = meter_now();
     meter_time(w->meter, draws, count, 1, scratch);
@@ -314,15 +314,15 @@ static int find_rounds(Work *w, const TimedDraw *draws, int count)
 static bool measure_times(Work *w, MeasuredList *list)
 {
     Framebuffer targets[LAYOUT_COUNT], plain;
-    Shader constant = {0};
-    TimedDraw *draws = make((size_t)list->count + 1, sizeof *draws);
+    Material constant = {0};
+    MeterDraw *draws = make((size_t)list->count + 1, sizeof *draws);
     double *nanoseconds = make((size_t)list->count + 1, sizeof *nanoseconds);
     memset(targets, 0, sizeof targets);
     memset(&plain, 0, sizeof plain);
     bool fine = make_targets(w, list, targets, &plain) && meter_make_constant(w->meter, &constant);
-    draws[0] = (TimedDraw){&constant, &w->view, &plain};
+    draws[0] = (MeterDraw){&constant, &w->view, &plain};
     for (int i = 0; i < list->count; i++)
-        draws[1 + i] = (TimedDraw){&w->shaders[i], &w->view, &targets[list->at[i].variant.layout]};
+        draws[1 + i] = (MeterDraw){&w->materials[i], &w->view, &targets[list->at[i].variant.layout]};
     fine = fine && meter_time(w->meter, draws, list->count + 1, find_rounds(w, draws, list->count + 1), nanoseconds);
     list->constant = nanoseconds[0];
     for (int i = 0; i < list->count; i++)
@@ -330,7 +330,7 @@ static bool measure_times(Work *w, MeasuredList *list)
     for (int i = 0; i < LAYOUT_COUNT; i++)
         framebuffer_delete(w->meter->gl, &targets[i]);
     framebuffer_delete(w->meter->gl, &plain);
-    shader_delete(w->meter->gl, &constant);
+    material_delete(&constant);
     free(nanoseconds);
     free(draws);
     return fine;
@@ -349,11 +349,11 @@ static void mark_fronts(MeasuredList *list)
     free(points);
 }
 
-static void discard(Work *w, int shaders)
+static void discard(Work *w, int materials)
 {
     GlContext *gl = w->meter->gl;
-    for (int i = 0; i < shaders; i++)
-        shader_delete(gl, &w->shaders[i]);
+    for (int i = 0; i < materials; i++)
+        material_delete(&w->materials[i]);
     for (int i = 0; i < w->known_count; i++)
         free(w->known[i].fragment);
     for (int i = 0; i < CHOICE_COUNT * CHOICE_COUNT; i++) {
@@ -364,7 +364,7 @@ static void discard(Work *w, int shaders)
     field_delete(gl, &w->points);
     field_delete(gl, &w->view);
     framebuffer_delete(gl, &w->picture);
-    free(w->shaders);
+    free(w->materials);
     free(w->known);
     free(w);
 }
@@ -384,6 +384,8 @@ bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList 
     if (fine) {
         Candidate *candidates = candidates_make(request, list, &count);
         measure_errors(w, candidates, count, list);
+        for (int i = 0; i < count; i++)
+            matc_program_free(candidates[i].program);
         free(candidates);
         fine = list->count > 0 ? measure_times(w, list)
                                : *meter->error || message_fail(meter->error, sizeof meter->error,
@@ -394,11 +396,11 @@ bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList 
         mark_fronts(list);
     discard(w, list->count);
     if (!fine)
-        measured_free(list);
+        measure_free(list);
     return fine;
 }
 
-void measured_free(MeasuredList *list)
+void measure_free(MeasuredList *list)
 {
     free(list->at);
     *list = (MeasuredList){0};

@@ -54,7 +54,7 @@ extern const double measure_range; /* that of matc */
 
 /* False: see meter->error. The list is from malloc; the first is the variant that the options mean. */
 bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList *list);
-void measured_free(MeasuredList *list);
+void measure_free(MeasuredList *list);
 
 /* Values of all points by the C reference, with the noise of a variant. `values` has room for POINTS. False: they take more operations
  * than the reference is given, and are not known. */

@@ -117,7 +117,7 @@ bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, co
         free(lines);
         done = !basename || write_files(subject, &list, meter->gl, basename, out, error, room);
         fclose(out);
-        measured_free(&list);
+        measure_free(&list);
         if (!done)
             free(*table);
     }
@@ -217,7 +217,7 @@ bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *optio
             *why = explain(&list, chosen, most, &request.open, meter);
             take(&list.at[chosen].variant, &request.open, options);
         }
-        measured_free(&list);
+        measure_free(&list);
     }
     meter_close(meter);
     return done;

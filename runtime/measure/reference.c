@@ -13,7 +13,7 @@ bool measure_reference(const MeasureRequest *request, const Variant *variant, co
     if (!surfaces)
         abort();
     for (int i = 0; i < POINTS; i++)
-        field_surface(&points[i], &surfaces[i]);
+        sample_surface(&points[i], &surfaces[i]);
     bool known =
         evaluate_material(request->document, request->material, &options, (SurfacePoints){surfaces, POINTS}, values);
     free(surfaces);

@@ -57,16 +57,15 @@ static double seconds_by_wall(const GlContext *gl, const Field *field, int repea
     return meter_now() - start;
 }
 
-static double time_once(Meter *m, const TimedDraw *draw, int repeats)
+static double time_once(Meter *m, const MeterDraw *draw, int repeats)
 {
-    framebuffer_use(m->gl, draw->target);
-    shader_use(m->gl, draw->shader, (float[2]){0, 0});
+    meter_use(m, draw, (float[2]){0, 0});
     return has_clock(m->gl) ? seconds_by_gpu(m->gl, draw->field, repeats)
                             : seconds_by_wall(m->gl, draw->field, repeats);
 }
 
 /* The first draw compiles; then doubled until a sample is long enough. */
-static int find_repeats(Meter *m, const TimedDraw *draw)
+static int find_repeats(Meter *m, const MeterDraw *draw)
 {
     int repeats = 1;
     time_once(m, draw, 1);
@@ -75,7 +74,7 @@ static int find_repeats(Meter *m, const TimedDraw *draw)
     return repeats;
 }
 
-bool meter_time(Meter *m, const TimedDraw *draws, int count, int rounds, double *nanoseconds)
+bool meter_time(Meter *m, const MeterDraw *draws, int count, int rounds, double *nanoseconds)
 {
     int *repeats = calloc((size_t)count, sizeof *repeats);
     double *seconds = calloc((size_t)count * (size_t)rounds, sizeof *seconds);

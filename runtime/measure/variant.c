@@ -5,6 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
+MatcProgram *variant_compile(const MatcDocument *document, int material, unsigned outputs, const MatcOptions *options)
+{
+    MatcOptions quiet = *options;
+    quiet.target = NULL;
+    quiet.validate = quiet.check = quiet.measure = false;
+    MatcProgram *program = matc_compile(document, material, outputs, &quiet);
+    if (matc_ok(program))
+        return program;
+    matc_program_free(program);
+    return NULL;
+}
+
 bool variant_of(const MatcOptions *options, Variant *variant)
 {
     Job job;
@@ -97,7 +109,7 @@ static Variant *all_combinations(const Variant *base, const VariantAxes *open, i
     return list;
 }
 
-Variant *variants_list(const Variant *base, const VariantAxes *open, int *count)
+Variant *variant_list(const Variant *base, const VariantAxes *open, int *count)
 {
     Variant *all = all_combinations(base, open, count), *sorted = calloc((size_t)*count + 1, sizeof *sorted);
     if (!sorted)

@@ -23,9 +23,11 @@ bool variant_of(const MatcOptions *options, Variant *variant);
 VariantAxes variant_open(const MatcOptions *options);
 /* Options that name all of a variant, whatever else `base` says. */
 MatcOptions variant_options(const Variant *variant, const MatcOptions *base);
+/* Compiles a material for GLSL 3.30, without glslang. NULL: it does not compile. Free with matc_program_free. */
+MatcProgram *variant_compile(const MatcDocument *document, int material, unsigned outputs, const MatcOptions *options);
 /* Every combination of what is open, `base` itself first, then by how many choices differ from it; at most VARIANT_LIMIT.
  * From malloc. */
-Variant *variants_list(const Variant *base, const VariantAxes *open, int *count);
+Variant *variant_list(const Variant *base, const VariantAxes *open, int *count);
 /* The same program, by choices that may differ: all but the comment that names those. */
 bool variant_programs_equal(const char *a, const char *b);
 /* How many choices differ, the layout counted in. */

@@ -18,14 +18,8 @@ bool batch_output_read(BatchOutput *output, const BatchFolder *folder, const cha
 bool batch_output_targets(BatchOutput *output, Meter *meter, int width, int height);
 void batch_output_delete(BatchOutput *output, Meter *meter);
 
-/* A material's program, with its constants in a buffer. */
-typedef struct {
-    Shader shader;
-    GLuint buffer;
-} BatchDraw;
-/* False: meter->error. Delete in any case. `binding` is the buffer's, one for each program that is in use. */
-bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, int binding, BatchDraw *made);
-void batch_draw_delete(Meter *meter, BatchDraw *draw);
+/* A material's program, with its constants in a buffer. False: meter->error; delete in any case. */
+bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, Material *made);
 
 /* The program of a material for a pass, and what the manifest says of the material's use of it; NULL. */
 const cJSON *batch_program(const cJSON *manifest, int material, const char *pass, const cJSON **use);

@@ -74,18 +74,18 @@ static size_t unpack_bytes(const BatchOutput *output)
 /* The sum over the timed materials of nanoseconds a pixel; those of one material are timed in turns. */
 static bool time_material(Meter *meter, BatchOutput *outputs, int material, const Field *field, double *sums)
 {
-    BatchDraw draws[SETTINGS + 1] = {0};
-    TimedDraw timed[SETTINGS];
+    Material materials[SETTINGS] = {0};
+    MeterDraw timed[SETTINGS];
     double nanoseconds[SETTINGS];
     bool fine = true;
     for (int i = 0; i < SETTINGS && fine; i++) {
-        fine = batch_draw_make(meter, &outputs[i], material, i, &draws[i]);
-        timed[i] = (TimedDraw){&draws[i].shader, field, &outputs[i].targets};
+        fine = batch_draw_make(meter, &outputs[i], material, &materials[i]);
+        timed[i] = (MeterDraw){&materials[i], field, &outputs[i].targets};
     }
     fine = fine && meter_time(meter, timed, SETTINGS, ROUNDS, nanoseconds);
     for (int i = 0; i < SETTINGS; i++) {
         sums[i] += fine ? nanoseconds[i] : 0;
-        batch_draw_delete(meter, &draws[i]);
+        material_delete(&materials[i]);
     }
     return fine;
 }
@@ -97,7 +97,7 @@ static bool time_outputs(BatchOutput *outputs, GlKind gl, double *means)
     Field field = {0};
     int side = gl == GL_KIND_osmesa ? SIDE : SIDE_OF_GPU;
     Meter *meter = meter_open(gl, error, sizeof error);
-    field_plane(plane, &(PlaneView){.yaw = 0.3, .scale = 1, .aspect = 1, .height = side});
+    sample_plane(plane, &(PlaneView){.yaw = 0.3, .scale = 1, .aspect = 1, .height = side});
     bool fine = meter && field_make(meter->gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &field);
     for (int i = 0; i < SETTINGS && fine; i++)
         fine = batch_output_targets(&outputs[i], meter, side, side);

@@ -52,20 +52,22 @@ MatcDocument *error_document(const char *name, const char *text)
     exit(1); /* a document of our own */
 }
 
-bool error_shader(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Shader *shader)
+MatcProgram *error_program(const MatcDocument *document, const Variant *variant)
 {
     MatcOptions options;
     matc_options_init(&options);
     options = variant_options(variant, &options);
     options.pass = "value";
-    MatcProgram *program = shader_compile(document, 0, MATC_FRAGMENT, &options);
-    *shader = (Shader){0};
-    if (!program)
-        return false;
-    if (shader_make(bench->meter->gl, program, shader))
-        return true;
-    shader_delete(bench->meter->gl, shader);
-    return false;
+    return variant_compile(document, 0, MATC_FRAGMENT, &options);
+}
+
+bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Material *made)
+{
+    MatcProgram *program = error_program(document, variant);
+    *made = (Material){0};
+    bool fine = program && meter_make_material(bench->meter, program, made);
+    matc_program_free(program);
+    return fine;
 }
 
 static void show(const char *what) { fprintf(stderr, "\r\033[K%s", what); }

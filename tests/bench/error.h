@@ -55,8 +55,10 @@ void error_figure(ErrorBench *bench, ErrorSubject of, const char *quantity, doub
 
 /* A document of the benches, read with its pictures; its materials exist, or the program has a fault and ends. */
 MatcDocument *error_document(const char *name, const char *text);
-/* A program of pass value, slot diffuse, of a document's first material. False: it does not compile. */
-bool error_shader(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Shader *shader);
+/* A program of pass value, slot diffuse, of a document's first material. NULL: it does not compile. */
+MatcProgram *error_program(const MatcDocument *document, const Variant *variant);
+/* The same, to be drawn. False: it does not compile. */
+bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Material *made);
 
 /* Each fills its parts and targets. */
 void error_normals(ErrorBench *bench);

@@ -38,7 +38,7 @@ static const char samples_text[] = "#version 330 core\n"
 
 typedef struct {
     char name[VARIANT_NAME];
-    Shader shader;
+    Material material;
     double squares, maximum, nanoseconds;
 } Method;
 
@@ -57,14 +57,14 @@ static void make_methods(Checker *c, const MatcDocument *document)
     MatcOptions options;
     matc_options_init(&options);
     variant_of(&options, &base);
-    const char *text = samples_text;
     strcpy(c->methods[0].name, "16 samples in the shader");
-    c->count = shader_make_plain(c->bench->meter->gl, &text, 1, &c->methods[0].shader);
+    c->count = field_material(c->bench->meter->store, NULL, &(FieldText){TARGET_glsl330, samples_text, NULL},
+                              &c->methods[0].material);
     for (int i = 0; i < axis_choices(AXIS_aa) && c->count < MOST; i++) {
         variant = base;
         variant.choice[AXIS_aa] = axis_table[AXIS_aa].first + i;
         snprintf(c->methods[c->count].name, VARIANT_NAME, "aa=%s", choice_table[variant.choice[AXIS_aa]].name);
-        if (error_shader(c->bench, document, &variant, &c->methods[c->count].shader))
+        if (error_material(c->bench, document, &variant, &c->methods[c->count].material))
             c->count++;
     }
 }
@@ -79,7 +79,7 @@ static bool make_views(Checker *c)
     half.height *= c->bench->factor;
     for (int i = 0; i < YAWS; i++) {
         FieldVertex plane[PLANE_VERTICES];
-        field_plane(plane, &(PlaneView){yaws[i], checker_scale, (double)WIDTH / HEIGHT, HEIGHT, {0, 0}});
+        sample_plane(plane, &(PlaneView){yaws[i], checker_scale, (double)WIDTH / HEIGHT, HEIGHT, {0, 0}});
         if (!field_make(gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &c->views[i]))
             return false;
     }
@@ -87,14 +87,15 @@ static bool make_views(Checker *c)
 }
 
 /* Errors of all methods at one yaw. `plain` is the method without filter. */
-static bool add_errors(Checker *c, int yaw, const Shader *plain, float *wanted, float *found)
+static bool add_errors(Checker *c, int yaw, Material *plain, float *wanted, float *found)
 {
     Meter *m = c->bench->meter;
     int side = c->bench->quick ? QUICK_SIDE : SAMPLES_SIDE;
-    if (!meter_draw_mean(m, plain, &c->views[yaw], &c->picture, side, wanted))
+    if (!meter_draw_mean(m, &(MeterDraw){plain, &c->views[yaw], &c->picture}, side, wanted))
         return false;
     for (int k = 0; k < c->count; k++) {
-        if (!meter_draw_mean(m, &c->methods[k].shader, &c->views[yaw], &c->picture, 1, found))
+        const MeterDraw draw = {&c->methods[k].material, &c->views[yaw], &c->picture};
+        if (!meter_draw_mean(m, &draw, 1, found))
             return false;
         for (int i = 0; i < WIDTH * HEIGHT; i++) {
             double d = fabs((double)found[4 * i] - wanted[4 * i]);
@@ -107,22 +108,22 @@ static bool add_errors(Checker *c, int yaw, const Shader *plain, float *wanted, 
 
 static bool add_times(Checker *c)
 {
-    Shader constant;
-    TimedDraw draws[MOST + 1];
+    Material constant;
+    MeterDraw draws[MOST + 1];
     double nanoseconds[MOST + 1];
     if (!meter_make_constant(c->bench->meter, &constant))
         return false;
-    draws[0] = (TimedDraw){&constant, &c->views[1], &c->half};
+    draws[0] = (MeterDraw){&constant, &c->views[1], &c->half};
     for (int i = 0; i < c->count; i++)
-        draws[1 + i] = (TimedDraw){&c->methods[i].shader, &c->views[1], &c->half};
+        draws[1 + i] = (MeterDraw){&c->methods[i].material, &c->views[1], &c->half};
     bool done = meter_time(c->bench->meter, draws, c->count + 1, c->bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
     for (int i = 0; i < c->count; i++)
         c->methods[i].nanoseconds = fmax(0, nanoseconds[1 + i] - nanoseconds[0]);
-    shader_delete(c->bench->meter->gl, &constant);
+    material_delete(&constant);
     return done;
 }
 
-static const Method *find(const Checker *c, const char *name)
+static Method *find(Checker *c, const char *name)
 {
     for (int i = 0; i < c->count; i++)
         if (!strcmp(c->methods[i].name, name))
@@ -169,14 +170,14 @@ void error_checker(ErrorBench *bench)
     c->bench = bench;
     bench->progress("checker to the horizon");
     make_methods(c, document);
-    const Method *plain = find(c, "aa=none");
+    Method *plain = find(c, "aa=none");
     bool done = plain && make_views(c);
     for (int i = 0; i < YAWS && done; i++)
-        done = add_errors(c, i, &plain->shader, wanted, found);
+        done = add_errors(c, i, &plain->material, wanted, found);
     if (done && add_times(c))
         report(c);
     for (int i = 0; i < c->count; i++)
-        shader_delete(bench->meter->gl, &c->methods[i].shader);
+        material_delete(&c->methods[i].material);
     for (int i = 0; i < YAWS; i++)
         field_delete(bench->meter->gl, &c->views[i]);
     framebuffer_delete(bench->meter->gl, &c->picture);

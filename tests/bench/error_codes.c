@@ -19,8 +19,7 @@ enum { SLOTS = sizeof slots / sizeof *slots };
 typedef struct {
     ErrorBench *bench;
     Layout layout;
-    Shader shader;
-    char *unpack;
+    Material material;
     FieldVertex points[POINTS];
     SlotValues first[POINTS], second[POINTS];
     double *codes; /* that one lane was read back as, in the order of the sweep */
@@ -31,7 +30,7 @@ static bool draw(Sweep *s, SlotValues *values)
 {
     Field field;
     bool done = field_make(s->bench->meter->gl, s->points, POINTS, GL_POINTS, &field) &&
-                meter_draw_packed(s->bench->meter, &s->shader, s->layout, s->unpack, &field, values);
+                meter_draw_packed(s->bench->meter, &s->material, s->layout, &field, values);
     field_delete(s->bench->meter->gl, &field);
     return done;
 }
@@ -57,7 +56,7 @@ static bool check_batch(Sweep *s, int from, int steps)
     for (int i = 0; i < POINTS; i++)
         s->codes[from + i] = s->first[i].lane[SLOT_specular][0];
     for (int k = 0; k < SLOTS; k++)
-        for (int lane = 0; lane < 3 && s->bench->meter->holds[s->layout][slots[k]]; lane++)
+        for (int lane = 0; lane < 3 && s->bench->meter->readers[s->layout].holds[slots[k]]; lane++)
             if (!check_lane(s, slots[k], lane))
                 return false;
     return true;
@@ -79,13 +78,13 @@ static bool sweep_layout(Sweep *s, const MatcDocument *document)
     variant_of(&options, &variant);
     variant.layout = (int)s->layout;
     options = variant_options(&variant, &options);
-    MatcProgram *program = shader_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
+    MatcProgram *program = variant_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
     if (!program)
         return false;
-    s->unpack = strdup(matc_output(program, MATC_UNPACK, NULL));
     int steps = s->bench->quick ? QUICK_SWEEP : SWEEP;
-    bool done = shader_make(s->bench->meter->gl, program, &s->shader);
-    field_points(s->points, 1);
+    bool done = meter_make_material(s->bench->meter, program, &s->material) &&
+                meter_open_layout(s->bench->meter, s->layout, matc_output(program, MATC_UNPACK, NULL));
+    sample_points(s->points, 1);
     for (int from = 0; from < steps && done; from += POINTS)
         done = check_batch(s, from, steps);
     if (done) {
@@ -95,8 +94,8 @@ static bool sweep_layout(Sweep *s, const MatcDocument *document)
         error_figure(s->bench, of, "read", (double)s->read);
         error_figure(s->bench, of, "changed", (double)s->changed);
     }
-    shader_delete(s->bench->meter->gl, &s->shader);
-    free(s->unpack);
+    material_delete(&s->material);
+    matc_program_free(program);
     return done;
 }
 

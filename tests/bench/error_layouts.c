@@ -61,7 +61,7 @@ static void compare(const Sweep *s, Errors *errors)
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
             const SlotRow *row = &slot_table[slot];
             const float *n = s->points[i].input[INPUT_eyeN];
-            if (!s->bench->meter->holds[s->layout][slot])
+            if (!s->bench->meter->readers[s->layout].holds[slot])
                 continue;
             if (slot == SLOT_normal)
                 note(errors, slot, normal_angle((double[]){n[0], n[1], n[2]}, s->got[i].lane[slot]));
@@ -72,11 +72,11 @@ static void compare(const Sweep *s, Errors *errors)
         }
 }
 
-static bool draw(Sweep *s, const Shader *shader, const char *unpack)
+static bool draw(Sweep *s, Material *material)
 {
     Field field;
     bool done = field_make(s->bench->meter->gl, s->points, POINTS, GL_POINTS, &field) &&
-                meter_draw_packed(s->bench->meter, shader, s->layout, unpack, &field, s->got);
+                meter_draw_packed(s->bench->meter, material, s->layout, &field, s->got);
     field_delete(s->bench->meter->gl, &field);
     return done;
 }
@@ -85,28 +85,28 @@ static bool draw(Sweep *s, const Shader *shader, const char *unpack)
 static bool measure(Sweep *s, int which, Errors *errors)
 {
     MatcOptions options;
-    Shader shader;
+    Material material;
     const int batches = s->bench->quick ? QUICK_BATCHES : BATCHES;
     matc_options_init(&options);
     options.layout = layout_table[s->layout].name;
     MatcDocument *document = error_document("layouts", documents[which].text);
-    MatcProgram *program = shader_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
+    MatcProgram *program = variant_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
     bool fine = program != NULL;
     if (fine) {
-        char *unpack = strdup(matc_output(program, MATC_UNPACK, NULL));
-        fine = shader_make(s->bench->meter->gl, program, &shader); /* the program is the shader's now */
+        fine = meter_make_material(s->bench->meter, program, &material) &&
+               meter_open_layout(s->bench->meter, s->layout, matc_output(program, MATC_UNPACK, NULL));
         for (int batch = 0; batch < batches && fine; batch++) {
             for (int i = 0; i < POINTS; i++) {
                 double x = (i * batches + batch + 0.5) / ((double)batches * POINTS);
                 s->points[i].input[INPUT_X][0] = (float)x;
-                field_surface(&s->points[i], &s->surfaces[i]);
+                sample_surface(&s->points[i], &s->surfaces[i]);
             }
             evaluate_material(document, 0, &options, (SurfacePoints){s->surfaces, POINTS}, s->want);
-            fine = draw(s, &shader, unpack);
+            fine = draw(s, &material);
             compare(s, errors);
         }
-        shader_delete(s->bench->meter->gl, &shader);
-        free(unpack);
+        material_delete(&material);
+        matc_program_free(program);
     }
     matc_document_free(document);
     return fine;
@@ -199,7 +199,7 @@ void error_layouts(ErrorBench *bench)
         bench->progress(layout_table[layout].name);
         s->bench = bench;
         s->layout = (Layout)layout;
-        field_points(s->points, 1);
+        sample_points(s->points, 1);
         put_layout(s);
     }
     free(s);

@@ -180,7 +180,7 @@ void error_materials(ErrorBench *bench)
             report(bench, i, &list);
             add_panel(bench, subjects[i].name, &list, false);
             add_panel(bench, subjects[i].name, &list, true);
-            measured_free(&list);
+            measure_free(&list);
         }
         matc_document_free(document);
     }

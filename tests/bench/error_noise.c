@@ -44,7 +44,7 @@ static bool make_square(Meter *m, double extent, Field *made)
 
 typedef struct {
     char name[VARIANT_NAME];
-    Shader shader;
+    Material material;
     double nanoseconds;
 } Timed;
 
@@ -61,25 +61,25 @@ static int make_choices(ErrorBench *bench, const MatcDocument *document, Axis ax
         variant.choice[axis] = axis_table[axis].first + i;
         snprintf(list[count].name, VARIANT_NAME, "%s=%s", axis_table[axis].name,
                  choice_table[variant.choice[axis]].name);
-        count += error_shader(bench, document, &variant, &list[count].shader);
+        count += error_material(bench, document, &variant, &list[count].material);
     }
     return count;
 }
 
 static bool time_choices(ErrorBench *bench, const Field *field, const Framebuffer *target, Timed *list, int count)
 {
-    Shader constant;
-    TimedDraw draws[MOST + 1];
+    Material constant;
+    MeterDraw draws[MOST + 1];
     double nanoseconds[MOST + 1];
     if (!meter_make_constant(bench->meter, &constant))
         return false;
-    draws[0] = (TimedDraw){&constant, field, target};
+    draws[0] = (MeterDraw){&constant, field, target};
     for (int i = 0; i < count; i++)
-        draws[1 + i] = (TimedDraw){&list[i].shader, field, target};
+        draws[1 + i] = (MeterDraw){&list[i].material, field, target};
     bool done = meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
     for (int i = 0; i < count; i++)
         list[i].nanoseconds = fmax(nanoseconds[1 + i] - nanoseconds[0], 1e-3);
-    shader_delete(bench->meter->gl, &constant);
+    material_delete(&constant);
     return done;
 }
 
@@ -98,15 +98,14 @@ static void report_noise(ErrorBench *bench, const Timed *list, int count)
 }
 
 /* RMS and greatest difference from the supersampled picture. */
-static Distance difference(ErrorBench *bench, const Shader *shader, const Field *field, const Framebuffer *target,
-                           const float *wanted)
+static Distance difference(ErrorBench *bench, const MeterDraw *draw, const float *wanted)
 {
     double squares = 0, most = 0;
-    int pixels = target->spec.width * target->spec.height;
+    int pixels = draw->target->spec.width * draw->target->spec.height;
     float *found = calloc((size_t)pixels * 4, sizeof *found);
     if (!found)
         abort();
-    meter_draw_mean(bench->meter, shader, field, target, 1, found);
+    meter_draw_mean(bench->meter, draw, 1, found);
     for (int i = 0; i < pixels; i++) {
         double d = fabs((double)found[4 * i] - wanted[4 * i]);
         squares += d * d / pixels;
@@ -122,7 +121,7 @@ typedef struct {
     const Framebuffer *target;
 } Canvas;
 
-static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, const Timed *list, int count)
+static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, Timed *list, int count)
 {
     FILE *out = bench->part[SECTION_PART_noise];
     float *wanted = calloc((size_t)view->side * (size_t)view->side * 4, sizeof *wanted);
@@ -134,9 +133,10 @@ static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, co
             view->cells);
     fputs("| --- | --- | --- | --- |\n", out);
     snprintf(what, sizeof what, "%g cells a pixel", view->cells);
-    meter_draw_mean(bench->meter, &list[0].shader, canvas.field, canvas.target, view->samples, wanted);
+    const MeterDraw plain = {&list[0].material, canvas.field, canvas.target};
+    meter_draw_mean(bench->meter, &plain, view->samples, wanted);
     for (int i = 0; i < count; i++) {
-        Distance d = difference(bench, &list[i].shader, canvas.field, canvas.target, wanted);
+        Distance d = difference(bench, &(MeterDraw){&list[i].material, canvas.field, canvas.target}, wanted);
         fprintf(out, "| %s | %.2f | %.5f | %.4f |\n", list[i].name, list[i].nanoseconds, d.rms, d.maximum);
         const ErrorSubject of = {"fading", what, list[i].name};
         error_figure(bench, of, "ns_per_pixel", list[i].nanoseconds);
@@ -185,7 +185,7 @@ static void measure_document(ErrorBench *bench, const char *text, Axis axis, dou
         framebuffer_delete(gl, &half);
     }
     for (int i = 0; i < count; i++)
-        shader_delete(gl, &list[i].shader);
+        material_delete(&list[i].material);
     field_delete(gl, &field);
     field_delete(gl, &wide);
     matc_document_free(document);

@@ -19,7 +19,8 @@ static const char document_text[] =
 
 typedef struct {
     char name[VARIANT_NAME];
-    Shader shader;
+    MatcProgram *program;
+    Material material;
     double ulp, nanoseconds;
 } Power;
 
@@ -29,7 +30,7 @@ static double float_step(double v) { return ldexp(1, ilogb(v) - 23); }
 /* Points whose x is anywhere in [1/2, 3/2). */
 static void make_points(FieldVertex points[POINTS], int batch)
 {
-    field_points(points, 1);
+    sample_points(points, 1);
     for (int i = 0; i < POINTS; i++) {
         double x = 0.5 + fraction((batch * POINTS + i + 1) * 0.6180339887498949);
         points[i].input[INPUT_X][0] = (float)x;
@@ -48,7 +49,7 @@ static bool measure_batch(ErrorBench *bench, int number, Power *powers, int coun
     make_points(batch.points, number);
     bool done = field_make(bench->meter->gl, batch.points, POINTS, GL_POINTS, &field);
     for (int k = 0; k < count && done; k++) {
-        done = meter_draw_points(bench->meter, &powers[k].shader, &field, batch.rgba);
+        done = meter_draw_points(bench->meter, &powers[k].material, &field, batch.rgba);
         for (int i = 0; i < POINTS && done; i++) {
             double wanted = pow(batch.points[i].input[INPUT_X][0], EXPONENT);
             powers[k].ulp = fmax(powers[k].ulp, fabs(batch.rgba[i][0] - wanted) / float_step(wanted));
@@ -60,27 +61,27 @@ static bool measure_batch(ErrorBench *bench, int number, Power *powers, int coun
 
 static bool measure_times(ErrorBench *bench, Power *powers, int count)
 {
-    Shader constant = {0};
+    Material constant = {0};
     Field field = {0};
     Framebuffer target;
     FieldVertex plane[PLANE_VERTICES];
-    TimedDraw draws[MOST + 1];
+    MeterDraw draws[MOST + 1];
     double nanoseconds[MOST + 1];
     GlContext *gl = bench->meter->gl;
-    field_plane(plane, &(PlaneView){.scale = 1, .aspect = 1, .height = SIDE});
+    sample_plane(plane, &(PlaneView){.scale = 1, .aspect = 1, .height = SIDE});
     const int side = SIDE * bench->factor * (bench->factor > 1 ? 2 : 1);
     FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
     if (!framebuffer_make(gl, &spec, &target))
         return false;
     bool done = field_make(gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &field) &&
                 meter_make_constant(bench->meter, &constant);
-    draws[0] = (TimedDraw){&constant, &field, &target};
+    draws[0] = (MeterDraw){&constant, &field, &target};
     for (int i = 0; i < count; i++)
-        draws[1 + i] = (TimedDraw){&powers[i].shader, &field, &target};
+        draws[1 + i] = (MeterDraw){&powers[i].material, &field, &target};
     done = done && meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
     for (int i = 0; i < count && done; i++)
         powers[i].nanoseconds = fmax(0, nanoseconds[1 + i] - nanoseconds[0]);
-    shader_delete(gl, &constant);
+    material_delete(&constant);
     field_delete(gl, &field);
     framebuffer_delete(gl, &target);
     return done;
@@ -98,8 +99,8 @@ static const Power *find(const Power *powers, int count, const char *choice)
 
 static bool is_same(const Power *a, const Power *b)
 {
-    return variant_programs_equal(matc_output(a->shader.program, MATC_FRAGMENT, NULL),
-                                  matc_output(b->shader.program, MATC_FRAGMENT, NULL));
+    return variant_programs_equal(matc_output(a->program, MATC_FRAGMENT, NULL),
+                                  matc_output(b->program, MATC_FRAGMENT, NULL));
 }
 
 static void report(ErrorBench *bench, const Power *powers, int count)
@@ -135,7 +136,9 @@ static int make_powers(ErrorBench *bench, const MatcDocument *document, Power po
         variant_of(&options, &variant);
         variant.choice[AXIS_powers] = axis_table[AXIS_powers].first + i;
         snprintf(powers[count].name, VARIANT_NAME, "powers=%s", choice_table[variant.choice[AXIS_powers]].name);
-        count += error_shader(bench, document, &variant, &powers[count].shader);
+        powers[count].program = error_program(document, &variant);
+        count +=
+            powers[count].program && meter_make_material(bench->meter, powers[count].program, &powers[count].material);
     }
     return count;
 }
@@ -155,8 +158,10 @@ void error_powers(ErrorBench *bench)
         done = measure_batch(bench, i, powers, count, (Batch){points, rgba});
     if (done && measure_times(bench, powers, count))
         report(bench, powers, count);
-    for (int i = 0; i < count; i++)
-        shader_delete(bench->meter->gl, &powers[i].shader);
+    for (int i = 0; i < count; i++) {
+        material_delete(&powers[i].material);
+        matc_program_free(powers[i].program);
+    }
     matc_document_free(document);
     free(rgba);
     free(points);

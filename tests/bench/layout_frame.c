@@ -1,12 +1,8 @@
 /* What a layout costs a frame: the G-buffer pass of a material whose every slot is a uniform, so that nothing is packed
  * beforehand, and a pass that reads all slots back. Both fill a square; the least of several draws counts. */
 #include "matbench.h"
-#include "compiler/layout/layout.h"
-#include "compiler/matc.h"
-#include "runtime/gl/framebuffer.h"
-#include "runtime/gl/mesh.h"
-#include "runtime/gl/program.h"
-#include "runtime/gl/texture.h"
+#include "runtime/gl/screen.h"
+#include "runtime/render/targets.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,13 +21,13 @@ static const char vertex_text[] =
     "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.);\n"
     "eyeNormal = vec3(gl_Position.xy, 1. - dot(gl_Position.xy, gl_Position.xy)); }";
 
-static double least_draw(GlContext *gl, const Mesh *screen)
+static double least_draw(GlContext *gl, const Screen *screen)
 {
     double least = 1e9;
     for (int i = 0; i <= REPEATS; i++) {
         gl->Finish();
         double start = bench_now();
-        mesh_draw_screen(gl, screen);
+        screen_draw(gl, screen);
         gl->Finish();
         double took = bench_now() - start;
         least = i && took < least ? took : least;
@@ -53,69 +49,72 @@ static void reader_text(const LayoutRow *layout, char *text)
     snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
 }
 
-static double read_back(GlContext *gl, const Mesh *screen, const Framebuffer *source, const char *unpack,
-                        const LayoutRow *layout, const Framebuffer *target)
+/* What a pass is drawn with. */
+typedef struct {
+    GlContext *gl;
+    Store *store;
+    Screen screen;
+    Framebuffer target; /* of the pass that reads */
+} Bench;
+
+static bool time_write(Bench *b, MatcProgram *program, const Framebuffer *gbuffer, double *ms)
 {
-    static char text[TEXT_ROOM];
-    reader_text(layout, text);
-    GLuint program =
-        program_make(gl, &(ProgramText){.vertex = {vertex_text}, .fragment = {"#version 330 core\n", unpack, text}});
-    for (int i = 0; i < source->spec.color_count; i++) {
-        char name[32];
-        snprintf(name, sizeof name, "matc_gbuffer%d", i);
-        texture_bind(gl, source->colors[i], i);
-        program_set(gl, program, &(ProgramValue){name, 1, &(float){(float)i}});
-    }
-    framebuffer_use(gl, target);
-    gl->UseProgram(program);
-    double ms = least_draw(gl, screen);
-    gl->DeleteProgram(program);
-    return ms;
+    Material writer;
+    if (!material_make(b->store, program, &(ProgramText){.vertex = {vertex_text}}, &writer))
+        return false;
+    framebuffer_use(b->gl, gbuffer);
+    material_use(&writer);
+    *ms = least_draw(b->gl, &b->screen);
+    material_delete(&writer);
+    return true;
 }
 
-static bool measure_layout(GlContext *gl, const Mesh *screen, const MatcDocument *document, int layout,
-                           const Framebuffer *target, double *write, double *read)
+static bool time_read(Bench *b, const LayoutRow *layout, const char *unpack, const Framebuffer *gbuffer, double *ms)
+{
+    char text[TEXT_ROOM];
+    Material reader;
+    reader_text(layout, text);
+    const ProgramText whole = {.vertex = {vertex_text}, .fragment = {"#version 330 core\n", unpack, text}};
+    if (!material_make(b->store, NULL, &whole, &reader))
+        return false;
+    framebuffer_use(b->gl, &b->target);
+    targets_read(gbuffer, &reader);
+    *ms = least_draw(b->gl, &b->screen);
+    material_delete(&reader);
+    return true;
+}
+
+static bool measure_layout(Bench *b, const MatcDocument *document, int layout, double *write, double *read)
 {
     MatcOptions options;
+    Framebuffer gbuffer;
+    const FramebufferSpec spec = {.width = SIDE, .height = SIDE};
     matc_options_init(&options);
     options.layout = layout_table[layout].name;
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
-    FramebufferSpec spec = {SIDE, SIDE, matc_target_count(program), 0, false};
-    GLenum formats[FRAMEBUFFER_COLORS] = {0};
-    Framebuffer gbuffer = {0};
-    for (int i = 0; i < spec.color_count; i++)
-        formats[i] = framebuffer_format(matc_target_format(program, i));
-    GLuint writer = program_make(
-        gl, &(ProgramText){.vertex = {vertex_text}, .fragment = {matc_output(program, MATC_FRAGMENT, NULL)}});
-    bool made = writer && framebuffer_make_of(gl, &spec, formats, &gbuffer);
-    if (made) {
-        framebuffer_use(gl, &gbuffer);
-        gl->UseProgram(writer);
-        *write = least_draw(gl, screen);
-        *read = read_back(gl, screen, &gbuffer, matc_output(program, MATC_UNPACK, NULL), &layout_table[layout], target);
-    }
-    framebuffer_delete(gl, &gbuffer);
-    gl->DeleteProgram(writer);
+    bool made = targets_make(b->gl, program, &spec, &gbuffer) && time_write(b, program, &gbuffer, write) &&
+                time_read(b, &layout_table[layout], matc_output(program, MATC_UNPACK, NULL), &gbuffer, read);
+    framebuffer_delete(b->gl, &gbuffer);
     matc_program_free(program);
     return made;
 }
 
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read)
 {
-    Mesh screen;
-    Framebuffer target;
     MatcOptions options;
+    Bench b = {.gl = gl, .store = store_new(gl)};
     matc_options_init(&options);
     MatcDocument *document = matc_read("bench.yaml", document_text, strlen(document_text), &options);
-    bool fine = matc_material_count(document) && mesh_make_empty(gl, &screen) &&
-                framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &target) &&
-                measure_layout(gl, &screen, document, layout, &target, write, read);
+    bool fine = b.store && matc_material_count(document) && screen_make(gl, &b.screen) &&
+                framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &b.target) &&
+                measure_layout(&b, document, layout, write, read);
     if (fine) {
         *write *= 1e6 / SIDE / SIDE;
         *read *= 1e6 / SIDE / SIDE;
-        framebuffer_delete(gl, &target);
-        mesh_delete(gl, &screen);
     }
+    framebuffer_delete(gl, &b.target);
+    screen_delete(gl, &b.screen);
+    store_free(b.store);
     matc_document_free(document);
     return fine;
 }

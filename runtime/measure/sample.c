@@ -1,11 +1,6 @@
-/* Points, planes, and the vertex program that passes them through. */
-#include "runtime/measure/field.h"
-#include <stdio.h>
+/* Points spread evenly, and a plane in perspective. */
+#include "runtime/measure/sample.h"
 #include <string.h>
-
-const char *const field_attributes[FIELD_VARYINGS + 1] = {
-    "at", "in_P", "in_N", "in_DU", "in_DV", "in_U", "in_X", "in_eyeN", "in_ray", "in_XU", "in_XV",
-};
 
 /* Number `index` of an even sequence in [0, 1) for each dimension: multiples of an irrational number. */
 static double spread(int index, int dimension)
@@ -39,7 +34,7 @@ static void set_frame(FieldVertex *v, double height, double angle, double turn)
     set3(v->input[INPUT_ray], -r * c, -r * s, -height);
 }
 
-void field_points(FieldVertex points[POINTS], double range)
+void sample_points(FieldVertex points[POINTS], double range)
 {
     memset(points, 0, POINTS * sizeof *points);
     for (int i = 0; i < POINTS; i++) {
@@ -57,7 +52,7 @@ void field_points(FieldVertex points[POINTS], double range)
     }
 }
 
-void field_surface(const FieldVertex *point, Surface *surface)
+void sample_surface(const FieldVertex *point, Surface *surface)
 {
     static const Input input[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                   [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
@@ -95,69 +90,10 @@ static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y
     set3(v->input[INPUT_ray], px, py, -1);
 }
 
-void field_plane(FieldVertex vertices[PLANE_VERTICES], const PlaneView *view)
+void sample_plane(FieldVertex vertices[PLANE_VERTICES], const PlaneView *view)
 {
     const double beyond = 0.1 * 2 / view->height; /* a tenth of a pixel: the horizon itself is not met */
     double pitch = atan(0.5 * (1 + beyond));
     for (int i = 0; i < PLANE_VERTICES; i++)
         set_corner(&vertices[i], view, i % 2 ? 1.2 : -1.2, i < 2 ? -1.2 : 1 + beyond / 2, pitch);
 }
-
-bool field_make(GlContext *gl, const FieldVertex *vertices, int count, GLenum mode, Field *made)
-{
-    *made = (Field){.mode = mode, .count = count};
-    gl->GenVertexArrays(1, &made->array);
-    gl->GenBuffers(1, &made->buffer);
-    gl->BindVertexArray(made->array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, made->buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *vertices), vertices, GL_STATIC_DRAW);
-    for (int i = 0; i <= FIELD_VARYINGS; i++) {
-        size_t offset = i ? offsetof(FieldVertex, input) + (size_t)(i - 1) * sizeof vertices->input[0] : 0;
-        gl->VertexAttribPointer((GLuint)i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof *vertices, (void *)offset);
-        gl->EnableVertexAttribArray((GLuint)i);
-    }
-    gl->BindVertexArray(0);
-    return gl_check(gl, "making vertices");
-}
-
-void field_draw(const GlContext *gl, const Field *field)
-{
-    gl->BindVertexArray(field->array);
-    gl->DrawArrays(field->mode, 0, field->count);
-}
-
-void field_delete(const GlContext *gl, Field *field)
-{
-    gl->DeleteVertexArrays(1, &field->array);
-    gl->DeleteBuffers(1, &field->buffer);
-    *field = (Field){0};
-}
-
-/* The fragment program declares it: "... worldNormal;" */
-static bool declares(const char *fragment, const InputRow *row)
-{
-    char text[64];
-    snprintf(text, sizeof text, "in %s %s;", type_table[row->type].name, row->glsl);
-    return strstr(fragment, text) != NULL;
-}
-
-/* Appends like snprintf. */
-#define PUT(...) (size += snprintf(text + size, size < FIELD_TEXT ? (size_t)(FIELD_TEXT - size) : 0, __VA_ARGS__))
-
-void field_vertex_text(const char *fragment, char text[FIELD_TEXT])
-{
-    int size = 0;
-    PUT("#version 330 core\nin vec4 at;\nuniform vec2 measure_jitter;\n");
-    for (int i = 0; i < FIELD_VARYINGS; i++) {
-        const InputRow *row = &input_table[i];
-        if (declares(fragment, row))
-            PUT("in %s %s;\nout %s %s;\n", type_table[row->type].name, field_attributes[1 + i],
-                type_table[row->type].name, row->glsl);
-    }
-    PUT("void main() {\n");
-    for (int i = 0; i < FIELD_VARYINGS; i++)
-        if (declares(fragment, &input_table[i]))
-            PUT("    %s = %s;\n", input_table[i].glsl, field_attributes[1 + i]);
-    PUT("    gl_Position = at + vec4(measure_jitter * at.w, 0.0, 0.0);\n}\n");
-}
-#undef PUT
