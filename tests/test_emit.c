@@ -77,10 +77,11 @@ static void compare(Test *t, const Ir *ir, const char *text, const char *fragmen
     static float drawn[POINT_COUNT][4]; /* all of the grid is read */
     Graph graph = {0};
     Shading shading = {.fragment = fragment, .target = TARGET_glsl330, .graph = &graph};
-    GLuint program = drawer_program(&t->drawer, &shading);
-    if (!program || !drawer_draw(&t->drawer, program, &shading, true, (float *const[]){drawn[0]}, 1))
+    Material material;
+    if (!drawer_material(&t->drawer, &shading, &material) ||
+        !drawer_draw(&t->drawer, &material, true, (float *const[]){drawn[0]}, 1))
         fail_msg("%s: %s", text, t->drawer.error);
-    t->drawer.gl->DeleteProgram(program);
+    material_delete(&material);
     const ReferenceContext context = {.noise = ir->noise};
     for (int i = 0; i < POINTS; i++) {
         double inputs[INPUT_COUNT][4], value[MOST_OUTPUTS][4];
@@ -114,7 +115,7 @@ static int set_up(void **state)
     static Test test;
     make_points(test.points);
     *state = &test;
-    if (drawer_open(&test.drawer, true, test.points, POINTS, 1, GL_RGBA32F))
+    if (drawer_open(&test.drawer, true, test.points, POINTS))
         return 0;
     print_error("%s\n", test.drawer.error);
     return 1;

@@ -113,12 +113,12 @@ static double draw(const Case *c, const char *aa, int *count)
     snprintf(text, sizeof text,
              "{ material: Phong, diffuse: { map: Checker, input: { map: UVTransform, scaleU: %g, scaleV: %g } } }",
              c->scale, c->scale);
-    if (!scene_open(&scene, stage->gl, text, &(SceneOptions){.pass = c->pass, .aa = aa}))
+    if (!scene_open(&scene, stage->store, text, &(SceneOptions){.pass = c->pass, .aa = aa}))
         fail_msg("%s", scene.error);
     if (!stage_draw(stage, &scene, &space, NULL, &stage->full) || (!sky && !stage_unpack(stage, &scene, &stage->full)))
         fail_msg("%s", stage->gl->error);
-    scene_close(&scene, stage->gl);
-    const float(*drawn)[4] = (const float(*)[4])(sky ? stage->color[0] : stage->slot[READ_diffuse]);
+    scene_close(&scene);
+    const float(*drawn)[4] = (const float(*)[4])(sky ? stage->color[0] : stage->slot[SLOT_diffuse]);
     return error_of(&space, c->meet, c->scale, drawn, count);
 }
 

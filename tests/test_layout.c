@@ -36,8 +36,8 @@ static int set_up(void **state)
     Fixture *f = calloc(1, sizeof *f);
     *state = f;
     points_make(f->points);
-    return !drawer_open(&f->core, true, f->points, POINT_COUNT, 1, GL_RGBA32F) ||
-           !drawer_open(&f->compat, false, f->points, POINT_COUNT, 1, GL_RGBA32F);
+    return !drawer_open(&f->core, true, f->points, POINT_COUNT) ||
+           !drawer_open(&f->compat, false, f->points, POINT_COUNT);
 }
 
 static int tear_down(void **state)
@@ -304,7 +304,7 @@ static void check_uniforms(Fixture *f, Document *d, int layout, int target, int 
     options.target = target_table[target].name;
     options.optimize = level;
     options.check = true;
-    if (!gbuffer_open(&g, drawer_for(f, (Target)target), d->document, d->graph, &options))
+    if (!gbuffer_open(&g, drawer_for(f, (Target)target), d, 0, &options))
         fail_msg("%s", g.error);
     for (int set = 0; set < SETS; set++) {
         make_values(f, set, values);
@@ -349,7 +349,7 @@ static void constants_come_back(void **state)
             options.layout = layout_table[layout].name;
             options.check = true;
             options.validate = set == 0;
-            if (!gbuffer_open(&g, &f->core, d.document, d.graph, &options))
+            if (!gbuffer_open(&g, &f->core, &d, 0, &options))
                 fail_msg("%s", g.error);
             draw_and_check(f, &d, &g, true);
             gbuffer_close(&g);

@@ -373,7 +373,7 @@ static void what_is_packed_comes_back(void **state)
     Kept kept = {0};
     int cases = 0;
     points_make(points);
-    assert_true(drawer_open(&drawer, true, points, POINT_COUNT, 1, GL_RGBA32F));
+    assert_true(drawer_open(&drawer, true, points, POINT_COUNT));
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
         Set set;
         set_open(&set, sets[i].paths, sets[i].count, sets[i].error);

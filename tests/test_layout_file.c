@@ -199,7 +199,7 @@ static void examples_keep_what_they_promise(void **state)
     Drawer drawer;
     Kept kept = {0};
     points_make(points);
-    assert_true(drawer_open(&drawer, true, points, POINT_COUNT, 1, GL_RGBA32F));
+    assert_true(drawer_open(&drawer, true, points, POINT_COUNT));
     for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
         char path[256];
         Document d;

@@ -5,96 +5,55 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/gl/context.h"
-#include "runtime/gl/framebuffer.h"
-#include "runtime/gl/mesh.h"
-#include "runtime/gl/program.h"
-#include "runtime/gl/texture.h"
+#include "tests/value/canvas.h"
 #include "tests/value/half.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { SIDE = 128, TEXELS = SIDE * SIDE, LEVELS = 128 };
 
 typedef struct {
-    GlContext *gl;
-    Mesh screen;
-    Framebuffer half, full; /* the packed target, and what was read back */
-    GLuint source;          /* the numbers to be packed */
+    Canvas canvas;
+    GLuint source; /* the numbers to be packed */
     float numbers[TEXELS][4], packed[TEXELS][4], unpacked[TEXELS][4];
 } Fixture;
 
 static int set_up(void **state)
 {
     Fixture *f = calloc(1, sizeof *f);
-    char error[512] = "";
-    f->gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-    if (!f->gl) {
-        print_error("%s\n", error);
-        return -1;
-    }
     *state = f;
-    return !mesh_make_empty(f->gl, &f->screen) ||
-           !framebuffer_make(f->gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA16F, false}, &f->half) ||
-           !framebuffer_make(f->gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &f->full);
+    if (f && canvas_open(&f->canvas, SIDE))
+        return 0;
+    print_error("%s\n", f ? f->canvas.error : "out of memory");
+    return -1;
 }
 
 static int tear_down(void **state)
 {
     Fixture *f = *state;
-    gl_close(f->gl);
+    canvas_close(&f->canvas);
     free(f);
     return 0;
 }
 
-static void read_chunk(const char *name, char text[4096])
+static void draw(Fixture *f, const Drawing *drawing, const Framebuffer *target, float (*texels)[4])
 {
-    char path[512];
-    snprintf(path, sizeof path, "%s/runtime/library/%s.glsl", SOURCE_FOLDER, name);
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        fail_msg("no %s", path);
-    text[fread(text, 1, 4095, file)] = 0;
-    fclose(file);
+    if (!canvas_draw(&f->canvas, drawing, target))
+        fail_msg("%s", f->canvas.error);
+    assert_true(framebuffer_read(f->canvas.gl, target, 0, &texels[0][0]));
 }
 
-/* Draws `expression` of `vec4 t`, the texel of `texture` under the pixel, into a target. */
-static void draw(Fixture *f, const char *chunk, const char *expression, GLuint texture, const Framebuffer *target)
-{
-    static const char vertex[] =
-        "#version 330 core\n"
-        "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }";
-    char library[4096], head[256], body[512];
-    read_chunk(chunk, library);
-    snprintf(head, sizeof head, "#version 330 core\nuniform sampler2D source;\nout vec4 c;\n");
-    snprintf(body, sizeof body, "void main() { vec4 t = texelFetch(source, ivec2(gl_FragCoord.xy), 0); c = %s; }",
-             expression);
-    GLuint program = program_make(f->gl, &(ProgramText){.vertex = {vertex}, .fragment = {head, library, body}});
-    if (!program)
-        fail_msg("%s", f->gl->error);
-    texture_bind(f->gl, texture, 0);
-    program_set(f->gl, program, &(ProgramValue){"source", 1, &(float){0}});
-    framebuffer_use(f->gl, target);
-    mesh_draw_screen(f->gl, &f->screen);
-    f->gl->DeleteProgram(program);
-}
-
-/* numbers -> pack -> half floats -> unpack -> numbers. */
+/* numbers -> pack -> half floats -> unpack -> numbers. `t` is the texel under the pixel. */
 static void round_trip(Fixture *f, const char *pack, const char *packing, const char *unpack, const char *unpacking)
 {
-    if (f->source)
-        f->gl->DeleteTextures(1, &f->source);
-    f->source = texture_make(f->gl, &(TextureSpec){SIDE, SIDE, 4, NULL, &f->numbers[0][0], false, false, false});
+    const TextureSpec numbers = {SIDE, SIDE, 4, NULL, &f->numbers[0][0], false, false, false};
+    f->canvas.gl->DeleteTextures(1, &f->source); /* GL ignores the name 0 */
+    f->source = texture_make(f->canvas.gl, &numbers);
     assert_true(f->source);
-    draw(f, pack, packing, f->source, &f->half);
-    assert_true(framebuffer_read(f->gl, &f->half, 0, &f->packed[0][0]));
-    draw(f, unpack, unpacking, f->half.colors[0], &f->full);
-    assert_true(framebuffer_read(f->gl, &f->full, 0, &f->unpacked[0][0]));
+    draw(f, &(Drawing){.functions = pack, .expression = packing, .texture = f->source}, &f->canvas.halves, f->packed);
+    draw(f, &(Drawing){.functions = unpack, .expression = unpacking, .source = &f->canvas.halves}, &f->canvas.floats,
+         f->unpacked);
 }
 
 static void all_plain(const Fixture *f, int lanes)

@@ -32,12 +32,12 @@ static int tear_down(void **state)
 static Scene open(Stage *stage, const char *text, const SceneOptions *options)
 {
     Scene scene;
-    if (!scene_open(&scene, stage->gl, text, options))
+    if (!scene_open(&scene, stage->store, text, options))
         fail_msg("%s", scene.error);
     return scene;
 }
 
-static void draw(Stage *stage, const Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
+static void draw(Stage *stage, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
 {
     if (!stage_draw(stage, scene, space, mesh, target))
         fail_msg("%s", stage->gl->error);
@@ -62,7 +62,7 @@ static double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; } /* of a
 /* A plane, as one without end or as a mesh of which u and v are from 0 to 1. */
 typedef struct {
     Stage *stage;
-    const Scene *scene;
+    Scene *scene;
     Space space;
     bool mesh;
 } View;
@@ -81,16 +81,16 @@ static void compare_hit(const View *view, int i, const Hit *hit, Errors *errors)
     double eye[4], size = fmax(1, fmax(fabs(hit->u), fabs(hit->v))) / fabs(hit->slope);
     space_transform(&view->space.eye_from_world, want.lane[SLOT_normal], 0, eye);
     bool border = at_border(hit->u, 1e-6 * size) || at_border(hit->v, 1e-6 * size);
-    bool fine = note(apart(s->slot[READ_specular][i], want.lane[SLOT_specular]) / size, &errors->slots) < 1e-6;
-    fine &= note(apart(s->slot[READ_transparency][i], want.lane[SLOT_transparency]) / size, &errors->slots) < 1e-6;
-    fine &= note(apart(s->slot[READ_normal][i], eye), &errors->normal) < 2e-6;
+    bool fine = note(apart(s->slot[SLOT_specular][i], want.lane[SLOT_specular]) / size, &errors->slots) < 1e-6;
+    fine &= note(apart(s->slot[SLOT_transparency][i], want.lane[SLOT_transparency]) / size, &errors->slots) < 1e-6;
+    fine &= note(apart(s->slot[SLOT_normal][i], eye), &errors->normal) < 2e-6;
     fine &= note(fabs(s->z[i] - space_depth(&view->space, hit->position)), &errors->depth) < 1e-5;
-    fine &= border || apart(s->slot[READ_diffuse][i], want.lane[SLOT_diffuse]) == 0;
+    fine &= border || apart(s->slot[SLOT_diffuse][i], want.lane[SLOT_diffuse]) == 0;
     if (!fine)
         fail_msg("pixel %d, %d, u %.7g, v %.7g, slope %.3g: specular %.9g, not %.9g; diffuse %g, not %g; depth %.9g; "
                  "worst errors so far: slots %.2g, normal %.2g, depth %.2g",
-                 i % SIDE, i / SIDE, hit->u, hit->v, hit->slope, s->slot[READ_specular][i][0],
-                 want.lane[SLOT_specular][0], s->slot[READ_diffuse][i][0], want.lane[SLOT_diffuse][0], s->z[i],
+                 i % SIDE, i / SIDE, hit->u, hit->v, hit->slope, s->slot[SLOT_specular][i][0],
+                 want.lane[SLOT_specular][0], s->slot[SLOT_diffuse][i][0], want.lane[SLOT_diffuse][0], s->z[i],
                  errors->slots, errors->normal, errors->depth);
 }
 
@@ -143,7 +143,7 @@ static void a_plane_is_met(void **state)
             memcpy(view.space.plane[k], plane[i % 2 ? (3 - k) % 3 : k], sizeof plane[k]);
         compare_plane(&view);
     }
-    scene_close(&scene, STAGE->gl);
+    scene_close(&scene);
 }
 
 /* A mesh stands where the same plane would be met: turned, scaled by three numbers, moved; from both sides. */
@@ -156,7 +156,7 @@ static void a_surface_stands_in_the_world(void **state)
         space_place(&view.space);
         compare_plane(&view);
     }
-    scene_close(&scene, STAGE->gl);
+    scene_close(&scene);
 }
 
 /* Vertices where they stand. */
@@ -176,7 +176,7 @@ static void compare_vertices(const PlacedVertices *placed, const char *text, con
     double worst = 0;
     bool eye = !options->slot;
     assert_true(stage_begin(stage, &stage->full));
-    scene_use(&scene, stage->gl, space);
+    scene_use(&scene, space);
     vertices_draw(vertices, stage->gl);
     assert_true(stage_finish(stage, &stage->full));
     if (eye)
@@ -185,12 +185,12 @@ static void compare_vertices(const PlacedVertices *placed, const char *text, con
         SlotValues values = values_at(&scene, &vertices->surface[i]);
         double turned[4], *want = eye ? turned : values.lane[slot];
         space_transform(&space->eye_from_world, values.lane[slot], 0, turned);
-        const float *drawn = (eye ? stage->slot[READ_normal] : stage->color[0])[vertices->pixel[i]];
+        const float *drawn = (eye ? stage->slot[SLOT_normal] : stage->color[0])[vertices->pixel[i]];
         if (!(note(apart(drawn, want), &worst) < 2e-6))
             fail_msg("%s: %s: %.9g, not %.9g", options->target, slot_table[slot].name, drawn[0], want[0]);
     }
     print_message("%s, %s: within %.1e\n", options->target, eye ? "normal of the eye" : slot_table[slot].name, worst);
-    scene_close(&scene, stage->gl);
+    scene_close(&scene);
 }
 
 /* The waves' normal is made of normal, tangents and texture coordinate. */
@@ -233,7 +233,7 @@ static void every_attribute_arrives(void **state)
 }
 
 /* Greatest error of a sky in one direction, where a Checker of 6 u and 5 v is not near a border. */
-static void compare_sky(Stage *stage, const Scene *scene, const Space *space, double bound, double *worst)
+static void compare_sky(Stage *stage, Scene *scene, const Space *space, double bound, double *worst)
 {
     draw(stage, scene, space, NULL, &stage->full);
     for (int i = 0; i < PIXELS; i += 5) {
@@ -276,7 +276,7 @@ static void a_sky_is_all_around(void **state)
             compare_sky(*state, &scene, &space, k ? 2e-5 : 2e-6, &worst);
         }
         print_message("%s: within %.1e\n", k ? "SunSkyLight" : "Checker", worst);
-        scene_close(&scene, STAGE->gl);
+        scene_close(&scene);
     }
 }
 
@@ -313,7 +313,7 @@ static void compare_shadow(Stage *stage, const char *text, const char *pass, boo
         if (!(fabs(stage->z[i] - depth) < 1e-6))
             fail_msg("%s, pixel %d, %d: depth %.9g, not %.9g", pass, i % SIDE, i / SIDE, stage->z[i], depth);
     }
-    scene_close(&scene, stage->gl);
+    scene_close(&scene);
 }
 
 static void only_what_is_transparent_is_discarded(void **state)
@@ -342,23 +342,16 @@ static void only_what_is_transparent_is_discarded(void **state)
 
 enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 }; /* how a slot is kept: to a half float, to seven bits; a pixel */
 
-/* Where a slot comes back: a texel of what was read, a lane of it, HALF or PAIR. */
-typedef struct {
-    int read, lane, how;
-} Back;
-
-static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, Back back)
+static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, int lane, int how)
 {
-    const int lane = back.lane, how = back.how;
-    int from = slot == SLOT_shininess || slot == SLOT_transparencyShininess ? 0 : lane;
-    double value = values->lane[slot][from], greatest = how == PAIR ? 1 : 65504, least = how == PAIR ? 0 : -greatest;
-    double want = fmin(fmax(value, least), greatest), got = s->slot[back.read][MIDDLE][lane];
+    double value = values->lane[slot][lane], greatest = how == PAIR ? 1 : 65504, least = how == PAIR ? 0 : -greatest;
+    double want = fmin(fmax(value, least), greatest), got = s->slot[slot][MIDDLE][lane];
     double bound = how == PAIR ? 1 / 127.5 + 1e-6 : half_step(want) + 3e-6 * fabs(want);
     if (!(fabs(got - want) <= bound))
         fail_msg("%s: %.9g comes back as %.9g", slot_table[slot].name, value, got);
 }
 
-static void compare_round_trip(Stage *stage, const Scene *scene, const float direction[3], double *worst)
+static void compare_round_trip(Stage *stage, Scene *scene, const float direction[3], double *worst)
 {
     Space space = space_flat();
     space.world_from_local = mat4_look_at((float[3]){0, 0, 0}, direction, (float[3]){0.3f, 1, 0.2f});
@@ -370,15 +363,15 @@ static void compare_round_trip(Stage *stage, const Scene *scene, const float dir
     surface_set3(&s, GROUP_N, (double[3]){normal[0], normal[1], normal[2]});
     s.front = normal[2] > 0;
     SlotValues values = values_at(scene, &s);
-    assert_true(note(angle(stage->slot[READ_normal][MIDDLE], values.lane[SLOT_normal]), worst) < 0.22);
-    compare_slot(stage, &values, SLOT_shininess, (Back){READ_normal, 3, HALF});
-    compare_slot(stage, &values, SLOT_transparencyShininess, (Back){READ_diffuse, 3, HALF});
+    assert_true(note(angle(stage->slot[SLOT_normal][MIDDLE], values.lane[SLOT_normal]), worst) < 0.22);
+    compare_slot(stage, &values, SLOT_shininess, 0, HALF);
+    compare_slot(stage, &values, SLOT_transparencyShininess, 0, HALF);
     for (int lane = 0; lane < 3; lane++) {
-        compare_slot(stage, &values, SLOT_diffuse, (Back){READ_diffuse, lane, HALF});
-        compare_slot(stage, &values, SLOT_specular, (Back){READ_specular, lane, HALF});
-        compare_slot(stage, &values, SLOT_transparency, (Back){READ_transparency, lane, HALF});
-        compare_slot(stage, &values, SLOT_emissive, (Back){READ_emissive, lane, PAIR});
-        compare_slot(stage, &values, SLOT_diffuseTransparency, (Back){READ_diffuseTransparency, lane, PAIR});
+        compare_slot(stage, &values, SLOT_diffuse, lane, HALF);
+        compare_slot(stage, &values, SLOT_specular, lane, HALF);
+        compare_slot(stage, &values, SLOT_transparency, lane, HALF);
+        compare_slot(stage, &values, SLOT_emissive, lane, PAIR);
+        compare_slot(stage, &values, SLOT_diffuseTransparency, lane, PAIR);
     }
 }
 
@@ -400,7 +393,7 @@ static void a_surface_comes_back(void **state)
                 compare_round_trip(*state, &scene, direction, &worst);
         }
         print_message("normals come back within %.3f degrees\n", worst);
-        scene_close(&scene, STAGE->gl);
+        scene_close(&scene);
     }
 }
 

@@ -8,8 +8,6 @@
 #include "compiler/tool/batch.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
-#include "runtime/gl/block.h"
-#include "runtime/gl/program.h"
 #include "runtime/library/normal.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/packed.h"
@@ -30,7 +28,7 @@
 #define MATC_PROGRAM "matc"
 #endif
 
-enum { MOST_MEMBERS = 256, BLOCK_ROOM = 16 * MOST_MEMBERS, BINDING = 2, RANDOM_TREES = 14, VARIANTS = 2 };
+enum { MOST_MEMBERS = 256, BLOCK_ROOM = 16 * MOST_MEMBERS, RANDOM_TREES = 14, VARIANTS = 2 };
 
 typedef struct {
     Drawer core, compat;
@@ -89,8 +87,8 @@ static int set_up(void **state)
         return 1;
     add_examples(&f->examples);
     add_trees(&f->trees);
-    return !drawer_open(&f->core, true, f->points, POINT_COUNT, 1, GL_RGBA32F) ||
-           !drawer_open(&f->compat, false, f->points, POINT_COUNT, 1, GL_RGBA32F);
+    return !drawer_open(&f->core, true, f->points, POINT_COUNT) ||
+           !drawer_open(&f->compat, false, f->points, POINT_COUNT);
 }
 
 static int tear_down(void **state)
@@ -134,19 +132,17 @@ static const char *text_of(const cJSON *object, const char *key)
 }
 
 /* The members' offsets as the driver has them. */
-static void check_offset(const Run *r, GLuint program, const char *name, int offset)
+static void check_offset(const Material *shared, const char *name, int offset)
 {
-    GLuint index = GL_INVALID_INDEX;
-    GLint found = -1;
-    r->drawer->uniform_indices(program, 1, &name, &index);
-    if (index == GL_INVALID_INDEX)
+    const GlUniforms *uniforms = &shared->program->uniforms;
+    const int index = uniforms_find(uniforms, name);
+    if (index < 0 || uniforms->at[index].block < 0)
         fail_msg("%s is no member", name);
-    r->drawer->uniform_values(program, 1, &index, GL_UNIFORM_OFFSET, &found);
-    assert_int_equal(found, offset);
+    assert_int_equal(uniforms->at[index].offset, offset);
 }
 
-/* The block of the program, from the numbers that the manifest has for a material; 0 where there are none. */
-static GLuint set_constants(const Run *r, GLuint program, const cJSON *block, const cJSON *numbers)
+/* The block of the program, from the numbers that the manifest has for a material. */
+static void set_constants(const Run *r, Material *shared, const cJSON *block, const cJSON *numbers)
 {
     static unsigned char bytes[BLOCK_ROOM];
     const cJSON *members = cJSON_GetObjectItemCaseSensitive(block, "members"), *member, *list = numbers->child;
@@ -167,13 +163,12 @@ static GLuint set_constants(const Run *r, GLuint program, const cJSON *block, co
             memcpy(bytes + offset + 4 * lanes++, word ? (void *)&whole : (void *)&value, 4);
         }
         if (!target_table[r->target].blocks)
-            program_set(r->drawer->gl, program,
-                        &(ProgramValue){text_of(member, "name"), lanes, (float *)(void *)(bytes + offset)});
+            material_set(shared, &(MaterialValue){text_of(member, "name"), lanes, (float *)(void *)(bytes + offset)});
         else
-            check_offset(r, program, text_of(member, "name"), offset);
+            check_offset(shared, text_of(member, "name"), offset);
         list = list->next;
     }
-    return block_make(r->drawer->gl, program, text_of(block, "block"), BINDING, bytes, (size_t)size);
+    material_write(shared, text_of(block, "block"), bytes, (size_t)size);
 }
 
 /* What was drawn, as words and as what comes back of them. */
@@ -194,18 +189,16 @@ static void read_gbuffer(Run *r, int into)
 /* The program into the targets of the material's own; its numbers come from the manifest if it has a block. */
 static void draw_shared(Run *r, const char *fragment, const cJSON *block, const cJSON *numbers)
 {
-    GlContext *gl = r->drawer->gl;
+    Material shared;
     Shading shading = r->g.shading; /* textures and params are the material's */
     shading.fragment = fragment;
-    GLuint program = drawer_program(r->drawer, &shading), buffer = 0;
-    if (!program)
+    if (!drawer_material(r->drawer, &shading, &shared))
         fail_msg("%s", r->drawer->error);
     if (block)
-        buffer = set_constants(r, program, block, numbers);
-    if (!drawer_draw_to(r->drawer, program, &shading, true, &r->g.targets))
+        set_constants(r, &shared, block, numbers);
+    if (!drawer_draw_to(r->drawer, &shared, true, &r->g.targets))
         fail_msg("%s", r->drawer->error);
-    gl->DeleteBuffers(1, &buffer);
-    gl->DeleteProgram(program);
+    material_delete(&shared);
 }
 
 static int case_of(const Run *r, GLuint word) { return (int)(word & ((1u << layout_case_bits(r->g.layout)) - 1)); }
@@ -309,7 +302,7 @@ static void draw_material(Run *r, const cJSON *material, const cJSON *use)
         fail_msg("%s", document_fault(&d));
     char *shared = batch_set_file(r->set, text_of(program, "fragment"), &size);
     assert_non_null(shared);
-    if (!gbuffer_open(&r->g, r->drawer, d.document, NULL, &r->options) || !gbuffer_draw(&r->g, true))
+    if (!gbuffer_open(&r->g, r->drawer, &d, 0, &r->options) || !gbuffer_draw(&r->g, true))
         fail_msg("%s", r->g.error);
     assert_int_equal(matc_constant_count(r->g.program), 0);
     read_gbuffer(r, 1);

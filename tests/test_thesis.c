@@ -39,10 +39,10 @@ static char *listing(void)
 static void draw(Drawer *drawer, const Shading *shading, bool front, Gbuffer *made)
 {
     float *rgba[TARGETS] = {made->texels[0], made->texels[1], made->texels[2], made->texels[3]};
-    GLuint program = drawer_program(drawer, shading);
-    if (!program || !drawer_draw(drawer, program, shading, front, rgba, TARGETS))
+    Material material;
+    if (!drawer_material(drawer, shading, &material) || !drawer_draw(drawer, &material, front, rgba, TARGETS))
         fail_msg("%s", drawer->error);
-    drawer->gl->DeleteProgram(program);
+    material_delete(&material);
 }
 
 /* A sphere's worth of fragments: points of the value test whose coordinates are those of a texture, with their normals. */
@@ -122,7 +122,7 @@ static void listing_and_matc_write_the_same(void **state)
     Document document;
     char *text = listing();
     make_points(points);
-    assert_true(drawer_open(&drawer, false, points, POINT_COUNT, TARGETS, GL_RGBA16F));
+    assert_true(drawer_open_half(&drawer, false, points, POINT_COUNT, TARGETS));
     if (!document_open(&document, SOURCE_FOLDER "/tests/thesis/listing42.yaml"))
         fail_msg("%s", document_fault(&document));
     for (int level = 0; level <= 2; level += 2) {

@@ -322,11 +322,11 @@ static Drawn *remember(Worker *w, uint64_t hash)
 static bool draw_sides(Worker *w, const Shading *shading, float *const rgba[2])
 {
     Drawer *drawer = target_table[shading->target].in_out ? &w->core : &w->compat;
-    GLuint program = drawer_program(drawer, shading);
-    bool drawn = program != 0;
+    Material material;
+    bool drawn = drawer_material(drawer, shading, &material);
     for (int front = strstr(shading->fragment, "gl_FrontFacing") ? 0 : 1; front < 2 && drawn; front++)
-        drawn = drawer_draw(drawer, program, shading, front, &rgba[front], 1);
-    drawer->gl->DeleteProgram(program);
+        drawn = drawer_draw(drawer, &material, front, &rgba[front], 1);
+    material_delete(&material);
     pthread_mutex_lock(&w->run->lock);
     w->run->drawn++;
     pthread_mutex_unlock(&w->run->lock);
@@ -455,8 +455,8 @@ static void *work(void *user)
     if (!w)
         abort();
     w->run = run;
-    if (!drawer_open(&w->core, true, run->points, POINT_COUNT, 1, GL_RGBA32F) ||
-        !drawer_open(&w->compat, false, run->points, POINT_COUNT, 1, GL_RGBA32F)) {
+    if (!drawer_open(&w->core, true, run->points, POINT_COUNT) ||
+        !drawer_open(&w->compat, false, run->points, POINT_COUNT)) {
         add_fault(run, "no context", 1e9, "%s%s", w->core.error, w->compat.error);
         free(w);
         return NULL;
@@ -549,17 +549,20 @@ static void inputs_arrive_exactly(void **state)
     points_make(points);
     for (int core = 0; core < 2; core++) {
         Drawer drawer;
-        assert_true(drawer_open(&drawer, core, points, POINT_COUNT, 1, GL_RGBA32F));
+        assert_true(drawer_open(&drawer, core, points, POINT_COUNT));
         for (int input = 0; input < POINT_VARYINGS; input++) {
             char text[512];
             show_input(text, sizeof text, core, (Input)input);
             Shading shading = {.fragment = text, .target = core ? TARGET_glsl330 : TARGET_glsl110};
-            GLuint program = drawer_program(&drawer, &shading);
+            Material material;
+            if (!drawer_material(&drawer, &shading, &material))
+                fail_msg("%s", drawer.error);
             for (int front = 0; front < 2; front++) {
-                if (!program || !drawer_draw(&drawer, program, &shading, front, &rgba, 1))
+                if (!drawer_draw(&drawer, &material, front, &rgba, 1))
                     fail_msg("%s", drawer.error);
                 compare_input(points, (Input)input, front, rgba);
             }
+            material_delete(&material);
         }
         drawer_close(&drawer);
     }

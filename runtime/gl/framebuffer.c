@@ -131,14 +131,6 @@ bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const ch
     return make_of(gl, spec, formats, made);
 }
 
-GLenum framebuffer_format(const char *name) { return format_of(name); }
-
-bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
-{
-    memset(made, 0, sizeof *made);
-    return check_spec(gl, spec) && make_of(gl, spec, formats, made);
-}
-
 void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)
 {
     static const GLenum none = GL_NONE;

@@ -31,9 +31,6 @@ bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *m
 
 /* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI", in the place of color_format. */
 bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made);
-/* The same with formats; the format of a name, 0 if there is none. */
-bool framebuffer_make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made);
-GLenum framebuffer_format(const char *name);
 /* The target holds whole numbers. */
 bool framebuffer_has_words(const Framebuffer *framebuffer, int color);
 

@@ -61,20 +61,6 @@ void mesh_draw(const GlContext *gl, const Mesh *mesh)
     gl->BindVertexArray(0);
 }
 
-bool mesh_make_empty(GlContext *gl, Mesh *made)
-{
-    memset(made, 0, sizeof *made);
-    gl->GenVertexArrays(1, &made->array);
-    return gl_check(gl, "making a vertex array");
-}
-
-void mesh_draw_screen(const GlContext *gl, const Mesh *empty)
-{
-    gl->BindVertexArray(empty->array);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    gl->BindVertexArray(0);
-}
-
 void mesh_delete(const GlContext *gl, Mesh *mesh)
 {
     gl->DeleteVertexArrays(1, &mesh->array); /* GL ignores the name 0 */

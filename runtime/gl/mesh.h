@@ -29,12 +29,6 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);
 
-/* A mesh without attributes, which core profiles want for what mesh_draw_screen draws. */
-bool mesh_make_empty(GlContext *gl, Mesh *made);
-
-/* One triangle that covers the screen; its vertex program places the corners by gl_VertexID. */
-void mesh_draw_screen(const GlContext *gl, const Mesh *empty);
-
 /* Safe on an empty one. */
 void mesh_delete(const GlContext *gl, Mesh *mesh);
 #endif

@@ -1,4 +1,4 @@
-/* GLSL texts in, a linked program out; uniforms set by name. */
+/* GLSL texts in, a linked program out. */
 #ifndef MATC_GL_PROGRAM_H
 #define MATC_GL_PROGRAM_H
 #include "runtime/gl/context.h"
@@ -16,18 +16,6 @@ typedef struct {
     int output_count;
 } ProgramText;
 
-/* A uniform's value. Its type in the program decides what becomes of the numbers: float, int, bool, uint, matrix by
- * columns, or the texture unit of a sampler. */
-typedef struct {
-    const char *name;
-    int lanes; /* 1-4; 9 and 16 for a matrix */
-    const float *values;
-} ProgramValue;
-
 /* Compiles and links. 0: gl->error has the stage ("vertex", "fragment", "link") and the driver's log. */
 GLuint program_make(GlContext *gl, const ProgramText *text);
-
-/* Sets a uniform; the program becomes the current one. False, without any harm, when the program has no such uniform
- * or one of other lanes: a driver drops what a program does not use, so that is no error. */
-bool program_set(GlContext *gl, GLuint program, const ProgramValue *value);
 #endif

@@ -55,10 +55,10 @@ static bool open_drawers(Worker *w)
 {
     const Point *field = w->run->field;
     const int targets = layout_targets(&layout_table[LAYOUT_thesis]);
-    w->can_draw = drawer_open(&w->core, true, field, FIELD_COUNT, 1, GL_RGBA32F) &&
-                  drawer_open(&w->compat, false, field, FIELD_COUNT, 1, GL_RGBA32F) &&
-                  drawer_open(&w->core_half, true, field, FIELD_COUNT, targets, GL_RGBA16F) &&
-                  drawer_open(&w->compat_half, false, field, FIELD_COUNT, targets, GL_RGBA16F);
+    w->can_draw = drawer_open(&w->core, true, field, FIELD_COUNT) &&
+                  drawer_open(&w->compat, false, field, FIELD_COUNT) &&
+                  drawer_open_half(&w->core_half, true, field, FIELD_COUNT, targets) &&
+                  drawer_open_half(&w->compat_half, false, field, FIELD_COUNT, targets);
     return w->can_draw;
 }
 

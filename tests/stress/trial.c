@@ -115,7 +115,7 @@ typedef struct {
     double greatest; /* a value on the way that is beyond this excuses all */
 } Program;
 
-static bool program_make(Trial *t, Program *p, Pass pass, Slot slot)
+static bool make_program(Trial *t, Program *p, Pass pass, Slot slot)
 {
     p->arena = (Arena){0};
     p->greatest = pass == PASS_value ? t->plan->greatest : GREATEST_VALUE;
@@ -332,7 +332,7 @@ static bool try_pass(Trial *t, Pass pass)
 {
     Program p;
     const LayoutRow *layout = layout_of(t, pass);
-    bool fine = program_make(t, &p, pass, SLOT_diffuse);
+    bool fine = make_program(t, &p, pass, SLOT_diffuse);
     for (int i = 0; i < t->plan->count && fine; i++) {
         Spot s;
         bool beyond = false;
@@ -354,7 +354,7 @@ static bool try_slots(Trial *t)
         Program p;
         if (!t->slots[slot])
             continue;
-        fine = program_make(t, &p, PASS_value, (Slot)slot) && try_slot(t, &p, (Slot)slot);
+        fine = make_program(t, &p, PASS_value, (Slot)slot) && try_slot(t, &p, (Slot)slot);
         arena_free(&p.arena);
     }
     return fine;

@@ -211,9 +211,9 @@ static bool draw(Drawing *d, const Variant *v, bool half, int targets)
     if (matc_ok(program)) {
         char *text = pixel_program(plan->pixel, matc_output(program, MATC_FRAGMENT, NULL));
         Shading shading = {text, NULL, v->target, program, t->graph};
-        GLuint name = drawer_program(drawer, &shading);
-        fine = name && drawer_draw(drawer, name, &shading, true, d->rgba, targets);
-        drawer->gl->DeleteProgram(name);
+        Material material;
+        fine = drawer_material(drawer, &shading, &material) && drawer_draw(drawer, &material, true, d->rgba, targets);
+        material_delete(&material);
         free(text);
         t->count->programs++;
     }

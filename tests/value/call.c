@@ -1,8 +1,6 @@
 /* A program a function: its chunks, and a main that reads the arguments. */
 #include "call.h"
 #include "compiler/emit/chunks.h"
-#include "runtime/gl/program.h"
-#include "runtime/gl/texture.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -22,9 +20,8 @@ static const float relief[WIDTH * HEIGHT] = {0.5f,  -0.25f, 1.5f,  0.1f,  -0.7f,
                                              -0.2f, 0.4f,   -0.5f, 0.95f, 0.0f,  -1.0f, 0.65f,  0.25f};
 const ReferenceTexture call_textures[CALL_TEXTURES] = {{WIDTH, HEIGHT, 4, picture, NULL},
                                                        {WIDTH, HEIGHT, 1, NULL, relief}};
-static const char *const table_names[CALL_TABLES] = {"matc_permutation", "matc_random", "matc_xor"};
-
-static bool make_tables(Caller *c)
+/* GroIMP's tables, for who asks for them. */
+static bool set_tables(Material *material)
 {
     static float permutation[SIDE * SIDE], random[4 * RANDOM_COUNT];
     static uint8_t xor [SIDE * SIDE];
@@ -34,46 +31,31 @@ static bool make_tables(Caller *c)
     }
     for (int i = 0; i < 4 * RANDOM_COUNT; i++)
         random[i] = reference_random_table()[(i / 4 + i % 4) % RANDOM_COUNT];
-    const TextureSpec specs[CALL_TABLES] = {{SIDE, SIDE, 1, NULL, permutation, false, true, false},
-                                            {RANDOM_COUNT, 1, 4, NULL, random, false, true, false},
-                                            {SIDE, SIDE, 1, xor, NULL, false, true, false}};
-    for (int i = 0; i < CALL_TABLES; i++) {
-        c->tables[i] = texture_make(c->gl, &specs[i]);
-        if (!c->tables[i])
-            return false;
-    }
-    return true;
+    const TextureSpec specs[] = {{SIDE, SIDE, 1, NULL, permutation, false, true, false},
+                                 {RANDOM_COUNT, 1, 4, NULL, random, false, true, false},
+                                 {SIDE, SIDE, 1, xor, NULL, false, true, false}};
+    return material_set_texture(material, "matc_permutation", &specs[0]) &&
+           material_set_texture(material, "matc_random", &specs[1]) &&
+           material_set_texture(material, "matc_xor", &specs[2]);
 }
 
-static bool make_textures(Caller *c)
+static bool set_textures(Material *material, Tuple *tuples, int source)
 {
-    for (int i = 0; i < CALL_TEXTURES; i++) {
-        const ReferenceTexture *t = &call_textures[i];
-        TextureSpec spec = {t->width, t->height, t->lanes, t->bytes, t->floats, false, true, false};
-        c->textures[i] = texture_make(c->gl, &spec);
-        if (!c->textures[i])
-            return false;
-    }
-    return make_tables(c);
-}
-
-static void make_triangle(Caller *c)
-{
-    static const float corners[] = {-1, -1, 3, -1, -1, 3};
-    c->gl->GenVertexArrays(1, &c->array);
-    c->gl->BindVertexArray(c->array);
-    c->gl->GenBuffers(1, &c->buffer);
-    c->gl->BindBuffer(GL_ARRAY_BUFFER, c->buffer);
-    c->gl->BufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
-    c->gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL);
-    c->gl->EnableVertexAttribArray(0);
+    const ReferenceTexture *t = &call_textures[source];
+    return material_set_texture(
+               material, "arguments",
+               &(TextureSpec){CALL_ARGUMENTS, CALL_COUNT, CALL_LANES, NULL, &tuples[0][0][0], false, false, false}) &&
+           material_set_texture(
+               material, "source",
+               &(TextureSpec){t->width, t->height, t->lanes, t->bytes, t->floats, false, true, false}) &&
+           set_tables(material);
 }
 
 static bool make_all(Caller *c)
 {
     FramebufferSpec spec = {CALL_SIDE, CALL_SIDE, 1, GL_RGBA32F, false};
-    make_triangle(c);
-    if (!make_textures(c) || !framebuffer_make(c->gl, &spec, &c->floats))
+    c->store = store_new(c->gl);
+    if (!c->store || !screen_make(c->gl, &c->screen) || !framebuffer_make(c->gl, &spec, &c->floats))
         return false;
     spec.color_format = GL_RGBA32UI;
     return framebuffer_make(c->gl, &spec, &c->words);
@@ -94,8 +76,9 @@ bool caller_open(Caller *c, Target target)
 
 void caller_close(Caller *c)
 {
-    if (c->gl)
-        gl_close(c->gl);
+    if (c->gl && gl_use(c->gl))
+        store_free(c->store);
+    gl_close(c->gl);
     c->gl = NULL;
 }
 
@@ -159,41 +142,25 @@ static void put_main(Caller *c, int function)
     put(c, ");\n}\n");
 }
 
-static GLuint make_program(Caller *c, int function)
+static bool make_program(Caller *c, int function, Material *made)
 {
     bool old = !target_table[c->target].in_out;
-    static const char *const attributes[] = {"at"};
-    char vertex[256], head[1024];
-    const char *version = target_table[c->target].version;
-    snprintf(vertex, sizeof vertex, "#version %s\n%s vec2 at;\nvoid main() { gl_Position = vec4(at, 0.0, 1.0); }\n",
-             version, old ? "attribute" : "in");
+    char version[32], head[1024];
+    snprintf(version, sizeof version, "#version %s\n", target_table[c->target].version);
     snprintf(head, sizeof head,
-             "#version %s\n%s%s%s\nuniform sampler2D arguments;\nuniform sampler2D source;\n"
+             "%s%s%s\nuniform sampler2D arguments;\nuniform sampler2D source;\n"
              "vec4 argument(float i) {\n"
              "    float tuple = floor(gl_FragCoord.x) + %d.0 * floor(gl_FragCoord.y);\n"
              "    return texture2D(arguments, vec2((i + 0.5) / %d.0, (tuple + 0.5) / %d.0));\n}\n",
-             version, old ? "" : "#define texture2D texture\nout ",
+             old ? "" : "#define texture2D texture\nout ",
              old                                           ? ""
              : function_row(function)->result == TYPE_uint ? "uvec4"
                                                            : "vec4",
              old ? "" : " color;", CALL_SIDE, CALL_ARGUMENTS, CALL_COUNT);
     put_main(c, function);
-    return program_make(
-        c->gl, &(ProgramText){
-                   .vertex = {vertex}, .fragment = {head, c->text}, .attributes = attributes, .attribute_count = 1});
-}
-
-static void bind_all(Caller *c, GLuint program, int source)
-{
-    texture_bind(c->gl, c->arguments, 0);
-    texture_bind(c->gl, c->textures[source], 1);
-    program_set(c->gl, program, &(ProgramValue){"arguments", 1, (float[]){0}});
-    program_set(c->gl, program, &(ProgramValue){"source", 1, (float[]){1}});
-    program_set(c->gl, program, &(ProgramValue){"matc_eyeFromWorld", 9, (float[]){1, 0, 0, 0, 1, 0, 0, 0, 1}});
-    for (int i = 0; i < CALL_TABLES; i++) {
-        texture_bind(c->gl, c->tables[i], 2 + i);
-        program_set(c->gl, program, &(ProgramValue){table_names[i], 1, (float[]){(float)(2 + i)}});
-    }
+    const ProgramText text = {.vertex = {version, old ? screen_text_old : screen_text},
+                              .fragment = {version, head, c->text}};
+    return material_make(c->store, NULL, &text, made);
 }
 
 static bool read_back(Caller *c, bool words, double (*results)[CALL_LANES])
@@ -210,24 +177,18 @@ static bool read_back(Caller *c, bool words, double (*results)[CALL_LANES])
 
 static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_LANES])
 {
-    bool words = function_row(function)->result == TYPE_uint;
-    bool sampled = function_arguments(function)[0] == 's';
-    TextureSpec spec = {CALL_ARGUMENTS, CALL_COUNT, CALL_LANES, NULL, &tuples[0][0][0], false, false, false};
+    const bool words = function_row(function)->result == TYPE_uint;
+    const bool sampled = function_arguments(function)[0] == 's';
+    Material material;
     gl_use(c->gl);
-    GLuint program = make_program(c, function);
-    if (!program)
+    if (!make_program(c, function, &material))
         return false;
-    c->gl->ActiveTexture(GL_TEXTURE0);
-    c->arguments = texture_make(c->gl, &spec);
-    bind_all(c, program, sampled ? (int)tuples[0][0][0] : 0);
+    bool drawn = set_textures(&material, tuples, sampled ? (int)tuples[0][0][0] : 0);
     framebuffer_use(c->gl, words ? &c->words : &c->floats);
-    c->gl->UseProgram(program);
-    c->gl->BindVertexArray(c->array);
-    c->gl->DrawArrays(GL_TRIANGLES, 0, 3);
-    bool drawn = gl_check(c->gl, "calling a function") && read_back(c, words, results);
-    c->gl->DeleteTextures(1, &c->arguments);
-    c->gl->DeleteProgram(program);
-    return drawn;
+    material_use(&material);
+    screen_draw(c->gl, &c->screen);
+    material_delete(&material);
+    return drawn && gl_check(c->gl, "calling a function") && read_back(c, words, results);
 }
 
 bool call_draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_LANES])

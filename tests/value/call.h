@@ -4,7 +4,9 @@
 #include "compiler/base/session.h"
 #include "compiler/ir/job.h"
 #include "runtime/gl/framebuffer.h"
+#include "runtime/gl/screen.h"
 #include "runtime/library/reference.h"
+#include "runtime/render/material.h"
 
 enum {
     CALL_SIDE = 32,
@@ -12,7 +14,6 @@ enum {
     CALL_ARGUMENTS = 16,                /* of a function, at most */
     CALL_LANES = 4,
     CALL_TEXTURES = 2,   /* what a sampler argument may be: 0 a picture, 1 a relief */
-    CALL_TABLES = 3,     /* GroIMP's */
     CALL_TEXT = 1 << 17, /* of a program */
 };
 
@@ -21,7 +22,8 @@ typedef float Tuple[CALL_ARGUMENTS][CALL_LANES];
 typedef struct {
     Target target;
     GlContext *gl;
-    GLuint array, buffer, arguments, textures[CALL_TEXTURES], tables[CALL_TABLES];
+    Store *store;
+    Screen screen;
     Framebuffer floats, words;
     char text[CALL_TEXT]; /* of the last function that was gathered */
     char error[4096];

@@ -13,7 +13,7 @@ bool canvas_open(Canvas *c, int side)
     *c = (Canvas){.side = side};
     c->gl = gl_open(GL_KIND_osmesa, true, c->error, sizeof c->error);
     FramebufferSpec spec = {side, side, 1, GL_RGBA32F, false};
-    if (!c->gl || !mesh_make_empty(c->gl, &c->screen) || !framebuffer_make(c->gl, &spec, &c->floats))
+    if (!c->gl || !screen_make(c->gl, &c->screen) || !framebuffer_make(c->gl, &spec, &c->floats))
         return false;
     spec.color_format = GL_RGBA16F;
     if (!framebuffer_make(c->gl, &spec, &c->halves))
@@ -57,9 +57,6 @@ static bool gather(const char *functions, char library[LIBRARY_ROOM])
 
 static GLuint make_program(Canvas *c, const Drawing *d, bool words)
 {
-    static const char vertex[] =
-        "#version 330 core\n"
-        "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }";
     static char library[LIBRARY_ROOM];
     char head[256], body[MAIN_ROOM];
     bool reads_words = d->source && framebuffer_has_words(d->source, 0), reads = d->source || d->texture;
@@ -80,7 +77,8 @@ static GLuint make_program(Canvas *c, const Drawing *d, bool words)
              : reads_words ? "uvec4 w = texelFetch(source, pixel, 0);"
                            : "vec4 t = texelFetch(source, pixel, 0);",
              d->expression);
-    return program_make(c->gl, &(ProgramText){.vertex = {vertex}, .fragment = {head, library, body}});
+    return program_make(
+        c->gl, &(ProgramText){.vertex = {"#version 330 core\n", screen_text}, .fragment = {head, library, body}});
 }
 
 /* The program, with all that it reads. 0: see error. */
@@ -93,7 +91,6 @@ static GLuint prepare(Canvas *c, const Drawing *d, const Framebuffer *target)
     }
     if (d->source || d->texture)
         texture_bind(c->gl, d->source ? d->source->colors[0] : d->texture, 0);
-    program_set(c->gl, program, &(ProgramValue){"source", 1, &(float){0}});
     c->gl->UseProgram(program);
     c->gl->Uniform1uiv(c->gl->GetUniformLocation(program, "first"), 1, &d->first);
     framebuffer_use(c->gl, target);
@@ -114,7 +111,7 @@ bool canvas_draw(Canvas *c, const Drawing *d, const Framebuffer *target)
     GLuint program = prepare(c, d, target);
     if (!program)
         return false;
-    mesh_draw_screen(c->gl, &c->screen);
+    screen_draw(c->gl, &c->screen);
     return finish(c, program);
 }
 
@@ -134,7 +131,7 @@ double canvas_time(Canvas *c, const Drawing *d, const Framebuffer *target, int r
     for (int i = 0; i <= repeats; i++) {
         c->gl->Finish();
         double start = now();
-        mesh_draw_screen(c->gl, &c->screen);
+        screen_draw(c->gl, &c->screen);
         c->gl->Finish();
         double took = now() - start;
         least = i && took < least ? took : least; /* the first draw compiles */

@@ -3,12 +3,12 @@
 #define MATC_VALUE_CANVAS_H
 #include "compiler/base/arena.h"
 #include "runtime/gl/framebuffer.h"
-#include "runtime/gl/mesh.h"
+#include "runtime/gl/screen.h"
 #include "runtime/gl/texture.h"
 
 typedef struct {
     GlContext *gl;
-    Mesh screen;
+    Screen screen;
     int side;
     Framebuffer floats, halves, words; /* one target of four lanes each */
     char error[4096];

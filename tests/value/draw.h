@@ -4,26 +4,26 @@
 #include "compiler/front/graph.h"
 #include "compiler/matc.h"
 #include "points.h"
-#include "runtime/gl/context.h"
 #include "runtime/gl/framebuffer.h"
+#include "runtime/render/field.h"
 
 /* A context with points in it, and a target for each of them. */
 typedef struct {
     GlContext *gl;
+    Store *store;
     bool core;
     int count; /* points */
     int width; /* of the grid of points */
     Framebuffer target;
-    GLuint array, buffer;
-    void (*bind_buffer_base)(GLenum target, GLuint index, GLuint buffer);
-    GLuint (*block_index)(GLuint program, const char *name);
-    void (*uniform_indices)(GLuint program, GLsizei count, const GLchar *const *names, GLuint *indices);
-    void (*uniform_values)(GLuint program, GLsizei count, const GLuint *indices, GLenum what, GLint *values);
+    Field points, triangles; /* seen from the front; around the same pixels' middles, seen from behind */
     char error[4096];
 } Drawer;
 
-/* The first `count` of the points, in rows of GRID_WIDTH, or in a square when there are more than POINT_COUNT. `format` is that of `targets` colour targets. False: see error. */
-bool drawer_open(Drawer *d, bool core, const Point *points, int count, int targets, GLenum format);
+/* The first `count` of the points, in rows of GRID_WIDTH, or in a square when there are more than POINT_COUNT; a colour target of
+ * RGBA32F. False: see error. */
+bool drawer_open(Drawer *d, bool core, const Point *points, int count);
+/* The same with several targets, of RGBA16F. */
+bool drawer_open_half(Drawer *d, bool core, const Point *points, int count, int targets);
 void drawer_close(Drawer *d);
 
 /* A fragment program and what it reads. */
@@ -32,17 +32,19 @@ typedef struct {
     const char *library; /* more GLSL to be linked in, or NULL */
     Target target;
     MatcProgram *program; /* its textures and uniforms, or NULL */
-    const Graph *graph;   /* the uniforms' values, by name */
+    const Graph *graph;   /* the uniforms' values, by name; or NULL: their defaults */
 } Shading;
 
-/* The program; 0: see error. Delete with gl->DeleteProgram. */
-GLuint drawer_program(Drawer *d, const Shading *shading);
-/* All points: as points, which are seen from the front, or as triangles that are seen from behind. Its textures and uniforms
- * are set. Four floats a point in rgba[target]. */
-bool drawer_draw(Drawer *d, GLuint program, const Shading *shading, bool front, float *const *rgba, int targets);
+/* False: see error. Delete it in any case. */
+bool drawer_material(Drawer *d, const Shading *shading, Material *made);
+/* Again, where the graph's values have changed. */
+void drawer_set_uniforms(const Shading *shading, Material *material);
+/* All points: as points, which are seen from the front, or as triangles that are seen from behind. Four floats a point in
+ * rgba[target]. */
+bool drawer_draw(Drawer *d, Material *material, bool front, float *const *rgba, int targets);
 /* The same into another framebuffer, which is not read. */
-bool drawer_draw_to(Drawer *d, GLuint program, const Shading *shading, bool front, const Framebuffer *target);
+bool drawer_draw_to(Drawer *d, Material *material, bool front, const Framebuffer *target);
 /* One triangle over all of the target, seen from the front: what its corners have at (-1, -1), (3, -1) and (-1, 3) of clip space
  * changes evenly from pixel to pixel. Four floats a pixel of the first target, from the lower left. */
-bool drawer_fill(Drawer *d, GLuint program, const Shading *shading, const Point corners[3], float *rgba);
+bool drawer_fill(Drawer *d, Material *material, const Point corners[3], float *rgba);
 #endif

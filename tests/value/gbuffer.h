@@ -3,25 +3,23 @@
 #define MATC_VALUE_GBUFFER_H
 #include "documents.h"
 #include "draw.h"
+#include "runtime/render/reader.h"
 
 typedef struct {
-    Drawer *drawer;       /* its target is one of GL_RGBA32F */
+    Drawer *drawer;       /* its points are drawn */
     MatcProgram *program; /* NULL: of a layout that is not built in */
     const char *unpack;
     const LayoutRow *layout;
     Framebuffer targets;
     Shading shading;
-    GLuint writer, reader;
+    Material writer;
+    Reader reader;
     char error[4096];
 } Gbuffer;
 
-/* Compiles the first material of the document with the options. False: see error. Close it in any case. */
-bool gbuffer_open(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph,
-                  const MatcOptions *options);
-/* The same of any material of it. */
-bool gbuffer_open_material(Gbuffer *g, Drawer *drawer, const MatcDocument *document, const Graph *graph, int material,
-                           const MatcOptions *options);
-/* The same with any layout, for a document without uniforms; its options' layout does not count. */
+/* Compiles a material of the document with the options. False: see error. Close it in any case. */
+bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int material, const MatcOptions *options);
+/* The first material with any layout, for a document without uniforms; its options' layout does not count. */
 bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *document, const LayoutRow *layout,
                          const MatcOptions *options);
 void gbuffer_close(Gbuffer *g);

@@ -90,12 +90,13 @@ static bool draw_values(Comparison *c, Drawer *drawer, const KeptMaterial *mater
                        .target = TARGET_glsl330,
                        .program = program,
                        .graph = material->document->graph};
-    GLuint name = matc_ok(program) ? drawer_program(drawer, &shading) : 0;
-    bool fine = name && drawer_draw(drawer, name, &shading, true, &c->want, 1);
+    Material drawn = {0};
+    bool fine =
+        matc_ok(program) && drawer_material(drawer, &shading, &drawn) && drawer_draw(drawer, &drawn, true, &c->want, 1);
     if (!fine)
         snprintf(c->kept->error, sizeof c->kept->error, "%.500s%.500s", matc_program_diagnostics(program, MATC_TEXT),
                  drawer->error);
-    drawer->gl->DeleteProgram(name);
+    material_delete(&drawn);
     matc_program_free(program);
     return fine;
 }
@@ -136,14 +137,13 @@ static bool compare_all(Comparison *c, Gbuffer *g, const KeptMaterial *material,
 
 bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material, const bool matters[SLOT_COUNT])
 {
-    const Document *d = material->document;
     Gbuffer g;
     Comparison c = {.kept = kept, .count = drawer->count};
     c.want = calloc((size_t)c.count, 4 * sizeof(float));
     c.got = calloc((size_t)c.count, 4 * sizeof(float));
     if (!c.want || !c.got)
         abort();
-    bool fine = gbuffer_open_material(&g, drawer, d->document, d->graph, material->material, material->options);
+    bool fine = gbuffer_open(&g, drawer, material->document, material->material, material->options);
     if (!fine)
         snprintf(kept->error, sizeof kept->error, "%.1000s", g.error);
     fine = fine && compare_all(&c, &g, material, matters);

@@ -1,6 +1,6 @@
 /* Cameras, programs and their uniforms, values. */
 #include "scene.h"
-#include "runtime/gl/program.h"
+#include "compiler/evaluate.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -151,7 +151,7 @@ static bool read_document(Scene *scene, const char *text)
     return matc_material_count(scene->document) == 1 || fail(scene, matc_diagnostics(scene->document, MATC_TEXT), "");
 }
 
-bool scene_open(Scene *scene, GlContext *gl, const char *text, const SceneOptions *options)
+bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions *options)
 {
     *scene = (Scene){0};
     matc_options_init(&scene->options);
@@ -167,85 +167,26 @@ bool scene_open(Scene *scene, GlContext *gl, const char *text, const SceneOption
     scene->program = matc_compile(scene->document, 0, outputs, &scene->options);
     if (!matc_ok(scene->program))
         return fail(scene, matc_program_diagnostics(scene->program, MATC_TEXT), "");
-    scene->name = program_make(gl, &(ProgramText){.vertex = {matc_output(scene->program, MATC_VERTEX, NULL)},
-                                                  .fragment = {matc_output(scene->program, MATC_FRAGMENT, NULL)}});
-    return scene->name || fail(scene, gl->error, "");
+    if (!material_make(store, scene->program, &(ProgramText){0}, &scene->material))
+        return fail(scene, store_context(store)->error, "");
+    return true;
 }
 
-void scene_close(Scene *scene, GlContext *gl)
+void scene_close(Scene *scene)
 {
-    gl->DeleteProgram(scene->name);
+    material_delete(&scene->material);
     matc_program_free(scene->program);
     matc_document_free(scene->document);
     *scene = (Scene){0};
 }
 
-static void set_plane(const Scene *scene, GlContext *gl, const Space *space, const Mat4 *clip_from_world)
+void scene_use(Scene *scene, const Space *space)
 {
-    static const char *const names[] = {"matc_planeOrigin", "matc_planeU", "matc_planeV"};
-    const float *m = clip_from_world->m;
-    for (int i = 0; i < 3; i++)
-        program_set(gl, scene->name, &(ProgramValue){names[i], 3, space->plane[i]});
-    program_set(gl, scene->name, &(ProgramValue){"matc_clipZ", 4, (float[4]){m[2], m[6], m[10], m[14]}});
-    program_set(gl, scene->name, &(ProgramValue){"matc_clipW", 4, (float[4]){m[3], m[7], m[11], m[15]}});
-}
-
-void scene_use(const Scene *scene, GlContext *gl, const Space *space)
-{
-    Mat4 clip_from_world = space_clip_from_world(space), world_from_clip = mat4_identity();
-    Mat3 eye_from_world = mat3_from_mat4(&space->eye_from_world), normal = mat3_normal(&space->world_from_local);
-    Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal);
-    mat4_inverse(&clip_from_world, &world_from_clip);
-    const ProgramValue values[] = {{"matc_worldFromLocal", 16, space->world_from_local.m},
-                                   {"matc_clipFromWorld", 16, clip_from_world.m},
-                                   {"matc_worldFromClip", 16, world_from_clip.m},
-                                   {"matc_worldNormalFromLocal", 9, normal.m},
-                                   {"matc_eyeNormalFromLocal", 9, eye_normal.m},
-                                   {"matc_eyeFromWorld", 9, eye_from_world.m},
-                                   {"matc_eyePosition", 3, space->eye},
-                                   {"matc_ior", 1, &(float){1}}};
-    gl->UseProgram(scene->name);
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-        program_set(gl, scene->name, &values[i]);
-    set_plane(scene, gl, space, &clip_from_world);
-}
-
-static void point_text(const Surface *surface, char *text, size_t room)
-{
-    int size = snprintf(text, room, "front=%d", surface->front);
-    for (int i = 0; i < CHANNEL_COUNT; i++) {
-        const ChannelRow *row = &channel_table[i];
-        if (row->group == GROUP_R || !strcmp(row->name, "w")) /* no surface sets these */
-            continue;
-        double value = surface->root[channel_id(row->group, row->lane)];
-        size += snprintf(text + size, room - (size_t)size, " %s=%.17g", row->name, value);
-    }
-}
-
-static bool read_slot(const char *text, Slot slot, double lanes[4])
-{
-    char name[64];
-    snprintf(name, sizeof name, "%s ", slot_table[slot].name);
-    while (text && strncmp(text, name, strlen(name)) != 0)
-        text = (text = strchr(text, '\n')) ? text + 1 : NULL;
-    if (!text)
-        return false;
-    char *at = (char *)(uintptr_t)text + strlen(name);
-    for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++)
-        lanes[i] = strtod(at, &at);
-    return true;
+    spaces_set(space, &scene->material);
+    material_use(&scene->material);
 }
 
 bool scene_values(const Scene *scene, const Surface *surface, SlotValues *values)
 {
-    char point[2048];
-    const char *fault = NULL;
-    bool found = true;
-    point_text(surface, point, sizeof point);
-    *values = (SlotValues){0};
-    char *text = matc_eval(scene->document, 0, point, &scene->options, &fault);
-    for (int slot = 0; slot < SLOT_COUNT; slot++)
-        found = found && text && read_slot(text, (Slot)slot, values->lane[slot]);
-    free(text);
-    return found;
+    return evaluate_material(scene->document, 0, &scene->options, (SurfacePoints){surface, 1}, values);
 }

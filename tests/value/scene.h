@@ -3,15 +3,9 @@
 #define MATC_VALUE_SCENE_H
 #include "compiler/matc.h"
 #include "compiler/oracle/oracle.h"
-#include "runtime/gl/context.h"
-#include "runtime/gl/matrix.h"
+#include "runtime/render/spaces.h"
 
-/* Where things are; all that the programs' own uniforms are made of. */
-typedef struct {
-    Mat4 world_from_local, eye_from_world, clip_from_eye;
-    float eye[3];
-    float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
-} Space;
+typedef Spaces Space;
 
 /* All spaces are one: what is drawn is seen along -z, without perspective. */
 Space space_flat(void);
@@ -50,15 +44,15 @@ typedef struct {
     MatcOptions options;
     MatcDocument *document;
     MatcProgram *program;
-    GLuint name;
+    Material material;
     char error[4096];
 } Scene;
 
 /* `text` is YAML, or the path of a document if it ends in .yaml. False: see error. Close it in any case. */
-bool scene_open(Scene *scene, GlContext *gl, const char *text, const SceneOptions *options);
-void scene_close(Scene *scene, GlContext *gl);
+bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions *options);
+void scene_close(Scene *scene);
 /* Makes it the current program and sets all that is not the material's. */
-void scene_use(const Scene *scene, GlContext *gl, const Space *space);
-/* The slots at a point, by matc_eval. */
+void scene_use(Scene *scene, const Space *space);
+/* The slots at a point, by the C reference. */
 bool scene_values(const Scene *scene, const Surface *surface, SlotValues *values);
 #endif

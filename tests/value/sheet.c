@@ -67,9 +67,9 @@ static void set_options(const Filtered *filtered, MatcOptions *options)
 const char *drawers_open(Drawers *drawers)
 {
     static const Point none;
-    if (!drawer_open(&drawers->core, true, &none, 1, 1, GL_RGBA32F))
+    if (!drawer_open(&drawers->core, true, &none, 1))
         return drawers->core.error;
-    return drawer_open(&drawers->old, false, &none, 1, 1, GL_RGBA32F) ? NULL : drawers->old.error;
+    return drawer_open(&drawers->old, false, &none, 1) ? NULL : drawers->old.error;
 }
 
 void drawers_close(Drawers *drawers)
@@ -101,14 +101,12 @@ bool filtered_open(Filtered *f, Drawers *drawers)
                            .program = f->program,
                            .graph = f->document.graph};
     f->drawer = target_table[f->job.target].in_out ? &drawers->core : &drawers->old;
-    f->name = drawer_program(f->drawer, &f->shading);
-    return f->name || fail(f, f->drawer->error);
+    return drawer_material(f->drawer, &f->shading, &f->material) || fail(f, f->drawer->error);
 }
 
 void filtered_close(Filtered *f)
 {
-    if (f->name)
-        f->drawer->gl->DeleteProgram(f->name);
+    material_delete(&f->material);
     matc_program_free(f->program);
     document_close(&f->document);
 }
@@ -123,5 +121,5 @@ bool filtered_draw(Filtered *f, const Sheet *sheet, float (*rgba)[4])
 {
     Point corners[3];
     find_corners(sheet, corners);
-    return drawer_fill(f->drawer, f->name, &f->shading, corners, *rgba) || fail(f, f->drawer->error);
+    return drawer_fill(f->drawer, &f->material, corners, *rgba) || fail(f, f->drawer->error);
 }

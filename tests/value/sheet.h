@@ -27,7 +27,7 @@ typedef struct {
     MatcProgram *program;
     Shading shading;
     Drawer *drawer;
-    GLuint name;
+    Material material;
     char text[1024], error[4096];
 } Filtered;
 

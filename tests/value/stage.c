@@ -1,7 +1,5 @@
 /* Targets, draws, and the reading program. */
 #include "stage.h"
-#include "runtime/gl/program.h"
-#include "runtime/gl/texture.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -16,18 +14,20 @@ Stage *stage_new(bool core)
     if (!s->gl)
         return s;
     FramebufferSpec full = {STAGE_SIDE, STAGE_SIDE, STAGE_TARGETS, GL_RGBA32F, true}, half = full, depth = full;
-    FramebufferSpec unpacked = {STAGE_SIDE, STAGE_SIDE, READ_COUNT, GL_RGBA32F, false};
     half.color_format = GL_RGBA16F;
     depth.color_count = 0;
-    if (!mesh_make_empty(s->gl, &s->none) || !mesh_make(s->gl, SHAPE_plane, &s->plane) ||
+    s->store = store_new(s->gl);
+    if (!s->store || !screen_make(s->gl, &s->screen) || !mesh_make(s->gl, SHAPE_plane, &s->plane) ||
         !framebuffer_make(s->gl, &full, &s->full) || !framebuffer_make(s->gl, &half, &s->half) ||
-        !framebuffer_make(s->gl, &depth, &s->depth) || !framebuffer_make(s->gl, &unpacked, &s->unpacked))
+        !framebuffer_make(s->gl, &depth, &s->depth))
         snprintf(s->error, sizeof s->error, "%s", s->gl->error);
     return s;
 }
 
 void stage_free(Stage *s)
 {
+    if (s->gl && gl_use(s->gl))
+        store_free(s->store);
     gl_close(s->gl);
     free(s);
 }
@@ -56,45 +56,28 @@ bool stage_finish(Stage *s, const Framebuffer *target)
     return fine && gl_check(s->gl, "drawing");
 }
 
-bool stage_draw(Stage *s, const Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
+bool stage_draw(Stage *s, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
 {
     if (!stage_begin(s, target))
         return false;
-    scene_use(scene, s->gl, space);
+    scene_use(scene, space);
     if (mesh)
         mesh_draw(s->gl, mesh);
     else
-        mesh_draw_screen(s->gl, &s->none);
+        screen_draw(s->gl, &s->screen);
     return stage_finish(s, target);
 }
 
-static const char vertex[] =
-    "#version 330 core\n"
-    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.); }";
-static const char fragment[] = "layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;\n"
-                               "layout(location = 2) out vec4 c; layout(location = 3) out vec4 d;\n"
-                               "layout(location = 4) out vec4 e; layout(location = 5) out vec4 f;\n"
-                               "void main() { Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n"
-                               "a = vec4(s.normal, s.shininess); b = vec4(s.diffuse, s.transparencyShininess);\n"
-                               "c = vec4(s.specular, 0.); d = vec4(s.transparency, 0.); e = vec4(s.emissive, 0.);\n"
-                               "f = vec4(s.diffuseTransparency, 0.); }";
-
+/* Scenes are of the layout "thesis". */
 bool stage_unpack(Stage *s, const Scene *scene, const Framebuffer *source)
 {
-    const char *library = matc_output(scene->program, MATC_UNPACK, NULL);
-    ProgramText text = {.vertex = {vertex}, .fragment = {"#version 330 core\n", library, fragment}};
-    GLuint program = stage_begin(s, &s->unpacked) ? program_make(s->gl, &text) : 0;
-    bool fine = program != 0;
-    for (int i = 0; fine && i < STAGE_TARGETS; i++) {
-        char name[32];
-        snprintf(name, sizeof name, "matc_gbuffer%d", i);
-        texture_bind(s->gl, source->colors[i], i);
-        program_set(s->gl, program, &(ProgramValue){name, 1, &(float){(float)i}});
-    }
+    Reader reader;
+    const ReaderSource what = {matc_output(scene->program, MATC_UNPACK, NULL), TARGET_glsl330,
+                               &layout_table[LAYOUT_thesis], STAGE_SIDE, STAGE_SIDE};
+    bool fine = gl_use(s->gl) && reader_make(s->store, &what, &reader);
+    for (int slot = 0; slot < SLOT_COUNT && fine; slot++)
+        fine = !reader.holds[slot] || reader_read(&reader, source, (Slot)slot, &s->slot[slot][0][0]);
     if (fine)
-        mesh_draw_screen(s->gl, &s->none);
-    for (int i = 0; i < READ_COUNT; i++)
-        fine = fine && framebuffer_read(s->gl, &s->unpacked, i, &s->slot[i][0][0]);
-    s->gl->DeleteProgram(program);
+        reader_delete(&reader);
     return fine && gl_check(s->gl, "reading a G-buffer");
 }

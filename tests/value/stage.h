@@ -3,27 +3,19 @@
 #define MATC_VALUE_STAGE_H
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
+#include "runtime/render/reader.h"
 #include "scene.h"
 
 enum { STAGE_SIDE = 64, STAGE_PIXELS = STAGE_SIDE * STAGE_SIDE, STAGE_TARGETS = 4 };
-/* What is read back: normal and shininess; diffuse and transparencyShininess; the others alone. */
-enum {
-    READ_normal,
-    READ_diffuse,
-    READ_specular,
-    READ_transparency,
-    READ_emissive,
-    READ_diffuseTransparency,
-    READ_COUNT
-};
-
 typedef struct {
     GlContext *gl;
-    Framebuffer full, half, depth, unpacked; /* G-buffers in float and in half float; depth alone; what is read back */
-    Mesh none, plane;
+    Store *store;
+    Framebuffer full, half, depth; /* G-buffers in float and in half float; depth alone */
+    Screen screen;
+    Mesh plane;
     float color[STAGE_TARGETS][STAGE_PIXELS][4]; /* what was drawn last */
     float z[STAGE_PIXELS];
-    float slot[READ_COUNT][STAGE_PIXELS][4]; /* what was read back of it */
+    float slot[SLOT_COUNT][STAGE_PIXELS][4]; /* what was read back of it */
     char error[4096];
 } Stage;
 
@@ -36,7 +28,7 @@ bool stage_begin(Stage *stage, const Framebuffer *target);
 /* Reads all of the target. */
 bool stage_finish(Stage *stage, const Framebuffer *target);
 /* From begin to finish; without a mesh, the whole screen is drawn. */
-bool stage_draw(Stage *stage, const Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target);
+bool stage_draw(Stage *stage, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target);
 /* Reads a G-buffer by the program that matc gives for that. */
 bool stage_unpack(Stage *stage, const Scene *scene, const Framebuffer *source);
 #endif
