@@ -89,6 +89,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot l
   matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})
   matc_test(install_make sh tests/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
   matc_test(subproject sh tests/subproject.sh)
+  matc_test(add sh tests/add.sh)
   foreach(tool ninja make meson)
     matc_test(build_${tool} sh tests/build_tools.sh ${PROJECT_BINARY_DIR} ${tool})
   endforeach()
@@ -103,7 +104,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=300 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
+set(LONG test_value=300 add=60 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
   test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_layout_auto=20 test_text=20 schema=20
   install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15)
 foreach(pair ${LONG})

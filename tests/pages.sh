@@ -77,14 +77,6 @@ while [ "$number" -lt "$(blocks docs/language.md yaml)" ]; do
 done
 check "language.md has documents" test "$number" -ge 7
 
-# docs/add-a-map.md
-check "its first row is Wood's" excerpt docs/add-a-map.md c 1 grammar/maps.def
-check "its second is Julia's" excerpt docs/add-a-map.md c 2 grammar/maps.def
-check "its formula" excerpt docs/add-a-map.md c 3 grammar/maps.def
-check "its GLSL" excerpt docs/add-a-map.md glsl 1 runtime/library/maps/wood.glsl
-check "its reference" excerpt docs/add-a-map.md c 4 runtime/library/maps/wood.c
-check "its example" excerpt docs/add-a-map.md yaml 1 examples/wood.yaml
-
 # docs/layouts.md
 check "its layout is the example" same_document docs/layouts.md 1 examples/layouts/lambert.yaml
 for set in lambert mixed; do

@@ -1,0 +1,93 @@
+#!/bin/sh
+# Adds the map, the rule and the target of docs/add-a-*.md to a copy of the project, from the blocks of these pages, and touches no
+# other file than they name; builds it, and runs the tests that must then be green. Run from the project's root.
+set -eu
+pages="docs/add-a-map.md docs/add-a-rule.md docs/add-a-target.md"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+copy=$work/source
+mkdir "$copy"
+tar -cf - --exclude=./.git --exclude='./build*' . | tar -xf - -C "$copy"
+
+# A block stands below a line "`FILE`:", which makes the file, or "`FILE`, before `TEXT`:", which puts the block above the first line
+# that begins with the text. A file that is there, one that is not, and a text that is not found are faults of the page.
+add_blocks() {
+    awk -v folder="$copy/" '
+        function fault(why) { print FILENAME ": " file ": " why; failed = 1; exit 1 }
+        function take(path,   line, text, done) {
+            while ((getline line <path) > 0) {
+                if (before != "" && !done && index(line, before) == 1) { text = text block; done = 1 }
+                text = text line "\n"
+            }
+            close(path)
+            if (before == "" && text != "") fault("is there")
+            if (before != "" && !done) fault("no line begins with " before)
+            printf "%s", before == "" ? block : text >path
+            close(path)
+            print file
+        }
+        /^`[^`]+`(, before `[^`]+`)?:$/ {
+            split($0, parts, "`")
+            file = parts[2]
+            before = parts[4]
+            next
+        }
+        /^```/ && open { if (file != "") take(folder file); open = 0; file = ""; next }
+        /^```/ { open = 1; block = ""; next }
+        open { block = block $0 "\n" }' "$1"
+}
+for page in $pages; do
+    add_blocks "$page" >"$work/named"
+    [ -s "$work/named" ] || { echo "$page: names no file" && exit 1; }
+    cat "$work/named" >>"$work/files"
+done
+
+# Without optimisation: matc is built once and runs little
+set -- -DCMAKE_BUILD_TYPE=None -DMATC_REFERENCE=OFF -DBUILD_SHARED_LIBS=OFF -DCMAKE_C_FLAGS=-O0
+! command -v ccache >/dev/null || set -- "$@" -DCMAKE_C_COMPILER_LAUNCHER=ccache
+! command -v mold >/dev/null || set -- "$@" -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=mold
+tests="test_tables test_defaults test_rules test_range_random test_companion test_function test_value test_valid"
+cd "$copy"
+# shellcheck disable=SC2086
+{
+    cmake -G Ninja -B "$work/build" "$@" && CCACHE_BASEDIR=$work cmake --build "$work/build" --target matc golden $tests
+} >"$work/log" 2>&1 || {
+    grep -A 5 -E 'error|warning' "$work/log" || tail -20 "$work/log"
+    exit 1
+}
+
+# What the pages have the reader run. What the rule makes stands in its page: it is compared before any golden is written
+! "$work/build/golden" . | grep '^tests/ir/' || exit 1
+env -u CI "$work/build/golden" . --update >"$work/log" || { cat "$work/log" && exit 1; }
+sh tests/lists.sh "$work/build/matc" --update >"$work/log"
+
+failed=0
+# expect NAME COMMAND...
+expect() {
+    name=$1
+    shift
+    "$@" >"$work/log" 2>&1 && return
+    echo "$name fails"
+    tail -30 "$work/log"
+    failed=1
+}
+export FUNCTION_ONLY=onion VALUE_ONLY=onion
+for test in $tests; do
+    expect "$test" "$work/build/tests/$test"
+done
+expect golden "$work/build/golden" .
+expect lists sh tests/lists.sh "$work/build/matc"
+expect "the map is described" "$work/build/matc" --explain Onion
+expect "the target is written for" "$work/build/matc" --target=glsl400 examples/onion.yaml -o "$work/onion.frag"
+expect "by its row" grep -q '^#version 400 core' "$work/onion.frag"
+
+# Nothing else has changed: what the pages name, the goldens of the new example, and the lists
+cd "$OLDPWD"
+diff -rq --exclude=.git --exclude='build*' . "$copy" | sed -E "s,^Files (\./)?(.*) and .* differ$,\2,; s,^Only in $copy/?(.*): ,\1/," |
+    LC_ALL=C sort >"$work/changed"
+{
+    cat "$work/files"
+    printf '%s\n' tests/golden/onion.frag tests/golden/onion.ir tests/golden/onion.json README.md compiler/matc.h docs/matc.1
+} | LC_ALL=C sort -u >"$work/expected"
+expect "only what the pages name is touched" diff "$work/expected" "$work/changed"
+exit "$failed"
