@@ -1,15 +1,13 @@
 /* A list of names in the order in which they came, each once, that is searched by hashing. */
 #ifndef MATC_NAMES_H
 #define MATC_NAMES_H
-#include "compiler/base/arena.h"
-#include <stdbool.h>
-#include <stdint.h>
+#include "compiler/base/hash_index.h"
 
 typedef struct {
     const char **at;
     size_t count, room;
-    uint32_t *table; /* numbers of names from 1, 0 where there is none; open addressing */
-    uint32_t mask;   /* its size less one */
+    HashIndex index;
+    uint64_t seed; /* of the hashes */
 } Names;
 
 /* The name's index, or -1. */

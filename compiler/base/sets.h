@@ -2,12 +2,12 @@
 #ifndef MATC_SETS_H
 #define MATC_SETS_H
 #include "compiler/base/hash.h"
+#include "compiler/base/hash_index.h"
 
 typedef struct {
     char **at;
     int count, room;
-    int *table; /* numbers from 1 */
-    uint32_t mask;
+    HashIndex index;
 } StringSet;
 
 /* Its number; *added tells whether it is new (NULL: nobody asks). The string is copied. */
@@ -19,8 +19,7 @@ void string_set_free(StringSet *set);
 typedef struct {
     Key *at;
     int count, room;
-    int *table;
-    uint32_t mask;
+    HashIndex index;
 } KeySet;
 
 int key_set_add(KeySet *set, Key key, bool *added);

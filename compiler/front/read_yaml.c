@@ -19,8 +19,7 @@ typedef struct {
     size_t characters;     /* of the whole text */
     Anchor *anchors;
     size_t anchor_count, anchor_room;
-    uint32_t *anchor_table; /* hash table of the newest anchor of each name, from 1 */
-    uint32_t anchor_mask;
+    HashIndex anchor_index; /* by their names */
 } Reader;
 
 /* libyaml counts characters, a Span bytes. */
@@ -84,23 +83,12 @@ static const char *keep_text(Reader *r, const yaml_event_t *event, Span span)
     return memcpy(tree_build_text(r->b, size), event->data.scalar.value, size);
 }
 
-static uint32_t *anchor_slot(const Reader *r, const char *name)
+static Anchor *anchor_of(const Reader *r, const char *name)
 {
-    uint32_t at = tree_hash(name, strlen(name)) & r->anchor_mask;
-    while (r->anchor_table[at] && strcmp(r->anchors[r->anchor_table[at] - 1].name, name) != 0)
-        at = (at + 1) & r->anchor_mask;
-    return &r->anchor_table[at];
-}
-
-static void grow_anchor_table(Reader *r)
-{
-    r->anchor_mask = r->anchor_mask ? 2 * r->anchor_mask + 1 : 63;
-    free(r->anchor_table);
-    r->anchor_table = calloc(r->anchor_mask + 1, sizeof *r->anchor_table);
-    if (!r->anchor_table)
-        abort();
-    for (uint32_t i = 0; i < r->anchor_count; i++)
-        *anchor_slot(r, r->anchors[i].name) = i + 1;
+    for (HashProbe probe = hash_probe(&r->anchor_index, tree_hash(name, strlen(name))); hash_probe_next(&probe);)
+        if (!strcmp(r->anchors[probe.number].name, name))
+            return &r->anchors[probe.number];
+    return NULL;
 }
 
 static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
@@ -108,20 +96,23 @@ static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
     if (!name)
         return;
     const size_t size = strlen((const char *)name);
+    Anchor *given = anchor_of(r, (const char *)name);
+    if (given) { /* a name may be given anew */
+        given->tree = tree;
+        return;
+    }
     Anchor anchor = {memcpy(tree_build_text(r->b, size), name, size), tree};
     r->anchors = tree_build_room(r->anchors, r->anchor_count, &r->anchor_room, sizeof *r->anchors);
+    hash_index_add(NULL, &r->anchor_index, tree_hash(anchor.name, size), (uint32_t)r->anchor_count);
     r->anchors[r->anchor_count++] = anchor;
-    if (2 * r->anchor_count > r->anchor_mask)
-        grow_anchor_table(r);
-    *anchor_slot(r, anchor.name) = (uint32_t)r->anchor_count; /* a name may be given anew */
 }
 
 static Tree *find_anchor(Reader *r, const char *name, Span span)
 {
-    uint32_t found = r->anchor_table ? *anchor_slot(r, name) : 0;
+    const Anchor *found = anchor_of(r, name);
     if (!found)
         return diag_add(r->session, span, DIAG_unknown_anchor, name);
-    Tree *tree = r->anchors[found - 1].tree;
+    Tree *tree = found->tree;
     if (tree->open)
         return diag_add(r->session, span, DIAG_anchor_cycle, name);
     tree->shared = true;
@@ -317,6 +308,6 @@ Tree *read_yaml(TreeBuilder *b)
     Tree *tree = read_stream(&reader);
     yaml_parser_delete(&reader.parser);
     free(reader.anchors);
-    free(reader.anchor_table);
+    hash_index_free(&reader.anchor_index);
     return tree;
 }

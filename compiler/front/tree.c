@@ -49,7 +49,7 @@ static uint32_t table_size(uint32_t count)
     return size;
 }
 
-/* The table's place of a key: it holds the number of the first member that has it, from 1, or 0. */
+/* The table's place of a key, in one block with the members, which it is as old as and never outgrows: it holds the number of the first member that has it, from 1, or 0. */
 static uint32_t *table_place(const Tree *object, const char *key, size_t size)
 {
     uint32_t *table = (uint32_t *)(object->members + object->count), mask = table_size(object->count) - 1;

@@ -10,33 +10,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIRST_TABLE = 64 };
-
-static uint32_t hash_pointer(const void *pointer) { return (uint32_t)((uintptr_t)pointer * 0x9E3779B97F4A7C15u >> 32); }
-
-static void fill(Ir *ir)
-{
-    for (size_t i = 0; i < ir->constant_count; i++) {
-        uint32_t at = hash_pointer(ir->constants[i].source) & ir->constant_mask;
-        while (ir->constant_table[at])
-            at = (at + 1) & ir->constant_mask;
-        ir->constant_table[at] = (uint32_t)i + 1;
-    }
-}
-
-static uint32_t find(Ir *ir, const Value *source)
-{
-    if (2 * ir->constant_count >= ir->constant_mask) {
-        ir->constant_mask = ir->constant_table ? 2 * ir->constant_mask + 1 : FIRST_TABLE - 1;
-        ir->constant_table = ARENA_ARRAY(ir->arena, uint32_t, ir->constant_mask + 1);
-        fill(ir);
-    }
-    uint32_t at = hash_pointer(source) & ir->constant_mask;
-    while (ir->constant_table[at] && ir->constants[ir->constant_table[at] - 1].source != source)
-        at = (at + 1) & ir->constant_mask;
-    return at;
-}
-
 static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source, uint8_t hint)
 {
     IrConstant constant = {.type = type, .hint = hint, .source = source, .member = -1};
@@ -47,13 +20,14 @@ static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Val
 
 Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
 {
-    uint32_t at = source ? find(ir, source) : 0;
-    if (source && ir->constant_table[at])
-        return build_leaf(ir, OP_constant, type, (int)ir->constant_table[at] - 1);
-    uint32_t index = add_constant(ir, type, numbers, source, ir->hint);
+    const uint32_t hash = hash_pointer(source);
+    for (HashProbe probe = hash_probe(&ir->constant_index, hash); source && hash_probe_next(&probe);)
+        if (ir->constants[probe.number].source == source)
+            return build_leaf(ir, OP_constant, type, (int)probe.number);
+    const uint32_t number = add_constant(ir, type, numbers, source, ir->hint);
     if (source)
-        ir->constant_table[at] = index + 1;
-    return build_leaf(ir, OP_constant, type, (int)index);
+        hash_index_add(ir->arena, &ir->constant_index, hash, number);
+    return build_leaf(ir, OP_constant, type, (int)number);
 }
 
 bool constant_storable(Type type)

@@ -108,19 +108,17 @@ typedef struct Ir {
     size_t arg_count, arg_room;
     double *numbers;
     size_t number_count, number_room;
-    Ref *table; /* hash table of nodes */
+    Ref *table; /* hash table of nodes, of its own kind: they hold their hashes, and nothing is asked as often */
     uint32_t mask;
     IrFunction *functions;
     size_t function_count, function_room;
     IrTexture *textures;
     size_t texture_count, texture_room;
-    uint32_t *texture_table; /* hash table of numbers from 1; lower_surface.c */
-    uint32_t texture_mask;
+    HashIndex texture_index; /* by their contents; lower_surface.c */
     IrConstant *constants;
     size_t constant_count, constant_room;
-    uint32_t *constant_table; /* by source: hash table of numbers from 1 */
-    uint32_t constant_mask;
-    const Graph *graph; /* for uniforms' names */
+    HashIndex constant_index; /* by their sources */
+    const Graph *graph;       /* for uniforms' names */
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
     Opacity opacity;

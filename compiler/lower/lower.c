@@ -65,6 +65,7 @@ Ref lower_as_group(Lower *l, Ref value, Group group)
     return group == GROUP_IOR ? build_swizzle(ir, value, "x") : build_convert(ir, value, TYPE_vec3);
 }
 
+/* A table of its own kind: a slot holds the whole key and the answer, so that nothing else is read. */
 static void memo_grow(Lower *l)
 {
     size_t size = l->memo ? 2 * (l->memo_mask + 1) : 256;

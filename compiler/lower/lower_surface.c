@@ -3,8 +3,6 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-enum { FIRST_TEXTURES = 16 }; /* places of the table */
-
 static bool is_derivative(Group group) { return group == GROUP_DU || group == GROUP_DV; }
 
 static Answer constant(Lower *l, Ref value, Group group)
@@ -142,33 +140,16 @@ static uint32_t texture_hash(const IrTexture *texture)
     return (uint32_t)XXH3_64bits_withSeed(numbers, sizeof numbers, (uintptr_t)texture->image);
 }
 
-static uint32_t *texture_place(Ir *ir, const IrTexture *wanted)
+/* Its number, a new one when it is met first. */
+static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
 {
-    uint32_t at = texture_hash(wanted) & ir->texture_mask;
-    while (ir->texture_table[at] && !same_texture(&ir->textures[ir->texture_table[at] - 1], wanted))
-        at = (at + 1) & ir->texture_mask;
-    return &ir->texture_table[at];
-}
-
-static void grow_texture_table(Ir *ir)
-{
-    ir->texture_mask = ir->texture_table ? 2 * ir->texture_mask + 1 : FIRST_TEXTURES - 1;
-    ir->texture_table = ARENA_ARRAY(ir->arena, uint32_t, ir->texture_mask + 1);
-    for (uint32_t i = 0; i < ir->texture_count; i++)
-        *texture_place(ir, &ir->textures[i]) = i + 1;
-}
-
-static Ref texture(Lower *l, IrTexture wanted)
-{
-    Ir *ir = l->ir;
-    if (2 * ir->texture_count >= ir->texture_mask)
-        grow_texture_table(ir);
-    uint32_t *place = texture_place(ir, &wanted);
-    if (!*place) {
-        ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, wanted);
-        *place = (uint32_t)ir->texture_count;
-    }
-    return build_leaf(ir, OP_texture, TYPE_sampler, (int)*place - 1);
+    const uint32_t hash = texture_hash(wanted);
+    for (HashProbe probe = hash_probe(&ir->texture_index, hash); hash_probe_next(&probe);)
+        if (same_texture(&ir->textures[probe.number], wanted))
+            return probe.number;
+    hash_index_add(ir->arena, &ir->texture_index, hash, (uint32_t)ir->texture_count);
+    ARENA_PUSH(ir->arena, ir->textures, ir->texture_count, ir->texture_room, *wanted);
+    return (uint32_t)ir->texture_count - 1;
 }
 
 /* A picture, the function that reads it, and the steps of its slopes along u and v. */
@@ -185,7 +166,7 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
     const IrTexture *wanted = &sampled->texture;
     const Function function = sampled->function;
     Ref size = ir_const(ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
-    Ref sampler = texture(l, *wanted);
+    Ref sampler = build_leaf(ir, OP_texture, TYPE_sampler, (int)texture_number(ir, wanted));
     if (!is_derivative(group))
         return lower_as_group(l, area_picture(l, function, sampler, uv, size), group);
     Ref here = build_call(ir, function, sampler, uv, size);

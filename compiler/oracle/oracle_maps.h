@@ -8,8 +8,7 @@
 typedef struct {
     const Node **at;
     size_t count, room;
-    uint32_t *table; /* hash table of numbers from 1 */
-    uint32_t mask;
+    HashIndex index;
 } NodeNumbers;
 /* A node's number, a new one when it is met first. oracle_memo.c */
 size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node);

@@ -2,34 +2,15 @@
  * the document. */
 #include "compiler/oracle/oracle_maps.h"
 
-enum { FIRST_TABLE = 64 };
-
-static uint32_t *place_of(const NodeNumbers *numbers, const Node *node)
-{
-    uint32_t at = (uint32_t)((uintptr_t)node * 0x9E3779B97F4A7C15u >> 32) & numbers->mask;
-    while (numbers->table[at] && numbers->at[numbers->table[at] - 1] != node)
-        at = (at + 1) & numbers->mask;
-    return &numbers->table[at];
-}
-
-static void grow(Arena *arena, NodeNumbers *numbers)
-{
-    numbers->mask = numbers->table ? 2 * numbers->mask + 1 : FIRST_TABLE - 1;
-    numbers->table = ARENA_ARRAY(arena, uint32_t, numbers->mask + 1);
-    for (size_t i = 0; i < numbers->count; i++)
-        *place_of(numbers, numbers->at[i]) = (uint32_t)i + 1;
-}
-
 size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node)
 {
-    if (2 * numbers->count >= numbers->mask)
-        grow(arena, numbers);
-    uint32_t *place = place_of(numbers, node);
-    if (!*place) {
-        ARENA_PUSH(arena, numbers->at, numbers->count, numbers->room, node);
-        *place = (uint32_t)numbers->count;
-    }
-    return *place - 1;
+    const uint32_t hash = hash_pointer(node);
+    for (HashProbe probe = hash_probe(&numbers->index, hash); hash_probe_next(&probe);)
+        if (numbers->at[probe.number] == node)
+            return probe.number;
+    hash_index_add(arena, &numbers->index, hash, (uint32_t)numbers->count);
+    ARENA_PUSH(arena, numbers->at, numbers->count, numbers->room, node);
+    return numbers->count - 1;
 }
 
 /* The node's answers in that environment. It moves when further nodes are met. */
