@@ -1,6 +1,6 @@
 // needs: noiseStatistics octaveShare
 // Variance over the square that turbulenceFiltered leaves out, besides what the slope of its result says: of each octave, the
-// noise's own at most (4.73 / 12 of it is what its mean square slope makes over an edge of 1). Error 1e-6 to the sum of the
+// noise's own at most (4.73 / 12 of it is what its mean square slope makes over an edge of 1). Error 2e-7 to the sum of the
 // strengths.
 float turbulenceVariance(int octaves, float frequencyRatio, float noiseRatio, float width) {
     int count = octaves > 1 ? octaves : 1;

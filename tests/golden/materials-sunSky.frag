@@ -6,7 +6,7 @@ in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 3e-7.
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
     float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
     float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
@@ -23,7 +23,7 @@ float skyAngle(vec3 view, vec3 sun, float cosine) {
 // Preetham's sky along a direction of any length, z up: linear sRGB, no component below 0, black below the horizon.
 // Luminance Y and chromaticity x, y are the lanes of the arguments, all from sky_coefficients (lib/sky.h): zenithOverF0 is the
 // zenith's value over F(0, angle of the sun), Y in W/(m2 sr) times the scale wanted; A to E are the coefficients of Perez' F;
-// sun is a unit vector. Relative error 2e-5.
+// sun is a unit vector. Relative error 8e-6.
 vec3 skyRadiance(vec3 direction, vec3 sun, vec3 zenithOverF0, vec3 A, vec3 B, vec3 C, vec3 D, vec3 E) {
     vec3 view = safeNormalize(direction);
     if (view.z < 0.0) return vec3(0.0);

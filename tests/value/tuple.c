@@ -180,7 +180,8 @@ static double reach_of(Form form, double v)
     case FORM_place:
     case FORM_range:
         return step * fmax(1, fabs(v));
-    case FORM_unit:
+    case FORM_unit: /* a sum or quotient of its lanes rounds as the greatest does */
+        return step;
     case FORM_width:
     case FORM_wide:
         return step * fabs(v);
