@@ -83,7 +83,8 @@ expect "by its row" grep -q '^#version 400 core' "$work/onion.frag"
 
 # Nothing else has changed: what the pages name, the goldens of the new example, and the lists
 cd "$OLDPWD"
-diff -rq --exclude=.git --exclude='build*' . "$copy" | sed -E "s,^Files (\./)?(.*) and .* differ$,\2,; s,^Only in $copy/?(.*): ,\1/," |
+diff -rq . "$copy" | grep -vE '^Only in \.: (\.git|build.*)$' |
+    sed -E "s,^Files (\./)?(.*) and .* differ$,\2,; s,^Only in $copy/?(.*): ,\1/," |
     LC_ALL=C sort >"$work/changed"
 {
     cat "$work/files"
