@@ -1,5 +1,6 @@
-/* What a map's answer leaves out of a pixel, at every level of -O, against the variance of the oracle's values over that pixel. The
- * maps here vary by whole periods, so that their means' slopes show nothing of it. */
+/* Answers of maps, at -O0 and -O2, against the oracle's values over the pixel: what a mean leaves out is their variance, and the mean of
+ * what is no line of one of two values is that of both. The maps here vary by whole periods, so that their means' slopes show
+ * nothing of what they leave out. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,13 +16,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The pixel: u changes by 1/2 towards the right one, of which a checker's odd squares have a quarter; y by 1 upward. */
-static const double CENTRE_U = 0.375, CENTRE_V = 0.1, WIDTH_U = 0.5, CENTRE_Y = 0.2, WIDTH_Y = 1;
+/* The pixel: u changes by 1/2 towards the right one, y by 1 upward; a quarter of either lies in odd squares. */
+static const double CENTRE_U = 0.375, CENTRE_V = 0.1, WIDTH_U = 0.5, CENTRE_Y = 0.25, WIDTH_Y = 1, CENTRE_XZ = 0.1;
 enum { SAMPLES = 64 };
 
 #define SINE  "{ map: Gradient, direction: [0, 1, 0], waveForm: Sin01 }"
 #define CHAIN "map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: Sin01"
 #define HALF  "{ map: Gradient, direction: [0, 2, 0], waveForm: { wave: Chain, first: Sin01, factor: 0.5, second: Id } }"
+
+#define PEAK "[{ value: 0, input: 0.25 }, { value: 0.5, input: 1 }, { value: 1, input: 0 }]"
 
 static const double CLOSE = 1e-6, ROUGHLY = 0.02; /* of what is a straight line, and of what is only nearly one */
 
@@ -75,6 +78,48 @@ static const struct {
      &CLOSE},
 };
 
+static const struct {
+    const char *name, *slots;
+    Slot slot;
+} means[] = {
+    {"an exponent", "shininess: { map: Checker, color1: 0.1, color2: 0.9 }", SLOT_shininess},
+    {"an exponent passed on", "shininess: { map: BumpMap, input: { map: Checker, color1: 0.1, color2: 0.9 } }",
+     SLOT_shininess},
+    {"exponents of three",
+     "shininess: { map: Checker, color1: 0.1, color2: { map: VolumeChecker, color1: 0.4, color2: 0.9 } }",
+     SLOT_shininess},
+    {"an exponent that is decided",
+     "shininess: { map: Checker, input: 0.3, color1: { map: Checker, color1: 0.1, color2: 0.9 } }", SLOT_shininess},
+    {"a Blend", "diffuse: { map: Blend, input: { map: Checker, color1: 0, color2: 0.5 }, blend: " PEAK " }",
+     SLOT_diffuse},
+    {"a Blend of three",
+     "diffuse: { map: Blend, input: { map: Checker, color1: 0, color2: { map: VolumeChecker, color1: 0.5, color2: 0.9 "
+     "} }, blend: " PEAK " }",
+     SLOT_diffuse},
+    {"a Blend over a Blend",
+     "diffuse: { map: Blend, input: { map: Blend, input: { map: Checker, color1: 0, color2: 0.5 }, blend: " PEAK
+     " }, blend: " PEAK " }",
+     SLOT_diffuse},
+};
+
+enum { MOST_POINTS = SAMPLES * SAMPLES };
+
+/* The points of the pixel. */
+static void surface_at(int i, Surface *surface)
+{
+    oracle_surface_default(surface);
+    surface->root[channel_id(GROUP_U, 0)] = CENTRE_U + WIDTH_U * ((i % SAMPLES + 0.5) / SAMPLES - 0.5);
+    surface->root[channel_id(GROUP_U, 1)] = CENTRE_V;
+    for (int lane = 0; lane < 3; lane++)
+        surface->root[channel_id(GROUP_X, lane)] = CENTRE_XZ;
+    surface->root[channel_id(GROUP_X, 1)] = CENTRE_Y + WIDTH_Y * ((i / SAMPLES + 0.5) / SAMPLES - 0.5);
+}
+
+static Oracle *open_oracle(const Document *d)
+{
+    return oracle_open(d->graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+}
+
 typedef struct {
     Document document;
     const Node *map;
@@ -86,19 +131,30 @@ static double true_variance(Question *q, int lane)
 {
     Surface surface;
     double sum = 0, squares = 0;
-    Oracle *oracle = oracle_open(q->document.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
-    oracle_surface_default(&surface);
-    surface.root[channel_id(GROUP_U, 1)] = CENTRE_V;
-    for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        surface.root[channel_id(GROUP_U, 0)] = CENTRE_U + WIDTH_U * ((i % SAMPLES + 0.5) / SAMPLES - 0.5);
-        surface.root[channel_id(GROUP_X, 1)] = CENTRE_Y + WIDTH_Y * ((i / SAMPLES + 0.5) / SAMPLES - 0.5);
+    Oracle *oracle = open_oracle(&q->document);
+    for (int i = 0; i < MOST_POINTS; i++) {
+        surface_at(i, &surface);
         double value = oracle_channel(oracle, q->map, channel_id(q->group, lane), &surface);
         sum += value;
         squares += value * value;
     }
     oracle_close(oracle);
-    const double count = SAMPLES * SAMPLES;
-    return squares / count - sum / count * (sum / count);
+    return squares / MOST_POINTS - sum / MOST_POINTS * (sum / MOST_POINTS);
+}
+
+static double true_mean(const Document *d, Slot slot)
+{
+    Surface surface;
+    SlotValues values;
+    double sum = 0;
+    Oracle *oracle = open_oracle(d);
+    for (int i = 0; i < MOST_POINTS; i++) {
+        surface_at(i, &surface);
+        assert_true(oracle_material(oracle, d->graph->materials[0].node, &surface, &values));
+        sum += values.lane[slot][0];
+    }
+    oracle_close(oracle);
+    return sum / MOST_POINTS;
 }
 
 static void inputs_of_pixel(double inputs[INPUT_COUNT][4])
@@ -106,40 +162,80 @@ static void inputs_of_pixel(double inputs[INPUT_COUNT][4])
     memset(inputs, 0, sizeof(double[INPUT_COUNT][4]));
     inputs[INPUT_U][0] = CENTRE_U;
     inputs[INPUT_U][1] = CENTRE_V;
+    inputs[INPUT_X][0] = inputs[INPUT_X][2] = CENTRE_XZ;
     inputs[INPUT_X][1] = CENTRE_Y;
     inputs[INPUT_UX][0] = WIDTH_U;
     inputs[INPUT_XY][1] = WIDTH_Y;
 }
 
+/* A lowering under way. */
+typedef struct {
+    Arena arena;
+    Session session;
+    Job job;
+    Lower l;
+} Attempt;
+
+static void attempt_open(Attempt *w, const Document *d, int level)
+{
+    *w = (Attempt){0};
+    w->session = (Session){.options = &d->options, .arena = &w->arena, .optimize = level, .check = true};
+    choice_job(&(MatcOptions){.pass = "value", .aa = "box"}, &w->job);
+    w->l = (Lower){.session = &w->session,
+                   .graph = d->graph,
+                   .ir = ir_new(&w->session, d->graph),
+                   .job = &w->job,
+                   .cheap = level > 0};
+    w->l.ir->simplify = level > 0 ? opt_simplify : NULL;
+}
+
+/* A value at the pixel. */
+static void attempt_close(Attempt *w, Ref value, double result[4])
+{
+    Ir *ir = w->l.ir;
+    ReferenceTexture textures[EVALUATE_TEXTURES];
+    double inputs[INPUT_COUNT][4], results[MOST_OUTPUTS][4];
+    ir_output(ir, OUT_color, 0, build_convert(ir, value, TYPE_vec4));
+    assert_null(ir_check(ir));
+    assert_true(evaluate_textures(&w->arena, ir, textures));
+    inputs_of_pixel(inputs);
+    ir_eval(ir, &(ReferenceContext){ir->noise, textures}, (const double(*)[4])inputs, results);
+    memcpy(result, results[0], sizeof results[0]);
+    ir_done(ir);
+    arena_free(&w->arena);
+}
+
 /* The variance that the answer has, by lane; the number of lanes. */
 static int known_variance(Question *q, int level, double variance[4])
 {
-    Arena arena = {0};
-    Session session = {.options = &q->document.options, .arena = &arena, .optimize = level, .check = true};
-    Job job;
-    ReferenceTexture textures[EVALUATE_TEXTURES];
-    double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
-    choice_job(&(MatcOptions){.pass = "value", .aa = "box"}, &job);
-    Lower l = {.session = &session,
-               .graph = q->document.graph,
-               .ir = ir_new(&session, q->document.graph),
-               .job = &job,
-               .cheap = level > 0};
-    l.ir->simplify = level > 0 ? opt_simplify : NULL;
-    Env env = lower_surface_env(&l);
-    Answer answer = lower_answer(&l, q->map, q->group, &env);
-    int lanes = ir_lanes(l.ir, answer.value);
-    assert_true(!answer.variance || ir_type(l.ir, answer.variance) == ir_type(l.ir, answer.value));
-    Ref zero = ir_const(l.ir, ir_type(l.ir, answer.value), (double[4]){0});
-    ir_output(l.ir, OUT_color, 0, build_convert(l.ir, answer.variance ? answer.variance : zero, TYPE_vec4));
-    assert_null(ir_check(l.ir));
-    assert_true(evaluate_textures(&arena, l.ir, textures));
-    inputs_of_pixel(inputs);
-    ir_eval(l.ir, &(ReferenceContext){l.ir->noise, textures}, (const double(*)[4])inputs, result);
-    memcpy(variance, result[0], sizeof result[0]);
-    ir_done(l.ir);
-    arena_free(&arena);
-    return lanes;
+    Attempt w;
+    attempt_open(&w, &q->document, level);
+    Env env = lower_surface_env(&w.l);
+    Answer answer = lower_answer(&w.l, q->map, q->group, &env);
+    Type type = ir_type(w.l.ir, answer.value);
+    assert_true(!answer.variance || ir_type(w.l.ir, answer.variance) == type);
+    Ref zero = ir_const(w.l.ir, type, (double[4]){0});
+    attempt_close(&w, answer.variance ? answer.variance : zero, variance);
+    return type_table[type].lanes;
+}
+
+static double known_mean(const Document *d, Slot slot, int level)
+{
+    Attempt w;
+    double result[4];
+    attempt_open(&w, d, level);
+    Env env = lower_surface_env(&w.l);
+    Ref value = lower_slot(&w.l, d->graph->materials[0].node, slot, &env);
+    attempt_close(&w, build_swizzle(w.l.ir, value, "x"), result);
+    return result[0];
+}
+
+static void open_text(Document *d, const char *name, const char *slots)
+{
+    char text[2048];
+    snprintf(text, sizeof text, "material: Phong\n%s\n", slots);
+    if (!document_open_text(d, text))
+        fail_msg("%s: %s", name, document_fault(d));
 }
 
 static void variance_is_what_a_mean_leaves_out(void **state)
@@ -148,10 +244,9 @@ static void variance_is_what_a_mean_leaves_out(void **state)
     int faults = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Question q = {.group = cases[i].group};
-        char text[1024];
-        snprintf(text, sizeof text, "material: Phong\ndiffuse: %s\n", cases[i].map);
-        if (!document_open_text(&q.document, text))
-            fail_msg("%s: %s", cases[i].name, document_fault(&q.document));
+        char slots[1024];
+        snprintf(slots, sizeof slots, "diffuse: %s", cases[i].map);
+        open_text(&q.document, cases[i].name, slots);
         q.map = node_param(q.document.graph->materials[0].node, P_Phong_diffuse)->node;
         for (int level = 0; level <= 2; level += 2) {
             double known[4];
@@ -170,10 +265,30 @@ static void variance_is_what_a_mean_leaves_out(void **state)
     assert_int_equal(faults, 0);
 }
 
+static void what_is_no_line_is_asked_of_both(void **state)
+{
+    (void)state;
+    int faults = 0;
+    for (size_t i = 0; i < sizeof means / sizeof *means; i++) {
+        Document d;
+        open_text(&d, means[i].name, means[i].slots);
+        for (int level = 0; level <= 2; level += 2) {
+            double known = known_mean(&d, means[i].slot, level), want = true_mean(&d, means[i].slot);
+            if (fabs(known - want) <= CLOSE * fmax(1, want))
+                continue;
+            print_error("%s at -O%d: %.9g, should be %.9g\n", means[i].name, level, known, want);
+            faults++;
+        }
+        document_close(&d);
+    }
+    assert_int_equal(faults, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(variance_is_what_a_mean_leaves_out),
+        cmocka_unit_test(what_is_no_line_is_asked_of_both),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
