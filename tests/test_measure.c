@@ -173,18 +173,18 @@ static void tables_are_well_formed(void **state)
 static void choice_keeps_the_promise(void **state)
 {
     (void)state;
-    char error[4096] = "", *why = NULL;
+    ParetoAnswer answer = {0};
     MatcDocument *document = read_document("material: Phong\ndiffuse: 0.3\nemissive: 0.5\n");
-    const ParetoSubject subject = {document, 0, GL_KIND_osmesa, measure_range};
+    const ParetoSubject subject = {document, 0, GL_KIND_osmesa, measure_range, NULL};
     MatcOptions options = defaults();
-    assert_true(pareto_choose(&subject, 0.1, &options, &why, error, sizeof error));
-    assert_non_null(strstr(why, "chosen: "));
+    assert_true(pareto_choose(&subject, 0.1, &options, &answer));
+    assert_non_null(strstr(answer.text, "chosen: "));
     assert_non_null(options.layout);
-    free(why);
+    free(answer.text);
     options = defaults();
     options.layout = "thesis"; /* its pairs are not that exact */
-    assert_false(pareto_choose(&subject, 1e-3, &options, &why, error, sizeof error));
-    assert_non_null(strstr(error, "no choice keeps every slot within 0.001"));
+    assert_false(pareto_choose(&subject, 1e-3, &options, &answer));
+    assert_non_null(strstr(answer.error, "no choice keeps every slot within 0.001"));
     matc_document_free(document);
 }
 

@@ -74,7 +74,7 @@ static unsigned wanted_outputs(const CommandLine *line)
 static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material)
 {
     ParetoSubject subject = {document, material, GL_KIND_osmesa,
-                             line->range ? strtod(line->range, NULL) : measure_range};
+                             line->range ? strtod(line->range, NULL) : measure_range, line->output};
     if (line->gl)
         gl_kind_find(line->gl, &subject.gl);
     return subject;
@@ -96,31 +96,31 @@ static bool is_refused(const CommandLine *line, const MatcDocument *document, in
 /* The options that a material is compiled with: with --max-error, those that measuring finds. */
 static int choose_options(const CommandLine *line, const MatcDocument *document, int material, MatcOptions *options)
 {
-    char error[LONGEST_MESSAGE], *why;
+    ParetoAnswer answer;
     *options = line->compile;
     if (!line->max_error)
         return FINE;
     if (is_refused(line, document, material))
         return FAULT;
     ParetoSubject subject = subject_of(line, document, material);
-    if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &why, error, sizeof error))
-        return complain(line, "--max-error", error);
+    if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &answer))
+        return complain(line, "--max-error", answer.error);
     if (line->stats)
-        fputs(why, stderr);
-    free(why);
+        fputs(answer.text, stderr);
+    free(answer.text);
     return FINE;
 }
 
 static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
 {
-    char error[LONGEST_MESSAGE], *table;
+    ParetoAnswer answer;
     if (is_refused(line, document, material))
         return FAULT;
     ParetoSubject subject = subject_of(line, document, material);
-    if (!pareto_measure(&subject, &line->compile, line->output, &table, error, sizeof error))
-        return complain(line, "--pareto", error);
-    fputs(table, stdout);
-    free(table);
+    if (!pareto_measure(&subject, &line->compile, &answer))
+        return complain(line, "--pareto", answer.error);
+    fputs(answer.text, stdout);
+    free(answer.text);
     return FINE;
 }
 

@@ -47,22 +47,22 @@ char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *g
     return svg;
 }
 
-static bool write_text(const char *basename, const char *suffix, const char *text, char *error, size_t room)
+static bool write_text(const char *basename, const char *suffix, const char *text, ParetoAnswer *answer)
 {
     char path[LONGEST_PATH];
     snprintf(path, sizeof path, "%s%s", basename, suffix);
     const char *why = output_write(path, text, strlen(text));
-    return !why || message_fail(error, room, "%s: %s", path, why);
+    return !why || message_fail(answer->error, sizeof answer->error, "%s: %s", path, why);
 }
 
-/* A missing library for the PNG is no fault: the SVG is there. */
-static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl,
-                        const char *basename, FILE *out, char *error, size_t room)
+/* A missing library for the PNG is no fault: the SVG is there, and `out` tells. */
+static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl, FILE *out,
+                        ParetoAnswer *answer)
 {
     char path[LONGEST_PATH], reason[512];
-    const char *name = matc_material_name(subject->document, subject->material);
+    const char *name = matc_material_name(subject->document, subject->material), *basename = subject->basename;
     char *csv = measure_csv(list, name, gl, true), *svg = pareto_svg(list, name, gl);
-    bool done = write_text(basename, ".csv", csv, error, room) && write_text(basename, ".svg", svg, error, room);
+    bool done = write_text(basename, ".csv", csv, answer) && write_text(basename, ".svg", svg, answer);
     snprintf(path, sizeof path, "%s.png", basename);
     if (done && !plot_png(svg, picture_scale, path, reason, sizeof reason))
         fprintf(out, "no %s: %s\n", path, reason);
@@ -71,11 +71,10 @@ static bool write_files(const ParetoSubject *subject, const MeasuredList *list, 
     return done;
 }
 
-static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter, const MatcOptions *options)
+static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter)
 {
     char name[VARIANT_NAME];
     Variant none = list->at[0].variant;
-    (void)options;
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         none.choice[axis] = -1;
     none.layout = -1;
@@ -93,12 +92,11 @@ static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter,
     fputc('\n', out);
 }
 
-bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, const char *basename, char **table,
-                    char *error, size_t room)
+bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, ParetoAnswer *answer)
 {
     MeasuredList list;
     size_t size;
-    Meter *meter = meter_open(subject->gl, error, room);
+    Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
     const MeasureRequest request = {.document = subject->document,
@@ -108,18 +106,19 @@ bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, co
                                     .range = subject->range,
                                     .seconds = pareto_seconds,
                                     .aliasing = true};
-    bool done = measure_variants(meter, &request, &list) || message_fail(error, room, "%s", meter->error);
-    FILE *out = done ? open_memstream(table, &size) : NULL;
+    bool done = measure_variants(meter, &request, &list) ||
+                message_fail(answer->error, sizeof answer->error, "%s", meter->error);
+    FILE *out = done ? open_memstream(&answer->text, &size) : NULL;
     if (out) {
         char *lines = measure_table(&list);
         fputs(lines, out);
-        put_summary(out, &list, meter, options);
+        put_summary(out, &list, meter);
         free(lines);
-        done = !basename || write_files(subject, &list, meter->gl, basename, out, error, room);
+        done = !subject->basename || write_files(subject, &list, meter->gl, out, answer);
         fclose(out);
         measure_free(&list);
         if (!done)
-            free(*table);
+            free(answer->text);
     }
     meter_close(meter);
     return done && out;
@@ -174,11 +173,12 @@ static char *explain(const MeasuredList *list, int chosen, double most, const Va
     return text;
 }
 
-static bool refuse(const MeasuredList *list, int best, double most, const VariantAxes *open, char *error, size_t room)
+static bool refuse(const MeasuredList *list, int best, double most, const VariantAxes *open, ParetoAnswer *answer)
 {
     char name[VARIANT_NAME];
     chosen_name(&list->at[best], open, name);
-    return message_fail(error, room, "no choice keeps every slot within %g; the best is %s: %.3g (%s)", most, name,
+    return message_fail(answer->error, sizeof answer->error,
+                        "no choice keeps every slot within %g; the best is %s: %.3g (%s)", most, name,
                         list->at[best].error, worst_slot(&list->at[best]));
 }
 
@@ -195,12 +195,11 @@ static void take(const Variant *variant, const VariantAxes *open, MatcOptions *o
     }
 }
 
-bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options, char **why, char *error,
-                   size_t room)
+bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options, ParetoAnswer *answer)
 {
     MeasuredList list;
     int best;
-    Meter *meter = meter_open(subject->gl, error, room);
+    Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
     const MeasureRequest request = {.document = subject->document,
@@ -209,12 +208,13 @@ bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *optio
                                     .open = open_for_choice(options),
                                     .range = subject->range,
                                     .seconds = choose_seconds};
-    bool done = measure_variants(meter, &request, &list) || message_fail(error, room, "%s", meter->error);
+    bool done = measure_variants(meter, &request, &list) ||
+                message_fail(answer->error, sizeof answer->error, "%s", meter->error);
     if (done) {
         int chosen = measure_choose(&list, most, &best);
-        done = chosen >= 0 || refuse(&list, best, most, &request.open, error, room);
+        done = chosen >= 0 || refuse(&list, best, most, &request.open, answer);
         if (done) {
-            *why = explain(&list, chosen, most, &request.open, meter);
+            answer->text = explain(&list, chosen, most, &request.open, meter);
             take(&list.at[chosen].variant, &request.open, options);
         }
         measure_free(&list);

@@ -52,9 +52,15 @@ static void put_text(FILE *out, const char *text)
         }
 }
 
-static void text_at(FILE *out, const char *kind, double x, double y, const char *anchor, const char *text)
+/* Where a text stands: its start, middle or end. */
+typedef struct {
+    double x, y;
+    const char *anchor;
+} TextPlace;
+
+static void text_at(FILE *out, const char *kind, TextPlace at, const char *text)
 {
-    fprintf(out, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", kind, x, y, anchor);
+    fprintf(out, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", kind, at.x, at.y, at.anchor);
     put_text(out, text);
     fputs("</text>\n", out);
 }
@@ -108,13 +114,13 @@ static void draw_ticks(const Canvas *c)
         double x = place_x(c, pow(10, d));
         fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fV%.1f\"/>\n", x, c->field.y, c->field.y + c->field.height);
         tick_text(d, text);
-        text_at(c->out, "tick", x, c->field.y + c->field.height + 14, "middle", text);
+        text_at(c->out, "tick", (TextPlace){x, c->field.y + c->field.height + 14, "middle"}, text);
     }
     for (double d = c->y.low; d <= c->y.high; d += step) {
         double y = place_y(c, pow(10, d));
         fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>\n", c->field.x, y, c->field.x + c->field.width);
         tick_text(d, text);
-        text_at(c->out, "tick", c->field.x - 6, y + 3.5, "end", text);
+        text_at(c->out, "tick", (TextPlace){c->field.x - 6, y + 3.5, "end"}, text);
     }
 }
 
@@ -171,7 +177,7 @@ static void draw_label(Canvas *c, const PlotPoint *point)
             if (!is_free(c, &box))
                 continue;
             take(c, box);
-            text_at(c->out, "label", box.x, box.y + height - 2, "start", point->label);
+            text_at(c->out, "label", (TextPlace){box.x, box.y + height - 2, "start"}, point->label);
             return;
         }
 }
@@ -205,8 +211,8 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     fprintf(out, "<rect class=\"field\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n", c->field.x,
             c->field.y, c->field.width, c->field.height);
     draw_ticks(c);
-    text_at(out, "panel", c->field.x, y + TOP - 10, "start", panel->title);
-    text_at(out, "tick", c->field.x + c->field.width / 2, y + PANEL_HEIGHT - 16, "middle", panel->x);
+    text_at(out, "panel", (TextPlace){c->field.x, y + TOP - 10, "start"}, panel->title);
+    text_at(out, "tick", (TextPlace){c->field.x + c->field.width / 2, y + PANEL_HEIGHT - 16, "middle"}, panel->x);
     fprintf(out, "<text class=\"tick\" text-anchor=\"middle\" transform=\"translate(%.1f %.1f) rotate(-90)\">", x + 16,
             c->field.y + c->field.height / 2);
     put_text(out, panel->y);
@@ -234,9 +240,9 @@ char *plot_svg(const Plot *plot)
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n"
             "<style>%s</style>\n<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n",
             width, height, width, height, style, width, height);
-    text_at(out, "title", 16, 30, "start", plot->title);
+    text_at(out, "title", (TextPlace){16, 30, "start"}, plot->title);
     if (plot->note)
-        text_at(out, "note", 16, 49, "start", plot->note);
+        text_at(out, "note", (TextPlace){16, 49, "start"}, plot->note);
     for (int i = 0; i < plot->count; i++)
         draw_panel(out, &plot->panels[i], i % columns * PANEL_WIDTH, HEAD + i / columns * PANEL_HEIGHT);
     fputs("</svg>\n", out);

@@ -44,18 +44,28 @@ static bool load(Library *l)
            find(rsvg, "cairo_surface_destroy", &l->surface_free);
 }
 
-static bool write(const Library *l, void *handle, double scale, const char *path, char *error, size_t room)
+/* A plot that librsvg has read, and what is made of it. */
+typedef struct {
+    const Library *library;
+    void *handle;
+    double scale;
+    const char *path;
+} Drawing;
+
+static bool write(const Drawing *drawing, char *error, size_t room)
 {
+    const Library *l = drawing->library;
     double width = 0, height = 0;
-    if (!l->handle_size(handle, &width, &height))
+    if (!l->handle_size(drawing->handle, &width, &height))
         return message_fail(error, room, "librsvg finds no size in the plot");
-    const RsvgRectangle all = {0, 0, ceil(width * scale), ceil(height * scale)};
+    const RsvgRectangle all = {0, 0, ceil(width * drawing->scale), ceil(height * drawing->scale)};
     void *surface = l->surface_new(CAIRO_ARGB32, (int)all.width, (int)all.height), *cairo = l->cairo_new(surface);
-    bool drawn = l->handle_render(handle, cairo, &all, NULL);
+    bool drawn = l->handle_render(drawing->handle, cairo, &all, NULL);
     l->cairo_free(cairo);
-    bool written = drawn && l->surface_write(surface, path) == CAIRO_SUCCESS;
+    bool written = drawn && l->surface_write(surface, drawing->path) == CAIRO_SUCCESS;
     l->surface_free(surface);
-    return written || message_fail(error, room, "%s: the plot cannot be %s", path, drawn ? "written" : "drawn");
+    return written ||
+           message_fail(error, room, "%s: the plot cannot be %s", drawing->path, drawn ? "written" : "drawn");
 }
 
 bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room)
@@ -66,7 +76,7 @@ bool plot_png(const char *svg, double scale, const char *path, char *error, size
     void *handle = library.handle_new((const uint8_t *)svg, strlen(svg), NULL);
     if (!handle)
         return message_fail(error, room, "librsvg does not read the plot");
-    bool done = write(&library, handle, scale, path, error, room);
+    bool done = write(&(Drawing){&library, handle, scale, path}, error, room);
     library.unref(handle);
     return done;
 }

@@ -30,16 +30,24 @@ static double measure(Canvas *canvas, const char *functions, const char *express
     return seconds * 1e9 / SIDE / SIDE;
 }
 
+/* A call of a library function, and what comes of it. */
+typedef struct {
+    const char *function, *value;
+    int bits;  /* its second argument; 0: it has none */
+    int lanes; /* of its result */
+    bool words;
+} Call;
+
 /* A call as a pixel of the target; a result of fewer lanes is repeated or filled up. */
-static double measure_call(Canvas *canvas, const char *function, const char *value, const FieldRow *field, bool bits,
-                           int lanes, bool words)
+static double measure_call(Canvas *canvas, const Call *call)
 {
     static const char *const fill[] = {"", "", ", 0.0, 0.0", ", 0.0", ""};
     char text[TEXT_ROOM], last[16] = "";
-    if (bits)
-        snprintf(last, sizeof last, ", %d", field->bits);
-    snprintf(text, sizeof text, "%s(%s(%s%s)%s)", words ? "uvec4" : "vec4", function, value, last, fill[lanes]);
-    return measure(canvas, function, text, words);
+    if (call->bits)
+        snprintf(last, sizeof last, ", %d", call->bits);
+    snprintf(text, sizeof text, "%s(%s(%s%s)%s)", call->words ? "uvec4" : "vec4", call->function, call->value, last,
+             fill[call->lanes]);
+    return measure(canvas, call->function, text, call->words);
 }
 
 /* What is below the time of the store itself is 0. */
@@ -52,7 +60,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
     char code[VALUE_ROOM], empty[TEXT_ROOM];
     Arena arena = {0};
     Text name = text_new(&arena), error = text_new(&arena);
-    bool bits = strchr(function_arguments(row->pack), 'i') != NULL;
+    int bits = strchr(function_arguments(row->pack), 'i') ? field->bits : 0;
     int packed = row->words ? 1 : type_table[function_row(row->pack)->result].lanes;
     layout_put_encoding(&name, field);
     describe_error(&error, field);
@@ -60,7 +68,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
              row->takes == 3   ? ", 0.0"
              : row->takes == 2 ? ", 0.0, 0.0"
                                : "");
-    double pack = measure_call(canvas, function_row(row->pack)->name, input, field, bits, packed, row->words);
+    double pack = measure_call(canvas, &(Call){function_row(row->pack)->name, input, bits, packed, row->words});
     double before = measure(canvas, "", empty, false);
     const char *mask = "index * 40503u";
     unsigned long most = (1ul << field_size(field)) - 1;
@@ -72,7 +80,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
         snprintf(code, sizeof code, "%s", inputs[2]);
     double unpack = canvas ? 0 : NAN, nothing = 0;
     if (*row->unpack) {
-        unpack = measure_call(canvas, row->unpack, code, field, bits, row->takes, false);
+        unpack = measure_call(canvas, &(Call){row->unpack, code, bits, row->takes, false});
         snprintf(empty, sizeof empty, "vec4(%s%s)", code, packed == 2 ? ", 0.0, 0.0" : "");
         nothing = measure(canvas, "", empty, false);
     }
