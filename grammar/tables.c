@@ -385,7 +385,7 @@ static const char *const map_arguments[KIND_COUNT] = {
 #define OWN_ROW(function, cost, doc)    {NULL, TYPE_float, cost, doc},
 #define VOLUME_ROW(function, cost, doc) {#function, TYPE_float, cost, doc},
 static const FunctionRow function_table[FUNCTION_COUNT] = {
-#define FUNCTION(name, result, arguments, low, high, cost, doc) {#name, TYPE_##result, cost, doc},
+#define FUNCTION(name, result, arguments, range, cost, doc) {#name, TYPE_##result, cost, doc},
 #include "functions.def"
 #define MATERIAL(name, sort, doc)                OWN_ROW(name, 0, doc)
 #define MAP(name, function, lowering, cost, doc) lowering##_ROW(function, cost, doc)
@@ -394,7 +394,7 @@ static const FunctionRow function_table[FUNCTION_COUNT] = {
 };
 
 static const char *const fixed_arguments[] = {
-#define FUNCTION(name, result, arguments, low, high, cost, doc) arguments,
+#define FUNCTION(name, result, arguments, range, cost, doc) arguments,
 #include "functions.def"
 };
 

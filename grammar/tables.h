@@ -158,7 +158,7 @@ extern const WaveRow wave_table[WAVE_COUNT];
 
 /* Library functions: those of functions.def, then one for each map whose lowering is VOLUME. */
 typedef enum {
-#define FUNCTION(name, result, arguments, low, high, cost, doc) FN_##name,
+#define FUNCTION(name, result, arguments, range, cost, doc) FN_##name,
 #include "functions.def"
     FN_FIRST_MAP
 } Function;

@@ -110,10 +110,14 @@ static Interval remainder_of(Interval a, Interval b)
 static Interval table_range(int function)
 {
     switch (function) {
-#define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
+#define ANY              -INFINITY, INFINITY
+#define RANGE(low, high) low, high
+#define FUNCTION(name, result, arguments, range, cost, doc)                                                            \
     case FN_##name:                                                                                                    \
-        return (Interval){low, high};
+        return (Interval){range};
 #include "grammar/functions.def"
+#undef RANGE
+#undef ANY
 #define BETWEEN(map, low, high)                                                                                        \
     case FN_FIRST_MAP + KIND_##map:                                                                                    \
         return (Interval){low, high};

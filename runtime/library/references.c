@@ -3,7 +3,7 @@
 #include "grammar/tables.h"
 #include <stddef.h>
 
-#define FUNCTION(name, result, arguments, low, high, cost, doc)                                                        \
+#define FUNCTION(name, result, arguments, range, cost, doc)                                                            \
     void reference_##name(const void *, const double *, double *);
 #include "grammar/functions.def"
 
@@ -17,7 +17,7 @@ Reference reference_of(int function)
 #define OWN_REFERENCE(name, function)
 #define VOLUME_REFERENCE(name, function) [FN_FIRST_MAP + KIND_##name] = reference_##function,
     static const Reference references[FUNCTION_COUNT] = {
-#define FUNCTION(name, result, arguments, low, high, cost, doc) reference_##name,
+#define FUNCTION(name, result, arguments, range, cost, doc) reference_##name,
 #include "grammar/functions.def"
 #define MAP(name, function, lowering, cost, doc) lowering##_REFERENCE(name, function)
 #include "grammar/maps.def"
