@@ -19,7 +19,7 @@ static R between(R t, R low, R high, R a, R b)
     return over(plus(times(a, less(high, t)), times(b, less(t, low))), less(high, low));
 }
 static R square(R v) { return times(v, v); }
-static void grey(R v, R *want) { want[0] = want[1] = want[2] = v; }
+static void gray(R v, R *want) { want[0] = want[1] = want[2] = v; }
 
 /* u' = scaleU q1 - shear scaleV q2, v' = scaleV q2, q the turned offset coordinate. */
 static void checker(const At *at, R *want)
@@ -47,7 +47,7 @@ static void bands(const At *at, R *want)
 static void rings(const At *at, R *want)
 {
     R r = root(plus(square(at->p[0]), square(at->p[1]))), t = times(num(4), part(plus(times(num(5), r), num(0.25))));
-    grey(below(t, num(1)) ? t : below(t, num(3)) ? less(num(2), t) : less(t, num(4)), want);
+    gray(below(t, num(1)) ? t : below(t, num(3)) ? less(num(2), t) : less(t, num(4)), want);
 }
 
 /* A leopard turned about z by 0.75, then moved. */
@@ -56,7 +56,7 @@ static void leopard(const At *at, R *want)
     R c = cosine(num(0.75)), s = sine(num(0.75));
     R x = plus(less(times(c, at->p[0]), times(s, at->p[1])), num(1));
     R y = plus(plus(times(s, at->p[0]), times(c, at->p[1])), num(-2)), z = plus(at->p[2], num(0.5));
-    grey(square(over(plus(plus(sine(x), sine(y)), sine(z)), num(3))), want);
+    gray(square(over(plus(plus(sine(x), sine(y)), sine(z)), num(3))), want);
 }
 
 /* n' = (Tu + a n dh/du) x (Tv + a n dh/dv) of unit length, h = cos(2 pi 3 u) cos(2 pi 2 v), a = 0.125 / |n|. */
@@ -90,7 +90,7 @@ static void bump(const At *at, R *want)
 static void clear(const At *at, R *want)
 {
     bool first = value(odd(plus(whole(times(num(2), at->u)), whole(times(num(2), at->v))))) > 0.25;
-    grey(plus(num(1), times(num(first ? 0.25 : 0.75), less(at->p[0], num(1)))), want);
+    gray(plus(num(1), times(num(first ? 0.25 : 0.75), less(at->p[0], num(1)))), want);
 }
 
 /* Exponent of the Mandelbrot map over z <- z^2 + c, laid from [-1, 1] to [0, 1] by a Chain. */
@@ -116,7 +116,7 @@ static void smooth(const At *at, R *want)
     for (int i = -1; i <= 1; i++)
         for (int k = -1; k <= 1; k++)
             sum = plus(sum, root(plus(square(plus(at->p[0], num(i * 0.25))), square(plus(at->p[1], num(k * 0.5))))));
-    grey(over(sum, num(9)), want); /* z does not matter */
+    gray(over(sum, num(9)), want); /* z does not matter */
 }
 
 /* GroIMP's tables, from semantics.md 3.1. */
@@ -191,7 +191,7 @@ static void turbulence(const At *at, R *want)
         for (int i = 0; i < 3; i++)
             p[i] = times(p[i], num(3));
     }
-    grey(over(sum, num(8)), want);
+    gray(over(sum, num(8)), want);
 }
 
 static const Material materials[] = {

@@ -14,7 +14,7 @@
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
 #include "runtime/gl/uniforms.h"
-#include "runtime/view/resolve.h"
+#include "runtime/view/pixels.h"
 #include <math.h>
 #include <png.h>
 #include <stdio.h>
@@ -410,10 +410,10 @@ static void no_picture_is_refused(void **state)
 static void encoding_is_srgb(void **state)
 {
     (void)state;
-    assert_int_equal(resolve_encode(0), 0);
-    assert_int_equal(resolve_encode(NAN), 0);
-    assert_int_equal(resolve_encode(INFINITY), 255);
-    assert_int_equal(resolve_encode(0.2158605), 128);
+    assert_int_equal(pixels_encode(0), 0);
+    assert_int_equal(pixels_encode(NAN), 0);
+    assert_int_equal(pixels_encode(INFINITY), 255);
+    assert_int_equal(pixels_encode(0.2158605), 128);
 }
 
 static bool has_egl(void)

@@ -214,9 +214,9 @@ static void test_side_switch(void **state)
     (void)state;
     Builder b = {0};
     Node *sides = build_node(&b, KIND_SideSwitch), *outer = build_node(&b, KIND_SideSwitch);
-    const double grey = 128. / 255;
-    close_to(red_of(&b, sides, true), grey, 0);
-    close_to(red_of(&b, sides, false), grey, 0);
+    const double gray = 128. / 255;
+    close_to(red_of(&b, sides, true), gray, 0);
+    close_to(red_of(&b, sides, false), gray, 0);
     build_link(sides, P_SideSwitch_frontShader, build_rgba(&b, 2));
     close_to(red_of(&b, sides, true), 2, 0);
     close_to(red_of(&b, sides, false), 2, 0);
@@ -224,7 +224,7 @@ static void test_side_switch(void **state)
     close_to(red_of(&b, sides, false), 3, 0);
     build_link(outer, P_SideSwitch_backShader, sides);
     close_to(red_of(&b, outer, false), 3, 0);
-    close_to(red_of(&b, outer, true), grey, 0); /* a missing front is not the back */
+    close_to(red_of(&b, outer, true), gray, 0); /* a missing front is not the back */
     build_free(&b);
 }
 

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GREY = 0, RGB = 2, PALETTE = 3, GREY_ALPHA = 4, RGBA = 6, FILE_ROOM = 1 << 17 };
+enum { GRAY = 0, RGB = 2, PALETTE = 3, GRAY_ALPHA = 4, RGBA = 6, FILE_ROOM = 1 << 17 };
 
 typedef struct {
     uint8_t bytes[FILE_ROOM];
@@ -144,30 +144,30 @@ static void test_16_bits(void **state)
     check_texels(&file, 2, 2, "\x12\x7F\x80\xFF\x80\x01\xAB\xFF\x01\x00\x01\xFF\xFF\xFE\xFE\xFF", true);
 
     file.size = 0;
-    put_header(&file, &(Header){2, 1, 16, GREY_ALPHA, false});
+    put_header(&file, &(Header){2, 1, 16, GRAY_ALPHA, false});
     put_rows(&file, ROWS("\0\x40\xC0\x01\x7F\xC0\x40\xFE\x80"));
     check_texels(&file, 2, 1, "\x40\x40\x40\x01\xC0\xC0\xC0\xFE", false);
 }
 
 /* A picture of one row: grey of few bits is spread over all of 0 to 255. */
-static void check_grey(int depth, int width, const char *row, size_t size, const char *texels)
+static void check_gray(int depth, int width, const char *row, size_t size, const char *texels)
 {
     File file = {.size = 0};
-    put_header(&file, &(Header){width, 1, depth, GREY, false});
+    put_header(&file, &(Header){width, 1, depth, GRAY, false});
     put_rows(&file, row, size);
     check_texels(&file, width, 1, texels, true);
 }
 
 #define G(byte) byte byte byte "\xFF"
 
-static void test_grey(void **state)
+static void test_gray(void **state)
 {
     (void)state;
-    check_grey(1, 3, ROWS("\0\xA0"), G("\xFF") G("\x00") G("\xFF"));
-    check_grey(2, 4, ROWS("\0\x1B"), G("\x00") G("\x55") G("\xAA") G("\xFF"));
-    check_grey(4, 2, ROWS("\0\x7E"), G("\x77") G("\xEE"));
-    check_grey(8, 2, ROWS("\0\x7E\x01"), G("\x7E") G("\x01"));
-    check_grey(16, 2, ROWS("\0\x7E\xFE\x00\x81"), G("\x7E") G("\x01"));
+    check_gray(1, 3, ROWS("\0\xA0"), G("\xFF") G("\x00") G("\xFF"));
+    check_gray(2, 4, ROWS("\0\x1B"), G("\x00") G("\x55") G("\xAA") G("\xFF"));
+    check_gray(4, 2, ROWS("\0\x7E"), G("\x77") G("\xEE"));
+    check_gray(8, 2, ROWS("\0\x7E\x01"), G("\x7E") G("\x01"));
+    check_gray(16, 2, ROWS("\0\x7E\xFE\x00\x81"), G("\x7E") G("\x01"));
 }
 
 /* A palette with alpha for its first two colours, two bits a texel. */
@@ -193,7 +193,7 @@ static void test_transparent_colour(void **state)
     check_texels(&file, 2, 1, "\x0A\x0B\x0C\x00\x0A\x0B\x0D\xFF", false);
 
     file.size = 0;
-    put_header(&file, &(Header){2, 1, 16, GREY, false});
+    put_header(&file, &(Header){2, 1, 16, GRAY, false});
     put_chunk(&file, "tRNS", CHUNK("\x12\x34"));
     put_rows(&file, ROWS("\0\x12\x34\x12\x35"));
     check_texels(&file, 2, 1, "\x12\x12\x12\x00\x12\x12\x12\xFF", false);
@@ -239,7 +239,7 @@ static void test_interlaced(void **state)
 {
     (void)state;
     File file = {.size = 0};
-    put_header(&file, &(Header){3, 3, 8, GREY, true});
+    put_header(&file, &(Header){3, 3, 8, GRAY, true});
     put_rows(&file, ROWS("\0\x01"
                          "\0\x03"
                          "\0\x07\x09"
@@ -255,7 +255,7 @@ static void test_row_filters(void **state)
 {
     (void)state;
     File file = {.size = 0};
-    put_header(&file, &(Header){3, 5, 8, GREY, false});
+    put_header(&file, &(Header){3, 5, 8, GRAY, false});
     put_rows(
         &file,
         ROWS("\0\x0A\x14\x1E"    /* 10 20 30 */
@@ -290,7 +290,7 @@ static void test_rows_from_below(void **state)
 {
     (void)state;
     File file = {.size = 0};
-    put_header(&file, &(Header){2, 3, 8, GREY, false});
+    put_header(&file, &(Header){2, 3, 8, GRAY, false});
     put_rows(&file, ROWS("\0\x0A\x14\0\x1E\x28\0\x32\x3C"));
     MatcDocument *nearest = read_with(&file, one_picture, true);
     assert_non_null(nearest->graph);
@@ -332,7 +332,7 @@ static void test_broken(void **state)
     static const Header headers[] = {
         {0, 1, 8, RGB, false}, {1, 0, 8, RGB, false},       {-1, 1, 8, RGB, false},     {1, -1, 8, RGB, false},
         {1, 1, 3, RGB, false}, {1, 1, 4, RGB, false},       {1, 1, 16, PALETTE, false}, {1, 1, 8, 1, false},
-        {1, 1, 8, 7, false},   {1 << 30, 1, 8, RGB, false}, {1, 1, 0, GREY, false},     {1, 1, 32, RGB, false},
+        {1, 1, 8, 7, false},   {1 << 30, 1, 8, RGB, false}, {1, 1, 0, GRAY, false},     {1, 1, 32, RGB, false},
     };
     File file = {.size = 0};
     for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) {
@@ -343,7 +343,7 @@ static void test_broken(void **state)
         check_refused(&file, one_picture, false, "cannot read the picture 'a.png'");
     }
     file.size = 0;
-    put_header(&file, &(Header){LIMIT_IMAGE_SIDE + 1, 1, 8, GREY, false});
+    put_header(&file, &(Header){LIMIT_IMAGE_SIDE + 1, 1, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
     check_refused(&file, one_picture, false, "it is too large");
     file.size = 0;
@@ -366,7 +366,7 @@ static void test_large(void **state)
 {
     (void)state;
     File file = {.size = 0};
-    put_header(&file, &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 8, GREY, false});
+    put_header(&file, &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
     check_refused(&file, one_picture, true, "it ends too soon");
     MatcDocument *unread = read_with(&file, one_picture, false); /* a program needs no more than the size */
@@ -377,9 +377,9 @@ static void test_large(void **state)
     static const char two_pictures[] = "material: Phong\ndiffuse: { map: ImageMap, image: a.png }\n"
                                        "specular: { map: ImageMap, image: b.png }\n";
     static uint8_t data[40000];
-    put_header(&files[0], &(Header){1, 1, 8, GREY, false});
+    put_header(&files[0], &(Header){1, 1, 8, GRAY, false});
     put_rows(&files[0], ROWS("\0\x01"));
-    put_header(&files[1], &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 1, GREY, false});
+    put_header(&files[1], &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 1, GRAY, false});
     put_rows(&files[1], data, sizeof data);
     check_refused(files, two_pictures, true, "'b.png': the pictures of a document are too large together");
     unread = read_with(files, two_pictures, false);
@@ -391,7 +391,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_16_bits),
-        cmocka_unit_test(test_grey),
+        cmocka_unit_test(test_gray),
         cmocka_unit_test(test_palette),
         cmocka_unit_test(test_transparent_colour),
         cmocka_unit_test(test_said_about_colours),

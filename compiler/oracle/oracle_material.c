@@ -26,7 +26,7 @@ static OracleSwitch *const switches[KIND_COUNT] = {
 
 static const double DEFAULT_EXPONENT = 4;
 static const double GREATEST_EXPONENT = 65504;
-static const double MISSING_GREY = 128. / 255; /* java.awt.Color.GRAY */
+static const double MISSING_GRAY = 128. / 255; /* java.awt.Color.GRAY */
 
 static void set_colour(SlotValues *result, Slot slot, const double rgb[3])
 {
@@ -83,7 +83,7 @@ void oracle_RGBA(Environment *environment, const Node *material, SlotValues *res
     set_rgba(rgb, oracle_number(material, P_RGBA_a), result);
 }
 
-static void missing(SlotValues *result) { set_rgba((double[3]){MISSING_GREY, MISSING_GREY, MISSING_GREY}, 1, result); }
+static void missing(SlotValues *result) { set_rgba((double[3]){MISSING_GRAY, MISSING_GRAY, MISSING_GRAY}, 1, result); }
 
 /* The exponent that a shininess map means; a parameter without map leaves the neutral one. */
 static void exponent(Environment *environment, const Node *material, int param, Slot slot, SlotValues *result)

@@ -1,7 +1,7 @@
 /* Draws a material: its G-buffer on a shape, then light on the G-buffer, then the mean of the samples. A sky is one pass. */
 #include "runtime/view/view.h"
 #include "runtime/view/camera.h"
-#include "runtime/view/resolve.h"
+#include "runtime/view/pixels.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/message.h"
 #include "runtime/gl/screen.h"
@@ -126,7 +126,7 @@ static bool read_picture(View *v, float *samples, unsigned char *rgb)
             return false;
         if (v->options->sky)
             expose(samples, (size_t)part.width * (size_t)part.height);
-        resolve_row(samples, v->options->width, v->samples, rgb + (size_t)y * (size_t)v->options->width * 3);
+        pixels_row(samples, v->options->width, v->samples, rgb + (size_t)y * (size_t)v->options->width * 3);
     }
     return true;
 }

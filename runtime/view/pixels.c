@@ -1,8 +1,8 @@
 /* Box filter and sRGB encoding. The mean is taken of linear values: of encoded ones, edges would come out too dark. */
-#include "runtime/view/resolve.h"
+#include "runtime/view/pixels.h"
 #include <math.h>
 
-unsigned char resolve_encode(double linear)
+unsigned char pixels_encode(double linear)
 {
     if (!(linear > 0))
         return 0; /* NaN too, which no byte can hold */
@@ -21,10 +21,10 @@ static double mean(const float *samples, int stride, int n)
     return sum / (n * n);
 }
 
-void resolve_row(const float *samples, int width, int n, unsigned char *rgb)
+void pixels_row(const float *samples, int width, int n, unsigned char *rgb)
 {
     int stride = width * n * 4;
     for (int x = 0; x < width; x++)
         for (int lane = 0; lane < 3; lane++)
-            rgb[3 * x + lane] = resolve_encode(mean(samples + x * n * 4 + lane, stride, n));
+            rgb[3 * x + lane] = pixels_encode(mean(samples + x * n * 4 + lane, stride, n));
 }
