@@ -111,7 +111,9 @@ char *file_read_named(const char *path, size_t *size, const char **why)
     if (descriptor < 0)
         return NULL;
     bool pipe = !fstat(descriptor, &info) && S_ISFIFO(info.st_mode);
-    *why = pipe || isatty(descriptor) ? NULL : no_file(descriptor);
+    *why = pipe ? NULL : no_file(descriptor);
+    if (*why && isatty(descriptor))
+        *why = NULL;
     char *text = *why ? NULL : pipe ? read_pipe(descriptor, size, why) : file_read_from(descriptor, size, why);
     close(descriptor);
     return text;

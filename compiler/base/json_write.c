@@ -16,11 +16,25 @@ static void put_character(Text *out, const char *at, int size)
         text_add(out, at, (size_t)size);
 }
 
+/* Bytes that stand for themselves: printing ASCII but `"` and `\`. Nearly every text is nothing else. */
+static size_t plain_length(const char *at, const char *end)
+{
+    const char *start = at;
+    while (at < end && *at >= ' ' && *at < 0x7F && *at != '"' && *at != '\\')
+        at++;
+    return (size_t)(at - start);
+}
+
 void json_bytes(Text *out, const char *bytes, size_t size)
 {
     const char *end = bytes + size;
     text_char(out, '"');
     for (int length; bytes < end; bytes += length ? length : 1) {
+        size_t plain = plain_length(bytes, end);
+        text_add(out, bytes, plain);
+        bytes += plain;
+        if (bytes == end)
+            break;
         length = text_utf8_length((const unsigned char *)bytes, (const unsigned char *)end);
         if (length)
             put_character(out, bytes, length);
