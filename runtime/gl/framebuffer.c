@@ -126,7 +126,7 @@ bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const ch
     for (int i = 0; i < spec->color_count; i++) {
         formats[i] = format_of(names[i]);
         if (!formats[i])
-            return gl_fail(gl, "no render target can be \"%s\" here", names[i]);
+            return gl_fail(gl, "no render target can be '%s' here", names[i]);
     }
     return make_of(gl, spec, formats, made);
 }
