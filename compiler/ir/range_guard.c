@@ -39,14 +39,15 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
     return right || ir_is(ir, a, OP_const);
 }
 
-static Interval arm_range(const Ranges *r, const Ir *ir, Ref arm, int lane, Ref value, Interval side)
+/* Where the side holds. */
+static Interval arm_range(const Ranges *r, const Ir *ir, Ref arm, int lane, Guard side)
 {
     const Interval none = {INFINITY, -INFINITY};
-    const Interval within = both(range_of(r, ir, value, 0), side);
-    if (is_empty(within))
+    side.within = both(range_of(r, ir, side.ref, 0), side.within);
+    if (is_empty(side.within))
         return none; /* it is never taken */
     Guards *guards = r->guards;
-    guards->at[guards->count++] = (Guard){value, within};
+    guards->at[guards->count++] = side;
     Interval found = range_of(r, ir, arm, lane);
     guards->count--;
     return found;
@@ -63,7 +64,8 @@ Interval range_select(const Ranges *r, const Ir *ir, Ref ref, int lane)
         with.guards = &own;
     if (r->lanes == 1 || with.guards->count == MOST_GUARDS || !read_condition(r, ir, ir_arg(ir, ref, 0), &value, sides))
         return hull(range_of(r, ir, a, lane), range_of(r, ir, b, lane));
-    return hull(arm_range(&with, ir, a, lane, value, sides[0]), arm_range(&with, ir, b, lane, value, sides[1]));
+    return hull(arm_range(&with, ir, a, lane, (Guard){value, sides[0]}),
+                arm_range(&with, ir, b, lane, (Guard){value, sides[1]}));
 }
 
 /* What comes before every guarded node cannot depend on one. */
