@@ -283,7 +283,7 @@ static void faults_leave_nothing(void **state)
     assert_false(reader_make(f.store, &(ReaderSource){"wrong", TARGET_glsl330, &layout_table[0], 4, 4}, &reader));
     reader_delete(&reader);
     assert_false(framebuffer_make_named(f.gl, &two, formats, &none));
-    assert_string_equal(f.gl->error, "no render target can be \"RGBA5\" here");
+    assert_string_equal(f.gl->error, "no render target can be 'RGBA5' here");
     assert_int_equal(none.name, 0);
     close_fixture(&f);
 }
