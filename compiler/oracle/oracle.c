@@ -35,6 +35,14 @@ bool oracle_surface_set(Surface *surface, const char *name, double value)
     return false;
 }
 
+void oracle_exact_derivatives(Oracle *oracle, bool exact) { oracle->exact = exact; }
+
+void oracle_slope_span(Oracle *oracle, double behind, double ahead)
+{
+    oracle->behind = behind;
+    oracle->ahead = ahead;
+}
+
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
 {
     Oracle *oracle = calloc(1, sizeof *oracle);
@@ -42,11 +50,9 @@ Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
         abort();
     oracle->graph = graph;
     oracle->context = *context;
+    oracle_slope_span(oracle, -1, 1);
     return oracle;
 }
-
-void oracle_exact_derivatives(Oracle *oracle, bool exact) { oracle->exact = exact; }
-void oracle_slope_side(Oracle *oracle, int side) { oracle->side = side; }
 
 void oracle_close(Oracle *oracle)
 {

@@ -32,9 +32,9 @@ typedef struct Oracle Oracle;
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context);
 /* From now on BumpMap goes by the true slope of its height rather than by the maps' finite steps. */
 void oracle_exact_derivatives(Oracle *oracle, bool exact);
-/* That slope is of both sides of the point (0, the default), of what lies ahead (1) or behind (-1): where these differ, there is no
- * true one, or none that differences of doubles can tell. */
-void oracle_slope_side(Oracle *oracle, int side);
+/* Exact derivatives are differences over this many steps of 2^-26 of the surface's size, from behind the point to ahead of it: -1 and 1 at
+ * first. From 0 on, or up to 0, they are those of one side. */
+void oracle_slope_span(Oracle *oracle, double behind, double ahead);
 void oracle_close(Oracle *oracle);
 
 /* Every shading slot of a material at a point. A NULL material is the grey that stands for a missing one. False: it takes more

@@ -43,10 +43,10 @@ struct Oracle {
     size_t turn_room;
     Memo *memos; /* by depth of environments */
     size_t memo_count, memo_room;
-    bool exact;     /* derivatives are those of the map, not GroIMP's finite steps */
-    int side;       /* of the point that they are taken on; 0: both */
-    uint64_t stamp; /* that of the environment opened last; 0 is in no environment */
-    double work;    /* steps for this point; beyond LIMIT_WORK all answers are 0 */
+    bool exact;           /* derivatives are those of the map, not GroIMP's finite steps */
+    double behind, ahead; /* the steps that they are taken over */
+    uint64_t stamp;       /* that of the environment opened last; 0 is in no environment */
+    double work;          /* steps for this point; beyond LIMIT_WORK all answers are 0 */
 };
 
 /* A surface point in which maps are asked. A filter opens further ones, each a depth below its own. */

@@ -66,11 +66,11 @@ static double slope_step(const Surface *surface)
     return ldexp(size, -26);
 }
 
-/* Derivatives of the height by u and v from differences, over both sides or one. */
+/* Derivatives of the height by u and v from differences. */
 static void exact_slopes(Environment *environment, const Node *height, double slope[2])
 {
     double h = slope_step(environment->surface);
-    double ahead = environment->oracle->side < 0 ? 0 : h, behind = environment->oracle->side > 0 ? 0 : -h;
+    double ahead = environment->oracle->ahead * h, behind = environment->oracle->behind * h;
     double by_u = height_at(environment, height, ahead, 0) - height_at(environment, height, behind, 0);
     double by_v = height_at(environment, height, 0, ahead) - height_at(environment, height, 0, behind);
     slope[0] = by_u / (ahead - behind);

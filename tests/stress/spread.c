@@ -1,4 +1,5 @@
-/* Machines whose operations err, as roundings of ir_eval. */
+/* Machines whose operations err, as roundings of ir_eval. One evaluation in eight errs to 0 wherever it may: a cross product of parallel
+ * vectors is 0 but for rounding, and what is made of a true 0 may be something else. */
 #include "spread.h"
 #include "choices.h"
 #include "runtime/library/references.h"
@@ -70,12 +71,13 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
 {
     double numbers[64], result[4] = {0}, most = 0;
     const char *types = function_arguments((int)node->payload);
+    const double ulp = e->machine == MACHINE_float ? FLOAT_ULP : DOUBLE_ULP;
     int used = 0;
     for (int i = 0; i < node->count; i++)
         for (int lane = 0; lane < type_table[args[i].type].lanes; lane++) {
             double v = args[i].numbers[lane];
             bool whole = types[i] == 's' || types[i] == 'i';
-            numbers[used] = whole ? v : v + 4 * FLOAT_ULP * toss(e, node, 1 + used) * fmax(1, fabs(v));
+            numbers[used] = whole ? v : v + 4 * ulp * toss(e, node, 1 + used) * fmax(1, fabs(v));
             used++;
         }
     reference_of((int)node->payload)(e->context, numbers, result);
@@ -150,7 +152,7 @@ static bool is_exact(const IrNode *node)
 }
 
 /* Also of inputs and constants, which doubles hold exactly. */
-static double double_error(const IrNode *node, const FoldArg *args, double value)
+static double double_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
     if (node->op == OP_input || node->op == OP_uniform || node->op == OP_constant || node->op == OP_const)
         return 0;
@@ -158,7 +160,7 @@ static double double_error(const IrNode *node, const FoldArg *args, double value
                                                                                   : size_of(node, args, value);
     if (node->op == OP_call && (node->payload == FN_turbulence || node->payload == FN_vectorTurbulence))
         size = fmax(size, octaves_error(args, 1));
-    return 8 * DOUBLE_ULP * size;
+    return 8 * DOUBLE_ULP * size + (node->op == OP_call ? inner_error(e, node, args, value) : 0);
 }
 
 static double err(void *user, const IrNode *node, const FoldArg *args, double value)
@@ -166,8 +168,10 @@ static double err(void *user, const IrNode *node, const FoldArg *args, double va
     Erring *e = user;
     if (is_exact(node) || !isfinite(value))
         return value;
-    value += toss(e, node, 0) *
-             (e->machine == MACHINE_float ? float_error(e, node, args, value) : double_error(node, args, value));
+    const double error =
+        e->machine == MACHINE_float ? float_error(e, node, args, value) : double_error(e, node, args, value);
+    const double tossed = toss(e, node, 0) * error;
+    value = e->evaluation % 8 == 7 && fabs(value) <= error ? 0 : value + tossed;
     return e->machine == MACHINE_float && fabs(value) < FLT_MIN ? 0 : value;
 }
 
@@ -244,4 +248,19 @@ void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread
         ir_eval_rounded(at->ir, at->context, at->inputs, &rounding, result);
         widen(spread, (const double(*)[4])result);
     }
+}
+
+bool spread_meets(const Evaluated *at, const Meeting *wanted, int count)
+{
+    Erring erring = {.machine = MACHINE_double, .context = at->context};
+    IrRounding rounding = {err, &erring};
+    choices_random(&erring.random, 1, (uint64_t)count);
+    for (int i = 0; i < count; i++) {
+        double result[MOST_OUTPUTS][4] = {{0}};
+        erring.evaluation = i;
+        ir_eval_rounded(at->ir, at->context, at->inputs, &rounding, result);
+        if (fabs(result[wanted->output][wanted->lane] - wanted->number) <= wanted->room)
+            return true;
+    }
+    return false;
 }
