@@ -118,16 +118,16 @@ static const Case cases[] = {
     {OP_atan2, -1000, 1000, FIXED, {-3.1416, 3.1416}},
 };
 
-static const double ends[] = {-1000, -3, -2.5, -1, -0.5, 0, 0.25, 0.5, 1, 1.5, 2, 3, 100};
-enum { ENDS = sizeof ends / sizeof *ends, TRIES = 300, SAMPLES = 300 };
+static const double borders[] = {-1000, -3, -2.5, -1, -0.5, 0, 0.25, 0.5, 1, 1.5, 2, 3, 100};
+enum { ENDS = sizeof borders / sizeof *borders, TRIES = 300, SAMPLES = 300 };
 
 static Interval random_interval(Choices *c, double low, double high)
 {
-    double a = fmin(fmax(ends[choose(c, ENDS)], low), high), b = fmin(fmax(ends[choose(c, ENDS)], low), high);
+    double a = fmin(fmax(borders[choose(c, ENDS)], low), high), b = fmin(fmax(borders[choose(c, ENDS)], low), high);
     return (Interval){fmin(a, b), fmax(a, b)};
 }
 
-/* The ends most often, 0 and 1 where they are inside, else anything. */
+/* The borders most often, 0 and 1 where they are inside, else anything. */
 static double inside(Choices *c, Interval range)
 {
     double some = range.low + choose_part(c) * (range.high - range.low);

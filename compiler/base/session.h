@@ -30,7 +30,7 @@ enum {
     LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
     LIMIT_BRANCHES = 128,       /* branches within branches of a program; what lies deeper is computed without */
-    LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range_guard.c */
+    LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range.c */
     LIMIT_LAYOUT_CASES = 16,    /* cases of a layout */
     LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
     LIMIT_WORK = 2000000000,    /* steps that the oracle takes for a point's values: oracle_work.c */

@@ -8,26 +8,110 @@
 #include "runtime/library/references.h"
 #include <math.h>
 
-static const Interval everything = {-INFINITY, INFINITY};
+enum { MOST_GUARDS = 16 };
 
-/* What drivers may err by where GLSL lets them: more than a rounding. */
-static const double SLACK = 1e-5;
+typedef struct {
+    Ref ref;
+    Interval within;
+} Guard;
 
-Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
-{
-    return r->guards ? range_guarded(r, ir, ref, lane) : range_kept(r, ir, ref, lane);
-}
+typedef struct Guards {
+    Guard at[MOST_GUARDS];
+    int count;
+    int steps; /* left */
+} Guards;
 
-Interval range_kept(const Ranges *r, const Ir *ir, Ref ref, int lane)
+static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     if (ref >= r->count)
         return everything;
     return r->lanes == 1 ? r->of[ref] : r->of[(Ref)r->lanes * ref + (Ref)(ir_lanes(ir, ref) == 1 ? 0 : lane)];
 }
 
-static Interval between(double low, double high) { return (Interval){low, high}; }
+/* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it in b. What an arm computes of
+ * t is computed once more with that, as far as LIMIT_GUARD_STEPS go; beyond, what is known everywhere.
+ *
+ *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1], so [0, 2] */
 
-static Interval hull(Interval a, Interval b) { return (Interval){fmin(a.low, b.low), fmax(a.high, b.high)}; }
+/* What comes before every guarded node cannot depend on one. */
+static bool is_before(const Guards *guards, Ref ref)
+{
+    for (int i = 0; i < guards->count; i++)
+        if (ref >= guards->at[i].ref)
+            return false;
+    return true;
+}
+
+static Interval guarded_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    Guards *guards = r->guards;
+    Interval kept = kept_range(r, ir, ref, lane);
+    const Op op = (Op)ir_at(ir, ref)->op;
+    bool guarded = false;
+    for (int i = 0; i < guards->count; i++)
+        if (guards->at[i].ref == ref) {
+            kept = both(kept, guards->at[i].within);
+            guarded = true;
+        }
+    if (guarded || ref >= r->count || op == OP_const || is_before(guards, ref) || guards->steps-- <= 0)
+        return kept;
+    Interval found = range_computed(r, ir, ref, lane);
+    Interval narrow = both(kept, found);
+    return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
+}
+
+Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    return r->guards ? guarded_range(r, ir, ref, lane) : kept_range(r, ir, ref, lane);
+}
+
+/* The node that a condition compares with a constant, and where it lies when the condition holds, and when not. */
+static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *value, Interval sides[2])
+{
+    const IrNode *node = ir_at(ir, condition);
+    if (node->op != OP_lt && node->op != OP_le)
+        return false;
+    const Ref a = ir_arg(ir, condition, 0), b = ir_arg(ir, condition, 1);
+    if (ir_lanes(ir, a) != 1 || ir_lanes(ir, b) != 1)
+        return false;
+    const bool right = ir_is(ir, b, OP_const);
+    const double at = kept_range(r, ir, right ? b : a, 0).low;
+    *value = right ? a : b;
+    sides[right ? 0 : 1] = (Interval){-INFINITY, at};
+    sides[right ? 1 : 0] = (Interval){at, INFINITY};
+    return right || ir_is(ir, a, OP_const);
+}
+
+/* Where the side holds. */
+static Interval arm_range(const Ranges *r, const Ir *ir, Ref arm, int lane, Guard side)
+{
+    const Interval none = {INFINITY, -INFINITY};
+    side.within = both(range_of(r, ir, side.ref, 0), side.within);
+    if (is_empty(side.within))
+        return none; /* it is never taken */
+    Guards *guards = r->guards;
+    guards->at[guards->count++] = side;
+    Interval found = range_of(r, ir, arm, lane);
+    guards->count--;
+    return found;
+}
+
+static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    Ref value;
+    Interval sides[2];
+    Guards own = {.steps = LIMIT_GUARD_STEPS};
+    Ranges with = *r;
+    const Ref a = ir_arg(ir, ref, 1), b = ir_arg(ir, ref, 2);
+    if (!with.guards)
+        with.guards = &own;
+    if (r->lanes == 1 || with.guards->count == MOST_GUARDS || !read_condition(r, ir, ir_arg(ir, ref, 0), &value, sides))
+        return hull(range_of(r, ir, a, lane), range_of(r, ir, b, lane));
+    return hull(arm_range(&with, ir, a, lane, (Guard){value, sides[0]}),
+                arm_range(&with, ir, b, lane, (Guard){value, sides[1]}));
+}
+
+/* -- Operations */
 
 /* Of all lanes of an operand. */
 static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
@@ -36,74 +120,6 @@ static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
     for (int lane = 1; r->lanes > 1 && lane < ir_lanes(ir, ref); lane++)
         all = hull(all, range_of(r, ir, ref, lane));
     return all;
-}
-
-static double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
-
-static Interval times(Interval a, Interval b)
-{
-    double p = product(a.low, b.low), q = product(a.low, b.high), r = product(a.high, b.low),
-           s = product(a.high, b.high);
-    return (Interval){fmin(fmin(p, q), fmin(r, s)), fmax(fmax(p, q), fmax(r, s))};
-}
-
-static Interval sum(Interval a, Interval b)
-{
-    Interval s = {a.low + b.low, a.high + b.high};
-    return (Interval){isnan(s.low) ? -INFINITY : s.low, isnan(s.high) ? INFINITY : s.high};
-}
-
-static Interval negative(Interval a) { return (Interval){-a.high, -a.low}; }
-
-static Interval magnitude(Interval a)
-{
-    double high = fmax(fabs(a.low), fabs(a.high));
-    return (Interval){a.low <= 0 && a.high >= 0 ? 0 : fmin(fabs(a.low), fabs(a.high)), high};
-}
-
-static Interval square(Interval a) { return times(magnitude(a), magnitude(a)); }
-
-static Interval quotient(Interval a, Interval b)
-{
-    if (!(b.low > 0 || b.high < 0))
-        return everything;
-    return times(a, (Interval){1 / b.high, 1 / b.low});
-}
-
-/* Beyond the ends of [0, 1] too: a (1 - t) + b t. */
-static Interval mixed(Interval a, Interval b, Interval t)
-{
-    if (t.low >= 0 && t.high <= 1)
-        return hull(a, b);
-    return sum(times(a, sum((Interval){1, 1}, negative(t))), times(b, t));
-}
-
-/* A bound that a driver's function may pass. */
-static Interval loose(Interval a)
-{
-    return (Interval){a.low - SLACK * fmax(fabs(a.low), 1), a.high + SLACK * fmax(fabs(a.high), 1)};
-}
-
-/* A function that never falls, between its values at both ends; and one that a driver computes as it likes. */
-static Interval ends(double (*f)(double), Interval a) { return between(f(a.low), f(a.high)); }
-static Interval rising(double (*f)(double), Interval a) { return loose(ends(f, a)); }
-
-static Interval power(Interval a, Interval b)
-{
-    if (!(a.low >= 0) || !(b.low >= 0))
-        return everything;
-    double p = pow(a.low, b.low), q = pow(a.low, b.high), r = pow(a.high, b.low), s = pow(a.high, b.high);
-    Interval corners = {fmin(fmin(p, q), fmin(r, s)), fmax(fmax(p, q), fmax(r, s))};
-    if (a.low < 1 && a.high > 1)
-        corners = hull(corners, (Interval){1, 1});
-    return isnan(corners.low) || isnan(corners.high) ? (Interval){0, INFINITY} : loose(corners);
-}
-
-static Interval remainder_of(Interval a, Interval b)
-{
-    if (a.low >= 0 && a.high < b.low)
-        return a;
-    return b.low > 0 ? (Interval){0, b.high} : everything;
 }
 
 /* That of the tables, whatever the arguments are. */
