@@ -291,6 +291,14 @@ static void push_unknown(Lower *l, Ref ref, Direction direction)
         ARENA_PUSH(l->session->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
 }
 
+/* Footprints count as constant. */
+static void hold(Lower *l, Ref slope)
+{
+    for (int d = 0; d < DIRECTION_COUNT; d++)
+        if (*memo_of(l, slope, (Direction)d) == UNKNOWN && !ir_is(l->ir, slope, OP_const))
+            slope_set(l, slope, (Direction)d, 0);
+}
+
 /* Its operands' are known. */
 static void find_slope(Lower *l, Ref value, Direction direction)
 {
@@ -301,10 +309,11 @@ static void find_slope(Lower *l, Ref value, Direction direction)
     if (slope && ir_is_number(l->ir, slope, 0))
         slope = 0;
     slope_set(l, value, direction, slope);
-    if (slope && (direction == DIRECTION_right || direction == DIRECTION_up))
-        for (int d = 0; d < DIRECTION_COUNT; d++) /* footprints count as constant */
-            if (*memo_of(l, slope, (Direction)d) == UNKNOWN && !ir_is(l->ir, slope, OP_const))
-                slope_set(l, slope, (Direction)d, 0);
+    if (slope && (direction == DIRECTION_right || direction == DIRECTION_up)) {
+        hold(l, slope);
+        if (ir_is(l->ir, slope, OP_neg)) /* squares of it are squares of that */
+            hold(l, ir_arg(l->ir, slope, 0));
+    }
 }
 
 /* Operands first, the left one before the right, on a stack of its own: a tree of maps may be deeper than the caller's stack. */

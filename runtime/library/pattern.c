@@ -13,7 +13,7 @@ static double leopard_mean(const double *args, double *sum)
         *sum += mean;
         variance += .5 - .5 * cos(2 * args[i]) * sinc(args[3 + i]) - mean * mean;
     }
-    return (*sum * *sum + variance) / 9;
+    return fmax(*sum * *sum + variance, 0) / 9; /* less is rounding */
 }
 
 REFERENCE(leopardFiltered)
