@@ -24,7 +24,7 @@ typedef struct {
 } Material;
 
 /* Makes it of a program, with the defaults of its uniforms, ior 1 and an eye that looks as the world does. `text` is the GLSL, or
- * what stands in the place of the program's own: a stage that it leaves out is taken from the program. Without a program (NULL)
+ * what replaces the program's own: a stage that it leaves out is taken from the program. Without a program (NULL)
  * `text` is all. The program is not kept. False: see the context's error; *made is empty. */
 bool material_make(Store *store, MatcProgram *program, const ProgramText *text, Material *made);
 /* Safe on an empty one, which it leaves behind. */
@@ -37,7 +37,7 @@ bool material_set_number(Material *material, const char *name, float number);
 /* Adds a texture for a sampler. A program that has no such sampler goes without; false: see the context's error. */
 bool material_set_texture(Material *material, const char *sampler, const TextureSpec *spec);
 
-/* The numbers that another program of the same key has, in the place of its own: the buffer stays, its bytes change. */
+/* The numbers that another program of the same key has, for its own: the buffer stays, its bytes change. */
 bool material_set_numbers(Material *material, const MatcProgram *program);
 /* Bytes of a block, in std140, from its start. False if the program has no such block. */
 bool material_write(Material *material, const char *block, const void *bytes, size_t size);
