@@ -29,7 +29,7 @@ typedef struct {
 /* Makes the textures and checks completeness; the framebuffer is bound afterwards. On false *made is empty. */
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made);
 
-/* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI", in the place of color_format. */
+/* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI"; color_format is not read. */
 bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made);
 /* The target holds whole numbers. */
 bool framebuffer_has_words(const Framebuffer *framebuffer, int color);

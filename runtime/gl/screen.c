@@ -1,4 +1,4 @@
-/* Three corners, of which the square from (-1, -1) to (1, 1) of clip space is a part: no edge runs through the picture. */
+/* One triangle that holds the square from (-1, -1) to (1, 1) of clip space: no edge runs through the picture. */
 #include "runtime/gl/screen.h"
 #include <string.h>
 

@@ -171,7 +171,7 @@ static void write_lane(GLenum type, float value, unsigned char *at)
         memcpy(at, &value, 4);
 }
 
-/* The columns of a mat3 are vectors of three, each in the place of four: offsets 0, 16, 32. */
+/* The columns of a mat3 are vectors of three, each as far apart as vectors of four: offsets 0, 16, 32. */
 void uniform_write(const GlUniform *member, const float *values, unsigned char *block)
 {
     const int rows = member->lanes == 16 ? 4 : member->lanes == 9 ? 3 : member->lanes;
