@@ -11,6 +11,6 @@ struct MatcDocument {
     Graph *graph; /* NULL: faults */
 };
 
-/* Diagnostics of the session are about places in the document. */
+/* Diagnostics of the session are about positions in the document. */
 void document_lend(const MatcDocument *document, Session *session);
 #endif

@@ -62,12 +62,12 @@ typedef struct {
         constants; /* "baked" (default; so is "auto", which is of sets), "uniform": the document's come from a buffer */
     const int *members; /* by place (matc_place): the member of the buffer that it becomes, -1 for none; NULL */
     int member_count;
-    int optimize;  /* 0: as written; 1, 2 (default): all passes */
+    int optimize;  /* 0: as written; 1, 2 (default): all passes of the optimiser */
     bool validate; /* glslang parses and links what is written (default) */
     bool measure;  /* the document keeps times for MATC_STATS */
     unsigned
         measured; /* for MATC_STATS: a bit for each of noise ... trigonometry, in that order, that measuring chose */
-    bool check;   /* the IR is checked after every pass (default in debug builds) */
+    bool check;   /* the IR is checked after every pass of the optimiser (default in debug builds) */
     bool pixels;  /* pictures are decoded whole, for matc_eval and matc_texture; else only their size is read */
     MatcReadFile read_file;   /* for pictures and includes; NULL reads the file system */
     void *user;               /* for read_file */
@@ -110,7 +110,7 @@ typedef enum {
     MATC_DOT = 64,     /* the same as a graph for Graphviz */
     MATC_KEY = 256, /* alone: nothing is written yet, but keys, places and constants are there; matc_emit may follow */
     MATC_LAYOUT = 512, /* the layout as a file that matc_layout_read takes */
-    MATC_STATS = 128,  /* table of stages and passes; the choices, and what settled each */
+    MATC_STATS = 128,  /* table of stages and optimiser passes; the choices, and what settled each */
 } MatcOutput;
 
 /* Compiles one material into the outputs asked for (MatcOutput, or-ed). Never NULL. */

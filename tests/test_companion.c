@@ -59,7 +59,7 @@ static bool is_read(const LayoutRow *layout, Target target)
     return target_table[target].words || !layout_has_words(layout);
 }
 
-/* ES links a uniform of both stages only if both give it the same precision: so the samplers are held to be highp, and what would be
+/* ES links a uniform of both shaders only if both give it the same precision: so the samplers are held to be highp, and what would be
  * lowp without a word is found. */
 static bool samplers_are_exact(const LayoutRow *layout)
 {

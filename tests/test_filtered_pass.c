@@ -6,27 +6,27 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/value/scene.h"
-#include "tests/value/stage.h"
+#include "tests/value/rig.h"
 #include <stdio.h>
 #include <string.h>
 
-enum { SIDE = STAGE_SIDE, PIXELS = STAGE_PIXELS, RAYS = 6 /* of a pixel, each way */ };
+enum { SIDE = RIG_SIDE, PIXELS = RIG_PIXELS, RAYS = 6 /* of a pixel, each way */ };
 
-static Stage *stage;
+static Rig *rig;
 
 static int set_up(void **state)
 {
     (void)state;
-    stage = stage_new(true);
-    if (*stage->error)
-        print_error("%s\n", stage->error);
-    return *stage->error != 0;
+    rig = rig_new(true);
+    if (*rig->error)
+        print_error("%s\n", rig->error);
+    return *rig->error != 0;
 }
 
 static int tear_down(void **state)
 {
     (void)state;
-    stage_free(stage);
+    rig_free(rig);
     return 0;
 }
 
@@ -113,12 +113,12 @@ static double draw(const Case *c, const char *aa, int *count)
     snprintf(text, sizeof text,
              "{ material: Phong, diffuse: { map: Checker, input: { map: UVTransform, scaleU: %g, scaleV: %g } } }",
              c->scale, c->scale);
-    if (!scene_open(&scene, stage->store, text, &(SceneOptions){.pass = c->pass, .aa = aa}))
+    if (!scene_open(&scene, rig->store, text, &(SceneOptions){.pass = c->pass, .aa = aa}))
         fail_msg("%s", scene.error);
-    if (!stage_draw(stage, &scene, &space, NULL, &stage->full) || (!sky && !stage_unpack(stage, &scene, &stage->full)))
-        fail_msg("%s", stage->gl->error);
+    if (!rig_draw(rig, &scene, &space, NULL, &rig->full) || (!sky && !rig_unpack(rig, &scene, &rig->full)))
+        fail_msg("%s", rig->gl->error);
     scene_close(&scene);
-    const float(*drawn)[4] = (const float(*)[4])(sky ? stage->color[0] : stage->slot[SLOT_diffuse]);
+    const float(*drawn)[4] = (const float(*)[4])(sky ? rig->color[0] : rig->slot[SLOT_diffuse]);
     return error_of(&space, c->meet, c->scale, drawn, count);
 }
 

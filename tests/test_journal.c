@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/base/bytes.h"
-#include "compiler/base/stage_journal.h"
+#include "compiler/base/staging_journal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>

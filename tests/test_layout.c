@@ -271,7 +271,7 @@ static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
     int number = drawn_case(g);
     f->cases |= 1 << number;
     f->last_case = number;
-    assert_null(layout_place(g->layout, number, &placement));
+    assert_null(layout_allocate(g->layout, number, &placement));
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_case_has_slot(&g->layout->cases[number], (Slot)slot))
             check_slot(f, g, (Slot)slot, &placement, (Drawn){&values, front});
@@ -365,7 +365,7 @@ static void check_places(const LayoutRow *layout, int number)
     Placement placement;
     memset(taken, 0, sizeof taken);
     memset(taken[0][0], 1, (size_t)layout_case_bits(layout));
-    assert_null(layout_place(layout, number, &placement));
+    assert_null(layout_allocate(layout, number, &placement));
     for (int k = 0; k < placement.count; k++) {
         const Piece *piece = &placement.pieces[k];
         const FormatRow *format = &format_table[layout->formats[piece->target]];
@@ -496,10 +496,10 @@ static void rows_that_do_not_fit_are_told(void **state)
     static const FieldRow odd[] = {SINGLE(radix, 8, shininess)};
     static const FieldRow floats[] = {TRIPLE(plain, 16, diffuse)};
     Placement placement;
-    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(full)}, 0, &placement), &full[1]);
-    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(wide)}, 0, &placement), wide);
-    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_RGBA16F}, CASE_OF(odd)}, 0, &placement), odd);
-    assert_ptr_equal(layout_place(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(floats)}, 0, &placement), floats);
+    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(full)}, 0, &placement), &full[1]);
+    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(wide)}, 0, &placement), wide);
+    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_RGBA16F}, CASE_OF(odd)}, 0, &placement), odd);
+    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(floats)}, 0, &placement), floats);
 }
 
 /* Every layout in every GLSL that it has, for both passes that write one: glslang takes it, SPIR-V too. */

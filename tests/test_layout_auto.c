@@ -166,7 +166,7 @@ static int placed_bits(const Set *set)
     for (int number = 0; number < set->layout->row->case_count; number++) {
         int bits = layout_case_bits(set->layout->row);
         Placement placement;
-        assert_null(layout_place(set->layout->row, number, &placement));
+        assert_null(layout_allocate(set->layout->row, number, &placement));
         for (int i = 0; i < placement.count; i++)
             bits += placement.pieces[i].size;
         most = bits > most ? bits : most;

@@ -136,7 +136,7 @@ static void every_set_finds_a_case(void **state)
             assert_true(has_case(layout->row, slots[i]));
         for (int number = 0; number < layout->row->case_count; number++) {
             Placement placement;
-            assert_null(layout_place(layout->row, number, &placement));
+            assert_null(layout_allocate(layout->row, number, &placement));
         }
         crowded += ranges.others.materials > 0;
         several += layout->row->case_count > 1;

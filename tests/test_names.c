@@ -48,7 +48,7 @@ static void names_that_are_alike_are_several(void **state)
     Arena arena = {0};
     Names names = {0};
     const int count = sizeof alike / sizeof *alike;
-    for (int turn = 0; turn < 2; turn++)
+    for (int round = 0; round < 2; round++)
         for (int i = 0; i < count; i++)
             assert_int_equal(names_add(&arena, &names, alike[i]), i);
     assert_int_equal(names_find(&names, "nam"), -1);

@@ -8,45 +8,45 @@
 #include "tests/value/apart.h"
 #include "tests/value/half.h"
 #include "tests/value/scene.h"
-#include "tests/value/stage.h"
+#include "tests/value/rig.h"
 #include "tests/value/vertices.h"
 #include <string.h>
 
-enum { SIDE = STAGE_SIDE, PIXELS = STAGE_PIXELS };
-#define STAGE ((Stage *)*state)
+enum { SIDE = RIG_SIDE, PIXELS = RIG_PIXELS };
+#define RIG ((Rig *)*state)
 
 static int set_up(void **state)
 {
-    Stage *stage = *state = stage_new(true);
-    if (*stage->error)
-        print_error("%s\n", stage->error);
-    return *stage->error != 0;
+    Rig *rig = *state = rig_new(true);
+    if (*rig->error)
+        print_error("%s\n", rig->error);
+    return *rig->error != 0;
 }
 
 static int tear_down(void **state)
 {
-    stage_free(*state);
+    rig_free(*state);
     return 0;
 }
 
-static Scene open(Stage *stage, const char *text, const SceneOptions *options)
+static Scene open(Rig *rig, const char *text, const SceneOptions *options)
 {
     Scene scene;
-    if (!scene_open(&scene, stage->store, text, options))
+    if (!scene_open(&scene, rig->store, text, options))
         fail_msg("%s", scene.error);
     return scene;
 }
 
-static void draw(Stage *stage, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
+static void draw(Rig *rig, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
 {
-    if (!stage_draw(stage, scene, space, mesh, target))
-        fail_msg("%s", stage->gl->error);
+    if (!rig_draw(rig, scene, space, mesh, target))
+        fail_msg("%s", rig->gl->error);
 }
 
-static void unpack(Stage *stage, const Scene *scene, const Framebuffer *source)
+static void unpack(Rig *rig, const Scene *scene, const Framebuffer *source)
 {
-    if (!stage_unpack(stage, scene, source))
-        fail_msg("%s", stage->gl->error);
+    if (!rig_unpack(rig, scene, source))
+        fail_msg("%s", rig->gl->error);
 }
 
 static SlotValues values_at(const Scene *scene, const Surface *surface)
@@ -61,7 +61,7 @@ static double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; } /* of a
 
 /* A plane, as one without end or as a mesh of which u and v are from 0 to 1. */
 typedef struct {
-    Stage *stage;
+    Rig *rig;
     Scene *scene;
     Space space;
     bool mesh;
@@ -75,7 +75,7 @@ typedef struct {
 /* Errors of the ray grow with the distance and as the plane is seen from aside. */
 static void compare_hit(const View *view, int i, const Hit *hit, Errors *errors)
 {
-    const Stage *s = view->stage;
+    const Rig *s = view->rig;
     Surface surface = space_surface(&view->space, hit, view->mesh);
     SlotValues want = values_at(view->scene, &surface);
     double eye[4], size = fmax(1, fmax(fabs(hit->u), fabs(hit->v))) / fabs(hit->slope);
@@ -100,7 +100,7 @@ static double beyond(const Hit *hit) { return fmax(fabs(hit->u - 0.5), fabs(hit-
 static void compare_plane(const View *view)
 {
     Errors errors = {0};
-    Stage *s = view->stage;
+    Rig *s = view->rig;
     draw(s, view->scene, &view->space, view->mesh ? &s->plane : NULL, &s->full);
     unpack(s, view->scene, &s->full);
     for (int i = 0; i < PIXELS; i++) {
@@ -108,7 +108,7 @@ static void compare_plane(const View *view)
         bool shown = hit.before && (!view->mesh || beyond(&hit) < 0);
         if (fabs(hit.slope) < 1e-4 || (view->mesh && fabs(beyond(&hit)) < 1e-3))
             continue;
-        if (shown != (s->color[1][i][0] != stage_cleared) || shown != (s->z[i] != stage_cleared_depth))
+        if (shown != (s->color[1][i][0] != rig_cleared) || shown != (s->z[i] != rig_cleared_depth))
             fail_msg("pixel %d, %d: shown %d, but %g, %g", i % SIDE, i / SIDE, shown, s->color[1][i][0], s->z[i]);
         errors.shown += shown;
         errors.hidden += !shown;
@@ -161,7 +161,7 @@ static void a_surface_stands_in_the_world(void **state)
 
 /* Vertices where they stand. */
 typedef struct {
-    Stage *stage;
+    Rig *rig;
     const Space *space;
     const Vertices *vertices;
 } PlacedVertices;
@@ -169,23 +169,23 @@ typedef struct {
 /* One slot of all vertices; without a slot in the options the normal, as it is read back of a G-buffer. */
 static void compare_vertices(const PlacedVertices *placed, const char *text, const SceneOptions *options, Slot slot)
 {
-    Stage *stage = placed->stage;
+    Rig *rig = placed->rig;
     const Space *space = placed->space;
     const Vertices *vertices = placed->vertices;
-    Scene scene = open(stage, text, options);
+    Scene scene = open(rig, text, options);
     double worst = 0;
     bool eye = !options->slot;
-    assert_true(stage_begin(stage, &stage->full));
+    assert_true(rig_begin(rig, &rig->full));
     scene_use(&scene, space);
-    vertices_draw(vertices, stage->gl);
-    assert_true(stage_finish(stage, &stage->full));
+    vertices_draw(vertices, rig->gl);
+    assert_true(rig_finish(rig, &rig->full));
     if (eye)
-        unpack(stage, &scene, &stage->full);
+        unpack(rig, &scene, &rig->full);
     for (int i = 0; i < VERTICES; i++) {
         SlotValues values = values_at(&scene, &vertices->surface[i]);
         double turned[4], *want = eye ? turned : values.lane[slot];
         space_transform(&space->eye_from_world, values.lane[slot], 0, turned);
-        const float *drawn = (eye ? stage->slot[SLOT_normal] : stage->color[0])[vertices->pixel[i]];
+        const float *drawn = (eye ? rig->slot[SLOT_normal] : rig->color[0])[vertices->pixel[i]];
         if (!(note(apart(drawn, want), &worst) < 2e-6))
             fail_msg("%s: %s: %.9g, not %.9g", options->target, slot_table[slot].name, drawn[0], want[0]);
     }
@@ -200,13 +200,13 @@ static const char frame_text[] =
     "specular: { map: Gradient, direction: [0.3, 0.7, -0.4], input: { map: XYZTransform, useGlobal: true } }\n"
     "input: { map: WaveMap, amplitude: 0.1, uCount: 0.5, vCount: 0.3 }\n";
 
-static void compare_attributes(Stage *stage, const Space *space, Vertices *vertices, const char *target)
+static void compare_attributes(Rig *rig, const Space *space, Vertices *vertices, const char *target)
 {
     static const Slot slots[] = {SLOT_diffuse, SLOT_specular, SLOT_normal};
     SceneOptions options = {.pass = "value", .target = target};
-    const PlacedVertices placed = {stage, space, vertices};
-    assert_true(gl_use(stage->gl));
-    vertices_upload(vertices, stage->gl);
+    const PlacedVertices placed = {rig, space, vertices};
+    assert_true(gl_use(rig->gl));
+    vertices_upload(vertices, rig->gl);
     for (int k = 0; k < 3; k++) {
         options.slot = slot_table[slots[k]].name;
         compare_vertices(&placed, frame_text, &options, slots[k]);
@@ -214,13 +214,13 @@ static void compare_attributes(Stage *stage, const Space *space, Vertices *verti
     compare_vertices(&placed, "material: Phong", &options, SLOT_normal);
     if (!strcmp(target, "glsl330"))
         compare_vertices(&placed, "material: Phong", &(SceneOptions){.target = target}, SLOT_normal);
-    vertices_delete(vertices, stage->gl);
+    vertices_delete(vertices, rig->gl);
 }
 
 static void every_attribute_arrives(void **state)
 {
     static Vertices vertices;
-    Stage *old = stage_new(false);
+    Rig *old = rig_new(false);
     assert_string_equal(old->error, "");
     Space space = space_camera((float[3]){2.5f, -2, 2}, (float[3]){0.1f, 0, 0}, 0.5f);
     space_place(&space);
@@ -228,14 +228,14 @@ static void every_attribute_arrives(void **state)
     compare_attributes(*state, &space, &vertices, "glsl330");
     compare_attributes(*state, &space, &vertices, "essl300");
     compare_attributes(old, &space, &vertices, "glsl110");
-    stage_free(old);
-    assert_true(gl_use(STAGE->gl));
+    rig_free(old);
+    assert_true(gl_use(RIG->gl));
 }
 
 /* Greatest error of a sky in one direction, where a Checker of 6 u and 5 v is not near a border. */
-static void compare_sky(Stage *stage, Scene *scene, const Space *space, double bound, double *worst)
+static void compare_sky(Rig *rig, Scene *scene, const Space *space, double bound, double *worst)
 {
-    draw(stage, scene, space, NULL, &stage->full);
+    draw(rig, scene, space, NULL, &rig->full);
     for (int i = 0; i < PIXELS; i += 5) {
         Hit hit = space_meet(space, middle(i % SIDE), middle(i / SIDE));
         const double *ray = hit.ray, u = atan2(ray[1], -ray[0]) / (2 * M_PI) + 0.5, v = acos(-ray[2]) / M_PI;
@@ -249,7 +249,7 @@ static void compare_sky(Stage *stage, Scene *scene, const Space *space, double b
         double *want = values.lane[SLOT_diffuse];
         for (int lane = 0; lane < 3; lane++)
             want[lane] += values.lane[SLOT_emissive][lane];
-        const float *drawn = stage->color[0][i];
+        const float *drawn = rig->color[0][i];
         if (!(note(apart(drawn, want) / fmax(1, want[1]), worst) < bound) || drawn[3] != 1)
             fail_msg("ray (%.7g, %.7g, %.7g): red %.7g, alpha %.7g, not %.7g, 1", ray[0], ray[1], ray[2], drawn[0],
                      drawn[3], want[0]);
@@ -294,14 +294,14 @@ static void find_holes(const Scene *scene, bool holes[8][8])
 }
 
 /* A tilted plane. The pass `depth`, and `shadow` of what is opaque, read nothing and discard nothing. */
-static void compare_shadow(Stage *stage, const char *text, const char *pass, bool lets_light)
+static void compare_shadow(Rig *rig, const char *text, const char *pass, bool lets_light)
 {
     bool holes[8][8] = {0};
-    Scene scene = open(stage, text, &(SceneOptions){.pass = pass});
+    Scene scene = open(rig, text, &(SceneOptions){.pass = pass});
     const char *fragment = matc_output(scene.program, MATC_FRAGMENT, NULL);
     Space space = space_flat();
     space.world_from_local.m[2] = 0.3f;
-    draw(stage, &scene, &space, &stage->plane, &stage->depth);
+    draw(rig, &scene, &space, &rig->plane, &rig->depth);
     if (lets_light)
         find_holes(&scene, holes);
     else if (strstr(fragment, "discard") || strstr(fragment, "\nin ") ||
@@ -309,9 +309,9 @@ static void compare_shadow(Stage *stage, const char *text, const char *pass, boo
         fail_msg("%s does too much:\n%s", pass, fragment);
     for (int i = 0; i < PIXELS; i++) {
         bool hole = holes[i / SIDE * 8 / SIDE][i % SIDE * 8 / SIDE];
-        double depth = hole ? stage_cleared_depth : 0.5 + 0.15 * middle(i % SIDE);
-        if (!(fabs(stage->z[i] - depth) < 1e-6))
-            fail_msg("%s, pixel %d, %d: depth %.9g, not %.9g", pass, i % SIDE, i / SIDE, stage->z[i], depth);
+        double depth = hole ? rig_cleared_depth : 0.5 + 0.15 * middle(i % SIDE);
+        if (!(fabs(rig->z[i] - depth) < 1e-6))
+            fail_msg("%s, pixel %d, %d: depth %.9g, not %.9g", pass, i % SIDE, i / SIDE, rig->z[i], depth);
     }
     scene_close(&scene);
 }
@@ -342,7 +342,7 @@ static void only_what_is_transparent_is_discarded(void **state)
 
 enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 }; /* how a slot is kept: to a half float, to seven bits; a pixel */
 
-static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, int lane, int how)
+static void compare_slot(const Rig *s, const SlotValues *values, Slot slot, int lane, int how)
 {
     double value = values->lane[slot][lane], greatest = how == PAIR ? 1 : 65504, least = how == PAIR ? 0 : -greatest;
     double want = fmin(fmax(value, least), greatest), got = s->slot[slot][MIDDLE][lane];
@@ -351,27 +351,27 @@ static void compare_slot(const Stage *s, const SlotValues *values, Slot slot, in
         fail_msg("%s: %.9g comes back as %.9g", slot_table[slot].name, value, got);
 }
 
-static void compare_round_trip(Stage *stage, Scene *scene, const float direction[3], double *worst)
+static void compare_round_trip(Rig *rig, Scene *scene, const float direction[3], double *worst)
 {
     Space space = space_flat();
     space.world_from_local = mat4_look_at((float[3]){0, 0, 0}, direction, (float[3]){0.3f, 1, 0.2f});
-    draw(stage, scene, &space, &stage->plane, &stage->half);
-    unpack(stage, scene, &stage->half);
+    draw(rig, scene, &space, &rig->plane, &rig->half);
+    unpack(rig, scene, &rig->half);
     Surface s;
     oracle_surface_default(&s);
     const float *normal = &space.world_from_local.m[8];
     surface_set3(&s, GROUP_N, (double[3]){normal[0], normal[1], normal[2]});
     s.front = normal[2] > 0;
     SlotValues values = values_at(scene, &s);
-    assert_true(note(angle(stage->slot[SLOT_normal][MIDDLE], values.lane[SLOT_normal]), worst) < 0.22);
-    compare_slot(stage, &values, SLOT_shininess, 0, HALF);
-    compare_slot(stage, &values, SLOT_transparencyShininess, 0, HALF);
+    assert_true(note(angle(rig->slot[SLOT_normal][MIDDLE], values.lane[SLOT_normal]), worst) < 0.22);
+    compare_slot(rig, &values, SLOT_shininess, 0, HALF);
+    compare_slot(rig, &values, SLOT_transparencyShininess, 0, HALF);
     for (int lane = 0; lane < 3; lane++) {
-        compare_slot(stage, &values, SLOT_diffuse, lane, HALF);
-        compare_slot(stage, &values, SLOT_specular, lane, HALF);
-        compare_slot(stage, &values, SLOT_transparency, lane, HALF);
-        compare_slot(stage, &values, SLOT_emissive, lane, PAIR);
-        compare_slot(stage, &values, SLOT_diffuseTransparency, lane, PAIR);
+        compare_slot(rig, &values, SLOT_diffuse, lane, HALF);
+        compare_slot(rig, &values, SLOT_specular, lane, HALF);
+        compare_slot(rig, &values, SLOT_transparency, lane, HALF);
+        compare_slot(rig, &values, SLOT_emissive, lane, PAIR);
+        compare_slot(rig, &values, SLOT_diffuseTransparency, lane, PAIR);
     }
 }
 

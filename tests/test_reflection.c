@@ -60,10 +60,10 @@ static bool is_bound(const Fact *fact) { return fact->kind == FACT_block || fact
 static void check_bindings(Test *t, const char *where)
 {
     const Fact *seen[FACT_ROOM] = {NULL};
-    const Facts *stages[] = {&t->told, &t->told_vertex};
-    for (int stage = 0; stage < 2; stage++)
-        for (int i = 0; i < stages[stage]->count; i++) {
-            const Fact *fact = &stages[stage]->at[i];
+    const Facts *shaders[] = {&t->told, &t->told_vertex};
+    for (int shader = 0; shader < 2; shader++)
+        for (int i = 0; i < shaders[shader]->count; i++) {
+            const Fact *fact = &shaders[shader]->at[i];
             if (!is_bound(fact) || fact->place < 0 || fact->place >= FACT_ROOM)
                 continue;
             if (seen[fact->place])

@@ -245,7 +245,7 @@ static double slot_bound(const Run *r, Slot slot, const float *value)
     double bound = 0;
     Placement placement;
     for (int number = 0; number < r->g.layout->case_count; number++) {
-        assert_null(layout_place(r->g.layout, number, &placement));
+        assert_null(layout_allocate(r->g.layout, number, &placement));
         for (int i = 0; i < placement.count; i++)
             if (placement.pieces[i].field->source[placement.pieces[i].first].slot == slot)
                 bound = fmax(bound, piece_bound(&placement.pieces[i], value));

@@ -33,7 +33,7 @@ static double noise_at(ReferenceNoise noise, const double p[3])
     return clamp(2 * reference_lattice(noise, p), -1, 1);
 }
 
-static void random_place(uint64_t *random, double p[3])
+static void random_point(uint64_t *random, double p[3])
 {
     for (int i = 0; i < 3; i++)
         p[i] = 3000 * (double)java_random_signed(random) + (double)java_random_signed(random);
@@ -51,7 +51,7 @@ static Moments measure(ReferenceNoise noise)
     double square = 0;
     for (int i = 0; i < POINTS; i++) {
         double p[3], value[3], slope[3][3];
-        random_place(&random, p);
+        random_point(&random, p);
         reference_lattice_slope(noise, p, value, slope);
         double v = clamp(2 * value[0], -1, 1);
         for (int lane = 0; lane < 3; lane++)
@@ -160,7 +160,7 @@ static double best_factor(ReferenceNoise noise, double mean, double width)
     double both = 0, square = 0;
     for (int i = 0; i < SQUARES; i++) {
         double p[3], sum = 0;
-        random_place(&random, p);
+        random_point(&random, p);
         double middle = noise_at(noise, p) - mean;
         for (int k = 0; k < SIDE * SIDE; k++) {
             const double q[3] = {p[0] + width * ((k % SIDE + .5) / SIDE - .5),

@@ -1,4 +1,4 @@
-/* Diagnostics as text: place, message, source line, caret; or as JSON. */
+/* Diagnostics as text: position, message, source line, caret; or as JSON. */
 #include "compiler/base/session.h"
 #include "compiler/base/json_write.h"
 #include <limits.h>
@@ -28,23 +28,23 @@ void diag_message(Text *out, DiagKind kind, va_list args)
     text_format_list(out, format, args);
 }
 
-Place source_place(const Source *source, uint32_t offset)
+SourcePosition source_position(const Source *source, uint32_t offset)
 {
     if (offset > source->size)
         offset = (uint32_t)source->size;
-    Place place = {1, 1, source->text, 0};
+    SourcePosition position = {1, 1, source->text, 0};
     const char *at = source->text + offset;
     for (const char *c = source->text; (c = memchr(c, '\n', (size_t)(at - c))); c++) {
-        place.line++;
-        place.line_start = c + 1;
+        position.line++;
+        position.line_start = c + 1;
     }
-    place.column = (int)(at - place.line_start) + 1;
-    size_t rest = source->size - (size_t)(place.line_start - source->text);
-    const char *end = memchr(place.line_start, '\n', rest);
-    place.line_length = (int)(end ? end - place.line_start : (ptrdiff_t)rest);
-    if (place.line_length > 0 && place.line_start[place.line_length - 1] == '\r')
-        place.line_length--;
-    return place;
+    position.column = (int)(at - position.line_start) + 1;
+    size_t rest = source->size - (size_t)(position.line_start - source->text);
+    const char *end = memchr(position.line_start, '\n', rest);
+    position.line_length = (int)(end ? end - position.line_start : (ptrdiff_t)rest);
+    if (position.line_length > 0 && position.line_start[position.line_length - 1] == '\r')
+        position.line_length--;
+    return position;
 }
 
 static bool continues_character(char c) { return ((unsigned char)c & 0xC0) == 0x80; }
@@ -60,17 +60,17 @@ static void put_columns(Text *out, const char *text, size_t size, char mark)
 }
 
 /* The line under the source line: a caret at the span's start, tildes to its end. */
-static void put_caret(Text *out, const Place *place, uint32_t length)
+static void put_caret(Text *out, const SourcePosition *position, uint32_t length)
 {
-    const size_t line = (size_t)place->line_length, column = (size_t)place->column - 1,
+    const size_t line = (size_t)position->line_length, column = (size_t)position->column - 1,
                  from = column < line ? column : line;
     size_t to = length < line - from ? from + length : line;
-    while (to > from && to < line && continues_character(place->line_start[to]))
+    while (to > from && to < line && continues_character(position->line_start[to]))
         to++;
     text_put(out, "      | ");
-    put_columns(out, place->line_start, from, ' ');
+    put_columns(out, position->line_start, from, ' ');
     Text marks = text_new(out->arena);
-    put_columns(&marks, place->line_start + from, to - from, '~');
+    put_columns(&marks, position->line_start + from, to - from, '~');
     text_char(out, '^');
     if (marks.size)
         text_add(out, marks.at + 1, marks.size - 1);
@@ -97,16 +97,16 @@ void diag_print(Text *out, const Diag *diag, const Source *sources)
         return;
     }
     const Source *source = &sources[diag->span.file];
-    Place place = source_place(source, diag->span.start);
+    SourcePosition position = source_position(source, diag->span.start);
     text_visible(out, source->name, strlen(source->name));
-    text_format(out, ":%d:%d: %s: ", place.line, place.column, severity_name[diag->severity]);
+    text_format(out, ":%d:%d: %s: ", position.line, position.column, severity_name[diag->severity]);
     put_message(out, diag);
-    if (!source->size || place.line_length > LONGEST_LINE)
+    if (!source->size || position.line_length > LONGEST_LINE)
         return;
-    text_format(out, "%5d | ", place.line);
-    text_visible(out, place.line_start, (size_t)place.line_length);
+    text_format(out, "%5d | ", position.line);
+    text_visible(out, position.line_start, (size_t)position.line_length);
     text_char(out, '\n');
-    put_caret(out, &place, diag->span.end - diag->span.start);
+    put_caret(out, &position, diag->span.end - diag->span.start);
 }
 
 void diag_print_json(Text *out, const Diag *diag, const Source *sources)
@@ -117,7 +117,7 @@ void diag_print_json(Text *out, const Diag *diag, const Source *sources)
     json_next(out, "message", diag->message);
     if (diag->span.file != NO_FILE) {
         const Source *source = &sources[diag->span.file];
-        Place start = source_place(source, diag->span.start), end = source_place(source, diag->span.end);
+        SourcePosition start = source_position(source, diag->span.start), end = source_position(source, diag->span.end);
         json_next(out, "file", source->name);
         text_format(out, ", \"line\": %d, \"column\": %d, \"endLine\": %d, \"endColumn\": %d", start.line, start.column,
                     end.line, end.column);

@@ -43,18 +43,18 @@ static const char *write_directly(const char *path, const void *bytes, size_t si
     return why;
 }
 
-Stage *outputs_open(Outputs *o, const char *folder, unsigned how, const char **why)
+Staging *outputs_open(Outputs *o, const char *folder, unsigned how, const char **why)
 {
     *why = "too many folders";
-    Stage *stage = o->count < OUTPUT_FOLDERS ? stage_open(folder, how, why) : NULL;
-    for (int i = 0; i < o->count && stage; i++)
-        if (stage_same(o->stages[i], stage)) {
-            stage_close(stage);
-            return o->stages[i];
+    Staging *staging = o->count < OUTPUT_FOLDERS ? staging_open(folder, how, why) : NULL;
+    for (int i = 0; i < o->count && staging; i++)
+        if (staging_same(o->stagings[i], staging)) {
+            staging_close(staging);
+            return o->stagings[i];
         }
-    if (stage)
-        o->stages[o->count++] = stage;
-    return stage;
+    if (staging)
+        o->stagings[o->count++] = staging;
+    return staging;
 }
 
 const char *outputs_put(Outputs *o, const char *path, const void *bytes, size_t size)
@@ -67,17 +67,17 @@ const char *outputs_put(Outputs *o, const char *path, const void *bytes, size_t 
     char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
     if (!folder)
         return "out of memory";
-    Stage *stage = outputs_open(o, folder, STAGE_renew, &why);
+    Staging *staging = outputs_open(o, folder, STAGING_renew, &why);
     free(folder);
-    return stage ? stage_put(stage, name, bytes, size) : why;
+    return staging ? staging_put(staging, name, bytes, size) : why;
 }
 
-const char *outputs_commit(Outputs *o) { return stage_commit(o->stages, o->count); }
+const char *outputs_commit(Outputs *o) { return staging_commit(o->stagings, o->count); }
 
 void outputs_close(Outputs *o)
 {
     while (o->count)
-        stage_close(o->stages[--o->count]);
+        staging_close(o->stagings[--o->count]);
 }
 
 const char *output_write(const char *path, const void *bytes, size_t size)

@@ -2,7 +2,7 @@
 #ifndef MATC_OUTPUT_H
 #define MATC_OUTPUT_H
 #include "compiler/matc.h"
-#include "compiler/base/stage.h"
+#include "compiler/base/staging.h"
 
 enum { OUTPUT_FOLDERS = 4 };
 
@@ -10,12 +10,12 @@ enum { OUTPUT_FOLDERS = 4 };
  * place; so are "-", which is standard output, and what stands for an open file (/dev/stdout, /dev/fd/3). Another link is replaced
  * by the file, and not followed. */
 typedef struct {
-    Stage *stages[OUTPUT_FOLDERS];
+    Staging *stagings[OUTPUT_FOLDERS];
     int count;
 } Outputs;
 
-/* The stage of a folder; NULL, and *why. */
-Stage *outputs_open(Outputs *outputs, const char *folder, unsigned how, const char **why);
+/* The staging of a folder; NULL, and *why. */
+Staging *outputs_open(Outputs *outputs, const char *folder, unsigned how, const char **why);
 /* NULL, or why not. A file is replaced by an equal one, too. */
 const char *outputs_put(Outputs *outputs, const char *path, const void *bytes, size_t size);
 const char *outputs_commit(Outputs *outputs);

@@ -1,4 +1,4 @@
-/* Source texts and places in them. Offsets are bytes; lines and columns are computed only for printing. */
+/* Source texts and positions in them. Offsets are bytes; lines and columns are computed only for printing. */
 #ifndef MATC_SOURCE_H
 #define MATC_SOURCE_H
 #include <stddef.h>
@@ -20,6 +20,6 @@ typedef struct {
     int line, column; /* from 1; the column counts bytes, as gcc's do */
     const char *line_start;
     int line_length; /* bytes, without the line break */
-} Place;
-Place source_place(const Source *source, uint32_t offset);
+} SourcePosition;
+SourcePosition source_position(const Source *source, uint32_t offset);
 #endif

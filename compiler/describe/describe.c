@@ -119,7 +119,7 @@ void describe_piece(Text *out, const Piece *piece)
     }
 }
 
-void describe_place(Text *out, const LayoutRow *layout, const Piece *piece)
+void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece)
 {
     const char *letter = &"rgba"[piece->lane];
     int last = piece->shift + piece->size - 1;

@@ -20,7 +20,7 @@ void describe_range(Text *out, const ParamRow *param);
 void describe_example(Text *out, Kind kind, const char *name);
 /* Of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "0.00196". */
 void describe_piece(Text *out, const Piece *piece);
-void describe_place(Text *out, const LayoutRow *layout, const Piece *piece);
+void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece);
 void describe_error(Text *out, const FieldRow *field);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);

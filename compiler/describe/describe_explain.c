@@ -227,7 +227,7 @@ char *matc_explain(const char *name)
     Arena arena = {0};
     Text out = text_new(&arena);
     Query query = {&out, name, strcmp};
-    for (int turn = 0; turn < 2 && !out.size; turn++) {
+    for (int round = 0; round < 2 && !out.size; round++) {
         explain_kinds(&query);
         explain_waves(&query);
         explain_colors(&query);

@@ -4,7 +4,7 @@
 static void put_pieces(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
-    layout_place(layout, number, &placement); /* it was checked: every row fits */
+    layout_allocate(layout, number, &placement); /* it was checked: every row fits */
     if (number)
         text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
     text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored", "error at most");
@@ -13,7 +13,7 @@ static void put_pieces(Text *out, const LayoutRow *layout, int number)
         Text cells[5];
         for (int k = 0; k < 5; k++)
             cells[k] = text_new(out->arena);
-        describe_place(&cells[0], layout, piece);
+        describe_allocation(&cells[0], layout, piece);
         describe_piece(&cells[1], piece);
         layout_put_encoding(&cells[2], piece->field);
         layout_put_range(&cells[3], piece->field);

@@ -75,7 +75,7 @@ static void put_uniform(Scope *e, Text *out, Ref ref)
     text_put(out, e->ir->graph->uniforms[uniform]->name);
 }
 
-static void put_constant(Scope *e, Text *out, Ref ref)
+static void put_member(Scope *e, Text *out, Ref ref)
 {
     text_put(out, e->ir->constants[ir_at(e->ir, ref)->payload].name);
 }

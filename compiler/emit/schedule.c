@@ -63,7 +63,7 @@ static void bound_depth(Schedule *s, Ref ref)
         s->branch[ref] = 0;
 }
 
-static void place(const Ir *ir, Schedule *s, const Ref *roots, int count)
+static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count)
 {
     clear(s);
     for (int i = 0; i < count; i++)
@@ -117,7 +117,7 @@ void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branc
     ir_reach(ir, roots, count, &s->nodes);
     for (size_t i = 0; i < s->nodes.count; i++)
         s->branch[s->nodes.at[i]] = branches && ir_is(ir, s->nodes.at[i], OP_select);
-    place(ir, s, roots, count);
+    assign_blocks(ir, s, roots, count);
     if (demote(s))
-        place(ir, s, roots, count);
+        assign_blocks(ir, s, roots, count);
 }

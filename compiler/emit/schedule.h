@@ -25,6 +25,6 @@ typedef struct {
 } Schedule;
 
 Schedule schedule_new(const Ir *ir, Arena *arena);
-/* Places what `roots` need. Without `branches` every select is an expression. */
+/* Gives a block to what `roots` need. Without `branches` every select is an expression. */
 void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches);
 #endif

@@ -158,7 +158,7 @@ static void put_fetches(Text *out, const Job *job)
 static void put_case(Text *out, const LayoutRow *layout, int number, const char *indent)
 {
     Placement placement;
-    layout_place(layout, number, &placement); /* lowering has told what does not fit */
+    layout_allocate(layout, number, &placement); /* lowering has told what does not fit */
     for (int i = 0; i < placement.count; i++)
         put_piece(out, layout, &placement.pieces[i], indent, i);
     for (int slot = 0; slot < SLOT_COUNT; slot++)

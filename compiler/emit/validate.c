@@ -75,7 +75,7 @@ static bool parse(Validation *v, glslang_stage_t stage, const char *code)
     return fail(v, glslang_shader_get_info_log(shader));
 }
 
-static bool link_stages(Validation *v, const char *vertex, const char *fragment)
+static bool link_shaders(Validation *v, const char *vertex, const char *fragment)
 {
     v->log = "glslang cannot be started";
     pthread_once(&initialised, initialise);
@@ -112,7 +112,7 @@ bool validate(Session *session, Target target, const ProgramTexts *texts, const 
     Validation v = {.session = session, .target = target};
     MatcLinked *linked = session->options ? session->options->linked : NULL;
     Key key = linked ? interface_key(target, texts) : (Key){0, 0};
-    bool known = linked_before(linked, key), fine = link_stages(&v, known ? NULL : texts->vertex, texts->fragment);
+    bool known = linked_before(linked, key), fine = link_shaders(&v, known ? NULL : texts->vertex, texts->fragment);
     if (fine && !known)
         linked_add(linked, key);
     *log = v.log;
@@ -124,7 +124,7 @@ const char *validate_to_spirv(Session *session, const char *fragment, size_t *si
 {
     Validation v = {.session = session, .target = TARGET_spirv};
     const char *words = NULL;
-    if (link_stages(&v, NULL, fragment)) {
+    if (link_shaders(&v, NULL, fragment)) {
         glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
         glslang_program_SPIRV_generate_with_options(v.program, GLSLANG_STAGE_FRAGMENT, &options);
         *size = glslang_program_SPIRV_get_size(v.program) * sizeof(unsigned);

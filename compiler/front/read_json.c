@@ -1,4 +1,4 @@
-/* JSON -> Tree, by RFC 8259 to the letter, with the place of every value and of the first byte that is wrong. The reader goes
+/* JSON -> Tree, by RFC 8259 to the letter, with the position of every value and of the first byte that is wrong. The reader goes
  * down the grammar, one function a rule; a text is looked through first, which gives its size, and then written. */
 #include "compiler/front/read.h"
 #include <ctype.h>

@@ -49,8 +49,8 @@ static uint32_t table_size(uint32_t count)
     return size;
 }
 
-/* The table's place of a key, in one block with the members, which it is as old as and never outgrows: it holds the number of the first member that has it, from 1, or 0. */
-static uint32_t *table_place(const Tree *object, const char *key, size_t size)
+/* The table's entry of a key, in one block with the members, which it is as old as and never outgrows: it holds the number of the first member that has it, from 1, or 0. */
+static uint32_t *table_entry(const Tree *object, const char *key, size_t size)
 {
     uint32_t *table = (uint32_t *)(object->members + object->count), mask = table_size(object->count) - 1;
     uint32_t at = tree_hash(key, size) & mask;
@@ -70,9 +70,9 @@ void tree_set_members(Session *session, Tree *object, const Member *members, siz
     memcpy(object->members, members, size);
     memset(object->members + count, 0, table);
     for (uint32_t i = 0; table && i < count; i++) {
-        uint32_t *place = table_place(object, members[i].key, members[i].size);
-        if (!*place)
-            *place = i + 1;
+        uint32_t *entry = table_entry(object, members[i].key, members[i].size);
+        if (!*entry)
+            *entry = i + 1;
     }
 }
 
@@ -81,7 +81,7 @@ const Member *tree_find_bytes(const Tree *object, const char *key, size_t size)
     if (object->kind != TREE_object)
         return NULL;
     if (object->count > LARGE_OBJECT) {
-        uint32_t found = *table_place(object, key, size);
+        uint32_t found = *table_entry(object, key, size);
         return found ? &object->members[found - 1] : NULL;
     }
     for (uint32_t i = 0; i < object->count; i++)

@@ -1,4 +1,4 @@
-/* The document as it was written: objects, lists and scalars, each with its place. Aliases share their anchor's node. */
+/* The document as it was written: objects, lists and scalars, each with its position. Aliases share their anchor's node. */
 #ifndef MATC_TREE_H
 #define MATC_TREE_H
 #include "compiler/base/session.h"
@@ -57,6 +57,6 @@ bool tree_is_null(const Tree *tree);
 bool tree_number(const Tree *tree, double *value);
 /* What a value is, for messages: "a list", "the number 3", "'text'". */
 const char *tree_describe(Session *session, const Tree *tree);
-/* The tree as indented YAML-like text, with places; a shared subtree is printed once. */
+/* The tree as indented YAML-like text, with positions; a shared subtree is printed once. */
 void tree_print(Text *out, Tree *tree);
 #endif

@@ -23,11 +23,11 @@ Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
     const uint32_t hash = hash_pointer(source);
     for (HashProbe probe = hash_probe(&ir->constant_index, hash); source && hash_probe_next(&probe);)
         if (ir->constants[probe.number].source == source)
-            return build_leaf(ir, OP_constant, type, (int)probe.number);
+            return build_leaf(ir, OP_member, type, (int)probe.number);
     const uint32_t number = add_constant(ir, type, numbers, source, ir->hint);
     if (source)
         hash_index_add(ir->arena, &ir->constant_index, hash, number);
-    return build_leaf(ir, OP_constant, type, (int)number);
+    return build_leaf(ir, OP_member, type, (int)number);
 }
 
 bool constant_storable(Type type)
@@ -50,11 +50,11 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
         }
         if (node.op == OP_const)
             known[ref] = ref;
-        else if (node.op == OP_constant)
+        else if (node.op == OP_member)
             known[ref] = ir_const(ir, (Type)node.type, ir->constants[node.payload].numbers);
         else if (all && from_buffer[ref] && fold_node(ir, &node, args, numbers))
             known[ref] = ir_const(ir, (Type)node.type, numbers);
-        from_buffer[ref] |= node.op == OP_constant;
+        from_buffer[ref] |= node.op == OP_member;
     }
     return known;
 }
@@ -70,7 +70,7 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
     node->hint = hint;
     if (!room)
         return;
-    node->op = OP_constant;
+    node->op = OP_member;
     node->payload = add_constant(ir, (Type)node->type, numbers, NULL, hint);
 }
 
@@ -140,7 +140,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
         if (!leaf->op && !leaf->type) {
             uint8_t hint = user ? ir_at(ir, user)->hint : ir_at(ir, value)->hint;
             const double *numbers = ir_numbers(ir, value);
-            *leaf = (IrNode){.op = OP_constant, .type = ir_at(ir, value)->type, .hint = hint};
+            *leaf = (IrNode){.op = OP_member, .type = ir_at(ir, value)->type, .hint = hint};
             leaf->payload = add_constant(ir, (Type)leaf->type, numbers, NULL, hint);
             ir->constants[leaf->payload].member = member[i];
         }
@@ -189,7 +189,7 @@ static void take_users_hints(const Ir *ir, const uint32_t *number, IrConstant *k
     for (Ref ref = 1; ref < ir->count; ref++)
         for (int i = 0; i < ir_at(ir, ref)->count; i++) {
             const IrNode *arg = ir_at(ir, ir_arg(ir, ref, i));
-            if (arg->op == OP_constant && kept[number[arg->payload] - 1].hint == KIND_Constant)
+            if (arg->op == OP_member && kept[number[arg->payload] - 1].hint == KIND_Constant)
                 kept[number[arg->payload] - 1].hint = ir_at(ir, ref)->hint;
         }
 }
@@ -214,7 +214,7 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
         moved[from[i]] = (uint32_t)i;
     }
     for (Ref ref = 1; ref < ir->count; ref++)
-        if (ir_is(ir, ref, OP_constant))
+        if (ir_is(ir, ref, OP_member))
             ir->nodes[ref].payload = moved[number[ir->nodes[ref].payload] - 1];
     ir->constants = laid;
     ir->constant_count = count;

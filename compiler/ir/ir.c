@@ -7,6 +7,13 @@ const OpRow op_table[OP_COUNT] = {
 #include "grammar/ops.def"
 };
 
+static const char *const op_word[OP_COUNT] = {
+#define PRINT(name, word) [OP_##name] = word,
+#include "grammar/ops.def"
+};
+
+const char *op_text(Op op) { return op_word[op] ? op_word[op] : op_table[op].name; }
+
 const uint8_t op_payload[OP_COUNT] = {
 #define PAYLOAD(name, kind) [OP_##name] = PAYLOAD_##kind,
 #include "grammar/ops.def"

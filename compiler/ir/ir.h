@@ -23,6 +23,7 @@ typedef struct {
     const char *doc;
 } OpRow;
 extern const OpRow op_table[OP_COUNT];
+const char *op_text(Op op); /* in the text of the IR */
 
 /* What a node of an operation has beside its operands, in `payload`. */
 typedef enum {
@@ -30,7 +31,7 @@ typedef enum {
     PAYLOAD_numbers,  /* the first of its numbers */
     PAYLOAD_input,    /* an Input */
     PAYLOAD_uniform,  /* the graph's, by index */
-    PAYLOAD_constant, /* the IR's, by index */
+    PAYLOAD_member,   /* the IR's, by index */
     PAYLOAD_argument, /* whose set << 8 | its number */
     PAYLOAD_texture,  /* the IR's, by index */
     PAYLOAD_lanes,    /* two bits each */
@@ -151,9 +152,9 @@ static inline const double *ir_numbers(const Ir *ir, Ref ref) { return &ir->numb
  * is decided by them is part of the program's shape. */
 static inline const double *ir_known(const Ir *ir, Ref ref)
 {
-    return ir_is(ir, ref, OP_const)      ? ir_numbers(ir, ref)
-           : ir_is(ir, ref, OP_constant) ? ir->constants[ir->nodes[ref].payload].numbers
-                                         : NULL;
+    return ir_is(ir, ref, OP_const)    ? ir_numbers(ir, ref)
+           : ir_is(ir, ref, OP_member) ? ir->constants[ir->nodes[ref].payload].numbers
+                                       : NULL;
 }
 /* It runs a function of the program, which its payload numbers. */
 static inline bool ir_applies(const Ir *ir, Ref ref) { return op_payload[ir->nodes[ref].op] == PAYLOAD_function; }

@@ -48,7 +48,7 @@ static void eval_uniform(const Site *s, double *result)
     copy(s->node, s->e->ir->graph->uniforms[s->node->payload]->initial, result);
 }
 
-static void eval_constant(const Site *s, double *result)
+static void eval_member(const Site *s, double *result)
 {
     copy(s->node, s->e->ir->constants[s->node->payload].numbers, result);
 }

@@ -31,7 +31,7 @@ static void print_payload(Text *out, const Ir *ir, const IrNode *node)
     case PAYLOAD_uniform:
         text_format(out, " %s", ir->graph->uniforms[node->payload]->name);
         break;
-    case PAYLOAD_constant:
+    case PAYLOAD_member:
         print_numbers(out, node->type, ir->constants[node->payload].numbers);
         break;
     case PAYLOAD_argument:
@@ -59,7 +59,7 @@ static void print_payload(Text *out, const Ir *ir, const IrNode *node)
 static void print_node(Text *out, const Ir *ir, Ref ref)
 {
     const IrNode *node = ir_at(ir, ref);
-    text_format(out, "%s %s", op_table[node->op].name, type_table[node->type].name);
+    text_format(out, "%s %s", op_text((Op)node->op), type_table[node->type].name);
     print_payload(out, ir, node);
     for (int i = 0; i < node->count; i++)
         text_format(out, " %%%u", ir_arg(ir, ref, i));
@@ -135,7 +135,7 @@ void ir_dot(Text *out, const Ir *ir)
         const IrNode *node = ir_at(ir, ref);
         if (!live[ref])
             continue;
-        text_format(out, "  n%u [label=\"%s %s", ref, op_table[node->op].name, type_table[node->type].name);
+        text_format(out, "  n%u [label=\"%s %s", ref, op_text((Op)node->op), type_table[node->type].name);
         print_payload(out, ir, node);
         text_put(out, "\"];\n");
         for (int i = 0; i < node->count; i++)

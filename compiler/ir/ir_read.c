@@ -59,7 +59,7 @@ static int find(const char *name, const char *(*names)(int), int count)
     return -1;
 }
 
-static const char *op_name(int i) { return op_table[i].name; }
+static const char *op_name(int i) { return op_text((Op)i); }
 static const char *type_name(int i) { return type_table[i].name; }
 static const char *input_name(int i) { return input_table[i].name; }
 static const char *call_name(int i) { return function_row(i)->name; }
@@ -78,7 +78,7 @@ static bool read_lanes(const char *text, Type type, uint32_t *payload)
 }
 
 /* Whose set and its number in it, as a payload; -1: out of bounds. */
-static int argument_place(int set, int number)
+static int argument_payload(int set, int number)
 {
     return set >= 0 && set < LARGEST_NUMBER && number >= 0 && number < 256 ? set << 8 | number : -1;
 }
@@ -100,7 +100,7 @@ static int named_payload(const Scanner *s, Payload kind, Type type, const char *
     case PAYLOAD_uniform:
         return names_find(&s->ir->graph->uniform_names, text);
     case PAYLOAD_argument:
-        return strchr(text, '.') ? argument_place(atoi(text), atoi(strchr(text, '.') + 1)) : -1;
+        return strchr(text, '.') ? argument_payload(atoi(text), atoi(strchr(text, '.') + 1)) : -1;
     case PAYLOAD_texture:
         return atoi(text);
     case PAYLOAD_lanes:
@@ -150,7 +150,7 @@ static Ref read_node(Scanner *s)
         fail(s, "no such operation or type");
         return 0;
     }
-    if (op_payload[op] == PAYLOAD_numbers || op_payload[op] == PAYLOAD_constant)
+    if (op_payload[op] == PAYLOAD_numbers || op_payload[op] == PAYLOAD_member)
         return read_const(s, (Op)op, (Type)type);
     if (!read_payload(s, (Op)op, (Type)type, &payload))
         return 0;

@@ -88,7 +88,7 @@ static void put_payload(Walk *w, const IrNode *node)
     case PAYLOAD_library:
         put_text(w, function_row((int)node->payload)->name);
         break;
-    case PAYLOAD_constant: /* a buffer's members are told apart by the order in which they are met */
+    case PAYLOAD_member: /* a buffer's members are told apart by the order in which they are met */
         break;
     case PAYLOAD_texture:
         put(w, node->payload);
@@ -107,7 +107,7 @@ static void leave(Walk *w, Ref ref)
     w->number[ref] = ++w->met;
     put(w, (uint32_t)node->op << 16 | (uint32_t)node->type << 8 | node->count);
     put_payload(w, node);
-    if (node->op == OP_constant)
+    if (node->op == OP_member)
         ARENA_PUSH(w->arena, w->members, w->member_count, w->member_room, (int)node->payload);
     if (ir_applies(w->ir, ref)) {
         const IrFunction *function = &w->ir->functions[node->payload];

@@ -40,7 +40,7 @@ void auto_choose_formats(LayoutRow *row, int words)
 
 static int targets_of(int words) { return words / 4 + words % 4 / 2 + words % 2; }
 
-static bool place(const Search *s, unsigned slots)
+static bool can_fit(const Search *s, unsigned slots)
 {
     FieldRow fields[SLOT_COUNT];
     CaseRow only = {.fields = fields};
@@ -50,13 +50,13 @@ static bool place(const Search *s, unsigned slots)
         if (slots >> s->fields[i].source[0].slot & 1)
             fields[only.field_count++] = s->fields[i];
     row.cases = &only;
-    return !layout_place(&row, 0, &placement);
+    return !layout_allocate(&row, 0, &placement);
 }
 
 static bool fits(Search *s, unsigned slots)
 {
     if (!s->fits[slots])
-        s->fits[slots] = place(s, slots) ? 1 : 2;
+        s->fits[slots] = can_fit(s, slots) ? 1 : 2;
     return s->fits[slots] == 1;
 }
 

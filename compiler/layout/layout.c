@@ -1,4 +1,4 @@
-/* Places for the fields of a layout. */
+/* Allocates the fields of a layout. */
 #include "compiler/layout/layout.h"
 #include <string.h>
 
@@ -116,7 +116,7 @@ static bool fits(const Room *room, const FormatRow *format, const Piece *piece)
                          : fits_lanes(room, format, piece);
 }
 
-static bool find_place(Room *room, const LayoutRow *row, Piece *piece)
+static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
 {
     for (piece->target = 0; piece->target < layout_targets(row); piece->target++) {
         const FormatRow *format = &format_table[row->formats[piece->target]];
@@ -142,7 +142,7 @@ static bool is_sound(const FieldRow *field)
            field->bits <= encoding->most && (!encoding->takes || field->count % encoding->takes == 0);
 }
 
-const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placement)
+const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement)
 {
     const CaseRow *fields = &row->cases[number];
     Room room = {.taken = {{layout_case_bits(row)}}};
@@ -156,7 +156,7 @@ const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placem
             return field;
         for (int first = 0; first < field->count; first += takes) {
             Piece piece = {.field = field, .first = first, .count = takes, .size = field_size(field)};
-            if (placement->count == MOST_PIECES || !find_place(&room, row, &piece))
+            if (placement->count == MOST_PIECES || !find_room(&room, row, &piece))
                 return field;
             placement->pieces[placement->count++] = piece;
         }

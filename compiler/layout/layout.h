@@ -21,7 +21,7 @@ typedef struct {
 
 /* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it. The same rows always give
  * the same places. NULL, or the field that does not fit in. */
-const FieldRow *layout_place(const LayoutRow *row, int number, Placement *placement);
+const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement);
 /* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. */
 int layout_case_bits(const LayoutRow *row);
 int layout_targets(const LayoutRow *row);

@@ -106,7 +106,7 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
 static void check_room(Checker *k, int number, Tree *const *trees)
 {
     Placement placement;
-    const FieldRow *fault = layout_place(k->row, number, &placement);
+    const FieldRow *fault = layout_allocate(k->row, number, &placement);
     if (!fault)
         return;
     const bool words = encoding_table[fault->encoding].words;

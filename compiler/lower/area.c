@@ -232,8 +232,8 @@ Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
     Ref wider = build_max(ir, edge, width), narrower = build_min(ir, edge, width);
     Ref more = build_scale(ir, build_sub(ir, wider, width), 0.5);
     Ref begin = build_add(ir, from, more), end = build_sub(ir, build_sub(ir, t, high), more);
-    Ref place = build_clamp(ir, begin, build_neg(ir, wider), build_add(ir, wider, wider));
+    Ref position = build_clamp(ir, begin, build_neg(ir, wider), build_add(ir, wider, wider));
     Ref bends = build_sub(ir, footprint_box_corner(l, begin, narrower), footprint_box_corner(l, end, narrower));
-    Ref share = build_clamp(ir, footprint_over_edge(l, place, wider), zero, one);
+    Ref share = build_clamp(ir, footprint_over_edge(l, position, wider), zero, one);
     return build_add(ir, share, footprint_over_edge(l, bends, wider));
 }

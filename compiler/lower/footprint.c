@@ -67,7 +67,7 @@ int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
 {
     Ir *ir = l->ir;
-    static const double place[MOST_TAPS][2] = {
+    static const double offset[MOST_TAPS][2] = {
         {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
     Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
     Type type = ir_type(ir, coordinate);
@@ -77,7 +77,7 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
     up = build_or_zero(ir, up, type);
     for (int i = 0; i < MOST_TAPS; i++)
         points[i] = build_add(ir, coordinate,
-                              build_add(ir, build_scale(ir, right, place[i][0]), build_scale(ir, up, place[i][1])));
+                              build_add(ir, build_scale(ir, right, offset[i][0]), build_scale(ir, up, offset[i][1])));
     return MOST_TAPS;
 }
 

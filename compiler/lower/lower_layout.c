@@ -185,10 +185,10 @@ void lower_no_case(Lower *l, const Node *material, const Env *env)
 }
 
 /* A layout that the target's GLSL cannot write, or whose fields do not fit in, is refused. */
-static bool place(Lower *l, int number, Placement *placement)
+static bool allocate(Lower *l, int number, Placement *placement)
 {
     const LayoutRow *row = l->job->layout;
-    const FieldRow *fault = layout_place(row, number, placement);
+    const FieldRow *fault = layout_allocate(row, number, placement);
     if (fault)
         diag_add(l->session, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
                  slot_table[fault->source[0].slot].name);
@@ -219,7 +219,7 @@ void lower_layout(Lower *l, int number, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
     Placement placement;
-    if (!place(l, number, &placement)) {
+    if (!allocate(l, number, &placement)) {
         l->failed = true;
         return;
     }

@@ -1,4 +1,4 @@
-/* The list of passes. */
+/* The list of optimiser passes. */
 #include "compiler/opt/opt.h"
 
 enum { MOST_ROUNDS = 8 };
@@ -6,9 +6,9 @@ enum { MOST_ROUNDS = 8 };
 typedef struct {
     const char *name;
     bool (*run)(Ir *ir);
-} PassRun;
+} OptPass;
 
-static bool run_pass(Session *session, Ir *ir, const PassRun *pass, bool *progress)
+static bool run(Session *session, Ir *ir, const OptPass *pass, bool *progress)
 {
     *progress |= pass->run(ir);
     arena_reset(&ir->scratch);
@@ -27,18 +27,18 @@ static bool run_pass(Session *session, Ir *ir, const PassRun *pass, bool *progre
  * and each gain may make room for another. Ranges and functions gain nothing new where nothing changed. */
 bool opt_run(Session *session, Ir *ir)
 {
-    static const PassRun polish = {"polish", opt_polish}, range = {"range", opt_range},
+    static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
                          function = {"function", opt_function}, merge = {"merge", opt_merge};
     bool changed = true, merged = false;
-    if (!run_pass(session, ir, &merge, &merged))
+    if (!run(session, ir, &merge, &merged))
         return false;
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        if (!run_pass(session, ir, &polish, &changed))
+        if (!run(session, ir, &polish, &changed))
             return false;
         if (!changed)
             break;
         changed = false;
-        if (!run_pass(session, ir, &range, &changed) || !run_pass(session, ir, &function, &changed))
+        if (!run(session, ir, &range, &changed) || !run(session, ir, &function, &changed))
             return false;
     }
     return true;

@@ -106,40 +106,40 @@ typedef struct {
 /* Where a WaveMap's waves are counted from, and how many of them. */
 typedef struct {
     double u, v, count_u, count_v;
-} WavePlace;
+} WavePoint;
 
 /* The top of a box lies at u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are then those of the face. */
-static void move_to_box_top(WavePlace *place)
+static void move_to_box_top(WavePoint *point)
 {
-    place->u -= 1. / 4;
-    place->v -= 1. / 3;
-    place->count_u *= 4;
-    place->count_v *= 3;
+    point->u -= 1. / 4;
+    point->v -= 1. / 3;
+    point->count_u *= 4;
+    point->count_v *= 3;
 }
 
-static bool on_box_top(const WavePlace *place)
+static bool on_box_top(const WavePoint *point)
 {
-    return place->u >= 0 && place->u <= 1. / 4 && place->v >= 0 && place->v <= 1. / 3;
+    return point->u >= 0 && point->u <= 1. / 4 && point->v >= 0 && point->v <= 1. / 3;
 }
 
 double oracle_WaveMap(Environment *environment, const Node *node, int channel)
 {
     if (!in_frame(channel))
         return oracle_ask_input(environment, node, channel);
-    WavePlace place = {oracle_ask_input(environment, node, channel_id(GROUP_U, 0)),
+    WavePoint point = {oracle_ask_input(environment, node, channel_id(GROUP_U, 0)),
                        oracle_ask_input(environment, node, channel_id(GROUP_U, 1)),
                        oracle_number(node, P_WaveMap_uCount), oracle_number(node, P_WaveMap_vCount)};
     bool box_top = oracle_number(node, P_WaveMap_boxTop) != 0;
     if (box_top)
-        move_to_box_top(&place);
-    if (box_top && !on_box_top(&place))
+        move_to_box_top(&point);
+    if (box_top && !on_box_top(&point))
         return oracle_ask_input(environment, node, channel);
     Frame frame;
     ask_frame(environment, node, &frame);
     double k = oracle_number(node, P_WaveMap_amplitude) / guarded_length(frame.n);
-    double omega_u = 2 * M_PI * place.count_u, omega_v = 2 * M_PI * place.count_v;
-    double slope_u = -omega_u * sin(omega_u * place.u) * cos(omega_v * place.v);
-    double slope_v = -omega_v * cos(omega_u * place.u) * sin(omega_v * place.v);
+    double omega_u = 2 * M_PI * point.count_u, omega_v = 2 * M_PI * point.count_v;
+    double slope_u = -omega_u * sin(omega_u * point.u) * cos(omega_v * point.v);
+    double slope_v = -omega_v * cos(omega_u * point.u) * sin(omega_v * point.v);
     return raised(&frame, k * slope_u, k * slope_v, channel);
 }
 

@@ -98,7 +98,7 @@ static void drop_files(Batch *b)
             for (int emit = 0; emit < EMIT_COUNT; emit++) {
                 snprintf(file, sizeof file, "%s%s", name, options_emit_suffix(&b->options, emit));
                 if (b->line->emit[emit] && batch_is_of_program(emit))
-                    stage_drop(b->stage, file);
+                    staging_drop(b->staging, file);
             }
         }
 }
@@ -108,7 +108,7 @@ static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet
 {
     char name[LONGEST_NAME], earlier[LONGEST_NAME];
     bool added, met = false;
-    for (int t = 0; t < b->turn_count && !met; t++) {
+    for (int t = 0; t < b->request_count && !met; t++) {
         const Unit *unit = &material->units[t];
         batch_name(b, unit, name);
         string_set_add(names, name, &added);
@@ -143,7 +143,7 @@ static void check_names(Batch *b)
                                "the material's name is not UTF-8, which a manifest is");
             else if (!added)
                 batch_complain(b, &b->documents[d], material->name, "two materials have this name");
-            else if (b->turn_count > 1 && meets_other(b, material, &files))
+            else if (b->request_count > 1 && meets_other(b, material, &files))
                 batch_complain(b, &b->documents[d], material->name,
                                "a program of this material and one of another have the same name");
             else if (b->line->emit[EMIT_reflect] && !strcmp(material->name, "manifest"))
@@ -164,7 +164,7 @@ static void write_manifest(Batch *b)
 {
     Bytes json = {0};
     manifest_put(b, &json);
-    const char *why = stage_put_index(b->stage, manifest_name, json.at, json.size);
+    const char *why = staging_put_index(b->staging, manifest_name, json.at, json.size);
     if (why)
         batch_complain(b, NULL, manifest_name, why);
     bytes_free(&json);
@@ -174,7 +174,7 @@ static void write_manifest(Batch *b)
 static const char *put_depfile(Batch *b, const char *text)
 {
     return b->line->depfile ? outputs_put(&b->folders, b->line->depfile, text, strlen(text))
-                            : stage_put(b->stage, depfile_name, text, strlen(text));
+                            : staging_put(b->staging, depfile_name, text, strlen(text));
 }
 
 /* The manifest depends on all documents, on what they are made from, and on the lists. */
@@ -197,7 +197,7 @@ static void write_depfile(Batch *b)
 static void commit(Batch *b)
 {
     const char *why = NULL;
-    char *old = stage_holds(b->stage, manifest_name) ? stage_read(b->stage, manifest_name, &why) : NULL;
+    char *old = staging_holds(b->staging, manifest_name) ? staging_read(b->staging, manifest_name, &why) : NULL;
     if (why)
         batch_complain(b, NULL, manifest_name, why);
     if (old) /* else this manifest is that one, or the first */
@@ -220,10 +220,10 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
             b->numbers = (Numbers)i;
     b->options.constants = modes[b->numbers];
     b->options.linked = b->linked = matc_linked_new();
-    b->options.pass = NULL; /* each turn has its own */
-    b->turn_count = line->pass_count;
+    b->options.pass = NULL; /* each request has its own */
+    b->request_count = line->pass_count;
     for (int i = 0; i < line->pass_count; i++)
-        b->turns[i] = line->passes[i];
+        b->requests[i] = line->passes[i];
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         if (line->emit[emit] && batch_is_of_program(emit))
             b->outputs |= options_emit_output(&b->options, emit);
@@ -236,12 +236,12 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
         pthread_mutex_init(&b->documents[i].mutex, NULL);
     }
     if (line->textures)
-        b->textures = outputs_open(&b->folders, line->textures, STAGE_new_folder, &why);
+        b->textures = outputs_open(&b->folders, line->textures, STAGING_new_folder, &why);
     if (line->textures && !b->textures)
         batch_complain(b, NULL, line->textures, why);
-    else if (!(b->stage = outputs_open(&b->folders, line->folder, STAGE_new_folder, &why)))
+    else if (!(b->staging = outputs_open(&b->folders, line->folder, STAGING_new_folder, &why)))
         batch_complain(b, NULL, line->folder, why);
-    return b->stage && batch_stored_open(b);
+    return b->staging && batch_stored_open(b);
 }
 
 /* For --watch: what decided the outcome, with faults, too. */
@@ -262,7 +262,7 @@ static void list_watched(const Batch *b)
 static void finish(Batch *b)
 {
     for (int d = 0; d < b->document_count; d++)
-        batch_document_free(&b->documents[d], b->turn_count);
+        batch_document_free(&b->documents[d], b->request_count);
     for (int i = 0; i < b->program_count; i++) {
         free(b->programs[i].members);
         free(b->programs[i].name);
@@ -282,8 +282,8 @@ static void finish(Batch *b)
 
 static void count(const Batch *b, BatchResult *result)
 {
-    *result =
-        (BatchResult){.documents = b->document_count, .programs = b->program_count, .written = stage_written(b->stage)};
+    *result = (BatchResult){
+        .documents = b->document_count, .programs = b->program_count, .written = staging_written(b->staging)};
     for (int d = 0; d < b->document_count; d++)
         result->materials += b->documents[d].material_count;
     for (int i = 0; i < b->program_count; i++) {

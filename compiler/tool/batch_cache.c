@@ -81,8 +81,8 @@ static void put_settings(Bytes *to, const Batch *b)
     bytes_add(to, &build, sizeof build);
     choice_store_options(to, &b->options);
     bytes_number(to, (uint32_t)b->line->diagnostics);
-    for (int i = 0; i < b->turn_count; i++)
-        bytes_text(to, b->turns[i]);
+    for (int i = 0; i < b->request_count; i++)
+        bytes_text(to, b->requests[i]);
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         bytes_number(to, b->line->emit[emit]);
     bytes_text(to, b->line->material ? b->line->material : "");
@@ -178,7 +178,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
     document->offset = (int)bytes_take_number(from);
     if (from->broken || depend_count < 1)
         return false;
-    batch_document_make_room(document, count, b->turn_count, depend_count);
+    batch_document_make_room(document, count, b->request_count, depend_count);
     bytes_take_number(&depends);
     document->depends[0] = sets_copy(document->path);
     for (int i = 1; i < depend_count; i++) {
@@ -189,7 +189,7 @@ static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
         BatchMaterial *material = &document->materials[m];
         material->name = sets_copy(bytes_take_text(from));
         material->opacity = opacity_named(bytes_take_text(from));
-        for (int t = 0; t < b->turn_count; t++)
+        for (int t = 0; t < b->request_count; t++)
             if (!unit_load(from, &material->units[t]))
                 return false;
     }
@@ -206,21 +206,21 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     document->stored = load_document(b, document, &from);
     free(entry);
     if (!document->stored && document->materials) { /* damaged in a way that checksums do not see */
-        int turns = b->turn_count;
+        int requests = b->request_count;
         Key key = document->key;
         BatchDocument fresh = {.path = document->path, .text = document->text, .size = document->size, .key = key};
         pthread_mutex_init(&fresh.mutex, NULL);
         document->text = NULL;
-        batch_document_free(document, turns);
+        batch_document_free(document, requests);
         *document = fresh;
     }
     return document->stored;
 }
 
 /* Files were written for it that its entry does not know. */
-static bool has_changed(const BatchDocument *document, int turns)
+static bool has_changed(const BatchDocument *document, int requests)
 {
-    for (int i = 0; i < document->material_count * turns; i++)
+    for (int i = 0; i < document->material_count * requests; i++)
         if (document->units[i].changed)
             return true;
     return false;
@@ -230,7 +230,7 @@ void batch_store_document(Batch *b, BatchDocument *document)
 {
     Bytes to = {0};
     document->spoke |= document->said.size > 0;
-    if (!b->cache || document->spoke || b->fault || (document->stored && !has_changed(document, b->turn_count)))
+    if (!b->cache || document->spoke || b->fault || (document->stored && !has_changed(document, b->request_count)))
         return;
     if (!put_files(b, document->depends, document->depend_count, &to)) {
         bytes_free(&to);
@@ -241,7 +241,7 @@ void batch_store_document(Batch *b, BatchDocument *document)
     for (int m = 0; m < document->material_count; m++) {
         bytes_text(&to, document->materials[m].name);
         bytes_text(&to, document->materials[m].opacity);
-        for (int t = 0; t < b->turn_count; t++) {
+        for (int t = 0; t < b->request_count; t++) {
             unit_store(&to, &document->materials[m].units[t]);
             document->materials[m].units[t].changed = false;
         }

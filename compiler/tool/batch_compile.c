@@ -50,7 +50,7 @@ static void write_textures(Batch *b, BatchDocument *document, const char *base, 
             continue;
         snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : base, table ? "" : ".", texture->name);
         char *bytes = output_ktx(texture, &size);
-        const char *why = stage_put(b->textures, name, bytes, size);
+        const char *why = staging_put(b->textures, name, bytes, size);
         free(bytes);
         if (why)
             batch_complain(b, document, name, why);
@@ -63,7 +63,7 @@ static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit,
     const MatcDocument *parsed = batch_document_parsed(b, document);
     int material = document->offset + unit->material;
     MatcOptions options = b->options;
-    options.pass = b->turns[unit->turn];
+    options.pass = b->requests[unit->request];
     if (material >= matc_material_count(parsed)) {
         batch_complain(b, document, document->path, "it changed while it was compiled");
         return NULL;
@@ -83,7 +83,7 @@ static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit,
     return NULL;
 }
 
-static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, Unit *unit)
+static void compile_request(Batch *b, BatchDocument *document, BatchMaterial *own, Unit *unit)
 {
     char name[LONGEST_NAME], textures[LONGEST_PATH];
     MatcProgram *program = compile(b, document, unit, NULL);
@@ -94,7 +94,7 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
     batch_name(b, unit, name);
     snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", name);
     unit_fill(unit, program, b->numbers == NUMBERS_uniform, b->textures ? textures : NULL);
-    if (!unit->turn)
+    if (!unit->request)
         own->opacity = matc_opacity(program);
     bool first = first_of_program(b, unit);
     if (first)
@@ -105,7 +105,7 @@ static void compile_turn(Batch *b, BatchDocument *document, BatchMaterial *own, 
 }
 
 /* The cache knows what its program is; the files of the program it may know, too. */
-static void stored_turn(Batch *b, BatchDocument *document, Unit *unit)
+static void stored_request(Batch *b, BatchDocument *document, Unit *unit)
 {
     char name[LONGEST_NAME];
     const BatchEdition edition = {unit, NULL, name};
@@ -122,15 +122,15 @@ void batch_compile_material(Batch *b, int number, int material)
 {
     BatchDocument *document = &b->documents[number];
     BatchMaterial *own = &document->materials[material];
-    for (int turn = 0; turn < b->turn_count; turn++) {
-        Unit *unit = &own->units[turn];
+    for (int request = 0; request < b->request_count; request++) {
+        Unit *unit = &own->units[request];
         unit->document = number;
         unit->material = material;
-        unit->turn = turn;
+        unit->request = request;
         if (document->stored)
-            stored_turn(b, document, unit);
+            stored_request(b, document, unit);
         else
-            compile_turn(b, document, own, unit);
+            compile_request(b, document, own, unit);
     }
 }
 

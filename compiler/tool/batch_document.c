@@ -62,16 +62,16 @@ static int count_materials(Batch *b, BatchDocument *document)
     return document->offset >= 0;
 }
 
-void batch_document_make_room(BatchDocument *document, int materials, int turns, int depends)
+void batch_document_make_room(BatchDocument *document, int materials, int requests, int depends)
 {
-    size_t units = (size_t)materials * (size_t)turns;
+    size_t units = (size_t)materials * (size_t)requests;
     document->material_count = materials;
     document->materials = sets_resize(NULL, (size_t)materials * sizeof *document->materials);
     memset(document->materials, 0, (size_t)materials * sizeof *document->materials);
     document->units = sets_resize(NULL, units * sizeof *document->units);
     memset(document->units, 0, units * sizeof *document->units);
     for (int i = 0; i < materials; i++)
-        document->materials[i].units = document->units + (size_t)i * (size_t)turns;
+        document->materials[i].units = document->units + (size_t)i * (size_t)requests;
     document->depend_count = depends;
     document->depends = sets_resize(NULL, (size_t)depends * sizeof *document->depends);
 }
@@ -80,7 +80,7 @@ bool batch_document_list(Batch *b, BatchDocument *document)
 {
     const MatcDocument *parsed = batch_document_parsed(b, document);
     int count = count_materials(b, document);
-    batch_document_make_room(document, count, b->turn_count, matc_depend_count(parsed));
+    batch_document_make_room(document, count, b->request_count, matc_depend_count(parsed));
     for (int i = 0; i < count; i++)
         document->materials[i].name = sets_copy(matc_material_name(parsed, document->offset + i));
     for (int i = 0; i < document->depend_count; i++)
@@ -91,10 +91,10 @@ bool batch_document_list(Batch *b, BatchDocument *document)
     return count > 0;
 }
 
-void batch_document_free(BatchDocument *document, int turns)
+void batch_document_free(BatchDocument *document, int requests)
 {
     for (int m = 0; m < document->material_count; m++) {
-        for (int t = 0; t < turns; t++)
+        for (int t = 0; t < requests; t++)
             unit_free(&document->materials[m].units[t]);
         free(document->materials[m].name);
         bytes_free(&document->materials[m].said);

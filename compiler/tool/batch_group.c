@@ -122,7 +122,7 @@ void batch_group(Batch *b)
     KeySet keys = {0};
     for (int d = 0; d < b->document_count; d++)
         for (int m = 0; m < b->documents[d].material_count; m++)
-            for (int t = 0; t < b->turn_count; t++) {
+            for (int t = 0; t < b->request_count; t++) {
                 Unit *unit = batch_unit(b, d, m, t);
                 add_unit(b, &keys, b->numbers == NUMBERS_auto ? unit->shape : unit->key, unit);
             }

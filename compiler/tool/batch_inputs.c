@@ -58,6 +58,6 @@ void batch_spare_inputs(Batch *b)
     list_within(&b->within, &files, b->line->folder);
     string_set_free(&files);
     for (int i = 0; i < b->within.count; i++)
-        if (stage_holds(b->stage, b->within.at[i]))
+        if (staging_holds(b->staging, b->within.at[i]))
             batch_complain(b, NULL, b->within.at[i], "an output would replace this file, which is read");
 }

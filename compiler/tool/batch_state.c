@@ -3,15 +3,15 @@
 #include "compiler/base/queue.h"
 #include <stdio.h>
 
-Unit *batch_unit(const Batch *b, int document, int material, int turn)
+Unit *batch_unit(const Batch *b, int document, int material, int request)
 {
-    return &b->documents[document].materials[material].units[turn];
+    return &b->documents[document].materials[material].units[request];
 }
 
 void batch_name(const Batch *b, const Unit *unit, char name[LONGEST_NAME])
 {
     const char *material = b->documents[unit->document].materials[unit->material].name;
-    bool plain = b->turn_count == 1 || unit->pass == PASS_gbuffer;
+    bool plain = b->request_count == 1 || unit->pass == PASS_gbuffer;
     snprintf(name, LONGEST_NAME, "%s%s%s", material, plain ? "" : ".", plain ? "" : pass_table[unit->pass].name);
 }
 
@@ -21,7 +21,7 @@ void batch_put_file(Batch *b, BatchDocument *document, BatchFile file, const cha
 {
     char name[LONGEST_NAME + 16];
     snprintf(name, sizeof name, "%s%s", file.base, file.suffix);
-    const char *why = stage_put(b->stage, name, bytes, size);
+    const char *why = staging_put(b->staging, name, bytes, size);
     if (why)
         batch_complain(b, document, name, why);
 }

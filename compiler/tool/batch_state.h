@@ -9,7 +9,7 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-enum { MOST_TURNS = MOST_PASSES, LONGEST_NAME = 256, LONGEST_PATH = 4096 };
+enum { LONGEST_NAME = 256, LONGEST_PATH = 4096 };
 
 /* What a batch does with numbers: they stand in programs; those of the document come from a buffer; or those do in which
  * materials of one shape differ. */
@@ -19,7 +19,7 @@ typedef struct {
     char *name;
     const char *opacity; /* matc_opacity */
     Bytes said;          /* diagnostics, which follow those of the document */
-    Unit *units;         /* by turn */
+    Unit *units;         /* by request */
 } BatchMaterial;
 
 typedef struct {
@@ -66,8 +66,8 @@ typedef struct {
 typedef struct {
     const CommandLine *line;
     const BatchCalls *calls;
-    const char *turns[MOST_TURNS]; /* passes asked for */
-    int turn_count;
+    const char *requests[MOST_PASSES]; /* passes asked for */
+    int request_count;
     Numbers numbers;
     unsigned outputs; /* MatcOutput of a program */
     MatcOptions options;
@@ -75,20 +75,20 @@ typedef struct {
     int document_count;
     BatchProgram *programs;
     int program_count;
-    MatcRanges ranges;       /* of all documents, with --layout=auto */
-    MatcLayout *layout;      /* made for the set, or NULL */
-    Outputs folders;         /* all that is written */
-    Stage *stage, *textures; /* of the folder, and of --textures, which may be the same; NULL: none */
-    MatcLinked *linked;      /* in the options of all */
-    Cache *cache;            /* NULL: none */
-    pthread_mutex_t mutex;   /* of what follows */
-    StringSet within;        /* files that the batch reads and that lie in its folder, by their names there */
-    KeySet seen;             /* programs that someone writes already */
-    StringSet files;         /* what documents are made from, as it was read */
-    Key *file_keys;          /* its contents */
-    int closed, said;        /* documents whose diagnostics are complete; and were said, from the first on */
-    Bytes general;           /* diagnostics of no document */
-    atomic_bool fault;       /* any thread reads it */
+    MatcRanges ranges;           /* of all documents, with --layout=auto */
+    MatcLayout *layout;          /* made for the set, or NULL */
+    Outputs folders;             /* all that is written */
+    Staging *staging, *textures; /* of the folder, and of --textures, which may be the same; NULL: none */
+    MatcLinked *linked;          /* in the options of all */
+    Cache *cache;                /* NULL: none */
+    pthread_mutex_t mutex;       /* of what follows */
+    StringSet within;            /* files that the batch reads and that lie in its folder, by their names there */
+    KeySet seen;                 /* programs that someone writes already */
+    StringSet files;             /* what documents are made from, as it was read */
+    Key *file_keys;              /* its contents */
+    int closed, said;            /* documents whose diagnostics are complete; and were said, from the first on */
+    Bytes general;               /* diagnostics of no document */
+    atomic_bool fault;           /* any thread reads it */
 } Batch;
 
 /* -- batch_say.c */
@@ -109,7 +109,7 @@ void batch_join_said(BatchDocument *document);
 void batch_say_rest(Batch *batch);
 
 /* -- batch_state.c */
-Unit *batch_unit(const Batch *batch, int document, int material, int turn);
+Unit *batch_unit(const Batch *batch, int document, int material, int request);
 /* Of the files of a material's program: its name, and the pass unless that goes without saying. */
 void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 /* A file of a program, or of the layout. */
@@ -122,7 +122,7 @@ void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, in
 /* -- batch_inputs.c */
 /* The files that change the batch when they change: documents, what they are made from, lists and a layout. */
 void batch_inputs(const Batch *batch, StringSet *files);
-/* Complains of each output that would replace an input. Once all outputs are in the stage. */
+/* Complains of each output that would replace an input. Once all outputs are in the staging. */
 void batch_spare_inputs(Batch *batch);
 /* The folder's file of that name is an input. After that. */
 bool batch_reads(const Batch *batch, const char *name);
@@ -138,11 +138,11 @@ bool batch_open(Batch *batch, BatchDocument *document);
 const MatcDocument *batch_document_parsed(Batch *batch, BatchDocument *document);
 /* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
 bool batch_document_list(Batch *batch, BatchDocument *document);
-void batch_document_make_room(BatchDocument *document, int materials, int turns, int depends);
+void batch_document_make_room(BatchDocument *document, int materials, int requests, int depends);
 void batch_close(BatchDocument *document);
-void batch_document_free(BatchDocument *document, int turns);
+void batch_document_free(BatchDocument *document, int requests);
 
-/* -- batch_compile.c: a material's turns; a program again */
+/* -- batch_compile.c: a material's requests; a program again */
 void batch_compile_material(Batch *batch, int document, int material);
 void batch_compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
 

@@ -106,10 +106,10 @@ static void put_material(Text *out, const Batch *b, const BatchDocument *documen
     json_next(out, "source", document->depend_count ? document->depends[0] : document->path);
     json_next(out, "opacity", material->opacity);
     text_put(out, ", \"programs\": [");
-    for (int turn = 0; turn < b->turn_count; turn++) {
-        const Unit *unit = &material->units[turn];
-        text_put(out, turn ? ",\n      {" : "\n      {");
-        json_member(out, "pass", b->turns[turn]);
+    for (int request = 0; request < b->request_count; request++) {
+        const Unit *unit = &material->units[request];
+        text_put(out, request ? ",\n      {" : "\n      {");
+        json_member(out, "pass", b->requests[request]);
         text_format(out, ", \"program\": %d", unit->program);
         put_constants(out, unit, b->programs[unit->program].first->written);
         text_format(out, "%s}", unit->own);
@@ -122,7 +122,7 @@ static void put_folder(Text *out, const Batch *b)
 {
     int count;
     char digits[KEY_TEXT];
-    StageFile *list = stage_list(b->stage, &count);
+    StagingFile *list = staging_list(b->staging, &count);
     text_put(out, ",\n  \"files\": {");
     for (int i = 0; i < count; i++) {
         text_put(out, i ? ",\n    " : "\n    ");
@@ -196,7 +196,7 @@ void manifest_remove_stale(Batch *b, const char *old)
         if (!name || !hash || strlen(hash) != KEY_TEXT - 1 || !is_output(name) || batch_reads(b, name))
             continue;
         bool stays;
-        const char *why = stage_remove(b->stage, name, key_read(hash), &stays);
+        const char *why = staging_remove(b->staging, name, key_read(hash), &stays);
         if (why)
             batch_complain(b, NULL, name, why);
         else if (stays)

@@ -29,11 +29,11 @@ typedef struct Unit {
     char *own;        /* members of the manifest's JSON: uniforms and textures, each with ", " before it */
     UnitFiles *files; /* NULL: none */
     int file_count;
-    bool changed;                 /* the cache does not know the last of them */
-    Written *written;             /* NULL: its program was not written for this material */
-    struct Unit *next;            /* of the same program, in the order of the inputs */
-    int program;                  /* index, in the end */
-    int document, material, turn; /* the turn is which of the passes asked for */
+    bool changed;                    /* the cache does not know the last of them */
+    Written *written;                /* NULL: its program was not written for this material */
+    struct Unit *next;               /* of the same program, in the order of the inputs */
+    int program;                     /* index, in the end */
+    int document, material, request; /* the request is which of the passes asked for */
 } Unit;
 
 /* The pass whose program it is, by number. */

@@ -224,14 +224,14 @@ static void put_waves(Text *out)
 static void put_case(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
-    layout_place(layout, number, &placement);
+    layout_allocate(layout, number, &placement);
     if (number)
         text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
     text_put(out, "\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- | --- |\n");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
         text_put(out, "| ");
-        describe_place(out, layout, piece);
+        describe_allocation(out, layout, piece);
         text_put(out, " | ");
         describe_piece(out, piece);
         text_put(out, " | ");

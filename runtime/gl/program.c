@@ -3,16 +3,16 @@
 #include "runtime/gl/mesh.h"
 #include <string.h>
 
-/* Puts "<stage>: <log>" into gl->error. */
-static void keep_log(GlContext *gl, const char *stage, const char *log)
+/* Puts "<step>: <log>" into gl->error. */
+static void keep_log(GlContext *gl, const char *step, const char *log)
 {
     size_t length = strlen(log);
     while (length && strchr(" \n\r\t", log[length - 1]))
         length--; /* drivers end their logs by empty lines */
     if (length == 0)
-        gl_fail(gl, "%s: the driver says no more", stage);
+        gl_fail(gl, "%s: the driver says no more", step);
     else
-        gl_fail(gl, "%s: %.*s", stage, (int)length, log);
+        gl_fail(gl, "%s: %.*s", step, (int)length, log);
 }
 
 static int count_pieces(const char *const *pieces)
@@ -23,13 +23,13 @@ static int count_pieces(const char *const *pieces)
     return count;
 }
 
-static GLuint compile(GlContext *gl, GLenum stage, const char *const *pieces)
+static GLuint compile(GlContext *gl, GLenum type, const char *const *pieces)
 {
-    const char *name = stage == GL_VERTEX_SHADER ? "vertex" : "fragment";
+    const char *name = type == GL_VERTEX_SHADER ? "vertex" : "fragment";
     int count = count_pieces(pieces);
     if (count == 0)
         return gl_fail(gl, "%s: no text", name), 0;
-    GLuint shader = gl->CreateShader(stage);
+    GLuint shader = gl->CreateShader(type);
     if (!shader)
         return gl_fail(gl, "%s: no shader to be had", name), 0;
     gl->ShaderSource(shader, count, pieces, NULL);

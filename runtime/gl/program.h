@@ -3,7 +3,7 @@
 #define MATC_GL_PROGRAM_H
 #include "runtime/gl/context.h"
 
-enum { PROGRAM_PIECES = 6 }; /* texts that one stage may be put together from */
+enum { PROGRAM_PIECES = 6 }; /* texts that one shader may be put together from */
 
 /* What a program is made of. Locations that a text itself declares need no names here. */
 typedef struct {
@@ -16,6 +16,6 @@ typedef struct {
     int output_count;
 } ProgramText;
 
-/* Compiles and links. 0: gl->error has the stage ("vertex", "fragment", "link") and the driver's log. */
+/* Compiles and links. 0: gl->error has the step ("vertex", "fragment", "link") and the driver's log. */
 GLuint program_make(GlContext *gl, const ProgramText *text);
 #endif

@@ -339,12 +339,12 @@ static bool measure_times(Work *w, MeasuredList *list)
 static void mark_fronts(MeasuredList *list)
 {
     FrontPoint *points = make((size_t)list->count, sizeof *points);
-    for (int pass = 0; pass < 2; pass++) {
+    for (int front = 0; front < 2; front++) {
         for (int i = 0; i < list->count; i++)
-            points[i] = (FrontPoint){list->at[i].nanoseconds, pass ? list->at[i].aliasing : list->at[i].error, false};
+            points[i] = (FrontPoint){list->at[i].nanoseconds, front ? list->at[i].aliasing : list->at[i].error, false};
         front_mark(points, list->count);
         for (int i = 0; i < list->count; i++)
-            *(pass ? &list->at[i].alias_front : &list->at[i].front) = points[i].front;
+            *(front ? &list->at[i].alias_front : &list->at[i].front) = points[i].front;
     }
     free(points);
 }

@@ -56,9 +56,9 @@ static void put_text(FILE *out, const char *text)
 typedef struct {
     double x, y;
     const char *anchor;
-} TextPlace;
+} TextAnchor;
 
-static void text_at(FILE *out, const char *kind, TextPlace at, const char *text)
+static void text_at(FILE *out, const char *kind, TextAnchor at, const char *text)
 {
     fprintf(out, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", kind, at.x, at.y, at.anchor);
     put_text(out, text);
@@ -89,14 +89,14 @@ static Axis find_axis(const PlotPanel *panel, bool vertical)
     return axis;
 }
 
-static double place(const Axis *axis, double v)
+static double axis_share(const Axis *axis, double v)
 {
     double decade = v <= 0 ? axis->low : isinf(v) ? axis->high : log10(v);
     return (decade - axis->low) / (axis->high - axis->low);
 }
 
-static double place_x(const Canvas *c, double v) { return c->field.x + c->field.width * place(&c->x, v); }
-static double place_y(const Canvas *c, double v) { return c->field.y + c->field.height * (1 - place(&c->y, v)); }
+static double pixel_x(const Canvas *c, double v) { return c->field.x + c->field.width * axis_share(&c->x, v); }
+static double pixel_y(const Canvas *c, double v) { return c->field.y + c->field.height * (1 - axis_share(&c->y, v)); }
 
 static void tick_text(double decade, char text[32])
 {
@@ -111,16 +111,16 @@ static void draw_ticks(const Canvas *c)
     char text[32];
     double step = c->y.high - c->y.low > 8 ? 2 : 1;
     for (double d = c->x.low; d <= c->x.high; d++) {
-        double x = place_x(c, pow(10, d));
+        double x = pixel_x(c, pow(10, d));
         fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fV%.1f\"/>\n", x, c->field.y, c->field.y + c->field.height);
         tick_text(d, text);
-        text_at(c->out, "tick", (TextPlace){x, c->field.y + c->field.height + 14, "middle"}, text);
+        text_at(c->out, "tick", (TextAnchor){x, c->field.y + c->field.height + 14, "middle"}, text);
     }
     for (double d = c->y.low; d <= c->y.high; d += step) {
-        double y = place_y(c, pow(10, d));
+        double y = pixel_y(c, pow(10, d));
         fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>\n", c->field.x, y, c->field.x + c->field.width);
         tick_text(d, text);
-        text_at(c->out, "tick", (TextPlace){c->field.x - 6, y + 3.5, "end"}, text);
+        text_at(c->out, "tick", (TextAnchor){c->field.x - 6, y + 3.5, "end"}, text);
     }
 }
 
@@ -137,7 +137,7 @@ static void draw_front(const Canvas *c, const PlotPoint *sorted, int count)
     for (int i = 0; i < count; i++) {
         if (!sorted[i].front || !is_shown(&sorted[i]))
             continue;
-        fprintf(c->out, begun ? "H%.1fV%.1f" : "M%.1f %.1f", place_x(c, sorted[i].x), place_y(c, sorted[i].y));
+        fprintf(c->out, begun ? "H%.1fV%.1f" : "M%.1f %.1f", pixel_x(c, sorted[i].x), pixel_y(c, sorted[i].y));
         begun = true;
     }
     fputs(begun ? "\"/>\n" : "M0 0\"/>\n", c->out);
@@ -168,7 +168,7 @@ static void take(Canvas *c, Box box)
 static void draw_label(Canvas *c, const PlotPoint *point)
 {
     const double height = 11, gap = 7, width = 6.1 * (double)strlen(point->label);
-    double x = place_x(c, point->x), y = place_y(c, point->y);
+    double x = pixel_x(c, point->x), y = pixel_y(c, point->y);
     for (int distance = 0; distance < 4; distance++)
         for (int side = 0; side < 6; side++) { /* above and below the line, to the right, the left, in the middle */
             double dx = side % 3 == 2 ? -width / 2 : side % 3 ? -gap - width : gap;
@@ -177,7 +177,7 @@ static void draw_label(Canvas *c, const PlotPoint *point)
             if (!is_free(c, &box))
                 continue;
             take(c, box);
-            text_at(c->out, "label", (TextPlace){box.x, box.y + height - 2, "start"}, point->label);
+            text_at(c->out, "label", (TextAnchor){box.x, box.y + height - 2, "start"}, point->label);
             return;
         }
 }
@@ -186,7 +186,7 @@ static void draw_points(Canvas *c, const PlotPoint *sorted, int count)
 {
     for (int front = 0; front < 2; front++)
         for (int i = 0; i < count; i++) {
-            double x = place_x(c, sorted[i].x), y = place_y(c, sorted[i].y), r = front ? 4.5 : 3;
+            double x = pixel_x(c, sorted[i].x), y = pixel_y(c, sorted[i].y), r = front ? 4.5 : 3;
             if (!is_shown(&sorted[i]) || sorted[i].front != front)
                 continue;
             fprintf(c->out, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\">", front ? "on" : "off", x, y, r);
@@ -211,8 +211,8 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     fprintf(out, "<rect class=\"field\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n", c->field.x,
             c->field.y, c->field.width, c->field.height);
     draw_ticks(c);
-    text_at(out, "panel", (TextPlace){c->field.x, y + TOP - 10, "start"}, panel->title);
-    text_at(out, "tick", (TextPlace){c->field.x + c->field.width / 2, y + PANEL_HEIGHT - 16, "middle"}, panel->x);
+    text_at(out, "panel", (TextAnchor){c->field.x, y + TOP - 10, "start"}, panel->title);
+    text_at(out, "tick", (TextAnchor){c->field.x + c->field.width / 2, y + PANEL_HEIGHT - 16, "middle"}, panel->x);
     fprintf(out, "<text class=\"tick\" text-anchor=\"middle\" transform=\"translate(%.1f %.1f) rotate(-90)\">", x + 16,
             c->field.y + c->field.height / 2);
     put_text(out, panel->y);
@@ -240,9 +240,9 @@ char *plot_svg(const Plot *plot)
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n"
             "<style>%s</style>\n<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n",
             width, height, width, height, style, width, height);
-    text_at(out, "title", (TextPlace){16, 30, "start"}, plot->title);
+    text_at(out, "title", (TextAnchor){16, 30, "start"}, plot->title);
     if (plot->note)
-        text_at(out, "note", (TextPlace){16, 49, "start"}, plot->note);
+        text_at(out, "note", (TextAnchor){16, 49, "start"}, plot->note);
     for (int i = 0; i < plot->count; i++)
         draw_panel(out, &plot->panels[i], i % columns * PANEL_WIDTH, HEAD + i / columns * PANEL_HEIGHT);
     fputs("</svg>\n", out);

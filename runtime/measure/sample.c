@@ -39,15 +39,15 @@ void sample_points(FieldVertex points[POINTS], double range)
     memset(points, 0, POINTS * sizeof *points);
     for (int i = 0; i < POINTS; i++) {
         FieldVertex *v = &points[i];
-        double place[8];
+        double position[8];
         for (int k = 0; k < 8; k++)
-            place[k] = range * (2 * spread(i, k) - 1);
+            position[k] = range * (2 * spread(i, k) - 1);
         v->at[0] = (float)(2 * (i % POINTS_WIDTH + 0.5) / POINTS_WIDTH - 1);
         v->at[1] = (float)(2 * (i / POINTS_WIDTH + 0.5) / POINTS_HEIGHT - 1);
         v->at[3] = 1;
-        set3(v->input[INPUT_P], place[0], place[1], place[2]);
-        set3(v->input[INPUT_X], place[3], place[4], place[5]);
-        set3(v->input[INPUT_U], place[6], place[7], 0);
+        set3(v->input[INPUT_P], position[0], position[1], position[2]);
+        set3(v->input[INPUT_X], position[3], position[4], position[5]);
+        set3(v->input[INPUT_U], position[6], position[7], 0);
         set_frame(v, 2 * spread(i, 8) - 1, 2 * M_PI * spread(i, 9), 2 * M_PI * spread(i, 10));
     }
 }

@@ -126,7 +126,7 @@ bool material_write(Material *m, const char *block, const void *bytes, size_t si
     return true;
 }
 
-/* The stages that the caller leaves out. */
+/* The shaders that the caller leaves out. */
 static ProgramText complete(const ProgramText *text, const MatcProgram *program)
 {
     ProgramText whole = *text;

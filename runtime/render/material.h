@@ -24,7 +24,7 @@ typedef struct {
 } Material;
 
 /* Makes it of a program, with the defaults of its uniforms, ior 1 and an eye that looks as the world does. `text` is the GLSL, or
- * what replaces the program's own: a stage that it leaves out is taken from the program. Without a program (NULL)
+ * what replaces the program's own: a shader that it leaves out is taken from the program. Without a program (NULL)
  * `text` is all. The program is not kept. False: see the context's error; *made is empty. */
 bool material_make(Store *store, MatcProgram *program, const ProgramText *text, Material *made);
 /* Safe on an empty one, which it leaves behind. */

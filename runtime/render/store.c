@@ -42,12 +42,12 @@ int store_program_count(const Store *store) { return store->programs.count; }
 
 int store_texture_count(const Store *store) { return store->textures.count; }
 
-static Entry **place_of(Table *table, Key key) { return &table->bucket[key.low % BUCKETS]; }
+static Entry **bucket_of(Table *table, Key key) { return &table->bucket[key.low % BUCKETS]; }
 
 /* One more user of an entry; NULL if there is none. */
 static const StoreItem *share(Table *table, Key key)
 {
-    for (Entry *entry = *place_of(table, key); entry; entry = entry->next)
+    for (Entry *entry = *bucket_of(table, key); entry; entry = entry->next)
         if (key_equal(entry->key, key)) {
             entry->users++;
             return &entry->item;
@@ -58,13 +58,13 @@ static const StoreItem *share(Table *table, Key key)
 /* NULL: there is no memory. */
 static const StoreItem *add(Store *store, Table *table, Key key, const StoreItem *item)
 {
-    Entry *entry = calloc(1, sizeof *entry), **place = place_of(table, key);
+    Entry *entry = calloc(1, sizeof *entry), **link = bucket_of(table, key);
     if (!entry) {
         gl_fail(store->gl, "out of memory");
         return NULL;
     }
-    *entry = (Entry){.item = *item, .key = key, .users = 1, .table = table, .next = *place};
-    *place = entry;
+    *entry = (Entry){.item = *item, .key = key, .users = 1, .table = table, .next = *link};
+    *link = entry;
     table->count++;
     return &entry->item;
 }
@@ -83,10 +83,10 @@ void store_drop(Store *store, const StoreItem *item)
     Entry *entry = (Entry *)(uintptr_t)item; /* its first member */
     if (!item || --entry->users > 0)
         return;
-    Entry **place = place_of(entry->table, entry->key);
-    while (*place != entry)
-        place = &(*place)->next;
-    *place = entry->next;
+    Entry **link = bucket_of(entry->table, entry->key);
+    while (*link != entry)
+        link = &(*link)->next;
+    *link = entry->next;
     entry->table->count--;
     delete_item(store, entry->table, &entry->item);
     free(entry);

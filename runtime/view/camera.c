@@ -9,7 +9,7 @@ static const struct {
     double azimuth, elevation;
     double distance; /* from the origin, such that the shape fills the frame */
     double shift;    /* of the target along z, to centre the shape's outline */
-} places[SHAPE_count] = {
+} viewpoints[SHAPE_count] = {
     [SHAPE_sphere] = {-112, 22, 4.55, 0},
     [SHAPE_plane] = {-90, 60, 4.75, -0.06},
     [SHAPE_cube] = {-118, 27, 6.9, -0.04},
@@ -33,9 +33,10 @@ static float height_of(double tangent, double aspect) { return (float)(tangent /
 
 Camera camera_for(ShapeKind shape, int width, int height)
 {
-    double a = places[shape].azimuth * RADIANS, e = places[shape].elevation * RADIANS, d = places[shape].distance;
+    double a = viewpoints[shape].azimuth * RADIANS, e = viewpoints[shape].elevation * RADIANS,
+           d = viewpoints[shape].distance;
     double aspect = (double)width / height;
-    const float target[3] = {0, 0, (float)places[shape].shift};
+    const float target[3] = {0, 0, (float)viewpoints[shape].shift};
     Camera camera = {.position = {(float)(d * cos(a) * cos(e)), (float)(d * sin(a) * cos(e)), (float)(d * sin(e))}};
     Mat4 clip = mat4_perspective(height_of(tan(HALF_ANGLE), aspect), (float)aspect, (float)(d - 2), (float)(d + 2));
     complete(&camera, target, &clip);

@@ -68,7 +68,7 @@ bool packed_agree(const LayoutRow *layout, int target, int lane, double a, doubl
     } else if (bits) {
         return true; /* which fields it holds stands in another word */
     }
-    if (layout_place(layout, number, &placement))
+    if (layout_allocate(layout, number, &placement))
         return false;
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];

@@ -132,7 +132,7 @@ static double float_error(Erring *e, const IrNode *node, const FoldArg *args, do
         return call_error(node, args, value) + inner_error(e, node, args, value);
     case OP_input:
     case OP_uniform:
-    case OP_constant:
+    case OP_member:
     case OP_const:
         return 4 * FLOAT_ULP * fabs(value);
     default:
@@ -154,7 +154,7 @@ static bool is_exact(const IrNode *node)
 /* Also of inputs and constants, which doubles hold exactly. */
 static double double_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
-    if (node->op == OP_input || node->op == OP_uniform || node->op == OP_constant || node->op == OP_const)
+    if (node->op == OP_input || node->op == OP_uniform || node->op == OP_member || node->op == OP_const)
         return 0;
     double size = node->op == OP_call || node->op == OP_sin || node->op == OP_cos ? fmax(1, fabs(value))
                                                                                   : size_of(node, args, value);

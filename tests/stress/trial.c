@@ -292,7 +292,7 @@ static int output_of(const Ir *ir, int target)
 static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     Placement placement;
-    if (layout_place(layout, 0, &placement))
+    if (layout_allocate(layout, 0, &placement))
         return trial_fault(t, FAULT_packed, "the layout does not fit");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];

@@ -3,9 +3,9 @@
 #include "runtime/library/java_random.h"
 #include <math.h>
 
-#define PLACE(size, far)                                                                                               \
+#define POSITION(size, far)                                                                                            \
     {                                                                                                                  \
-        FORM_place, size, far                                                                                          \
+        FORM_position, size, far                                                                                       \
     }
 #define RANGE(low, high)                                                                                               \
     {                                                                                                                  \
@@ -76,7 +76,7 @@ FunctionCase case_of_ranges(Kind kind)
 {
     enum { FIRST_OWN = 4 }; /* behind those of VOLUME_PARAMS */
     const KindRow *row = &kind_table[kind];
-    FunctionCase all = {FN_FIRST_MAP + (int)kind, 1e-5, UNIT_MIXED, 4, {PLACE(4, 1e4)}};
+    FunctionCase all = {FN_FIRST_MAP + (int)kind, 1e-5, UNIT_MIXED, 4, {POSITION(4, 1e4)}};
     for (int i = FIRST_OWN; i < row->count; i++)
         all.arguments[1 + i - FIRST_OWN] = argument_of(&param_table[row->first + i]);
     return all;

@@ -71,7 +71,7 @@ static Ref make(Ir *ir, const char *word, const Ref *args, int count)
     if (!strncmp(word, "vec", 3))
         return build_vec_of(ir, type_of_lanes[word[3] - '0'], args, count);
     for (int op = 0; op < OP_COUNT; op++)
-        if (!strcmp(op_table[op].name, word))
+        if (!strcmp(op_text((Op)op), word))
             return ir_make(ir, (IrNode){.op = op, .type = ir_type(ir, args[op == OP_select]), .count = count}, args);
     for (int function = 0; function < FUNCTION_COUNT; function++)
         if (function_row(function)->name && !strcmp(function_row(function)->name, word))
@@ -164,7 +164,7 @@ void expression_print(Text *out, const Ir *ir, Ref ref)
     }
     text_put(out, node->op == OP_call  ? function_row((int)node->payload)->name
                   : node->op == OP_vec ? type_table[node->type].name
-                                       : op_table[node->op].name);
+                                       : op_text((Op)node->op));
     for (int i = 0; i < node->count; i++) {
         text_put(out, i ? ", " : "(");
         expression_print(out, ir, ir_arg(ir, ref, i));

@@ -102,9 +102,9 @@ static void take_constants(Facts *facts, const cJSON *constants, bool plain)
 bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex)
 {
     cJSON *root = cJSON_Parse(json);
-    const cJSON *row, *stage = cJSON_GetObjectItem(root, "vertex");
+    const cJSON *row, *shader = cJSON_GetObjectItem(root, "vertex");
     fragment->count = vertex->count = 0;
-    if (!stage) {
+    if (!shader) {
         cJSON_Delete(root);
         return false;
     }
@@ -113,11 +113,11 @@ bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex)
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "textures"))
         snprintf(take(fragment, FACT_texture, row, "binding")->type, FACT_TEXT, "sampler2D");
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "outputs")) take_output(fragment, row);
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(stage, "attributes")) take(vertex, FACT_attribute, row, "location");
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(stage, "uniforms")) take_uniform(vertex, row, "Draw");
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "attributes")) take(vertex, FACT_attribute, row, "location");
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "uniforms")) take_uniform(vertex, row, "Draw");
     take_block(fragment, cJSON_GetObjectItem(root, "block"), "name");
     take_constants(fragment, cJSON_GetObjectItem(root, "constants"), !strcmp(text_of(root, "target"), "glsl110"));
-    take_block(vertex, cJSON_GetObjectItem(stage, "block"), "name");
+    take_block(vertex, cJSON_GetObjectItem(shader, "block"), "name");
     cJSON_Delete(root);
     return true;
 }

@@ -68,7 +68,7 @@ static float number(const Argument *a, uint64_t *state)
 {
     static const float ratios[] = {2, 2, 1, -2, 0.5f};
     switch (a->form) {
-    case FORM_place:
+    case FORM_position:
         return place(state, a->low, a->high);
     case FORM_width:
         return width(state, a->low, a->high);
@@ -177,7 +177,7 @@ static double reach_of(Form form, double v)
 {
     const double step = ldexp(1, -23);
     switch (form) {
-    case FORM_place:
+    case FORM_position:
     case FORM_range:
         return step * fmax(1, fabs(v));
     case FORM_unit: /* a sum or quotient of its lanes rounds as the greatest does */

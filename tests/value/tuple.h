@@ -4,7 +4,7 @@
 #include "call.h"
 
 typedef enum {
-    FORM_place,
+    FORM_position,
     FORM_range,
     FORM_width,
     FORM_wide,

@@ -1,5 +1,5 @@
 /* Folders where files wait: made, taken over, removed. All is opened below a folder that is open, and no link is followed. */
-#include "compiler/base/stage_folder.h"
+#include "compiler/base/staging_folder.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>

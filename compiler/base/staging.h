@@ -1,44 +1,44 @@
 /* Files that are written together: nothing of their folder changes until all is known to be well, then all of it, whatever may fail
  * or end the process; and what is there already stays as it is. */
-#ifndef MATC_STAGE_H
-#define MATC_STAGE_H
+#ifndef MATC_STAGING_H
+#define MATC_STAGING_H
 #include "compiler/base/hash.h"
 
-typedef struct Stage Stage;
+typedef struct Staging Staging;
 
 typedef enum {
-    STAGE_new_folder = 1, /* the folder is made if need be, and goes again if nothing comes into it */
-    STAGE_renew = 2       /* files are replaced by equal ones, too: their times tell make that they are made */
-} StageHow;
+    STAGING_new_folder = 1, /* the folder is made if need be, and goes again if nothing comes into it */
+    STAGING_renew = 2       /* files are replaced by equal ones, too: their times tell make that they are made */
+} StagingHow;
 
 typedef struct {
     const char *name;
     Key hash; /* of its bytes */
-} StageFile;
+} StagingFile;
 
 /* NULL: *why, which need not be freed. What an earlier process left in the middle is undone. */
-Stage *stage_open(const char *folder, unsigned how, const char **why);
+Staging *staging_open(const char *folder, unsigned how, const char **why);
 /* Both are of one folder, by whatever name: then the second must not be used. */
-bool stage_same(const Stage *a, const Stage *b);
+bool staging_same(const Staging *a, const Staging *b);
 /* Keeps a file for the folder. Any thread; a name once. NULL, or why not. */
-const char *stage_put(Stage *stage, const char *name, const void *bytes, size_t size);
+const char *staging_put(Staging *staging, const char *name, const void *bytes, size_t size);
 /* The same; it says what lies in the folder, and is not there while that changes. One of a folder. */
-const char *stage_put_index(Stage *stage, const char *name, const void *bytes, size_t size);
+const char *staging_put_index(Staging *staging, const char *name, const void *bytes, size_t size);
 /* Forgets a file again. */
-void stage_drop(Stage *stage, const char *name);
+void staging_drop(Staging *staging, const char *name);
 /* The file is to be moved into the folder. */
-bool stage_holds(const Stage *stage, const char *name);
+bool staging_holds(const Staging *staging, const char *name);
 /* What the folder will have of this run, by name; from malloc. */
-StageFile *stage_list(const Stage *stage, int *count);
+StagingFile *staging_list(const Staging *staging, int *count);
 /* A file of the folder that an earlier run wrote, with that hash, and this one does not: it will go, unless it is another file by now:
  * then *stays. NULL, or why it cannot be known. */
-const char *stage_remove(Stage *stage, const char *name, Key hash, bool *stays);
+const char *staging_remove(Staging *staging, const char *name, Key hash, bool *stays);
 /* A file of the folder, with a zero byte behind, from malloc. NULL: there is none, or a link; or it cannot be read, and *why. */
-char *stage_read(const Stage *stage, const char *name, const char **why);
+char *staging_read(const Staging *staging, const char *name, const char **why);
 /* Moves and removes what is to be, in all these folders or in none. NULL, or why not. */
-const char *stage_commit(Stage *const *stages, int count);
+const char *staging_commit(Staging *const *stagings, int count);
 /* Files that commit moved. */
-int stage_written(const Stage *stage);
+int staging_written(const Staging *staging);
 /* Gives up what was not committed. */
-void stage_close(Stage *stage);
+void staging_close(Staging *staging);
 #endif

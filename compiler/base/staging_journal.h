@@ -1,7 +1,7 @@
-/* What a commit does, as a list of steps that can be undone, also by the next process. Internal to stage*.c. */
-#ifndef MATC_STAGE_JOURNAL_H
-#define MATC_STAGE_JOURNAL_H
-#include "compiler/base/stage_folder.h"
+/* What a commit does, as a list of steps that can be undone, also by the next process. Internal to staging*.c. */
+#ifndef MATC_STAGING_JOURNAL_H
+#define MATC_STAGING_JOURNAL_H
+#include "compiler/base/staging_folder.h"
 
 typedef enum {
     STEP_put,    /* the folder gets a file that waits */

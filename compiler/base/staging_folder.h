@@ -1,7 +1,7 @@
 /* A folder within a folder, where files wait. Its file "journal" is locked while its process lives; a folder whose journal is not
- * is of a process that was ended, and whoever comes next undoes what its journal tells, if it tells anything, and removes it. Internal to stage*.c. */
-#ifndef MATC_STAGE_FOLDER_H
-#define MATC_STAGE_FOLDER_H
+ * is of a process that was ended, and whoever comes next undoes what its journal tells, if it tells anything, and removes it. Internal to staging*.c. */
+#ifndef MATC_STAGING_FOLDER_H
+#define MATC_STAGING_FOLDER_H
 #include "compiler/base/hash.h"
 
 enum { WAITING_NAME = 32 };

@@ -12,7 +12,7 @@
  * Undoing takes the index away first, and brings the old one back last. It may be interrupted, too: a step that is undone already
  * has neither "N.old" nor "N". It removes or replaces a file with the new one's bytes and no other: what somebody put there since
  * stays. A journal that cannot be followed to its end is not begun: it is an error, and all stays as it is. */
-#include "compiler/base/stage_journal.h"
+#include "compiler/base/staging_journal.h"
 #include "compiler/base/bytes.h"
 #include "compiler/base/sets.h"
 #include <errno.h>

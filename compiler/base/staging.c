@@ -1,9 +1,9 @@
-/* Files wait in a folder within the folder (stage_folder.c), so that moving them is a rename, and a journal makes all the renames one
- * (stage_journal.c). The folder where they wait is made with the first file that differs from what is there: a run that changes
+/* Files wait in a folder within the folder (staging_folder.c), so that moving them is a rename, and a journal makes all the renames one
+ * (staging_journal.c). The folder where they wait is made with the first file that differs from what is there: a run that changes
  * nothing writes nothing. */
-#include "compiler/base/stage.h"
+#include "compiler/base/staging.h"
 #include "compiler/base/sets.h"
-#include "compiler/base/stage_journal.h"
+#include "compiler/base/staging_journal.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -15,11 +15,11 @@
 
 typedef struct {
     Key hash;
-    bool waits; /* in the stage; else the folder has it already */
+    bool waits; /* in the staging; else the folder has it already */
     bool dropped, index;
 } StagedFile;
 
-struct Stage {
+struct Staging {
     char *path;
     int folder;
     dev_t device; /* of the folder */
@@ -37,10 +37,10 @@ struct Stage {
     pthread_mutex_t mutex, making; /* of what is here; of files being made */
 };
 
-Stage *stage_open(const char *path, unsigned how, const char **why)
+Staging *staging_open(const char *path, unsigned how, const char **why)
 {
     struct stat info = {0};
-    bool made = how & STAGE_new_folder && !mkdir(path, 0777);
+    bool made = how & STAGING_new_folder && !mkdir(path, 0777);
     int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     *why = folder < 0 || fstat(folder, &info) ? strerror(errno) : steps_recover(folder);
     if (*why) {
@@ -50,8 +50,8 @@ Stage *stage_open(const char *path, unsigned how, const char **why)
             rmdir(path);
         return NULL;
     }
-    Stage *s = sets_resize(NULL, sizeof *s);
-    *s = (Stage){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made};
+    Staging *s = sets_resize(NULL, sizeof *s);
+    *s = (Staging){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made};
     s->device = info.st_dev;
     s->inode = info.st_ino;
     pthread_mutex_init(&s->mutex, NULL);
@@ -60,11 +60,11 @@ Stage *stage_open(const char *path, unsigned how, const char **why)
     return s;
 }
 
-bool stage_same(const Stage *a, const Stage *b) { return a->device == b->device && a->inode == b->inode; }
+bool staging_same(const Staging *a, const Staging *b) { return a->device == b->device && a->inode == b->inode; }
 
 /* Opens a regular file of the folder, with its size. -1: errno, ENOENT for what is neither that nor a folder. Never waits for a
  * pipe's other end. */
-static int open_regular(const Stage *s, const char *name, size_t *size)
+static int open_regular(const Staging *s, const char *name, size_t *size)
 {
     struct stat info;
     int file = openat(s->folder, name, O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
@@ -94,7 +94,7 @@ static size_t read_all(int file, char *bytes, size_t size)
     return used;
 }
 
-char *stage_read(const Stage *s, const char *name, const char **why)
+char *staging_read(const Staging *s, const char *name, const char **why)
 {
     size_t size;
     struct stat info;
@@ -115,21 +115,21 @@ char *stage_read(const Stage *s, const char *name, const char **why)
 }
 
 /* NULL, or why no file can be put there. */
-static const char *look(const Stage *s, const char *name, const void *bytes, size_t size, bool *equal)
+static const char *look(const Staging *s, const char *name, const void *bytes, size_t size, bool *equal)
 {
     size_t old_size;
     int file = open_regular(s, name, &old_size);
     *equal = false;
     if (file < 0)
         return errno == EISDIR ? strerror(EISDIR) : NULL; /* what cannot be read can be replaced */
-    char *old = old_size == size && !(s->how & STAGE_renew) ? malloc(size + 1) : NULL;
+    char *old = old_size == size && !(s->how & STAGING_renew) ? malloc(size + 1) : NULL;
     *equal = old && read_all(file, old, size) == size && !memcmp(old, bytes, size);
     free(old);
     close(file);
     return NULL;
 }
 
-static const char *make_waiting(Stage *s)
+static const char *make_waiting(Staging *s)
 {
     const char *why = s->made ? NULL : waiting_make(&s->waiting, s->folder);
     s->made |= !why;
@@ -137,7 +137,7 @@ static const char *make_waiting(Stage *s)
 }
 
 /* The number of a name, and whether a file of it waits already. */
-static int number_of(Stage *s, const char *name, bool *again)
+static int number_of(Staging *s, const char *name, bool *again)
 {
     bool added;
     pthread_mutex_lock(&s->mutex);
@@ -152,7 +152,7 @@ static int number_of(Stage *s, const char *name, bool *again)
 }
 
 /* Kernels serialise the making of files anyway, and spin. */
-static const char *put_waiting(Stage *s, int number, bool again, const void *bytes, size_t size)
+static const char *put_waiting(Staging *s, int number, bool again, const void *bytes, size_t size)
 {
     char file[NUMBER_NAME];
     step_file(file, number);
@@ -166,7 +166,7 @@ static const char *put_waiting(Stage *s, int number, bool again, const void *byt
     return why;
 }
 
-static const char *put(Stage *s, const char *name, const void *bytes, size_t size, bool index)
+static const char *put(Staging *s, const char *name, const void *bytes, size_t size, bool index)
 {
     bool equal, again;
     const char *why = look(s, name, bytes, size, &equal);
@@ -182,17 +182,17 @@ static const char *put(Stage *s, const char *name, const void *bytes, size_t siz
     return NULL;
 }
 
-const char *stage_put(Stage *s, const char *name, const void *bytes, size_t size)
+const char *staging_put(Staging *s, const char *name, const void *bytes, size_t size)
 {
     return put(s, name, bytes, size, false);
 }
 
-const char *stage_put_index(Stage *s, const char *name, const void *bytes, size_t size)
+const char *staging_put_index(Staging *s, const char *name, const void *bytes, size_t size)
 {
     return put(s, name, bytes, size, true);
 }
 
-void stage_drop(Stage *s, const char *name)
+void staging_drop(Staging *s, const char *name)
 {
     pthread_mutex_lock(&s->mutex);
     int number = string_set_find(&s->names, name);
@@ -201,7 +201,7 @@ void stage_drop(Stage *s, const char *name)
     pthread_mutex_unlock(&s->mutex);
 }
 
-bool stage_holds(const Stage *s, const char *name)
+bool staging_holds(const Staging *s, const char *name)
 {
     int number = string_set_find(&s->names, name);
     return number >= 0 && s->files[number].waits && !s->files[number].dropped;
@@ -209,21 +209,21 @@ bool stage_holds(const Stage *s, const char *name)
 
 static int by_name(const void *a, const void *b)
 {
-    return strcmp(((const StageFile *)a)->name, ((const StageFile *)b)->name);
+    return strcmp(((const StagingFile *)a)->name, ((const StagingFile *)b)->name);
 }
 
-StageFile *stage_list(const Stage *s, int *count)
+StagingFile *staging_list(const Staging *s, int *count)
 {
-    StageFile *list = sets_resize(NULL, (size_t)s->names.count * sizeof *list);
+    StagingFile *list = sets_resize(NULL, (size_t)s->names.count * sizeof *list);
     *count = 0;
     for (int i = 0; i < s->names.count; i++)
         if (!s->files[i].dropped)
-            list[(*count)++] = (StageFile){s->names.at[i], s->files[i].hash};
+            list[(*count)++] = (StagingFile){s->names.at[i], s->files[i].hash};
     qsort(list, (size_t)*count, sizeof *list, by_name);
     return list;
 }
 
-const char *stage_remove(Stage *s, const char *name, Key hash, bool *stays)
+const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
 {
     Key now;
     int number = string_set_find(&s->names, name);
@@ -238,7 +238,7 @@ const char *stage_remove(Stage *s, const char *name, Key hash, bool *stays)
 }
 
 /* The index last, and removals before it. */
-static void list_steps(Stage *s)
+static void list_steps(Staging *s)
 {
     int count = s->names.count, last = -1;
     s->steps.at = sets_resize(NULL, (size_t)(count + s->removed.count) * sizeof *s->steps.at);
@@ -256,7 +256,7 @@ static void list_steps(Stage *s)
 }
 
 /* One file in one folder needs no journal. */
-static const char *move_one(const Stage *s)
+static const char *move_one(const Staging *s)
 {
     char file[NUMBER_NAME];
     const Step *step = s->steps.at;
@@ -266,7 +266,7 @@ static const char *move_one(const Stage *s)
     return renameat(s->waiting.at, file, s->folder, step->name) ? strerror(errno) : NULL;
 }
 
-static const char *begin_and_do(Stage *s)
+static const char *begin_and_do(Staging *s)
 {
     const char *why = make_waiting(s); /* it may have to remove alone */
     if (!why)
@@ -278,7 +278,7 @@ static const char *begin_and_do(Stage *s)
 }
 
 /* After a failure. What cannot be undone now is left to the next run. */
-static void undo(Stage *s)
+static void undo(Staging *s)
 {
     if (!s->begun)
         return;
@@ -288,7 +288,7 @@ static void undo(Stage *s)
     s->begun = false;
 }
 
-static const char *end(Stage *s)
+static const char *end(Staging *s)
 {
     const char *why = s->begun ? steps_end(&s->waiting) : NULL;
     if (why)
@@ -300,27 +300,27 @@ static const char *end(Stage *s)
     return NULL;
 }
 
-const char *stage_commit(Stage *const *stages, int count)
+const char *staging_commit(Staging *const *stagings, int count)
 {
     const char *why = NULL;
     int busy = 0;
     for (int i = 0; i < count; i++) {
-        list_steps(stages[i]);
-        busy += stages[i]->steps.count;
+        list_steps(stagings[i]);
+        busy += stagings[i]->steps.count;
     }
     for (int i = 0; i < count && !why; i++)
-        if (stages[i]->steps.count)
-            why = busy == 1 ? move_one(stages[i]) : begin_and_do(stages[i]);
+        if (stagings[i]->steps.count)
+            why = busy == 1 ? move_one(stagings[i]) : begin_and_do(stagings[i]);
     for (int i = 0; i < count && !why; i++)
-        why = end(stages[i]);
+        why = end(stagings[i]);
     for (int i = count - 1; i >= 0 && why; i--)
-        undo(stages[i]);
+        undo(stagings[i]);
     return why;
 }
 
-int stage_written(const Stage *s) { return s->written; }
+int staging_written(const Staging *s) { return s->written; }
 
-void stage_close(Stage *s)
+void staging_close(Staging *s)
 {
     if (!s)
         return;
