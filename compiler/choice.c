@@ -1,5 +1,6 @@
 /* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
 #include "compiler/choice.h"
+#include "compiler/base/warnings.h"
 #include "compiler/layout/custom.h"
 #include "compiler/pipeline.h"
 #include <stddef.h>
@@ -36,8 +37,8 @@ typedef struct {
 static const TextOption text_options[] = {
 #define AXIS(name, chunks, doc) TEXT_OPTION(name),
 #include "grammar/variants.def"
-    TEXT_OPTION(target), TEXT_OPTION(pass),      TEXT_OPTION(slot),
-    TEXT_OPTION(layout), TEXT_OPTION(precision), TEXT_OPTION(constants),
+    TEXT_OPTION(target),    TEXT_OPTION(pass),      TEXT_OPTION(slot),     TEXT_OPTION(layout),
+    TEXT_OPTION(precision), TEXT_OPTION(constants), TEXT_OPTION(warnings),
 };
 
 bool matc_options_set(MatcOptions *options, const char *name, const char *value)
@@ -100,6 +101,8 @@ const char *choice_job(const MatcOptions *o, Job *job)
     if (o->constants && strcmp(o->constants, "baked") != 0 && strcmp(o->constants, "uniform") != 0 &&
         strcmp(o->constants, "auto") != 0)
         return "constants";
+    if (warnings_fault(o->warnings, &(size_t){0}))
+        return "warnings";
     *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
     if (o->custom)
         job->layout = o->custom->row;

@@ -73,6 +73,8 @@ typedef struct {
     void *user;               /* for read_file */
     const MatcLayout *custom; /* overrides `layout`; it lives as long as what is compiled with it */
     MatcLinked *linked;       /* or NULL */
+    const char *warnings;     /* those that are not said, or are errors: "no-NAME,error=NAME,error", in any number; the last one
+                                 that speaks of a warning counts. NULL (default): all are said. matc_explain("warnings") */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -80,7 +82,7 @@ MATC_API void matc_linked_free(MatcLinked *linked);
 /* Members beyond those that the caller knows of keep their defaults. */
 #define matc_options_init(options) matc_options_init_sized(options, sizeof(MatcOptions))
 MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);
-/* Sets a member by its name: "target", "noise", ...; false if it is none of those above `optimize`. */
+/* Sets a member by its name: "target", "noise", ...; false if it is none of those above `optimize`, nor "warnings". */
 MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
 /* NULL, or which option has a value that does not exist. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);

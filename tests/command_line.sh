@@ -88,6 +88,26 @@ echo precious >"$work/precious"
 check "an existing output is left as it was" same "$work/precious" "$work/kept.frag"
 check "JSON diagnostics" status 1 "$matc" --diagnostics=json "$work/bad.yaml"
 check "name the kind" says '"kind": "unknown_map"'
+printf 'material: Phong\ndiffuse: #ff0000\nspecular: #00ff00\n' >"$work/doubtful.yaml"
+check "a warning ends nothing" status 0 $fast "$work/doubtful.yaml"
+check "and says what it is called" says 'doubtful.yaml:2:10: warning: .* \[-Wunquoted_color\]$'
+check "and so does the next" says 'doubtful.yaml:3:11: warning: '
+check "-Wno-NAME" status 0 $fast -Wno-unquoted_color "$work/doubtful.yaml"
+check "says nothing" test ! -s "$work/stderr"
+check "-Werror" status 1 $fast -Werror "$work/doubtful.yaml" -o "$work/none.frag"
+check "is an error" says 'doubtful.yaml:2:10: error: .* \[-Werror=unquoted_color\]$'
+check "and so are further ones" says 'doubtful.yaml:3:11: error: '
+check "of a set, too" status 1 $fast -Werror -d "$work/none" "$work/doubtful.yaml"
+check "-Werror=NAME" status 0 $fast -Werror=unordered_items "$work/doubtful.yaml"
+check "the last counts" status 0 $fast -Werror -Wno-error=unquoted_color "$work/doubtful.yaml"
+for way in "" -Wno-unquoted_color -Werror; do
+    check "with a cache, first: $way" status "$([ "$way" = -Werror ]; echo $((1 - $?)))" $fast $way -d "$work/w" --cache "$work/wc" "$work/doubtful.yaml"
+    cp "$work/stderr" "$work/first"
+    check "and then: $way" status "$([ "$way" = -Werror ]; echo $((1 - $?)))" $fast $way -d "$work/w" --cache "$work/wc" "$work/doubtful.yaml"
+    check "it says the same" same "$work/first" "$work/stderr"
+done
+check "a warning that is none is wrong usage" status 2 $fast -Wno-unquoted_colour "$work/doubtful.yaml"
+check "which suggests" says "no warning is called 'unquoted_colour'; did you mean 'unquoted_color'"
 # Whatever is wrong, standard error is nothing but JSON
 is_json() { grep -q . "$work/stderr" && ! grep -vE '^(\[|\]| \{"severity": .*"message": ".*\},?)$' "$work/stderr" >&2; }
 printf 'materials: { a: { material: Phong }, b: { material: Phong } }\n' >"$work/several.yaml"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The targets that README.md, docs/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them:
+# The targets that README.md, docs/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them,
+# and the warnings that the first two name are those of grammar/diags.def, as matc --explain warnings has them:
 # lists.sh MATC; with --update behind it, these files are written anew. Run from the project's root.
 set -eu
 matc=$1
@@ -54,4 +55,17 @@ echo "| targets | $(quoted '`' '') |" | holds README.md '| targets |' '|' || sta
 echo "    const char *target;       /* $(quoted '"' ' (default)') */" |
     holds compiler/matc.h '    const char *target;' '    const char *' || stale=1
 { printf '%s\n' '.It Fl \-target Ns = Ns Ar target'; in_man; } | holds docs/matc.1 '.It Fl \-target ' '.It Fl' || stale=1
+
+warnings=$("$matc" --explain warnings | sed -n 's/^  \([a-z_]*\)  .*/\1/p')
+[ -n "$warnings" ]
+{
+    echo ".It Fl W Ns Cm no- Ns Ar name , Fl W Ns Cm error , Fl W Ns Cm error= Ns Ar name"
+    echo "Do not give that warning; take all warnings, or that one, as errors."
+    echo "The last option that speaks of a warning counts."
+    echo ".Fl \-explain Cm warnings"
+    echo "tells what each is about:"
+    echo "$warnings" | sed 's/^/.Cm /; $!s/$/ ,/; $s/$/ ./'
+} | holds docs/matc.1 '.It Fl W ' '.It Fl' || stale=1
+echo "| warnings | $(echo "$warnings" | sed 's/.*/`&`/' | paste -sd , | sed 's/,/, /g'); \`-Wno-NAME\`, \`-Werror\`, \`-Werror=NAME\` |" |
+    holds README.md '| warnings |' '|' || stale=1
 exit "$stale"

@@ -77,7 +77,7 @@ static void put_caret(Text *out, const SourcePosition *position, uint32_t length
     text_char(out, '\n');
 }
 
-/* In one line; but what glslang says are several. */
+/* In one line; but what glslang says are several. Behind a warning stands what it is called. */
 static void put_message(Text *out, const Diag *diag)
 {
     const char *at = diag->message;
@@ -86,6 +86,8 @@ static void put_message(Text *out, const Diag *diag)
         text_char(out, '\n');
     }
     text_visible(out, at, strlen(at));
+    if (diag_table[diag->kind].severity == SEVERITY_warning)
+        text_format(out, " [-W%s%s]", diag->severity == SEVERITY_error ? "error=" : "", diag_table[diag->kind].name);
     text_char(out, '\n');
 }
 

@@ -6,7 +6,7 @@
 #include "compiler/matc.h"
 #include <stdbool.h>
 
-typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error } Severity;
+typedef enum { SEVERITY_note, SEVERITY_warning, SEVERITY_error, SEVERITY_none } Severity; /* none: not said */
 
 typedef enum {
 #define DIAG(name, severity, format, doc) DIAG_##name,

@@ -1,13 +1,22 @@
 /* The diagnostics of a session: each is said once, and so many at most. */
 #include "compiler/base/session.h"
+#include "compiler/base/warnings.h"
 #include <string.h>
 
 bool diag_full(const Session *session) { return session->diags.count >= MOST_DIAGS; }
 
+const char *diag_suggest(const Session *session, const char *name, SuggestName *names, const void *user, int count)
+{
+    return diag_full(session) ? "" : suggest(session->arena, name, names, user, count);
+}
+
 void *diag_add(Session *session, Span span, DiagKind kind, ...)
 {
+    const Severity severity = warnings_severity(session->options ? session->options->warnings : NULL, kind);
+    if (severity == SEVERITY_none)
+        return NULL;
     if (diag_full(session)) {
-        session->diags.errors += diag_table[kind].severity == SEVERITY_error;
+        session->diags.errors += severity == SEVERITY_error;
         return NULL;
     }
     va_list args;
@@ -23,9 +32,9 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
             return NULL;
     }
     const char *message = arena_string(session->arena, session->message.at, session->message.size);
-    Diag diag = {kind, diag_table[kind].severity, span, message};
+    Diag diag = {kind, severity, span, message};
     ARENA_PUSH(session->arena, session->diags.at, session->diags.count, session->diags.room, diag);
-    session->diags.errors += diag.severity == SEVERITY_error;
+    session->diags.errors += severity == SEVERITY_error;
     return NULL;
 }
 

@@ -7,6 +7,7 @@
 #include "compiler/matc.h"
 #include "compiler/base/names.h"
 #include "compiler/base/source.h"
+#include "compiler/base/suggest.h"
 #include <locale.h>
 #include <stdbool.h>
 
@@ -65,6 +66,8 @@ typedef struct Session {
 void *diag_add(Session *session, Span span, DiagKind kind, ...);
 /* Further ones are only counted. */
 bool diag_full(const Session *session);
+/* "; did you mean 'x'?" as suggest() has it, "" where no further diagnostic is said. */
+const char *diag_suggest(const Session *session, const char *name, SuggestName *names, const void *user, int count);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
 const char *diag_all(Session *session, MatcForm form);
 /* Seconds of a clock that never goes back. */

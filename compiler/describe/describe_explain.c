@@ -222,6 +222,20 @@ static void explain_diags(const Query *q)
     }
 }
 
+static void explain_warnings(const Query *q)
+{
+    if (!begins(q, "warnings"))
+        return;
+    text_put(
+        q->out,
+        "warnings (diagnostics that end nothing)\n"
+        "-Wno-NAME: it is not said. -Werror=NAME: it is an error. -Werror: all are. The last option that speaks of a\n"
+        "warning counts; -WNAME and -Wno-error=NAME take back what one before them said. All are said by default.\n\n");
+    for (int i = 0; i < DIAG_COUNT; i++)
+        if (diag_table[i].severity == SEVERITY_warning)
+            text_format(q->out, "  %-20s  %s\n", diag_table[i].name, diag_table[i].doc);
+}
+
 char *matc_explain(const char *name)
 {
     Arena arena = {0};
@@ -237,6 +251,7 @@ char *matc_explain(const char *name)
         explain_layouts(&query);
         explain_encodings(&query);
         explain_diags(&query);
+        explain_warnings(&query);
         query.compare = strcasecmp;
     }
     if (out.size)

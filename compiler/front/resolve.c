@@ -48,7 +48,7 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
         diag_add(r->session, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
         return false;
     }
-    const char *near = suggest(r->session, name->text, name_of_group, &material, kind_name_count());
+    const char *near = diag_suggest(r->session, name->text, name_of_group, &material, kind_name_count());
     diag_add(r->session, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
     return false;
 }
@@ -142,7 +142,7 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
             item->input = resolve_map(r, member->value, &fault);
         } else {
             diag_add(r->session, member->span, DIAG_item_keys, member->key,
-                     suggest(r->session, member->key, item_key, NULL, 2));
+                     diag_suggest(r->session, member->key, item_key, NULL, 2));
             fine = false;
         }
     }
@@ -281,7 +281,7 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     for (int i = 0; i < row->count; i++)
         if (!strcmp(param_table[row->first + i].name, member->key))
             return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
-    const char *near = suggest(r->session, member->key, param_name, row, row->count);
+    const char *near = diag_suggest(r->session, member->key, param_name, row, row->count);
     diag_add(r->session, member->span, DIAG_unknown_key, name, member->key, near);
     return false;
 }
@@ -373,7 +373,7 @@ static const Member *find_def(Resolver *r, Tree *tree)
             return member;
         DefNames names = {r, i};
         if (!*near)
-            near = suggest(r->session, name->text, def_name, &names, (int)r->defs[i]->count);
+            near = diag_suggest(r->session, name->text, def_name, &names, (int)r->defs[i]->count);
     }
     return diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
 }

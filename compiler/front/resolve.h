@@ -47,10 +47,6 @@ bool resolve_is_name(const char *name);
 /* A name that a uniform cannot have: GLSL's own, or one that matc gives. reserved.c */
 bool reserved_has(const char *name);
 
-/* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
-const char *suggest(Session *session, const char *name, const char *(*names)(const void *user, int i), const void *user,
-                    int count);
-
 /* Loads a PNG file; NULL and a diagnostic when it cannot. Equal paths are one image. */
 const Image *image_load(Resolver *r, const char *path, Span span);
 #endif

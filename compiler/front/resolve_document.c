@@ -119,7 +119,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
         if (resolve_is_document_key(member->key) || !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material");
-        const char *near = suggest(r->session, member->key, top_key, NULL, 4);
+        const char *near = diag_suggest(r->session, member->key, top_key, NULL, 4);
         diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
         fine = false;
     }

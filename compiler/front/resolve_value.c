@@ -46,7 +46,7 @@ static bool color(Resolver *r, const Tree *tree, Value *value)
         value->type = TYPE_vec3;
         return true;
     }
-    const char *near = suggest(r->session, tree->text, color_name, NULL, color_count);
+    const char *near = diag_suggest(r->session, tree->text, color_name, NULL, color_count);
     diag_add(r->session, tree->span, DIAG_unknown_color, tree->text, near);
     return false;
 }
@@ -207,7 +207,7 @@ static bool wave_kind(Resolver *r, const Tree *name, WaveKind *kind)
                  tree_describe(r->session, name));
     else
         diag_add(r->session, name->span, DIAG_unknown_wave, name->text,
-                 suggest(r->session, name->text, wave_name, NULL, WAVE_COUNT + 1));
+                 diag_suggest(r->session, name->text, wave_name, NULL, WAVE_COUNT + 1));
     return false;
 }
 
@@ -329,7 +329,7 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
             key++;
         if (key == 5) {
             diag_add(r->session, member->span, DIAG_unknown_key, "a transform", member->key,
-                     suggest(r->session, member->key, transform_key, NULL, 5));
+                     diag_suggest(r->session, member->key, transform_key, NULL, 5));
             fine = false;
         } else if (key == 4) {
             fine &= matrix(r, member->value, transform);

@@ -54,7 +54,7 @@ static void check_keys(Reader *r, const Tree *object, const char *what, const ch
             k++;
         if (k < count)
             continue;
-        const char *near = suggest(r->session, object->members[i].key, key_name, keys, count);
+        const char *near = diag_suggest(r->session, object->members[i].key, key_name, keys, count);
         diag_add(r->session, object->members[i].span, DIAG_layout_key, what, object->members[i].key, near);
         fail(r);
     }
@@ -113,7 +113,7 @@ static int row_of(Reader *r, const Tree *tree, const char *what, const NameList 
     for (int i = 0; i < names->count; i++)
         if (!strcmp(names->name(NULL, i), tree->text))
             return i;
-    const char *near = suggest(r->session, tree->text, names->name, NULL, names->count);
+    const char *near = diag_suggest(r->session, tree->text, names->name, NULL, names->count);
     diag_add(r->session, tree->span, names->unknown, tree->text, near);
     fail(r);
     return -1;

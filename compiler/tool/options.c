@@ -3,6 +3,8 @@
 #include "compiler/choice.h"
 #include "compiler/base/file.h"
 #include "compiler/base/queue.h"
+#include "compiler/base/suggest.h"
+#include "compiler/base/warnings.h"
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +21,16 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"tree", ".tree", 0},
 };
 
-typedef enum { TAKES_text, TAKES_compile, TAKES_flag, TAKES_emit, TAKES_form, TAKES_novalidate, TAKES_maybe } Takes;
+typedef enum {
+    TAKES_text,
+    TAKES_compile,
+    TAKES_flag,
+    TAKES_emit,
+    TAKES_form,
+    TAKES_novalidate,
+    TAKES_maybe,
+    TAKES_warning
+} Takes;
 typedef struct {
     const char *name;
     Takes takes;
@@ -68,6 +79,7 @@ static const Option options[] = {
     {"--emit", TAKES_emit, 0},
     {"--diagnostics", TAKES_form, 0},
     {"--no-validate", TAKES_novalidate, 0},
+    {"-W", TAKES_warning, 0},
     FLAG("--check", compile.check),
     FLAG("--list", list),
     {"--schema", TAKES_maybe, offsetof(CommandLine, schema)},
@@ -96,6 +108,25 @@ static bool read_emit(CommandLine *line, const char *list, const char **fault)
     return true;
 }
 
+/* "-Wno-a -Werror": "no-a,error" */
+static bool add_warning(CommandLine *line, const char *setting, const char **fault)
+{
+    const char *before = line->compile.warnings;
+    size_t size;
+    Text all = text_new(&line->words);
+    text_format(&all, "%s%s%s", before ? before : "", before ? "," : "", setting);
+    line->compile.warnings = all.at;
+    const char *wrong = warnings_fault(setting, &size);
+    if (!wrong)
+        return true;
+    const char *name = strrchr(wrong, '=') ? strrchr(wrong, '=') + 1 : strncmp(wrong, "no-", 3) ? wrong : wrong + 3;
+    Text why = text_new(&line->words);
+    text_format(&why, "no warning is called '%s'%s", name,
+                suggest(&line->words, name, warnings_name, NULL, DIAG_COUNT));
+    *fault = why.at;
+    return false;
+}
+
 static bool set_option(CommandLine *line, const Option *option, const char *value, const char **fault)
 {
     char *member = (char *)line + option->member;
@@ -116,6 +147,8 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
         return true;
     case TAKES_emit:
         return read_emit(line, value, fault);
+    case TAKES_warning:
+        return add_warning(line, value, fault);
     case TAKES_form:
         line->diagnostics = !strcmp(value, "json") ? MATC_JSON : MATC_TEXT;
         *fault = "--diagnostics: text or json";
@@ -127,7 +160,7 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
 static bool takes_value(const Option *option)
 {
     return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
-           option->takes == TAKES_form || option->takes == TAKES_maybe;
+           option->takes == TAKES_form || option->takes == TAKES_maybe || option->takes == TAKES_warning;
 }
 
 /* "--name value", "--name=value", and "-oFILE" as compilers have it. */
@@ -265,6 +298,7 @@ static bool read_passes(CommandLine *line, const char **fault)
 
 void options_free(CommandLine *line)
 {
+    arena_free(&line->words);
     free(line->pass_list);
     for (int i = 0; i < line->list_count; i++)
         free(line->list_texts[i]);

@@ -27,6 +27,7 @@ extern const EmitRow emit_table[EMIT_COUNT];
 
 typedef struct {
     MatcOptions compile;
+    Arena words; /* texts that were made of arguments, and what is said of them */
     const char **inputs; /* of the arguments, and of the lists among them */
     int input_count;
     const char **lists; /* files of inputs, "@list.txt" */

@@ -54,6 +54,8 @@ static const char after_layout[] =
     "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
     "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
     "  --diagnostics=FORM   text (default), json\n"
+    "  -Wno-NAME            do not give that warning; -Werror, -Werror=NAME: all, or that one, are errors.\n"
+    "                       --explain warnings lists them\n"
     "  --no-validate        do not ask glslang\n"
     "  --check              check the IR after every pass\n"
     "  --help, --version\n"

@@ -1,12 +1,13 @@
 /* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case aside.
  *
  *     Cheker -> Checker: a letter is missing, 1.  Wodo -> Wood: two letters are swapped, 1.  Cheker has 6 letters, so 3 are forgiven. */
-#include "compiler/front/resolve.h"
+#include "compiler/base/suggest.h"
+#include "compiler/base/text.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST = LIMIT_NAME };
+enum { LONGEST = 64 };
 
 static int least(int a, int b) { return a < b ? a : b; }
 static bool same(char a, char b) { return tolower((unsigned char)a) == tolower((unsigned char)b); }
@@ -32,14 +33,13 @@ static int distance(const char *a, const char *b, int most)
     return row[n % 3][m];
 }
 
-const char *suggest(Session *session, const char *name, const char *(*names)(const void *, int), const void *user,
-                    int count)
+const char *suggest(Arena *arena, const char *name, SuggestName *names, const void *user, int count)
 {
     const char *best = NULL;
     if (strnlen(name, LONGEST + 1) > LONGEST)
         return "";
     int size = (int)strlen(name), best_distance = size < 5 ? 1 : size / 3 + 1;
-    for (int i = 0; i < count && !diag_full(session); i++) { /* what is not said needs no suggestion */
+    for (int i = 0; i < count; i++) {
         const char *candidate = names(user, i);
         int d = candidate ? distance(name, candidate, best_distance) : LONGEST;
         if (d <= best_distance && (!best || d < best_distance)) {
@@ -49,7 +49,7 @@ const char *suggest(Session *session, const char *name, const char *(*names)(con
     }
     if (!best)
         return "";
-    Text text = text_new(session->arena);
+    Text text = text_new(arena);
     text_format(&text, "; did you mean '%s'?", best);
     return text.at;
 }

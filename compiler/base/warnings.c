@@ -1,0 +1,93 @@
+/* Settings of warnings: NAME, no-NAME, error, no-error, error=NAME, no-error=NAME, with commas between. The last one that
+ * speaks of a warning counts.
+ *
+ *     no-unordered_items,error    unordered_items is not said, every other warning is an error */
+#include "compiler/base/warnings.h"
+#include <string.h>
+
+typedef struct {
+    const char *name; /* of a warning; NULL: all of them */
+    size_t size;
+    bool no, error;
+} Setting;
+
+static bool take(const char **at, size_t *size, const char *prefix)
+{
+    const size_t length = strlen(prefix);
+    if (*size < length || strncmp(*at, prefix, length) != 0)
+        return false;
+    *at += length;
+    *size -= length;
+    return true;
+}
+
+static Setting read_setting(const char *at, size_t size)
+{
+    Setting setting = {.no = take(&at, &size, "no-")};
+    if (size == strlen("error") && take(&at, &size, "error")) {
+        setting.error = true;
+        return setting;
+    }
+    setting.error = take(&at, &size, "error=");
+    setting.name = at;
+    setting.size = size;
+    return setting;
+}
+
+/* Compilers write names with dashes: one means what '_' does. */
+static bool has_name(const Setting *setting, const char *name)
+{
+    if (strlen(name) != setting->size)
+        return false;
+    for (size_t i = 0; i < setting->size; i++)
+        if (name[i] != (setting->name[i] == '-' ? '_' : setting->name[i]))
+            return false;
+    return true;
+}
+
+Severity warnings_severity(const char *settings, DiagKind kind)
+{
+    const DiagRow *row = &diag_table[kind];
+    bool said = true, error = false;
+    if (row->severity != SEVERITY_warning || !settings)
+        return row->severity;
+    for (size_t size; *settings; settings += size + (settings[size] == ',')) {
+        size = strcspn(settings, ",");
+        const Setting setting = read_setting(settings, size);
+        if (setting.name && !has_name(&setting, row->name))
+            continue;
+        if (setting.error)
+            error = !setting.no;
+        else
+            said = !setting.no;
+    }
+    return !said ? SEVERITY_none : error ? SEVERITY_error : SEVERITY_warning;
+}
+
+const char *warnings_name(const void *user, int i)
+{
+    (void)user;
+    for (int kind = 0; kind < DIAG_COUNT; kind++)
+        if (diag_table[kind].severity == SEVERITY_warning && i-- == 0)
+            return diag_table[kind].name;
+    return NULL;
+}
+
+static bool is_known(const Setting *setting)
+{
+    for (int i = 0; setting->name && warnings_name(NULL, i); i++)
+        if (has_name(setting, warnings_name(NULL, i)))
+            return true;
+    return !setting->name;
+}
+
+const char *warnings_fault(const char *settings, size_t *size)
+{
+    for (; settings && *settings; settings += *size + (settings[*size] == ',')) {
+        *size = strcspn(settings, ",");
+        const Setting setting = read_setting(settings, *size);
+        if (!is_known(&setting))
+            return settings;
+    }
+    return NULL;
+}
