@@ -33,6 +33,9 @@ foreach(file ${TESTS})
   if(name MATCHES "^test_exact")
     target_link_libraries(${name} PRIVATE PkgConfig::MPFR)
   endif()
+  if(name MATCHES "^test_journal")
+    target_sources(${name} PRIVATE tests/journal/world.c)
+  endif()
   if(name STREQUAL test_kill)
     target_compile_definitions(${name} PRIVATE STRIKE_LIBRARY="$<TARGET_FILE:strike>")
     add_dependencies(${name} strike matc)
@@ -121,8 +124,8 @@ endforeach()
 
 # ctest -L quick: for the inner loop, a few seconds in all
 set(QUICK golden abi embed_example functions layers exports
-  test_affine test_bounded test_defaults test_exact test_exact_material test_filtered_pass test_ir_check test_journal test_json test_json_write
-  test_key test_ktx test_layout_cases test_layout_file test_names test_oracle test_oracle_material test_oracle_space test_pack test_picture test_png
+  test_affine test_bounded test_defaults test_exact test_exact_material test_filtered_pass test_ir_check test_journal_damage
+  test_journal_forgery test_journal_undoing test_json test_json_write test_key test_ktx test_layout_cases test_layout_file test_names test_oracle test_oracle_material test_oracle_space test_pack test_picture test_png
   test_range test_rules test_tables test_thesis)
 foreach(name ${QUICK})
   if(TEST ${name})

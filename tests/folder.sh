@@ -84,7 +84,7 @@ echo half >"$work/ended/.matc-commit/0"
 check "a commit without a journal" status 0 $fast -d "$work/ended" examples/checker.yaml
 check "is removed" only "$work/ended" .matc-cache checker.frag manifest.json
 
-# -- a journal that cannot be followed is an error at once, and nothing changes; test_journal.c has every kind of it
+# -- a journal that cannot be followed is an error at once, and nothing changes; test_journal_*.c have every kind of it
 
 refused() { # a command that makes out/.matc-commit, and what is said
     rm -rf "$work/broken" "$work/same"
