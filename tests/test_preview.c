@@ -193,6 +193,27 @@ static void spheres_are_lit(void **state)
     }
 }
 
+/* A surface that only sends out light has the colour that its document says, byte for byte: decoded, drawn and encoded again. The
+ * preview bends what is brighter than 0.7, which is byte 218. */
+static void srgb_bytes_come_back(void **state)
+{
+    (void)state;
+    enum { SIDE = 16 };
+    static const int bytes[] = {0, 1, 9, 10, 11, 12, 64, 127, 128, 129, 188, 217};
+    for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
+        const int red = bytes[i], green = 217 - red;
+        char text[128];
+        snprintf(text, sizeof text, "{ colors: srgb, material: Phong, diffuse: 0, emissive: '#%02x%02x80' }", red,
+                 green);
+        Preview p = draw(text, "gbuffer", SIDE, SIDE);
+        const unsigned char *middle = p.rgb + 3 * (SIDE / 2 * SIDE + SIDE / 2);
+        assert_int_equal(middle[0], red);
+        assert_int_equal(middle[1], green);
+        assert_int_equal(middle[2], 128);
+        discard(&p);
+    }
+}
+
 /* A sky's own brightness by the C reference, exposed as the preview does. */
 static void want_sky(const Preview *p, Vector ray, double want[3])
 {
@@ -317,6 +338,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spheres_are_lit),
+        cmocka_unit_test(srgb_bytes_come_back),
         cmocka_unit_test(skies_stand_upright),
         cmocka_unit_test(the_program_writes_it_upright),
     };

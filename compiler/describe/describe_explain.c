@@ -153,6 +153,26 @@ static void explain_colors(const Query *q)
     }
 }
 
+/* What is said of colours themselves. */
+static void explain_color_spaces(const Query *q)
+{
+    if (begins(q, "colors"))
+        text_put(
+            q->out,
+            "colors (key of the outermost level)\n"
+            "linear (default) or srgb: what \"#rrggbb\", colour names and pictures of this file are. Files that are\n"
+            "included have their own. Lists of numbers, and alpha, are never converted.\n\nExample\n"
+            "  colors: srgb\n  material: Phong\n  diffuse: \"#808080\"\n");
+    if (begins(q, "srgb"))
+        text_put(q->out, "srgb (of a colour, or of colors:)\n"
+                         "Encoded by IEC 61966-2-1, as colour pickers and most pictures have it.\n\nMeaning\n"
+                         "  c / 12.92 if c <= 0.04045, else ((c + 0.055) / 1.055)^2.4; alpha as it is\n\nExample\n"
+                         "  diffuse: \"srgb(#808080)\"\n");
+    if (begins(q, "linear"))
+        text_put(q->out, "linear (of a colour, or of colors:)\n"
+                         "Linear light: a byte over 255 is the value.\n\nExample\n  diffuse: \"linear(#808080)\"\n");
+}
+
 static void explain_channels(const Query *q)
 {
     for (int i = 0; i < CHANNEL_COUNT; i++)
@@ -245,6 +265,7 @@ char *matc_explain(const char *name)
         explain_kinds(&query);
         explain_waves(&query);
         explain_colors(&query);
+        explain_color_spaces(&query);
         explain_channels(&query);
         explain_slots(&query);
         explain_programs(&query);

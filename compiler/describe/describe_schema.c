@@ -114,12 +114,19 @@ static void put_name(Text *out, const char *name, int *count)
 static void put_color(Text *out)
 {
     int count = 0;
-    text_put(out, "    \"color\": {\n      \"description\": \"#rgb, #rrggbb, #rrggbbaa, or a name.\",\n"
-                  "      \"anyOf\": [\n        {\"enum\": [");
+    text_put(
+        out,
+        "    \"color\": {\n      \"description\": \"#rgb, #rrggbb, #rrggbbaa, or a name; srgb(...) or linear(...) of "
+        "one.\",\n      \"anyOf\": [\n        {\"enum\": [");
     for (int i = 0; i < color_count; i++)
         put_name(out, color_table[i].name, &count);
-    text_put(out, "]},\n        {\"type\": \"string\","
-                  " \"pattern\": \"^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})$\"}\n      ]\n    },\n");
+    text_put(out,
+             "]},\n        {\"type\": \"string\","
+             " \"pattern\": \"^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})$\"},\n        {\"type\": \"string\", "
+             "\"pattern\": \"^(srgb|linear)\\\\((#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})");
+    for (int i = 0; i < color_count; i++)
+        text_format(out, "|%s", color_table[i].name);
+    text_put(out, ")\\\\)$\"}\n      ]\n    },\n");
 }
 
 /* One alternative a name, as only so a name can have its own description. */
@@ -230,7 +237,8 @@ static void put_document(Text *out, Kind kind)
         text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s/properties/%s\"}", param_table[i].name, row->name,
                     param_table[i].name);
     text_put(out, ",\n        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
-                  "        \"include\": {\"$ref\": \"#/$defs/include\"}\n      }\n    },\n");
+                  "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
+                  "        \"colors\": {\"$ref\": \"#/$defs/colors\"}\n      }\n    },\n");
 }
 
 /* "name": any of the kinds of one sort, or a reference to one; `more` are further alternatives. */
@@ -271,6 +279,10 @@ static void put_outermost(Text *out)
         "      \"description\": \"Files whose `defs:` count here too.\",\n"
         "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n"
         "    },\n"
+        "    \"colors\": {\n"
+        "      \"description\": \"What colours and pictures of this file are: linear light, or sRGB.\",\n"
+        "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
+        "    },\n"
         "    \"materialsDocument\": {\n"
         "      \"description\": \"Several materials in a file.\",\n"
         "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
@@ -282,7 +294,8 @@ static void put_outermost(Text *out)
         "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
         "        },\n"
         "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
-        "        \"include\": {\"$ref\": \"#/$defs/include\"}\n"
+        "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
+        "        \"colors\": {\"$ref\": \"#/$defs/colors\"}\n"
         "      }\n"
         "    }\n",
         LIMIT_NAME);

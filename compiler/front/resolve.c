@@ -266,7 +266,10 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
     return fine;
 }
 
-bool resolve_is_document_key(const char *key) { return !strcmp(key, "defs") || !strcmp(key, "include"); }
+bool resolve_is_document_key(const char *key)
+{
+    return !strcmp(key, "defs") || !strcmp(key, "include") || !strcmp(key, "colors");
+}
 
 static void set_presets(const char *preset, Kind kind, Value *params)
 {

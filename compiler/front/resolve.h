@@ -14,6 +14,8 @@ typedef struct {
     const Image **images;
     size_t image_count, image_room;
     Names image_paths;
+    bool *srgb_files; /* by source: its colours are sRGB; those beyond the room are linear */
+    size_t srgb_room;
     int node_count;
     int depth;
 } Resolver;
@@ -39,6 +41,12 @@ typedef struct {
 
 /* A number, a list of numbers, a colour or a param; `what` is for messages. */
 bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value);
+/* "#rgb", a name, or one of them in srgb() or linear(); linear light. resolve_color.c */
+bool resolve_color(Resolver *r, const Tree *tree, Value *value);
+/* Reads a document's `colors:`, which holds for all of its file. */
+bool resolve_color_space(Resolver *r, const Tree *document);
+/* What stands in that source is sRGB where nothing else is said. */
+bool resolve_is_srgb(const Resolver *r, uint32_t file);
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 

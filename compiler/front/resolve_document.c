@@ -62,11 +62,11 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     return tree && read_defs(r, tree, depth + 1);
 }
 
-/* Collects `defs:` of the document and, after them, of the files it includes. */
+/* Collects `defs:` of the document and, after them, of the files it includes; each file's `colors:` counts for itself. */
 static bool read_defs(Resolver *r, Tree *document, int depth)
 {
     const Member *defs = tree_find(document, "defs"), *include = tree_find(document, "include");
-    bool fine = true;
+    bool fine = resolve_color_space(r, document);
     if (defs && !tree_is_null(defs->value)) {
         if (defs->value->kind != TREE_object) {
             diag_add(r->session, defs->value->span, DIAG_wrong_type, "defs", "an object",
@@ -81,7 +81,7 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
         for (uint32_t i = 0; i < include->value->count; i++)
             fine &= read_include(r, include->value->items[i], depth);
     else if (include)
-        fine = read_include(r, include->value, depth);
+        fine &= read_include(r, include->value, depth);
     return fine;
 }
 
@@ -107,7 +107,7 @@ static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials
 static const char *top_key(const void *user, int i)
 {
     (void)user;
-    static const char *const keys[] = {"material", "materials", "defs", "include"};
+    static const char *const keys[] = {"material", "materials", "defs", "include", "colors"};
     return keys[i];
 }
 
@@ -119,7 +119,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
         if (resolve_is_document_key(member->key) || !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material");
-        const char *near = diag_suggest(r->session, member->key, top_key, NULL, 4);
+        const char *near = diag_suggest(r->session, member->key, top_key, NULL, 5);
         diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
         fine = false;
     }

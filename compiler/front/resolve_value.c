@@ -1,4 +1,4 @@
-/* Values of parameters: numbers, colours, params, waves, transformations, items. */
+/* Values of parameters: numbers, params, waves, transformations, items. */
 #include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <float.h>
@@ -7,49 +7,6 @@
 
 static const LaneCount one_lane = {1, 1};
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
-
-static const char *color_name(const void *user, int i)
-{
-    (void)user;
-    return color_table[i].name;
-}
-
-static int hex_digit(char c) { return isdigit((unsigned char)c) ? c - '0' : tolower((unsigned char)c) - 'a' + 10; }
-
-/* #rgb, #rrggbb, #rrggbbaa */
-static bool hex_color(const char *text, Value *value)
-{
-    size_t size = strlen(text + 1);
-    if (strspn(text + 1, "0123456789abcdefABCDEF") != size || (size != 3 && size != 6 && size != 8))
-        return false;
-    int lanes = size == 8 ? 4 : 3, digits = size == 3 ? 1 : 2;
-    for (int i = 0; i < lanes; i++) {
-        const char *at = text + 1 + i * digits;
-        value->number[i] = (hex_digit(at[0]) * 16 + hex_digit(at[digits - 1])) / 255.0;
-    }
-    value->type = type_of_lanes[lanes];
-    return true;
-}
-
-static bool color(Resolver *r, const Tree *tree, Value *value)
-{
-    if (tree->text[0] == '#') {
-        if (!hex_color(tree->text, value))
-            diag_add(r->session, tree->span, DIAG_bad_color, tree->text);
-        return value->type != TYPE_bool;
-    }
-    for (int i = 0; i < color_count; i++) {
-        if (strcmp(color_table[i].name, tree->text) != 0)
-            continue;
-        for (int lane = 0; lane < 3; lane++)
-            value->number[lane] = color_table[i].rgb[lane] / 255.0;
-        value->type = TYPE_vec3;
-        return true;
-    }
-    const char *near = diag_suggest(r->session, tree->text, color_name, NULL, color_count);
-    diag_add(r->session, tree->span, DIAG_unknown_color, tree->text, near);
-    return false;
-}
 
 static bool fits_float(Resolver *r, const char *what, const Tree *tree, double number)
 {
@@ -183,7 +140,7 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
         return false;
     }
     if (tree->kind == TREE_scalar && lanes.most >= 3 && !tree_is_null(tree))
-        return color(r, tree, value);
+        return resolve_color(r, tree, value);
     diag_add(r->session, tree->span, DIAG_wrong_type, what,
              lanes.most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->session, tree));
     return false;

@@ -1,0 +1,159 @@
+/* Colours of documents: what `colors:`, srgb() and linear() make of bytes and names, against values of IEC 61966-2-1 as they are
+ * published, and whose file's meaning counts where files are included. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/matc.h"
+#include "runtime/library/srgb.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The transfer function at bytes, as tables of it are printed, to six digits; 10 and 11 are the ends of its two pieces. */
+static const struct {
+    int byte;
+    double linear;
+} published[] = {
+    {0, 0},         {1, .000303527}, {10, .00303527}, {11, .00334654}, {12, .00367651}, {64, .0512695}, {127, .212231},
+    {128, .215861}, {170, .401978},  {188, .502886},  {200, .577580},  {254, .991102},  {255, 1},
+};
+
+static void the_function_is_the_standards(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof published / sizeof *published; i++)
+        assert_true(fabs(srgb_decode(published[i].byte / 255.) - published[i].linear) <= 6e-6 * published[i].linear);
+    /* the two pieces meet at 0.04045, as near as the standard's rounded constants let them: 1e-8 of 0.0031308 */
+    double line = srgb_decode(.04045), power = srgb_decode(nextafter(.04045, 1));
+    assert_true(fabs(line - .0031308) < 5e-8 && power > line - 2e-8 && power - line < 2e-8);
+    for (double encoded = 0; encoded < 1; encoded += 1. / 1024)
+        assert_true(srgb_decode(encoded) < srgb_decode(encoded + 1. / 1024));
+}
+
+/* The files that the documents of a test include. */
+static const char *const palettes[][2] = {
+    {"plain.yaml", "defs: { grey: '#808080' }"},
+    {"linear.yaml", "colors: linear\ndefs: { grey: '#808080' }"},
+    {"srgb.yaml", "colors: srgb\ndefs: { grey: '#808080', other: 'linear(gray)' }"},
+    {"both.yaml", "include: srgb.yaml\ndefs: { own: gray }"},
+};
+
+static char *read_palette(void *user, const char *path, size_t *size, const char **why)
+{
+    (void)user;
+    for (size_t i = 0; i < sizeof palettes / sizeof *palettes; i++)
+        if (!strcmp(path, palettes[i][0])) {
+            *size = strlen(palettes[i][1]);
+            return strdup(palettes[i][1]);
+        }
+    *why = "no such file";
+    return NULL;
+}
+
+/* The lanes that a slot has, as --eval gives them. */
+static void evaluate(const char *text, const char *slot, double *lanes, int count)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.read_file = read_palette;
+    MatcDocument *document = matc_read("color.yaml", text, strlen(text), &options);
+    if (!matc_material_count(document))
+        fail_msg("%s\n%s", text, matc_diagnostics(document, MATC_TEXT));
+    const char *fault;
+    char *values = matc_eval(document, 0, "u=0.3", &options, &fault), line[64];
+    assert_non_null(values);
+    snprintf(line, sizeof line, "\n%s ", slot);
+    char *at = strstr(values, line);
+    assert_non_null(at);
+    at += strlen(line);
+    for (int i = 0; i < count; i++)
+        lanes[i] = strtod(at, &at);
+    free(values);
+    matc_document_free(document);
+}
+
+enum { LINEAR_128 = 1, SRGB_128, SRGB_ORANGE };
+static const double wanted[][3] = {
+    [LINEAR_128] = {128 / 255., 128 / 255., 128 / 255.},
+    [SRGB_128] = {.215861, .215861, .215861},
+    [SRGB_ORANGE] = {1, .577580, 0},
+};
+
+static const struct {
+    const char *text;
+    int want;
+} documents[] = {
+    /* what the document says, and where it says nothing */
+    {"material: Phong\nemissive: '#808080'", LINEAR_128},
+    {"colors: linear\nmaterial: Phong\nemissive: '#808080'", LINEAR_128},
+    {"colors:\nmaterial: Phong\nemissive: '#808080'", LINEAR_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: '#808080'", SRGB_128},
+    {"material: Phong\nemissive: gray\ncolors: srgb", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: orange", SRGB_ORANGE},
+    {"colors: srgb\nmaterials: { one: { material: Phong, emissive: '#808080ff' } }", SRGB_128},
+    /* numbers are numbers */
+    {"colors: srgb\nmaterial: Phong\nemissive: [0.50196078431372548, 0.50196078431372548, 0.50196078431372548]",
+     LINEAR_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: 0.50196078431372548", LINEAR_128},
+    /* one colour */
+    {"material: Phong\nemissive: 'srgb(#808080)'", SRGB_128},
+    {"material: Phong\nemissive: srgb(gray)", SRGB_128},
+    {"material: Phong\nemissive: srgb(orange)", SRGB_ORANGE},
+    {"colors: linear\nmaterial: Phong\nemissive: srgb(#808080)", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: srgb(#808080)", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: 'linear(#808080)'", LINEAR_128},
+    {"material: Phong\nemissive: linear(gray)", LINEAR_128},
+    /* wherever a colour may stand */
+    {"colors: srgb\nmaterial: Phong\nemissive: { param: glow, default: '#808080' }", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: gray, color2: '#808080' }", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: { map: Blend, blend: [{ input: gray }] }", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: { ref: g }\ndefs: { g: gray }", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nspecular: &g gray\nemissive: *g", SRGB_128},
+    /* every file for itself */
+    {"include: plain.yaml\ncolors: srgb\nmaterial: Phong\nemissive: { ref: grey }", LINEAR_128},
+    {"include: linear.yaml\ncolors: srgb\nmaterial: Phong\nemissive: { ref: grey }", LINEAR_128},
+    {"include: srgb.yaml\nmaterial: Phong\nemissive: { ref: grey }", SRGB_128},
+    {"include: srgb.yaml\nmaterial: Phong\nspecular: { ref: grey }\nemissive: gray", LINEAR_128},
+    {"include: srgb.yaml\ncolors: linear\nmaterial: Phong\nemissive: { ref: grey }", SRGB_128},
+    {"include: srgb.yaml\ncolors: srgb\nmaterial: Phong\nemissive: { ref: other }", LINEAR_128},
+    {"include: both.yaml\nmaterial: Phong\nemissive: { ref: grey }", SRGB_128},
+    {"include: both.yaml\nmaterial: Phong\nemissive: { ref: own }", LINEAR_128},
+    {"include: [plain.yaml, srgb.yaml]\nmaterial: Phong\nemissive: { ref: grey }", LINEAR_128},
+};
+
+static void every_file_says_what_its_colours_are(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
+        double got[3];
+        evaluate(documents[i].text, "emissive", got, 3);
+        for (int lane = 0; lane < 3; lane++)
+            if (fabs(got[lane] - wanted[documents[i].want][lane]) > 1e-6)
+                fail_msg("%s\nlane %d: %.9g, want %.9g", documents[i].text, lane, got[lane],
+                         wanted[documents[i].want][lane]);
+    }
+}
+
+/* The shares of #rrggbbaa and the numbers of other slots are no light. */
+static void alpha_is_not_converted(void **state)
+{
+    (void)state;
+    double alpha;
+    evaluate("colors: srgb\nmaterial: Phong\ndiffuse: '#80808080'", "alpha", &alpha, 1);
+    assert_true(fabs(alpha - 128 / 255.) < 1e-12);
+    evaluate("material: Phong\ndiffuse: srgb(#80808080)", "alpha", &alpha, 1);
+    assert_true(fabs(alpha - 128 / 255.) < 1e-12);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_function_is_the_standards),
+        cmocka_unit_test(every_file_says_what_its_colours_are),
+        cmocka_unit_test(alpha_is_not_converted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
