@@ -120,11 +120,11 @@ void main() {
     // Gradient
     float gradient_1 = fract(xyzTransform.z) * 2.0 - 1.0;
     // Blend
-    vec3 blend = mix(vec3(0.27450982, 0.24705882, 0.2), vec3(0.4862745, 0.4392157, 0.3647059), clamp(turbulence(localPosition * 14.0, 3, 2.0, 0.6) + 0.5, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(turbulence(localPosition * 14.0, 3, 2.0, 0.6) + 0.5, 0.0, 1.0));
     // VolumeTurbulence
     float volumeTurbulence_1 = turbulence(localPosition * 3.5, 11, 2.0, 0.5);
     // Blend
-    vec3 blend2 = mix(mix(vec3(0.10980392, 0.015686275, 0.007843138), vec3(0.30588236, 0.050980393, 0.023529412), clamp((volumeTurbulence_1 + 0.8) * 1.1111112, 0.0, 1.0)), vec3(0.49803922, 0.14509805, 0.05882353), clamp((volumeTurbulence_1 - 0.1) * 1.25, 0.0, 1.0));
+    vec3 blend2 = mix(mix(vec3(0.10946171, 0.015996294, 0.008023193), vec3(0.3049873, 0.051269457, 0.023153367), clamp((volumeTurbulence_1 + 0.8) * 1.1111112, 0.0, 1.0)), vec3(0.49693298, 0.14412847, 0.059511237), clamp((volumeTurbulence_1 - 0.1) * 1.25, 0.0, 1.0));
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // Gradient

@@ -141,7 +141,7 @@ void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // Blend
     float blend_1 = clamp((turbulence(localPosition * vec3(1.2, 1.2, 70.0), 4, 2.0, 0.8) + 0.8) * 0.625, 0.0, 1.0);
-    vec3 blend = mix(vec3(0.2, 0.21568628, 0.24313726), vec3(0.69411767, 0.72156864, 0.7607843), blend_1);
+    vec3 blend = mix(vec3(0.20155625, 0.2158605, 0.24228112), vec3(0.69387174, 0.7230551, 0.7605245), blend_1);
     // shininess
     float shininess = phongExponent(mix(0.3, 0.6, blend_1));
     // surface

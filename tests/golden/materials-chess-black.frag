@@ -138,7 +138,7 @@ void main() {
     vec3 turbulenceValue = vectorTurbulence(xyzTransform, 5, 2.0, 0.6) * vec3(0.04) + xyzTransform;
     // Blend
     float blend_1 = (sin(fract(wood(turbulenceValue) * 10.0) * 6.2831855) + 1.0) * 0.5;
-    vec3 blend = mix(vec3(0.02745098, 0.011764706, 0.003921569), vec3(0.101960786, 0.039215688, 0.015686275), clamp(blend_1, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.027320892, 0.011612245, 0.004024717), vec3(0.10224173, 0.039546236, 0.015996294), clamp(blend_1, 0.0, 1.0));
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

@@ -142,7 +142,7 @@ void main() {
     float blend_2 = clamp(blend_1, 0.0, 1.0);
     // Checker
     vec2 checker_1 = fract(uv * vec2(8.0, 4.0));
-    vec3 checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? mix(vec3(0.57254905, 0.32156864, 0.1254902), vec3(0.8392157, 0.6313726, 0.3529412), blend_2) : mix(vec3(0.02745098, 0.011764706, 0.003921569), vec3(0.101960786, 0.039215688, 0.015686275), blend_2);
+    vec3 checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? mix(vec3(0.57112485, 0.3231432, 0.12477182), vec3(0.838799, 0.63075715, 0.3515326), blend_2) : mix(vec3(0.027320892, 0.011612245, 0.004024717), vec3(0.10224173, 0.039546236, 0.015996294), blend_2);
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

@@ -138,7 +138,7 @@ void main() {
     vec3 turbulenceValue = vectorTurbulence(xyzTransform, 5, 2.0, 0.6) * vec3(0.04) + xyzTransform;
     // Blend
     float blend_1 = (sin(fract(wood(turbulenceValue) * 10.0) * 6.2831855) + 1.0) * 0.5;
-    vec3 blend = mix(vec3(0.57254905, 0.32156864, 0.1254902), vec3(0.8392157, 0.6313726, 0.3529412), clamp(blend_1, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.57112485, 0.3231432, 0.12477182), vec3(0.838799, 0.63075715, 0.3515326), clamp(blend_1, 0.0, 1.0));
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

@@ -44,6 +44,6 @@ void main() {
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, checker_2 ? 2021746204u : 2030043135u, checker_2 ? 464977016u : 1035402360u, checker_2 ? 1755u : 3965u);
+    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, checker_2 ? 2021746459u : 2030043135u, checker_2 ? 464977016u : 1035402360u, checker_2 ? 1755u : 3965u);
     fragment0 = surface_1;
 }

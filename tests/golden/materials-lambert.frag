@@ -116,7 +116,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // Blend
-    vec3 blend = mix(vec3(0.4862745, 0.4117647, 0.32156864), vec3(0.7764706, 0.7019608, 0.59607846), clamp((turbulence(localPosition * 5.0, 11, 2.0, 0.5) + 0.6) * 0.8333333, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.48514995, 0.4125426, 0.3231432), vec3(0.7758222, 0.7011019, 0.59720176), clamp((turbulence(localPosition * 5.0, 11, 2.0, 0.5) + 0.6) * 0.8333333, 0.0, 1.0));
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

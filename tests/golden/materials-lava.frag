@@ -163,7 +163,7 @@ void main() {
     // Carpenter
     float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     // Blend
-    vec3 blend = mix(vec3(0.015686275, 0.015686275, 0.011764706), vec3(0.06666667, 0.05490196, 0.047058824), clamp((carpenter_1 - 0.2) * 1.4285715, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.015996294, 0.015996294, 0.011612245), vec3(0.06662594, 0.054480277, 0.046665087), clamp((carpenter_1 - 0.2) * 1.4285715, 0.0, 1.0));
     // BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.016 * bumpMap_1 + worldTangentU;

@@ -135,9 +135,9 @@ void main() {
     // Leopard
     float leopard_1 = leopard(turbulenceValue * 15.0);
     // Blend
-    vec3 blend = mix(vec3(0.8627451, 0.76862746, 0.6117647), vec3(0.6666667, 0.32156864, 0.07450981), clamp(localPosition.z + 0.9, 0.0, 1.0));
-    vec3 blend_1 = mix(mix(blend, vec3(0.011764706, 0.007843138, 0.003921569), clamp((leopard_1 - 0.26) * 16.666666, 0.0, 1.0)), vec3(0.023529412, 0.011764706, 0.003921569), clamp((leopard_1 - 0.32) * 4.347826, 0.0, 1.0));
-    vec3 blend2 = mix(blend_1, vec3(0.33333334, 0.11372549, 0.023529412), clamp((leopard_1 - 0.55) * 9.090909, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.8631572, 0.76815116, 0.61049557), vec3(0.6653873, 0.3231432, 0.07421357), clamp(localPosition.z + 0.9, 0.0, 1.0));
+    vec3 blend_1 = mix(mix(blend, vec3(0.011612245, 0.008023193, 0.004024717), clamp((leopard_1 - 0.26) * 16.666666, 0.0, 1.0)), vec3(0.023153367, 0.011612245, 0.004024717), clamp((leopard_1 - 0.32) * 4.347826, 0.0, 1.0));
+    vec3 blend2 = mix(blend_1, vec3(0.33245152, 0.114435375, 0.023153367), clamp((leopard_1 - 0.55) * 9.090909, 0.0, 1.0));
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

@@ -158,7 +158,7 @@ void main() {
     // Gradient
     float gradient_1 = sin(fract(dot(turbulenceValue, vec3(1.1, 0.4, 1.3))) * 3.1415927) * 2.0 - 1.0;
     // Blend
-    vec3 blend = mix(vec3(0.62352943, 0.5921569, 0.5254902), vec3(0.8627451, 0.7921569, 0.6666667), clamp(turbulence(turbulenceValue, 4, 2.0, 0.6) + 0.5, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.6239604, 0.59061885, 0.5271151), vec3(0.8631572, 0.7912979, 0.6653873), clamp(turbulence(turbulenceValue, 4, 2.0, 0.6) + 0.5, 0.0, 1.0));
     vec3 blend2 = gradient_1 < -0.3 ? (gradient_1 < -0.85 ? vein : mix(vein, blend, (gradient_1 + 0.85) * 1.8181819)) : blend;
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);

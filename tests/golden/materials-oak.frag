@@ -170,10 +170,10 @@ void main() {
     // Blend
     vec3 blend;
     if (wood_1 < 1.0) {
-        vec3 blend2 = mix(vec3(0.32156864, 0.14509805, 0.047058824), vec3(0.58431375, 0.32156864, 0.1254902), clamp((turbulence(turbulenceValue * vec3(30.0, 30.0, 2.0), 3, 2.0, 0.6) + 1.0) * 0.71428573, 0.0, 1.0));
-        blend = wood_1 < -0.3 ? blend2 : mix(blend2, vec3(0.2, 0.07058824, 0.019607844), (wood_1 + 0.3) * 0.7692308);
+        vec3 blend2 = mix(vec3(0.3231432, 0.14412847, 0.046665087), vec3(0.58407843, 0.3231432, 0.12477182), clamp((turbulence(turbulenceValue * vec3(30.0, 30.0, 2.0), 3, 2.0, 0.6) + 1.0) * 0.71428573, 0.0, 1.0));
+        blend = wood_1 < -0.3 ? blend2 : mix(blend2, vec3(0.20155625, 0.070360094, 0.019382361), (wood_1 + 0.3) * 0.7692308);
     } else {
-        blend = vec3(0.2, 0.07058824, 0.019607844);
+        blend = vec3(0.20155625, 0.070360094, 0.019382361);
     }
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -81,7 +81,7 @@ void main() {
     // Carpenter
     float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     // Blend
-    vec3 blend = mix(vec3(0.019607844, 0.101960786, 0.011764706), vec3(0.17254902, 0.41568628, 0.047058824), clamp((carpenter_1 - 0.35) * 2.5, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.019382361, 0.10224173, 0.011612245), vec3(0.17144111, 0.41788507, 0.046665087), clamp((carpenter_1 - 0.35) * 2.5, 0.0, 1.0));
     // BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.08 * bumpMap_1 + worldTangentU;

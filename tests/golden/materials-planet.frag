@@ -161,13 +161,13 @@ void main() {
     float blend_1 = clamp((volumeTurbulence_2 + 0.02) * 50.0, 0.0, 1.0);
     vec3 blend;
     if (volumeTurbulence_1 < 0.75) {
-        vec3 blend_2 = mix(mix(mix(vec3(0.003921569, 0.02745098, 0.09019608), vec3(0.023529412, 0.21176471, 0.34117648), clamp((volumeTurbulence_2 + 0.5) * 2.0833333, 0.0, 1.0)), vec3(0.6117647, 0.45490196, 0.22745098), blend_1), vec3(0.07058824, 0.16078432, 0.039215688), clamp(volumeTurbulence_2 * 10.0, 0.0, 1.0));
-        vec3 blend2 = mix(mix(blend_2, vec3(0.2, 0.14509805, 0.06666667), clamp((volumeTurbulence_2 - 0.1) * 3.3333333, 0.0, 1.0)), vec3(0.90588236, 0.9137255, 0.92941177), clamp((volumeTurbulence_2 - 0.4) * 3.3333333, 0.0, 1.0));
-        vec3 blend_3 = turbulenceValue.z < -0.8 ? (turbulenceValue.z < -0.86 ? vec3(0.90588236, 0.9137255, 0.92941177) : mix(vec3(0.90588236, 0.9137255, 0.92941177), blend2, (turbulenceValue.z + 0.86) * 16.666666)) : blend2;
-        vec3 blend3 = turbulenceValue.z < 0.8 ? blend_3 : turbulenceValue.z < 0.86 ? mix(blend2, vec3(0.90588236, 0.9137255, 0.92941177), (turbulenceValue.z - 0.8) * 16.666666) : vec3(0.90588236, 0.9137255, 0.92941177);
-        blend = volumeTurbulence_1 < 0.15 ? blend3 : mix(blend3, vec3(0.90588236, 0.9137255, 0.92941177), (volumeTurbulence_1 - 0.15) * 1.6666666);
+        vec3 blend_2 = mix(mix(mix(vec3(0.004024717, 0.027320892, 0.09084171), vec3(0.023153367, 0.21223076, 0.34191442), clamp((volumeTurbulence_2 + 0.5) * 2.0833333, 0.0, 1.0)), vec3(0.61049557, 0.45641103, 0.22696587), blend_1), vec3(0.070360094, 0.16202937, 0.039546236), clamp(volumeTurbulence_2 * 10.0, 0.0, 1.0));
+        vec3 blend2 = mix(mix(blend_2, vec3(0.20155625, 0.14412847, 0.06662594), clamp((volumeTurbulence_2 - 0.1) * 3.3333333, 0.0, 1.0)), vec3(0.9046612, 0.91309863, 0.9301109), clamp((volumeTurbulence_2 - 0.4) * 3.3333333, 0.0, 1.0));
+        vec3 blend_3 = turbulenceValue.z < -0.8 ? (turbulenceValue.z < -0.86 ? vec3(0.9046612, 0.91309863, 0.9301109) : mix(vec3(0.9046612, 0.91309863, 0.9301109), blend2, (turbulenceValue.z + 0.86) * 16.666666)) : blend2;
+        vec3 blend3 = turbulenceValue.z < 0.8 ? blend_3 : turbulenceValue.z < 0.86 ? mix(blend2, vec3(0.9046612, 0.91309863, 0.9301109), (turbulenceValue.z - 0.8) * 16.666666) : vec3(0.9046612, 0.91309863, 0.9301109);
+        blend = volumeTurbulence_1 < 0.15 ? blend3 : mix(blend3, vec3(0.9046612, 0.91309863, 0.9301109), (volumeTurbulence_1 - 0.15) * 1.6666666);
     } else {
-        blend = vec3(0.90588236, 0.9137255, 0.92941177);
+        blend = vec3(0.9046612, 0.91309863, 0.9301109);
     }
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);

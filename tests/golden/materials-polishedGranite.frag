@@ -120,9 +120,9 @@ void main() {
     float granite_1 = granite(xyzTransform);
     float granite_2 = granite(localPosition * 1.5);
     // Blend
-    vec3 blend = mix(mix(vec3(0.20392157, 0.06666667, 0.050980393), vec3(0.4862745, 0.24705882, 0.18431373), clamp((granite_2 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.69411767, 0.6117647, 0.54509807), clamp(granite_2 * 2.5, 0.0, 1.0));
+    vec3 blend = mix(mix(vec3(0.20507874, 0.06662594, 0.051269457), vec3(0.48514995, 0.24620132, 0.18447499), clamp((granite_2 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.69387174, 0.61049557, 0.54572445), clamp(granite_2 * 2.5, 0.0, 1.0));
     float blend_1 = granite_1 + 0.25;
-    vec3 blend2 = granite_1 < -0.15 ? (granite_1 < -0.25 ? vec3(0.015686275, 0.015686275, 0.011764706) : mix(vec3(0.015686275, 0.015686275, 0.011764706), blend, blend_1 * 10.0)) : blend;
+    vec3 blend2 = granite_1 < -0.15 ? (granite_1 < -0.25 ? vec3(0.015996294, 0.015996294, 0.011612245) : mix(vec3(0.015996294, 0.015996294, 0.011612245), blend, blend_1 * 10.0)) : blend;
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface

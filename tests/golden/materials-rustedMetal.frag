@@ -187,9 +187,9 @@ void main() {
     // Granite
     float granite_1 = granite(localPosition * 2.0);
     // Blend
-    vec3 blend = mix(mix(vec3(0.050980393, 0.011764706, 0.003921569), vec3(0.25490198, 0.050980393, 0.007843138), clamp((granite_1 + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52156866, 0.19607843, 0.03529412), clamp((granite_1 - 0.1) * 2.0, 0.0, 1.0));
+    vec3 blend = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((granite_1 + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((granite_1 - 0.1) * 2.0, 0.0, 1.0));
     float blend_1 = (volumeTurbulence_1 + 0.05) * 6.6666665;
-    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.078431375, 0.09019608, 0.105882354) : mix(vec3(0.078431375, 0.09019608, 0.105882354), blend, blend_1)) : blend;
+    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.07818742, 0.09084171, 0.107023105) : mix(vec3(0.07818742, 0.09084171, 0.107023105), blend, blend_1)) : blend;
     // BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // Carpenter
@@ -204,7 +204,7 @@ void main() {
     uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
     // Blend
     float blend_2 = clamp(blend_1, 0.0, 1.0);
-    vec3 blend3 = mix(vec3(0.26666668, 0.28627452, 0.31764707), vec3(0.02), blend_2);
+    vec3 blend3 = mix(vec3(0.2663556, 0.28744084, 0.31854677), vec3(0.02), blend_2);
     // shininess
     float shininess = phongExponent(mix(0.75, 0.1, blend_2));
     // surface

@@ -51,7 +51,7 @@ void main() {
     // Gradient
     float gradient_1 = abs(abs(fract(localPosition.z * 6.0) * 4.0 - 1.0) - 2.0);
     // Blend
-    vec3 blend = mix(vec3(0.87058824, 0.8, 0.67058825), vec3(0.019607844, 0.06666667, 0.15294118), clamp((gradient_1 - 1.0 + 0.1) * 5.0, 0.0, 1.0));
+    vec3 blend = mix(vec3(0.8713671, 0.7991027, 0.67244315), vec3(0.019382361, 0.06662594, 0.15292615), clamp((gradient_1 - 1.0 + 0.1) * 5.0, 0.0, 1.0));
     // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // diffuse

@@ -51,7 +51,7 @@ function accepts(of, value) {
 }
 
 // Definitions alone are for `include:`; the rest are documents, or layouts.
-const definitions = document => document && Object.keys(document).every(key => key === 'defs' || key === 'include');
+const definitions = document => document && Object.keys(document).every(key => ['defs', 'include', 'colors'].includes(key));
 const documents = [];
 for (const file of files('examples', /\.(yaml|json)$/)) {
   const tree = read(file);
