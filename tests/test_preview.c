@@ -6,14 +6,16 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/matc.h"
+#include "grammar/tables.h"
 #include "runtime/view/picture.h"
+#include "runtime/view/slot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-extern const char view_text_screen[], view_text_light[];
+extern const char view_text_screen[], view_text_light[], view_text_slot[];
 
 #define RADIANS (M_PI / 180)
 typedef struct {
@@ -78,7 +80,7 @@ typedef struct {
 } Preview;
 
 /* A sample a pixel, in its middle. */
-static Preview draw(const char *text, const char *pass, int width, int height)
+static Preview draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
 {
     Preview p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
     Picture drawn = {.rgb = p.rgb};
@@ -87,18 +89,25 @@ static Preview draw(const char *text, const char *pass, int width, int height)
     p.options.layout = "integer";
     p.document = matc_read("preview.yaml", text, strlen(text), &p.options);
     assert_int_equal(matc_material_count(p.document), 1);
-    const PictureOptions options = {p.options,
-                                    {.shape = SHAPE_sphere,
-                                     .width = width,
-                                     .height = height,
-                                     .supersampling = 1,
-                                     .screen_text = view_text_screen,
-                                     .light_text = view_text_light,
-                                     .sky = !strcmp(pass, "sky")}};
+    const PictureOptions options = {.compile = p.options,
+                                    .view = {.shape = SHAPE_sphere,
+                                             .width = width,
+                                             .height = height,
+                                             .supersampling = 1,
+                                             .screen_text = view_text_screen,
+                                             .light_text = view_text_light,
+                                             .slot_text = view_text_slot,
+                                             .slot = slot,
+                                             .sky = !strcmp(pass, "sky")}};
     if (!picture_draw(p.document, 0, &options, &drawn))
         fail_msg("%s%s", drawn.diagnostics, drawn.error);
     free(drawn.diagnostics);
     return p;
+}
+
+static Preview draw(const char *text, const char *pass, int width, int height)
+{
+    return draw_slot(text, pass, NULL, width, height);
 }
 
 static void discard(Preview *p)
@@ -296,6 +305,87 @@ static void skies_stand_upright(void **state)
     }
 }
 
+/* Every slot of a plain material, in the middle of the picture: what it was given, as a byte. */
+static void slots_are_shown(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *slot, *text;
+        double bytes[3];
+    } cases[] = {
+        {"diffuse", "diffuse: [0.5, 0.2, 0]", {187.5, 123.6, 0}}, /* of the sRGB curve */
+        {"alpha", "diffuse: [1, 1, 1, 0.25]", {63.75, 63.75, 63.75}},
+        {"specular", "specular: [0.5, 0.2, 1]", {187.5, 123.6, 255}},
+        {"shininess", "shininess: 0.75", {78.9, 78.9, 78.9}}, /* an exponent of 30.99: 255 log2(30.99) / 16 */
+        {"transparency", "transparency: [0.5, 0.2, 0]", {187.5, 123.6, 0}},
+        {"transparencyShininess", "transparencyShininess: 0.75", {78.9, 78.9, 78.9}},
+        {"interpolatedTransparency", "interpolatedTransparency: false", {0, 0, 0}},
+        {"diffuseTransparency", "diffuseTransparency: [0.5, 0.2, 0]", {187.5, 123.6, 0}},
+        {"ambient", "ambient: [0.5, 0.2, 0]", {187.5, 123.6, 0}},
+        {"emissive", "emissive: [0.5, 0.2, 4]", {187.5, 123.6, 255}},
+        {"ior", "{}", {0, 0, 0}},
+        {"normal", "{}", {127.5, 127.5, 255}}, /* it faces the eye */
+    };
+    enum { SIDE = 65, MIDDLE = (SIDE / 2 * SIDE + SIDE / 2) * 3 };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[128];
+        snprintf(text, sizeof text, "{ material: Phong%s%s }", *cases[i].text == '{' ? "" : ", ",
+                 *cases[i].text == '{' ? "" : cases[i].text);
+        Preview p = draw_slot(text, "gbuffer", cases[i].slot, SIDE, SIDE);
+        for (int lane = 0; lane < 3; lane++)
+            if (fabs(p.rgb[MIDDLE + lane] - cases[i].bytes[lane]) > 1.5)
+                fail_msg("%s.%d: %d, not %g", cases[i].slot, lane, p.rgb[MIDDLE + lane], cases[i].bytes[lane]);
+        assert_int_equal(p.rgb[0], p.rgb[2]); /* beside the sphere */
+        assert_true(p.rgb[0] < 45);
+        discard(&p);
+    }
+    assert_int_equal(sizeof cases / sizeof *cases, SLOT_COUNT);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        assert_non_null(slot_look_find(slot_table[slot].name));
+}
+
+/* A camera sees what it looks at in the middle, and a point beside it where the angle says. */
+static void cameras_look(void **state)
+{
+    (void)state;
+    Viewpoint viewpoint = camera_viewpoint_for(SHAPE_sphere);
+    assert_true(camera_viewpoint_read("3,-4,2,1,0,0.5,40", &viewpoint));
+    const Camera camera = camera_at(&viewpoint, 200, 100);
+    const Mat4 all = mat4_multiply(&camera.clip_from_eye, &camera.eye_from_world);
+    const View view = look((Vector){{3, -4, 2}}, unit((Vector){{2, -4, 1.5}}), 20 * RADIANS, 200, 100);
+    static const double steps[][2] = {{0, 0}, {0.5, 0.25}, {-1, 0.5}};
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        Vector at = added(added((Vector){{1, 0, .5}}, scaled(view.right, steps[i][0])), scaled(view.up, steps[i][1]));
+        double clip[4];
+        for (int row = 0; row < 4; row++)
+            clip[row] = all.m[row] * at.at[0] + all.m[4 + row] * at.at[1] + all.m[8 + row] * at.at[2] + all.m[12 + row];
+        double distance = sqrt(dot((Vector){{2, -4, 1.5}}, (Vector){{2, -4, 1.5}}));
+        assert_float_equal(clip[0] / clip[3], steps[i][0] / distance / view.tangent / 2, 1e-5);
+        assert_float_equal(clip[1] / clip[3], steps[i][1] / distance / view.tangent, 1e-5);
+        assert_true(fabs(clip[2]) < clip[3]); /* between near and far */
+    }
+    viewpoint = camera_viewpoint_for(SHAPE_sphere);
+    static const char *const wrong[] = {"",
+                                        "above",
+                                        "1",
+                                        "1,2",
+                                        "1,2,3,4",
+                                        "1,2,3,4,5",
+                                        "1,2,3,1,2,3",
+                                        "0,0,5",
+                                        "1,2,nan",
+                                        "1,2,3,0,0,0,0",
+                                        "1,2,3,0,0,0,170",
+                                        "1,2,3,0,0,0,30,1",
+                                        "1,2,3 ",
+                                        "1e9,0,0"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_false(camera_viewpoint_read(wrong[i], &viewpoint));
+    static const char *const right[] = {"front", "left", "top", "low", "close", "1,2,3", "1,2,3,0,0,0"};
+    for (size_t i = 0; i < sizeof right / sizeof *right; i++)
+        assert_true(camera_viewpoint_read(right[i], &viewpoint));
+}
+
 /* The program's file, read by the compiler's reader of pictures, in which v = 1 is the top. */
 static double brightness_of_file(const char *path, double v)
 {
@@ -337,10 +427,9 @@ static void the_program_writes_it_upright(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spheres_are_lit),
-        cmocka_unit_test(srgb_bytes_come_back),
-        cmocka_unit_test(skies_stand_upright),
-        cmocka_unit_test(the_program_writes_it_upright),
+        cmocka_unit_test(spheres_are_lit),     cmocka_unit_test(srgb_bytes_come_back),
+        cmocka_unit_test(skies_stand_upright), cmocka_unit_test(slots_are_shown),
+        cmocka_unit_test(cameras_look),        cmocka_unit_test(the_program_writes_it_upright),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

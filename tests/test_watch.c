@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/tool/watch.h"
+#include "compiler/base/watch.h"
 #include <fcntl.h>
 #include <ftw.h>
 #include <pthread.h>

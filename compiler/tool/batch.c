@@ -8,7 +8,7 @@
 #include "compiler/tool/layout_option.h"
 #include "compiler/base/output.h"
 #include "compiler/base/queue.h"
-#include "compiler/tool/watch.h"
+#include "compiler/base/watch.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,9 +7,8 @@
 #include "compiler/tool/options.h"
 #include "runtime/measure/pareto.h"
 #include "compiler/tool/single.h"
-#include "compiler/tool/watch.h"
+#include "compiler/base/watch.h"
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,8 +22,7 @@ enum {
     USAGE = 2,
     BY_SIGNAL = 128, /* and its number */
     LONGEST_MESSAGE = 8192,
-    PROGRESS_STEP = 16,
-    WATCH_MS = 200 /* between looks for a signal */
+    PROGRESS_STEP = 16
 };
 
 static void print_complaint(const CommandLine *line, Severity severity, const char *what, const char *why)
@@ -391,23 +389,6 @@ static double milliseconds_now(void)
     return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
 }
 
-/* 0 when files have changed, else the signal that asks us to end. While a run is under way signals do what they always do. */
-static int wait_for_change(Watch *watch)
-{
-    static const struct timespec at_once = {0, 0};
-    int signal = -1, changed = 0;
-    sigset_t ends, before;
-    sigemptyset(&ends);
-    sigaddset(&ends, SIGINT);
-    sigaddset(&ends, SIGTERM);
-    sigaddset(&ends, SIGHUP);
-    pthread_sigmask(SIG_BLOCK, &ends, &before);
-    while (!changed && (signal = sigtimedwait(&ends, NULL, &at_once)) < 0)
-        changed = watch_wait(watch, WATCH_MS);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    return changed ? 0 : signal;
-}
-
 static void run_and_tell(CommandLine *line, Watch *watch)
 {
     BatchResult result;
@@ -438,7 +419,7 @@ static int run_watching(CommandLine *line, int argc, char **argv)
     const char *fault;
     int signal;
     run_and_tell(line, watch);
-    while (!(signal = wait_for_change(watch))) {
+    while (!(signal = watch_next(watch))) {
         options_free(line);
         if (!read_command_line(line, argc, argv, &fault))
             usage(line, fault);

@@ -37,21 +37,28 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
+{
+    memset(made, 0, sizeof *made);
+    gl->GenVertexArrays(1, &made->array);
+    gl->GenBuffers(2, made->buffers);
+    upload(gl, made, shape);
+    made->index_count = shape->index_count;
+    if (gl_check(gl, "making a mesh"))
+        return true;
+    mesh_delete(gl, made);
+    return false;
+}
+
 bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
 {
     Shape shape;
     memset(made, 0, sizeof *made);
     if (!shape_make(kind, &shape))
         return gl_fail(gl, "no such shape, or out of memory");
-    gl->GenVertexArrays(1, &made->array);
-    gl->GenBuffers(2, made->buffers);
-    upload(gl, made, &shape);
-    made->index_count = shape.index_count;
+    bool done = mesh_make_of(gl, &shape, made);
     shape_free(&shape);
-    if (gl_check(gl, "making a mesh"))
-        return true;
-    mesh_delete(gl, made);
-    return false;
+    return done;
 }
 
 void mesh_draw(const GlContext *gl, const Mesh *mesh)

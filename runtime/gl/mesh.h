@@ -25,6 +25,8 @@ typedef struct {
 
 /* On false *made is empty, see gl->error. */
 bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
+/* Of any shape, which is not kept. */
+bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
 
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);

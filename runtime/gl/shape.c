@@ -8,7 +8,7 @@
 #define TORUS_RADIUS 0.7 /* of the circle in the tube's middle */
 #define TORUS_TUBE   0.3
 
-/* Fills all but uv, which is set already. `patch` counts from 0. */
+/* Fills all but uv, which is set already and may be changed. `patch` counts from 0. */
 typedef void Surface(int patch, double u, double v, ShapeVertex *vertex);
 
 static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
@@ -64,6 +64,29 @@ static void torus(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, -turn * sb * ca, -turn * sb * sa, turn * cb);
 }
 
+/* P = (2u - 1, y, 2v - 1), y = A(v) sin(b), A = 0.24 - 0.14 v, b = 5 pi u + v; the normal is dP/du x dP/dv. */
+static void cloth(int patch, double u, double v, ShapeVertex *vertex)
+{
+    (void)patch;
+    const double folds = 5 * PI, lean = 1, top = .24, gain = -.14;
+    double sb = sin(folds * u + lean * v), cb = cos(folds * u + lean * v), depth = top + gain * v;
+    double along = depth * folds * cb, up = gain * sb + depth * lean * cb;
+    double length = sqrt(along * along + 4 + up * up);
+    put(vertex->position, 2 * u - 1, depth * sb, 2 * v - 1);
+    put(vertex->normal, along / length, -2 / length, up / length);
+    put(vertex->tangentU, 2, along, 0);
+    put(vertex->tangentV, 0, up, 2);
+}
+
+/* P = (x, y, 0), x = R (2u - 1)^3, y = R (2v - 1)^3: cells are small where the eye stands. u and v themselves become those of the plane. */
+static void ground(int patch, double u, double v, ShapeVertex *vertex)
+{
+    double x = SHAPE_HORIZON * pow(2 * u - 1, 3), y = SHAPE_HORIZON * pow(2 * v - 1, 3);
+    plane(patch, (x + 1) / 2, (y + 1) / 2, vertex);
+    vertex->uv[0] = (float)((x + 1) / 2);
+    vertex->uv[1] = (float)((y + 1) / 2);
+}
+
 /* 192 steps around keep a chord within 0.14 pixels of a circle 2000 pixels across. */
 static const struct {
     const char *name;
@@ -71,10 +94,9 @@ static const struct {
     int patches;
     int columns, rows; /* cells of a patch */
 } kinds[SHAPE_count] = {
-    [SHAPE_sphere] = {"sphere", sphere, 1, 192, 96},
-    [SHAPE_plane] = {"plane", plane, 1, 1, 1},
-    [SHAPE_cube] = {"cube", cube, 6, 1, 1},
-    [SHAPE_torus] = {"torus", torus, 1, 192, 96},
+    [SHAPE_sphere] = {"sphere", sphere, 1, 192, 96}, [SHAPE_plane] = {"plane", plane, 1, 1, 1},
+    [SHAPE_cube] = {"cube", cube, 6, 1, 1},          [SHAPE_torus] = {"torus", torus, 1, 192, 96},
+    [SHAPE_cloth] = {"cloth", cloth, 1, 192, 16},    [SHAPE_ground] = {"ground", ground, 1, 64, 64},
 };
 
 const char *shape_name(ShapeKind kind) { return (unsigned)kind < SHAPE_count ? kinds[kind].name : "?"; }

@@ -5,11 +5,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+enum { SHAPE_HORIZON = 500 }; /* half an edge of the ground */
+
 typedef enum {
     SHAPE_sphere, /* radius 1; u = longitude / 2 pi from the x axis, v from the south pole to the north pole */
     SHAPE_plane,  /* [-1, 1] squared in z = 0, facing up; u along x, v along y */
     SHAPE_cube,   /* [-1, 1] cubed; every face has the whole of u and v, v upwards on the sides */
     SHAPE_torus,  /* around the z axis; u around the axis, v around the tube, from its outer rim upwards */
+    SHAPE_cloth,  /* a sheet that hangs in folds, [-1, 1] along x and z; u along x, v upwards, v = 1 is its upper hem */
+    SHAPE_ground, /* z = 0 to the horizon, facing up; u and v as on the plane, and on beyond it */
     SHAPE_count
 } ShapeKind;
 

@@ -11,9 +11,20 @@ typedef struct {
     Mat4 eye_from_clip;
 } Camera;
 
-/* The camera that shows a shape at its best, filling a picture of this size. */
-Camera camera_for(ShapeKind shape, int width, int height);
+/* What a camera is asked for: where it stands, what it looks at, both in the world, whose z is up. */
+typedef struct {
+    double position[3], target[3];
+    double angle; /* of view, of the picture's shorter side, in radians */
+    double reach; /* what is further from the origin is not seen */
+} Viewpoint;
 
+/* The one that shows a shape at its best, filling the picture. */
+Viewpoint camera_viewpoint_for(ShapeKind shape);
+/* Another one: "front", "left", "top", "low", "close", or numbers "X,Y,Z", "X,Y,Z,X,Y,Z", "X,Y,Z,X,Y,Z,DEGREES": position, target, angle of
+ * view. What is not said stays. False: it is none of these, or looks nowhere. */
+bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint);
+
+Camera camera_at(const Viewpoint *viewpoint, int width, int height);
 /* One that stands at the origin and looks over a low horizon, wide-angled. Azimuth in radians from the x axis. */
 Camera camera_for_sky(double azimuth, int width, int height);
 #endif

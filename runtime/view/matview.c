@@ -1,8 +1,9 @@
-/* matview's command line: draws pictures of materials. */
+/* The program matview: draws pictures of materials. The only file here that prints. */
 #include "compiler/base/file.h"
 #include "compiler/base/output.h"
 #include "compiler/base/text.h"
-#include "runtime/view/picture.h"
+#include "compiler/base/watch.h"
+#include "runtime/view/command.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
 #include <stdio.h>
@@ -11,38 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-extern const char view_text_screen[], view_text_light[];
+extern const char view_text_screen[], view_text_light[], view_text_slot[];
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192 };
-
-typedef struct {
-    PictureOptions picture;
-    const char **inputs;
-    int input_count;
-    const char *output, *folder, *material;
-    GlKind gl;
-    bool help, version;
-} CommandLine;
-
-static const char help_text[] =
-    "usage: matview [options] document...\n"
-    "\n"
-    "Draws pictures of materials, and prints the names of the files.\n"
-    "\n"
-    "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
-    "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
-    "materials\n"
-    "  --material=NAME      of `materials:`\n"
-    "  --shape=SHAPE        sphere (default), plane, cube, torus\n"
-    "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
-    "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
-    "  --constants: as matc has them\n"
-    "  --size=N             pixels of an edge: 512\n"
-    "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
-    "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
-    "  --help, --version\n"
-    "\n"
-    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
+enum { FINE = 0, FAULT = 1, USAGE = 2, BY_SIGNAL = 128, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192 };
 
 static int complain(const char *what, const char *why)
 {
@@ -60,100 +32,7 @@ static int usage(const char *what)
     return USAGE;
 }
 
-/* NULL, or what is wrong with the number. */
-static const char *read_number(const char *text, long most, int *number)
-{
-    char *end;
-    errno = 0;
-    long value = strtol(text, &end, 10);
-    if (*end || end == text || errno || value < 1 || value > most)
-        return "--size and --samples want a number from 1, of at most 8192 and 8";
-    *number = (int)value;
-    return NULL;
-}
-
-static const char *set_option(CommandLine *line, const char *name, const char *value)
-{
-    PictureOptions *picture = &line->picture;
-    if (!strcmp(name, "-o"))
-        line->output = value;
-    else if (!strcmp(name, "-d"))
-        line->folder = value;
-    else if (!strcmp(name, "--material"))
-        line->material = value;
-    else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&
-             matc_options_set(&picture->compile, name + 2, value))
-        return NULL;
-    else if (!strcmp(name, "--shape"))
-        return shape_find(value, &picture->view.shape) ? NULL : "--shape: sphere, plane, cube or torus";
-    else if (!strcmp(name, "--gl"))
-        return gl_kind_find(value, &line->gl) ? NULL : "--gl: osmesa or egl";
-    else if (!strcmp(name, "--samples"))
-        return read_number(value, VIEW_SUPERSAMPLING_LIMIT, &picture->view.supersampling);
-    else if (!strcmp(name, "--size"))
-        return read_number(value, VIEW_SIZE_LIMIT, &picture->view.width);
-    else
-        return "no such option";
-    return NULL;
-}
-
-static bool read_flag(CommandLine *line, const char *arg)
-{
-    bool help = !strcmp(arg, "--help") || !strcmp(arg, "-h"), version = !strcmp(arg, "--version");
-    line->help |= help;
-    line->version |= version;
-    return help || version;
-}
-
-/* "--name=value", "--name value", "-o value", "-ovalue". NULL or what is wrong. */
-static const char *read_option(CommandLine *line, char **argv, int *i)
-{
-    char name[16] = {0};
-    const char *arg = argv[*i];
-    size_t size = arg[1] == '-' ? strcspn(arg, "=") : 2;
-    if (size >= sizeof name)
-        return "no such option";
-    memcpy(name, arg, size);
-    if (arg[size])
-        return set_option(line, name, arg + size + (arg[size] == '='));
-    return argv[*i + 1] ? set_option(line, name, argv[++*i]) : "an option lacks its value";
-}
-
-static const char *read_arguments(CommandLine *line, int argc, char **argv)
-{
-    const char *fault = NULL;
-    bool only_files = false;
-    for (int i = 1; i < argc && !fault; i++) {
-        if (!only_files && !strcmp(argv[i], "--"))
-            only_files = true;
-        else if (only_files || argv[i][0] != '-' || !argv[i][1])
-            line->inputs[line->input_count++] = argv[i];
-        else if (!read_flag(line, argv[i]))
-            fault = read_option(line, argv, &i);
-    }
-    return fault;
-}
-
-static const char *check_usage(CommandLine *line)
-{
-    MatcOptions *compile = &line->picture.compile;
-    ViewOptions *view = &line->picture.view;
-    if (matc_options_fault(compile))
-        return "an option names what does not exist";
-    view->sky = compile->pass && !strcmp(compile->pass, "sky");
-    view->height = view->width;
-    if (compile->pass && !view->sky && strcmp(compile->pass, "gbuffer") != 0)
-        return "--pass: gbuffer or sky";
-    if (view->width > VIEW_SIZE_LIMIT / view->supersampling)
-        return "--size times --samples is more than 8192";
-    if (!line->input_count)
-        return "no document";
-    if (line->output && line->folder)
-        return "-o and -d exclude each other";
-    return line->output && line->input_count > 1 ? "several documents need -d, not -o" : NULL;
-}
-
-static MatcDocument *read_document(const CommandLine *line, const char *path)
+static MatcDocument *read_document(const Command *command, const char *path)
 {
     bool standard = !strcmp(path, "-");
     size_t size;
@@ -161,20 +40,21 @@ static MatcDocument *read_document(const CommandLine *line, const char *path)
     char *text = standard ? file_read_from(STDIN_FILENO, &size, &why) : file_read_named(path, &size, &why);
     if (!text)
         complain(path, why);
-    MatcDocument *document = text ? matc_read(standard ? "<stdin>" : path, text, size, &line->picture.compile) : NULL;
+    MatcDocument *document =
+        text ? matc_read(standard ? "<stdin>" : path, text, size, &command->picture.compile) : NULL;
     free(text);
     return document;
 }
 
-static void path_of(const CommandLine *line, const char *input, const char *material, char *path)
+static void path_of(const Command *command, const char *input, const char *material, char *path)
 {
     const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input, *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
-    if (line->output)
-        snprintf(path, LONGEST_PATH, "%s", line->output);
+    if (command->output)
+        snprintf(path, LONGEST_PATH, "%s", command->output);
     else
-        snprintf(path, LONGEST_PATH, "%s%s%.*s%s%s.png", line->folder ? line->folder : "", line->folder ? "/" : "",
-                 size, stem, material ? "." : "", material ? material : "");
+        snprintf(path, LONGEST_PATH, "%s%s%.*s%s%s.png", command->folder ? command->folder : "",
+                 command->folder ? "/" : "", size, stem, material ? "." : "", material ? material : "");
 }
 
 static bool write_picture(const PngPicture *picture, const char *path)
@@ -190,14 +70,14 @@ static bool write_picture(const PngPicture *picture, const char *path)
     return !why;
 }
 
-static int draw_material(const CommandLine *line, MatcDocument *document, int material, const char *path)
+static int draw_material(const Command *command, MatcDocument *document, int material, const char *path)
 {
-    const ViewOptions *view = &line->picture.view;
+    const ViewOptions *view = &command->picture.view;
     Picture picture = {.rgb = malloc((size_t)view->width * (size_t)view->height * 3)};
     const PngPicture png = {view->width, view->height, 3, picture.rgb};
     if (!picture.rgb)
         abort();
-    bool done = picture_draw(document, material, &line->picture, &picture);
+    bool done = picture_draw(document, material, &command->picture, &picture);
     fputs(picture.diagnostics ? picture.diagnostics : "", stderr);
     if (!done && *picture.error)
         complain(path, picture.error);
@@ -209,71 +89,108 @@ static int draw_material(const CommandLine *line, MatcDocument *document, int ma
     return done ? FINE : FAULT;
 }
 
-static int choose_and_draw(const CommandLine *line, MatcDocument *document, const char *input)
+static int choose_and_draw(const Command *command, MatcDocument *document, const char *input)
 {
     char path[LONGEST_PATH];
     int count = matc_material_count(document), status = FINE;
-    int chosen = line->material ? matc_material_find(document, line->material) : count == 1 ? 0 : -1;
-    if (line->material && chosen < 0)
-        return complain(line->material, "no such material in the document");
-    if (chosen < 0 && line->output) {
+    int chosen = command->material ? matc_material_find(document, command->material) : count == 1 ? 0 : -1;
+    if (command->material && chosen < 0)
+        return complain(command->material, "no such material in the document");
+    if (chosen < 0 && command->output) {
         fputs("matview: error: the document has several materials; name one with --material, or use -d\n", stderr);
         return FAULT;
     }
     for (int i = 0; i < count; i++) {
         if (chosen >= 0 && i != chosen)
             continue;
-        path_of(line, input, count > 1 ? matc_material_name(document, i) : NULL, path);
-        status |= draw_material(line, document, i, path);
+        path_of(command, input, count > 1 ? matc_material_name(document, i) : NULL, path);
+        status |= draw_material(command, document, i, path);
     }
     return status;
 }
 
-static int run_input(const CommandLine *line, const char *input)
+/* What the picture is made of: also of a document that could not be read. */
+static void watch_input(const Command *command, const char *input, const MatcDocument *document)
 {
-    MatcDocument *document = read_document(line, input);
+    if (!command->watched)
+        return;
+    watch_list_add(command->watched, input);
+    for (int i = 0; document && i < matc_depend_count(document); i++)
+        if (strcmp(matc_depend(document, i), input) != 0)
+            watch_list_add(command->watched, matc_depend(document, i));
+}
+
+static int run_input(const Command *command, const char *input)
+{
+    MatcDocument *document = read_document(command, input);
+    watch_input(command, input, document);
     if (!document)
         return FAULT;
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
-    int status = matc_material_count(document) ? choose_and_draw(line, document, input) : FAULT;
+    int status = matc_material_count(document) ? choose_and_draw(command, document, input) : FAULT;
     matc_document_free(document);
     return status;
 }
 
-static int run(CommandLine *line)
+static int run_inputs(const Command *command)
+{
+    int status = FINE;
+    for (int i = 0; i < command->input_count; i++)
+        status |= run_input(command, command->inputs[i]);
+    return status;
+}
+
+/* Until a signal comes; the context stays open. A document with a fault leaves its picture as it was. */
+static int run_watching(Command *command)
+{
+    Watch *watch = watch_open();
+    int signal;
+    do {
+        WatchList files = {0};
+        command->watched = &files;
+        int status = run_inputs(command);
+        fflush(stdout);
+        watch_set(watch, (const char *const *)files.at, files.count);
+        fprintf(stderr, "matview: %s; watching %d files\n", status == FINE ? "drawn" : "not drawn", files.count);
+        watch_list_free(&files);
+    } while (!(signal = watch_next(watch)));
+    watch_close(watch);
+    return BY_SIGNAL + signal;
+}
+
+static int run(Command *command)
 {
     char error[LONGEST_MESSAGE] = "";
-    if (line->folder && mkdir(line->folder, 0777) && errno != EEXIST)
-        return complain(line->folder, strerror(errno));
-    line->picture.view.gl = gl_open(line->gl, true, error, sizeof error);
-    if (!line->picture.view.gl)
-        return complain(gl_kind_name(line->gl), error);
-    int status = FINE;
-    for (int i = 0; i < line->input_count; i++)
-        status |= run_input(line, line->inputs[i]);
-    gl_close(line->picture.view.gl);
+    if (command->folder && mkdir(command->folder, 0777) && errno != EEXIST)
+        return complain(command->folder, strerror(errno));
+    command->picture.view.gl = gl_open(command->gl, true, error, sizeof error);
+    if (!command->picture.view.gl)
+        return complain(gl_kind_name(command->gl), error);
+    int status = command->watch ? run_watching(command) : run_inputs(command);
+    gl_close(command->picture.view.gl);
     return status;
 }
 
 int main(int argc, char **argv)
 {
-    CommandLine line = {.inputs = calloc((size_t)argc + 1, sizeof *line.inputs)};
-    if (!line.inputs)
-        abort();
-    matc_options_init(&line.picture.compile);
-    line.picture.compile.pixels = true;
-    line.picture.view =
-        (ViewOptions){.width = 512, .supersampling = 4, .screen_text = view_text_screen, .light_text = view_text_light};
-    const char *fault = read_arguments(&line, argc, argv);
+    Command command = {0};
+    matc_options_init(&command.picture.compile);
+    command.picture.compile.pixels = true;
+    command.picture.view = (ViewOptions){.width = 512,
+                                         .supersampling = 4,
+                                         .screen_text = view_text_screen,
+                                         .light_text = view_text_light,
+                                         .slot_text = view_text_slot};
+    const char *fault = command_read(&command, argc, argv);
     int status = FINE;
     if (fault)
         status = usage(fault);
-    else if (line.help)
-        fputs(help_text, stdout);
-    else if (line.version)
+    else if (command.help)
+        fputs(command_help, stdout);
+    else if (command.version)
         puts("matview " MATC_VERSION);
     else
-        status = (fault = check_usage(&line)) ? usage(fault) : run(&line);
-    free(line.inputs);
+        status = (fault = command_check(&command)) ? usage(fault) : run(&command);
+    command_free(&command);
     return status;
 }

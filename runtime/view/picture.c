@@ -1,7 +1,9 @@
 /* Compiles and draws; finds out where a sky is worth looking at. */
 #include "runtime/view/picture.h"
 #include "compiler/evaluate.h"
+#include "runtime/gl/message.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* The azimuth at which the material is brightest a little above the horizon, by the C reference: there it is worth looking. A
@@ -29,6 +31,52 @@ static double find_azimuth(const MatcDocument *document, int material, const Mat
     return azimuth;
 }
 
+static const MatcUniform *find_uniform(const MatcProgram *program, const char *param)
+{
+    for (int i = 0; i < matc_uniform_count(program); i++)
+        if (!strcmp(matc_uniform(program, i)->param, param))
+            return matc_uniform(program, i);
+    return NULL;
+}
+
+/* There is no such param: those that there are. */
+static bool fail_unknown(const MatcProgram *program, const char *name, char *error, size_t room)
+{
+    size_t size = (size_t)snprintf(error, room, "--param: the material has no param '%s'%s", name,
+                                   matc_uniform_count(program) ? "; it has" : " and no other");
+    for (int i = 0; i < matc_uniform_count(program) && size < room; i++)
+        size += (size_t)snprintf(error + size, room - size, "%s %s", i ? "," : "", matc_uniform(program, i)->param);
+    return false;
+}
+
+/* Params as values of the program's uniforms; `fitted` keeps their numbers. */
+static bool fit_params(const PictureOptions *options, const MatcProgram *program, Param *fitted, MaterialValue *values,
+                       Picture *picture)
+{
+    const size_t room = sizeof picture->error;
+    for (int i = 0; i < options->param_count; i++) {
+        const MatcUniform *uniform = find_uniform(program, options->params[i].name);
+        if (!uniform)
+            return fail_unknown(program, options->params[i].name, picture->error, room);
+        fitted[i] = options->params[i];
+        if (!param_fit(&fitted[i], uniform->lanes))
+            return message_fail(picture->error, room, "--param: '%s' takes %d numbers, not %d", uniform->param,
+                                uniform->lanes, fitted[i].lanes);
+        values[i] = (MaterialValue){uniform->name, uniform->lanes, fitted[i].values};
+    }
+    return true;
+}
+
+static bool render(const PictureOptions *options, ViewOptions *view, MatcProgram *program, Picture *picture)
+{
+    Param fitted[PARAM_LIMIT];
+    MaterialValue values[PARAM_LIMIT];
+    view->values = values;
+    view->value_count = options->param_count;
+    return fit_params(options, program, fitted, values, picture) &&
+           view_render(view, program, picture->rgb, picture->error, sizeof picture->error);
+}
+
 bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, Picture *picture)
 {
     ViewOptions view = options->view;
@@ -40,7 +88,7 @@ bool picture_draw(const MatcDocument *document, int material, const PictureOptio
     if (done && view.sky)
         view.azimuth = find_azimuth(document, material, &options->compile);
     if (done)
-        done = view_render(&view, program, picture->rgb, picture->error, sizeof picture->error);
+        done = render(options, &view, program, picture);
     matc_program_free(program);
     return done;
 }

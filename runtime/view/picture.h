@@ -2,11 +2,14 @@
 #ifndef MATC_VIEW_PICTURE_H
 #define MATC_VIEW_PICTURE_H
 #include "compiler/matc.h"
+#include "runtime/view/param.h"
 #include "runtime/view/view.h"
 
 typedef struct {
     MatcOptions compile; /* of target glsl330; the pass is gbuffer or sky */
     ViewOptions view;
+    const Param *params; /* for uniforms, instead of the document's defaults */
+    int param_count;     /* at most PARAM_LIMIT */
 } PictureOptions;
 
 typedef struct {

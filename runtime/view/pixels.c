@@ -21,10 +21,14 @@ static double mean(const float *samples, int stride, int n)
     return sum / (n * n);
 }
 
-void pixels_row(const float *samples, int width, int n, unsigned char *rgb)
+static unsigned char to_byte(double value) { return (unsigned char)(value > 0 ? fmin(value, 1) * 255 + 0.5 : 0); }
+
+void pixels_row(const float *samples, int width, int n, bool encoded, unsigned char *rgb)
 {
     int stride = width * n * 4;
     for (int x = 0; x < width; x++)
-        for (int lane = 0; lane < 3; lane++)
-            rgb[3 * x + lane] = pixels_encode(mean(samples + x * n * 4 + lane, stride, n));
+        for (int lane = 0; lane < 3; lane++) {
+            double value = mean(samples + x * n * 4 + lane, stride, n);
+            rgb[3 * x + lane] = encoded ? pixels_encode(value) : to_byte(value);
+        }
 }

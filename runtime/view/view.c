@@ -2,12 +2,14 @@
 #include "runtime/view/view.h"
 #include "runtime/view/camera.h"
 #include "runtime/view/pixels.h"
+#include "runtime/view/slot.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/gl/message.h"
 #include "runtime/gl/screen.h"
 #include "runtime/render/spaces.h"
 #include "runtime/render/targets.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -35,17 +37,30 @@ static void set_numbers(Material *material, const char *name, int lanes, const f
 /* Text that begins with its own #version gets none in front. */
 static const char *version_for(const char *text) { return strncmp(text, "#version", 8) == 0 ? "" : VERSION; }
 
+/* Behind the text that unpacks the G-buffer: the light, or a slot as it is. */
+static bool make_light(View *v)
+{
+    enum { DEFINE_ROOM = 128 };
+    const ViewOptions *o = v->options;
+    const char *unpack = matc_output(v->program, MATC_UNPACK, NULL);
+    const SlotLook *look = o->slot ? slot_look_find(o->slot) : NULL;
+    char define[DEFINE_ROOM] = "\n";
+    if (look)
+        snprintf(define, sizeof define, "\n#define SLOT_SHOWN (%s)\n", look->shown);
+    const ProgramText text = {
+        .vertex = {VERSION, o->screen_text},
+        .fragment = {version_for(unpack), unpack, define, "#line 1\n", look ? o->slot_text : o->light_text}};
+    return material_make(v->store, NULL, &text, &v->light);
+}
+
 static bool make_programs(View *v)
 {
     const ViewOptions *o = v->options;
     if (!material_make(v->store, v->program, &(ProgramText){0}, &v->pack))
         return false;
-    if (o->sky)
-        return true;
-    const char *unpack = matc_output(v->program, MATC_UNPACK, NULL);
-    const ProgramText text = {.vertex = {VERSION, o->screen_text},
-                              .fragment = {version_for(unpack), unpack, "\n#line 1\n", o->light_text}};
-    return material_make(v->store, NULL, &text, &v->light);
+    for (int i = 0; i < o->value_count; i++)
+        material_set(&v->pack, &o->values[i]);
+    return o->sky || make_light(v);
 }
 
 static bool make_targets(View *v)
@@ -120,13 +135,14 @@ static void expose(float *rgba, size_t texels)
 static bool read_picture(View *v, float *samples, unsigned char *rgb)
 {
     FramebufferPart part = {.width = v->lit.spec.width, .height = v->samples};
+    const bool encoded = !v->options->slot || slot_look_find(v->options->slot)->encoded;
     for (int y = 0; y < v->options->height; y++) {
         part.y = y * v->samples;
         if (!framebuffer_read_part(v->gl, &v->lit, &part, samples))
             return false;
         if (v->options->sky)
             expose(samples, (size_t)part.width * (size_t)part.height);
-        pixels_row(samples, v->options->width, v->samples, rgb + (size_t)y * (size_t)v->options->width * 3);
+        pixels_row(samples, v->options->width, v->samples, encoded, rgb + (size_t)y * (size_t)v->options->width * 3);
     }
     return true;
 }
@@ -142,13 +158,19 @@ static bool resolve(View *v, unsigned char *rgb)
     return done;
 }
 
+static bool make_mesh(View *v)
+{
+    const ViewOptions *o = v->options;
+    return o->mesh ? mesh_make_of(v->gl, o->mesh, &v->shape) : mesh_make(v->gl, o->shape, &v->shape);
+}
+
 static bool draw(View *v, unsigned char *rgb)
 {
     const ViewOptions *o = v->options;
-    v->camera = o->sky ? camera_for_sky(o->azimuth, o->width, o->height) : camera_for(o->shape, o->width, o->height);
+    const Viewpoint viewpoint = o->camera ? *o->camera : camera_viewpoint_for(o->shape);
+    v->camera = o->sky ? camera_for_sky(o->azimuth, o->width, o->height) : camera_at(&viewpoint, o->width, o->height);
     return make_programs(v) && screen_make(v->gl, &v->screen) && make_targets(v) &&
-           (o->sky ? draw_sky(v) : mesh_make(v->gl, o->shape, &v->shape) && draw_gbuffer(v) && draw_light(v)) &&
-           resolve(v, rgb);
+           (o->sky ? draw_sky(v) : make_mesh(v) && draw_gbuffer(v) && draw_light(v)) && resolve(v, rgb);
 }
 
 /* Leaves a caller's context as clean as it was. */
@@ -167,13 +189,23 @@ static void discard(View *v)
     gl->ActiveTexture(GL_TEXTURE0);
 }
 
+/* What the unpacking text promises to a light pass. */
+static bool holds_slot(const char *unpack, const char *slot)
+{
+    char promise[64];
+    snprintf(promise, sizeof promise, "#define SURFACE_HAS_%s\n", slot);
+    return slot_look_find(slot) && strstr(unpack, promise);
+}
+
 static const char *find_fault(const ViewOptions *o, MatcProgram *p, int samples)
 {
     if (!matc_output(p, MATC_VERTEX, NULL) || !matc_output(p, MATC_FRAGMENT, NULL) ||
         (!matc_output(p, MATC_UNPACK, NULL) && !o->sky))
         return "the material's program lacks a text";
-    if ((!o->screen_text || !o->light_text) && !o->sky)
+    if ((!o->screen_text || !(o->slot ? o->slot_text : o->light_text)) && !o->sky)
         return "the light pass lacks a text";
+    if (o->slot && (o->sky || !holds_slot(matc_output(p, MATC_UNPACK, NULL), o->slot)))
+        return "the layout does not store that slot; --layout=integer stores all of them";
     if ((unsigned)o->shape >= SHAPE_count)
         return "unknown shape";
     if (samples < 1 || samples > VIEW_SUPERSAMPLING_LIMIT)

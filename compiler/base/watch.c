@@ -1,11 +1,12 @@
 /* What has changed is decided by looking at the files; the system's notices (inotify, of the files' folders, since editors rename
  * over files) only say when to look, and that a file was written which looks as before. Every second all are looked at anyway:
  * notices do not come over networks, through links, or when a folder further up is moved. */
-#include "compiler/tool/watch.h"
+#include "compiler/base/watch.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,6 +22,7 @@ enum {
     ROW_MS = 1000,    /* a row that does not end is reported after so long */
     POLL_MS = 200,    /* between looks without notices */
     LOOK_MS = 1000,   /* between looks with notices */
+    SIGNAL_MS = 200,  /* between looks for a signal */
     CLOCK_MS = 20,    /* by which a file's time may be behind the clock */
     NOTICES = 1 << 14 /* bytes read at once */
 };
@@ -316,6 +318,22 @@ int watch_wait(Watch *watch, int timeout_ms)
         if (left <= 0 || !sleep_for(watch, left < most ? left : most))
             return report(watch);
     }
+}
+
+int watch_next(Watch *watch)
+{
+    static const struct timespec at_once = {0, 0};
+    int signal = -1, changed = 0;
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    pthread_sigmask(SIG_BLOCK, &ends, &before);
+    while (!changed && (signal = sigtimedwait(&ends, NULL, &at_once)) < 0)
+        changed = watch_wait(watch, SIGNAL_MS);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return changed ? 0 : signal;
 }
 
 bool watch_changed(const Watch *watch, int file) { return file < watch->count && watch->files[file].changed; }

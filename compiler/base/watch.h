@@ -22,6 +22,9 @@ void watch_set(Watch *watch, const char *const *files, int count);
 /* Waits until files have changed and then been left alone for a moment. The number of files that changed; 0 when the time is over
  * (milliseconds; below 0: none), or a signal came. */
 int watch_wait(Watch *watch, int timeout_ms);
+/* Waits for as long as it takes. 0 when files have changed, else the signal (SIGINT, SIGTERM, SIGHUP) that asks the process to end; while
+ * it does not wait, signals do what they always do. */
+int watch_next(Watch *watch);
 /* Whether that file of the list, by its index, is among those that the last watch_wait found. */
 bool watch_changed(const Watch *watch, int file);
 void watch_close(Watch *watch);

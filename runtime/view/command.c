@@ -1,0 +1,187 @@
+/* From arguments to a Command. */
+#include "runtime/view/command.h"
+#include "runtime/view/slot.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char command_help[] =
+    "usage: matview [options] document...\n"
+    "\n"
+    "Draws pictures of materials, and prints the names of the files.\n"
+    "\n"
+    "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
+    "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
+    "materials\n"
+    "  --watch              draw again whenever a document, or a file that it depends on, changes\n"
+    "  --material=NAME      of `materials:`\n"
+    "  --param=NAME=VALUE   a value of the document's param of that name, as documents have it: 0.7, #c04020, "
+    "[0, 1, 0]\n"
+    "  --shape=SHAPE        sphere (default), plane, cube, torus, cloth, ground (a plane to the horizon)\n"
+    "  --camera=VIEWPOINT   front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]]: where it stands, what it looks "
+    "at,\n"
+    "                       its angle of view; the shape is about 1 around the origin, and z is up\n"
+    "  --slot=SLOT          shows a slot of the G-buffer: normal (in the eye's space), diffuse, ...; matc --list has "
+    "all.\n"
+    "                       Exponents as their logarithm to base 2, of 16; of the layout integer unless one is named\n"
+    "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
+    "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
+    "  --constants: as matc has them\n"
+    "  --size=N             pixels of an edge: 512\n"
+    "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
+    "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
+    "  --help, --version\n"
+    "\n"
+    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
+
+/* NULL, or what is wrong with the number. */
+static const char *read_number(const char *text, long most, int *number)
+{
+    char *end;
+    errno = 0;
+    long value = strtol(text, &end, 10);
+    if (*end || end == text || errno || value < 1 || value > most)
+        return "--size and --samples want a number from 1, of at most 8192 and 8";
+    *number = (int)value;
+    return NULL;
+}
+
+static const char *add_param(Command *command, const char *text)
+{
+    PictureOptions *picture = &command->picture;
+    if (picture->param_count == PARAM_LIMIT)
+        return "--param: no more than 64 of them";
+    return param_read(text, &command->params[picture->param_count++], command->message);
+}
+
+static const char *set_view(Command *command, const char *name, const char *value)
+{
+    ViewOptions *view = &command->picture.view;
+    if (!strcmp(name, "--shape"))
+        return shape_find(value, &view->shape) ? NULL : "--shape: sphere, plane, cube, torus, cloth or ground";
+    if (!strcmp(name, "--gl"))
+        return gl_kind_find(value, &command->gl) ? NULL : "--gl: osmesa or egl";
+    if (!strcmp(name, "--samples"))
+        return read_number(value, VIEW_SUPERSAMPLING_LIMIT, &view->supersampling);
+    if (!strcmp(name, "--size"))
+        return read_number(value, VIEW_SIZE_LIMIT, &view->width);
+    if (!strcmp(name, "--camera"))
+        command->viewpoint = value;
+    else if (!strcmp(name, "--slot"))
+        view->slot = value;
+    else
+        return "no such option";
+    return NULL;
+}
+
+static const char *set_option(Command *command, const char *name, const char *value)
+{
+    if (!strcmp(name, "-o"))
+        command->output = value;
+    else if (!strcmp(name, "-d"))
+        command->folder = value;
+    else if (!strcmp(name, "--material"))
+        command->material = value;
+    else if (!strcmp(name, "--param"))
+        return add_param(command, value);
+    else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&
+             matc_options_set(&command->picture.compile, name + 2, value))
+        return NULL;
+    else
+        return set_view(command, name, value);
+    return NULL;
+}
+
+static bool read_flag(Command *command, const char *arg)
+{
+    const struct {
+        const char *name;
+        bool *flag;
+    } flags[] = {{"--help", &command->help},
+                 {"-h", &command->help},
+                 {"--version", &command->version},
+                 {"--watch", &command->watch}};
+    for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
+        if (!strcmp(arg, flags[i].name))
+            return *flags[i].flag = true;
+    return false;
+}
+
+/* "--name=value", "--name value", "-o value", "-ovalue". NULL or what is wrong. */
+static const char *read_option(Command *command, char **argv, int *i)
+{
+    char name[16] = {0};
+    const char *arg = argv[*i];
+    size_t size = arg[1] == '-' ? strcspn(arg, "=") : 2;
+    if (size >= sizeof name)
+        return "no such option";
+    memcpy(name, arg, size);
+    if (arg[size])
+        return set_option(command, name, arg + size + (arg[size] == '='));
+    return argv[*i + 1] ? set_option(command, name, argv[++*i]) : "an option lacks its value";
+}
+
+const char *command_read(Command *command, int argc, char **argv)
+{
+    const char *fault = NULL;
+    bool only_files = false;
+    command->inputs = calloc((size_t)argc + 1, sizeof *command->inputs);
+    if (!command->inputs)
+        abort();
+    for (int i = 1; i < argc && !fault; i++) {
+        if (!only_files && !strcmp(argv[i], "--"))
+            only_files = true;
+        else if (only_files || argv[i][0] != '-' || !argv[i][1])
+            command->inputs[command->input_count++] = argv[i];
+        else if (!read_flag(command, argv[i]))
+            fault = read_option(command, argv, &i);
+    }
+    return fault;
+}
+
+/* What is seen, and from where. */
+static const char *check_view(Command *command)
+{
+    MatcOptions *compile = &command->picture.compile;
+    ViewOptions *view = &command->picture.view;
+    view->sky = compile->pass && !strcmp(compile->pass, "sky");
+    view->height = view->width;
+    if (compile->pass && !view->sky && strcmp(compile->pass, "gbuffer") != 0)
+        return "--pass: gbuffer or sky";
+    if (view->width > VIEW_SIZE_LIMIT / view->supersampling)
+        return "--size times --samples is more than 8192";
+    if (view->slot && !slot_look_find(view->slot))
+        return "--slot names none; matc --list has all";
+    if (view->sky && (view->slot || command->viewpoint))
+        return "--pass=sky has neither --slot nor --camera";
+    if (view->slot && !compile->layout)
+        compile->layout = "integer";
+    command->camera = camera_viewpoint_for(view->shape);
+    if (command->viewpoint && !camera_viewpoint_read(command->viewpoint, &command->camera))
+        return "--camera: front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]] that looks at something, not "
+               "straight up or down";
+    view->camera = &command->camera;
+    return NULL;
+}
+
+const char *command_check(Command *command)
+{
+    command->picture.params = command->params;
+    if (matc_options_fault(&command->picture.compile))
+        return "an option names what does not exist";
+    const char *fault = check_view(command);
+    if (fault)
+        return fault;
+    if (!command->input_count)
+        return "no document";
+    if (command->output && command->folder)
+        return "-o and -d exclude each other";
+    for (int i = 0; i < command->input_count && command->watch; i++)
+        if (!strcmp(command->inputs[i], "-"))
+            return "--watch wants files, not standard input";
+    if (command->watch && command->output && !strcmp(command->output, "-"))
+        return "--watch wants a file for its picture";
+    return command->output && command->input_count > 1 ? "several documents need -d, not -o" : NULL;
+}
+
+void command_free(Command *command) { free(command->inputs); }

@@ -1,0 +1,67 @@
+/* A value is read by the compiler, as the default of a param in a document that has nothing else: so it may be all that a document may
+ * say, and its faults are told as a document's are. */
+#include "runtime/view/param.h"
+#include <stdio.h>
+#include <string.h>
+
+/* What the compiler made of "{ param: name, default: VALUE }". */
+static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param)
+{
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, options);
+    const MatcUniform *uniform = matc_ok(program) && matc_uniform_count(program) == 1 ? matc_uniform(program, 0) : NULL;
+    bool found = uniform && !strcmp(uniform->param, param->name);
+    if (found) {
+        param->lanes = uniform->lanes;
+        for (int lane = 0; lane < uniform->lanes; lane++)
+            param->values[lane] = (float)uniform->initial[lane];
+    }
+    matc_program_free(program);
+    return found;
+}
+
+static const char *read_value(const char *value, Param *param, char room[PARAM_ROOM])
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = false;
+    options.pass = "value";
+    options.slot = "emissive";
+    const char *quote = *value == '#' ? "\"" : ""; /* bare, a # begins a comment */
+    int size = snprintf(room, PARAM_ROOM, "material: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n", param->name,
+                        quote, value, quote);
+    if (size >= PARAM_ROOM)
+        return "--param: the value is too long";
+    MatcDocument *document = matc_read("--param", room, (size_t)size, &options);
+    bool fine = matc_material_count(document) == 1 && take_uniform(document, &options, param);
+    if (!fine)
+        snprintf(room, PARAM_ROOM, "--param: '%s' is no value of a param:\n%s", value,
+                 matc_diagnostics(document, MATC_TEXT));
+    matc_document_free(document);
+    return fine ? NULL : room;
+}
+
+const char *param_read(const char *text, Param *param, char room[PARAM_ROOM])
+{
+    const char *equal = strchr(text, '=');
+    size_t size = equal ? (size_t)(equal - text) : 0;
+    if (!size || !equal[1])
+        return "--param wants name=value";
+    if (size >= PARAM_NAME)
+        return "--param: the name is too long";
+    *param = (Param){0};
+    memcpy(param->name, text, size);
+    return read_value(equal + 1, param, room);
+}
+
+bool param_fit(Param *param, int lanes)
+{
+    if (param->lanes == 3 && lanes == 4)
+        param->values[3] = 1;
+    else if (param->lanes == 1)
+        for (int lane = 1; lane < lanes; lane++)
+            param->values[lane] = param->values[0];
+    else if (param->lanes != lanes)
+        return false;
+    param->lanes = lanes;
+    return true;
+}

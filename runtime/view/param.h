@@ -1,0 +1,25 @@
+/* Values for a document's params, as a command line gives them. */
+#ifndef MATC_VIEW_PARAM_H
+#define MATC_VIEW_PARAM_H
+#include "compiler/matc.h"
+
+enum {
+    PARAM_NAME = 64,
+    PARAM_ROOM = 8192, /* of a message */
+    PARAM_LIMIT = 64   /* that a command line gives */
+};
+
+typedef struct {
+    char name[PARAM_NAME];
+    int lanes;        /* 1 to 4 */
+    float values[16]; /* of which the lanes are set */
+} Param;
+
+/* Reads "tint=#c04020", "gloss=0.7", "offset=[0, 1, 0]": behind the name stands what a document may give as a param's default. NULL, or what
+ * is wrong, in `room`. */
+const char *param_read(const char *text, Param *param, char room[PARAM_ROOM]);
+
+/* The value as a uniform of that many lanes holds it: one number fills all of them, a colour of three has alpha 1 in four. False: it is
+ * of another width. */
+bool param_fit(Param *param, int lanes);
+#endif

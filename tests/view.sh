@@ -1,0 +1,100 @@
+#!/bin/sh
+# matview from outside: its options, and --watch: view.sh MATVIEW. Run from the project's root.
+set -u
+matview=$(realpath "$1")
+work=$(mktemp -d)
+pid=
+trap '[ -z "$pid" ] || kill $pid 2>/dev/null; rm -rf "$work"' EXIT
+: >"$work/stderr"
+. tests/check.sh
+draw="$matview --size=24 --samples=1"
+example=examples/checker.yaml
+differ() { test -s "$work/$1.png" -a -s "$work/$2.png" && ! cmp -s "$work/$1.png" "$work/$2.png"; }
+same() { cmp -s "$work/$1.png" "$work/$2.png"; }
+
+# -- what each option does
+
+check "a picture" status 0 $draw $example -o "$work/plain.png"
+for option in --shape=cloth --shape=ground --camera=front --camera=left --camera=top --camera=low --camera=close --camera=3,-4,1 \
+    --slot=diffuse --slot=normal; do
+    check "$option" status 0 $draw $option $example -o "$work/other.png"
+    check "shows something else" differ plain other
+done
+check "--camera that says what is so anyway" status 0 $draw --camera=0,0,9,0,0,0,50 --camera=-0.5,-2.1,1.2,0,0,0.3,30 $example -o "$work/last.png"
+check "the last one counts" status 0 $draw --camera=-0.5,-2.1,1.2,0,0,0.3,30 $example -o "$work/once.png"
+check "alone" same last once
+for option in --shape=teapot --camera=behind --camera=0,0,5 --camera=1,2 --slot=colour --param=tint --param= --param==1 --size=0 --no-such=1; do
+    check "$option is wrong usage" status 2 $draw $option $example -o "$work/none.png"
+    check "which is said" says '^matview: '
+    check "and draws nothing" test ! -e "$work/none.png"
+done
+check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
+check "says so" says 'the layout does not store that slot'
+
+# -- --param: as if it were written in the document
+
+document() { printf 'material: Phong\ndiffuse: { param: tint, default: "%s" }\nshininess: { param: gloss, default: %s }\nspecular: 0.5\n' "$1" "$2" >"$work/$3.yaml"; }
+document '#c04020' 0.2 before
+document '#2040c0' 0.7 after
+check "the document's values" status 0 $draw "$work/before.yaml" -o "$work/before.png"
+check "others" status 0 $draw "$work/after.yaml" -o "$work/after.png"
+check "show" differ before after
+check "--param" status 0 $draw --param=tint=#2040c0 --param gloss=0.7 "$work/before.yaml" -o "$work/param.png"
+check "is the same as in the document" same param after
+check "a list" status 0 $draw --param='tint=[0.12549019607843137, 0.25098039215686274, 0.7529411764705882]' --param=gloss=0.7 "$work/before.yaml" -o "$work/param.png"
+check "is that colour" same param after
+check "one number for a colour" status 0 $draw --param=tint=0.3 "$work/before.yaml" -o "$work/grey.png"
+check "of a param that is not there" status 1 $draw --param=hue=1 "$work/before.yaml" -o "$work/none.png"
+check "names those that are" says "no param 'hue'; it has tint, gloss"
+check "a colour for a number" status 1 $draw --param=gloss=#2040c0 "$work/before.yaml" -o "$work/none.png"
+check "says how many it takes" says "'gloss' takes 1 numbers, not 3"
+check "a map" status 2 $draw --param='gloss={ map: Wood }' "$work/before.yaml" -o "$work/none.png"
+check "is no value" says 'no value of a param'
+check "nothing was drawn" test ! -e "$work/none.png"
+
+# -- --watch
+
+# within NAME COMMAND...: the command succeeds within some seconds
+within() {
+    tries=100
+    while [ $tries -gt 1 ] && ! eval "$2" >/dev/null 2>&1; do
+        tries=$((tries - 1))
+        sleep 0.1
+    done
+    check "$1" eval "$2"
+}
+drawn() { [ "$(grep -c "matview: drawn; watching $1 files" "$work/stderr")" = "$2" ]; }
+colour() { printf 'defs: { paint: "%s" }\n' "$1" >"$work/palette.yaml"; }
+colour '#ff0000'
+printf 'include: palette.yaml\nmaterial: Phong\nemissive: { ref: paint }\n' >"$work/watched.yaml"
+check "what red looks like" status 0 $draw "$work/watched.yaml" -o "$work/red.png"
+colour '#00ff00'
+check "and green" status 0 $draw "$work/watched.yaml" -o "$work/green.png"
+colour '#ff0000'
+$draw --watch "$work/watched.yaml" -o "$work/seen.png" 2>"$work/stderr" >"$work/stdout" &
+pid=$!
+within "--watch draws" 'same seen red && drawn 2 1'
+sleep 0.1
+colour '#00ff00'
+within "a file that is included changes" 'same seen green && drawn 2 2'
+printf 'defs: { paint: [' >"$work/palette.yaml"
+within "a fault is told" 'says "palette.yaml:.*error" && says "not drawn"'
+check "and the picture stays" same seen green
+rm "$work/palette.yaml"
+within "a file goes" 'says "cannot read.*palette.yaml"'
+colour '#ff0000'
+within "and comes back" 'same seen red'
+mv "$work/watched.yaml" "$work/away.yaml"
+within "the document goes" '[ $(grep -c "not drawn" "$work/stderr") -ge 3 ]'
+mv "$work/away.yaml" "$work/watched.yaml"
+within "and comes back" '[ $(grep -c "matview: drawn" "$work/stderr") -ge 4 ]'
+check "no file is left beside the picture" test -z "$(find "$work" -name 'seen.png?*')"
+kill -TERM $pid
+wait $pid
+check "a signal ends it, by its status" test $? = 143
+pid=
+check "--watch of standard input" status 2 $draw --watch - </dev/null
+check "--watch to standard output" status 2 $draw --watch $example -o -
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
