@@ -31,6 +31,26 @@ done
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
 check "says so" says 'the layout does not store that slot'
 
+# -- --contact
+
+# wide PICTURE, high PICTURE: what a PNG says of its size
+wide() { printf %d "0x$(od -An -tx1 -j16 -N4 "$1" | tr -d ' ')"; }
+high() { printf %d "0x$(od -An -tx1 -j20 -N4 "$1" | tr -d ' ')"; }
+sheet="$draw --contact=$work/sheet.png"
+check "a contact sheet" status 0 $sheet $example examples/wood.yaml examples/materials/chess.json
+check "whose name is said" grep -qx "$work/sheet.png" "$work/stdout"
+check "of five cells, in two rows" test "$(wide "$work/sheet.png")" -ge 72 -a "$(wide "$work/sheet.png")" -lt 120 -a "$(high "$work/sheet.png")" -ge 66
+check "alone: no other picture" test "$(find "$work" . -maxdepth 1 -newer "$work/stderr" -name '*.png' | grep -vc sheet)" = 0
+check "of one material" status 0 $sheet --material=board examples/materials/chess.json
+check "in one cell" test "$(wide "$work/sheet.png")" -lt 48
+rm "$work/sheet.png"
+printf 'material: Phong\ndiffuse: { map: Cheker }\n' >"$work/faulty.yaml"
+check "with a fault among the documents" status 1 $sheet $example "$work/faulty.yaml"
+check "which is told" says "no map is called"
+check "there is none" test ! -e "$work/sheet.png"
+check "--contact and -o" status 2 $sheet -o x.png $example
+check "--contact and -d" status 2 $sheet -d x $example
+
 # -- --param: as if it were written in the document
 
 document() { printf 'material: Phong\ndiffuse: { param: tint, default: "%s" }\nshininess: { param: gloss, default: %s }\nspecular: 0.5\n' "$1" "$2" >"$work/$3.yaml"; }

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { EDGE = 512, CELL = 192 };
+
 const char command_help[] =
     "usage: matview [options] document...\n"
     "\n"
@@ -13,6 +15,8 @@ const char command_help[] =
     "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
     "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
     "materials\n"
+    "  --contact=FILE       one picture of all materials of all documents, with their names; --size is then that of a "
+    "cell\n"
     "  --watch              draw again whenever a document, or a file that it depends on, changes\n"
     "  --material=NAME      of `materials:`\n"
     "  --param=NAME=VALUE   a value of the document's param of that name, as documents have it: 0.7, #c04020, "
@@ -27,7 +31,7 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
     "  --constants: as matc has them\n"
-    "  --size=N             pixels of an edge: 512\n"
+    "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
     "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
     "  --help, --version\n"
@@ -82,6 +86,8 @@ static const char *set_option(Command *command, const char *name, const char *va
         command->folder = value;
     else if (!strcmp(name, "--material"))
         command->material = value;
+    else if (!strcmp(name, "--contact"))
+        command->contact = value;
     else if (!strcmp(name, "--param"))
         return add_param(command, value);
     else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&
@@ -145,6 +151,8 @@ static const char *check_view(Command *command)
     MatcOptions *compile = &command->picture.compile;
     ViewOptions *view = &command->picture.view;
     view->sky = compile->pass && !strcmp(compile->pass, "sky");
+    if (!view->width)
+        view->width = command->contact ? CELL : EDGE;
     view->height = view->width;
     if (compile->pass && !view->sky && strcmp(compile->pass, "gbuffer") != 0)
         return "--pass: gbuffer or sky";
@@ -176,10 +184,13 @@ const char *command_check(Command *command)
         return "no document";
     if (command->output && command->folder)
         return "-o and -d exclude each other";
+    if (command->contact && (command->output || command->folder))
+        return "--contact excludes -o and -d";
     for (int i = 0; i < command->input_count && command->watch; i++)
         if (!strcmp(command->inputs[i], "-"))
             return "--watch wants files, not standard input";
-    if (command->watch && command->output && !strcmp(command->output, "-"))
+    if (command->watch &&
+        ((command->output && !strcmp(command->output, "-")) || (command->contact && !strcmp(command->contact, "-"))))
         return "--watch wants a file for its picture";
     return command->output && command->input_count > 1 ? "several documents need -d, not -o" : NULL;
 }

@@ -2,6 +2,7 @@
 #ifndef MATC_VIEW_COMMAND_H
 #define MATC_VIEW_COMMAND_H
 #include "runtime/view/picture.h"
+#include "runtime/view/sheet.h"
 
 typedef struct {
     PictureOptions picture;
@@ -10,9 +11,10 @@ typedef struct {
     char message[PARAM_ROOM]; /* room for what is wrong */
     const char **inputs;
     int input_count;
-    const char *output, *folder, *material, *viewpoint;
+    const char *output, *folder, *contact, *material, *viewpoint;
     GlKind gl;
     bool watch, help, version;
+    Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
     struct WatchList *watched; /* files that were met; or NULL */
 } Command;
 

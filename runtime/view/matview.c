@@ -14,7 +14,15 @@
 
 extern const char view_text_screen[], view_text_light[], view_text_slot[];
 
-enum { FINE = 0, FAULT = 1, USAGE = 2, BY_SIGNAL = 128, LONGEST_PATH = 4096, LONGEST_MESSAGE = 8192 };
+enum {
+    FINE = 0,
+    FAULT = 1,
+    USAGE = 2,
+    BY_SIGNAL = 128,
+    LONGEST_PATH = 4096,
+    LONGEST_NAME = 512,
+    LONGEST_MESSAGE = 8192
+};
 
 static int complain(const char *what, const char *why)
 {
@@ -46,15 +54,21 @@ static MatcDocument *read_document(const Command *command, const char *path)
     return document;
 }
 
-static void path_of(const Command *command, const char *input, const char *material, char *path)
+/* A document's name without folders and ending, and that of the material where it has several. */
+static void name_of(const char *input, const char *material, char name[LONGEST_NAME])
 {
     const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input, *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
+    snprintf(name, LONGEST_NAME, "%.*s%s%s", size, stem, material ? "." : "", material ? material : "");
+}
+
+static void path_of(const Command *command, const char *name, char *path)
+{
     if (command->output)
         snprintf(path, LONGEST_PATH, "%s", command->output);
     else
-        snprintf(path, LONGEST_PATH, "%s%s%.*s%s%s.png", command->folder ? command->folder : "",
-                 command->folder ? "/" : "", size, stem, material ? "." : "", material ? material : "");
+        snprintf(path, LONGEST_PATH, "%s%s%s.png", command->folder ? command->folder : "", command->folder ? "/" : "",
+                 name);
 }
 
 static bool write_picture(const PngPicture *picture, const char *path)
@@ -67,23 +81,35 @@ static bool write_picture(const PngPicture *picture, const char *path)
     free(file);
     if (why)
         complain(path, why);
+    else if (strcmp(path, "-") != 0)
+        puts(path);
     return !why;
 }
 
-static int draw_material(const Command *command, MatcDocument *document, int material, const char *path)
+/* Into a file of its own, or a cell of the contact sheet. */
+static bool keep_picture(const Command *command, const char *name, unsigned char *rgb)
+{
+    const PngPicture png = {command->picture.view.width, command->picture.view.height, 3, rgb};
+    char path[LONGEST_PATH];
+    if (command->sheet) {
+        sheet_add(command->sheet, name, rgb);
+        return true;
+    }
+    path_of(command, name, path);
+    return write_picture(&png, path);
+}
+
+static int draw_material(const Command *command, MatcDocument *document, int material, const char *name)
 {
     const ViewOptions *view = &command->picture.view;
     Picture picture = {.rgb = malloc((size_t)view->width * (size_t)view->height * 3)};
-    const PngPicture png = {view->width, view->height, 3, picture.rgb};
     if (!picture.rgb)
         abort();
     bool done = picture_draw(document, material, &command->picture, &picture);
     fputs(picture.diagnostics ? picture.diagnostics : "", stderr);
     if (!done && *picture.error)
-        complain(path, picture.error);
-    done = done && write_picture(&png, path);
-    if (done && strcmp(path, "-") != 0)
-        puts(path);
+        complain(name, picture.error);
+    done = done && keep_picture(command, name, picture.rgb);
     free(picture.diagnostics);
     free(picture.rgb);
     return done ? FINE : FAULT;
@@ -91,7 +117,7 @@ static int draw_material(const Command *command, MatcDocument *document, int mat
 
 static int choose_and_draw(const Command *command, MatcDocument *document, const char *input)
 {
-    char path[LONGEST_PATH];
+    char name[LONGEST_NAME];
     int count = matc_material_count(document), status = FINE;
     int chosen = command->material ? matc_material_find(document, command->material) : count == 1 ? 0 : -1;
     if (command->material && chosen < 0)
@@ -103,8 +129,8 @@ static int choose_and_draw(const Command *command, MatcDocument *document, const
     for (int i = 0; i < count; i++) {
         if (chosen >= 0 && i != chosen)
             continue;
-        path_of(command, input, count > 1 ? matc_material_name(document, i) : NULL, path);
-        status |= draw_material(command, document, i, path);
+        name_of(input, count > 1 ? matc_material_name(document, i) : NULL, name);
+        status |= draw_material(command, document, i, name);
     }
     return status;
 }
@@ -127,16 +153,33 @@ static int run_input(const Command *command, const char *input)
     if (!document)
         return FAULT;
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
-    int status = matc_material_count(document) ? choose_and_draw(command, document, input) : FAULT;
+    int status = matc_error_count(document) ? FAULT : choose_and_draw(command, document, input);
     matc_document_free(document);
     return status;
 }
 
-static int run_inputs(const Command *command)
+static bool write_sheet(const Sheet *sheet, const char *path)
 {
+    PngPicture picture = {0};
+    const char *why = sheet_draw(sheet, &picture);
+    if (why)
+        complain(path, why);
+    bool done = !why && write_picture(&picture, path);
+    free(picture.bytes);
+    return done;
+}
+
+/* A contact sheet is written if nothing is wrong in any of its documents. */
+static int run_inputs(Command *command)
+{
+    Sheet sheet = {.edge = command->picture.view.width};
     int status = FINE;
+    command->sheet = command->contact ? &sheet : NULL;
     for (int i = 0; i < command->input_count; i++)
         status |= run_input(command, command->inputs[i]);
+    if (command->contact && status == FINE && !write_sheet(&sheet, command->contact))
+        status = FAULT;
+    sheet_free(&sheet);
     return status;
 }
 
@@ -176,8 +219,7 @@ int main(int argc, char **argv)
     Command command = {0};
     matc_options_init(&command.picture.compile);
     command.picture.compile.pixels = true;
-    command.picture.view = (ViewOptions){.width = 512,
-                                         .supersampling = 4,
+    command.picture.view = (ViewOptions){.supersampling = 4,
                                          .screen_text = view_text_screen,
                                          .light_text = view_text_light,
                                          .slot_text = view_text_slot};

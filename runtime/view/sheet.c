@@ -1,0 +1,107 @@
+/* Cells from the upper left, row by row; the bytes of a picture go from its bottom row upwards. */
+#include "runtime/view/sheet.h"
+#include "runtime/view/font.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct SheetCell {
+    char name[SHEET_NAME];
+    unsigned char *rgb;
+} SheetCell;
+
+enum { PAPER = 24, INK = 214, GAP = 6, LARGE = 160 /* an edge from which letters are twice as large */ };
+
+void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb)
+{
+    size_t size = (size_t)sheet->edge * (size_t)sheet->edge * 3;
+    if (sheet->count == sheet->room) {
+        sheet->room = sheet->room ? 2 * sheet->room : 16;
+        sheet->cells = realloc(sheet->cells, (size_t)sheet->room * sizeof *sheet->cells);
+        if (!sheet->cells)
+            abort();
+    }
+    SheetCell *cell = &sheet->cells[sheet->count++];
+    *cell = (SheetCell){.rgb = malloc(size)};
+    if (!cell->rgb)
+        abort();
+    memcpy(cell->rgb, rgb, size);
+    strncpy(cell->name, name, SHEET_NAME - 1);
+}
+
+/* At most three times as many as there are rows. For 10 pictures, rows of 4 leave 2 cells empty, rows of 5 none: 5. */
+int sheet_columns(int count)
+{
+    int least = (int)ceil(sqrt(count)), most = (int)sqrt(3.0 * count), best = least;
+    for (int columns = least; columns <= most; columns++)
+        if ((columns - count % columns) % columns < (best - count % best) % best)
+            best = columns;
+    return best;
+}
+
+static void put(const PngPicture *picture, int x, int y, int grey)
+{
+    if (x < picture->width && y < picture->height)
+        memset(picture->bytes + ((size_t)(picture->height - 1 - y) * (size_t)picture->width + (size_t)x) * 3, grey, 3);
+}
+
+/* A letter whose pixels are squares. x and y from the upper left. */
+static void draw_letter(const PngPicture *picture, char letter, int scale, int x, int y)
+{
+    for (int row = 0; row < FONT_HEIGHT * scale; row++)
+        for (int column = 0; column < FONT_ADVANCE * scale; column++)
+            if (font_has_ink(letter, column / scale, row / scale))
+                put(picture, x + column, y + row, INK);
+}
+
+static int scale_for(int edge) { return edge < LARGE ? 1 : 2; }
+
+/* In the middle below its picture: smaller if it is too long, and cut if that does not help. */
+static void draw_name(const PngPicture *picture, const char *name, int edge, int x, int y)
+{
+    int size = (int)strlen(name), scale = scale_for(edge);
+    if (size * FONT_ADVANCE * scale > edge)
+        scale = 1;
+    if (size * FONT_ADVANCE * scale > edge)
+        size = edge / (FONT_ADVANCE * scale);
+    x += (edge - size * FONT_ADVANCE * scale + scale) / 2;
+    for (int i = 0; i < size; i++)
+        draw_letter(picture, name[i], scale, x + i * FONT_ADVANCE * scale, y);
+}
+
+static void draw_cell(const PngPicture *picture, const SheetCell *cell, int edge, int x, int y)
+{
+    const size_t row = (size_t)edge * 3;
+    for (int i = 0; i < edge; i++)
+        memcpy(picture->bytes + ((size_t)(picture->height - 1 - y - i) * (size_t)picture->width + (size_t)x) * 3,
+               cell->rgb + (size_t)(edge - 1 - i) * row, row);
+    draw_name(picture, cell->name, edge, x, y + edge + GAP / 2);
+}
+
+const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
+{
+    if (!sheet->count)
+        return "there is no picture for the contact sheet";
+    const int columns = sheet_columns(sheet->count), rows = (sheet->count + columns - 1) / columns;
+    const long across = sheet->edge + GAP, down = sheet->edge + GAP + FONT_HEIGHT * scale_for(sheet->edge) + GAP / 2;
+    if (columns * across + GAP > PNG_SIZE_LIMIT || rows * down + GAP > PNG_SIZE_LIMIT)
+        return "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
+    *picture = (PngPicture){(int)(columns * across + GAP), (int)(rows * down + GAP), 3, NULL};
+    const size_t size = (size_t)picture->width * (size_t)picture->height * 3;
+    picture->bytes = malloc(size);
+    if (!picture->bytes)
+        abort();
+    memset(picture->bytes, PAPER, size);
+    for (int i = 0; i < sheet->count; i++)
+        draw_cell(picture, &sheet->cells[i], sheet->edge, GAP + i % columns * (int)across,
+                  GAP + i / columns * (int)down);
+    return NULL;
+}
+
+void sheet_free(Sheet *sheet)
+{
+    for (int i = 0; i < sheet->count; i++)
+        free(sheet->cells[i].rgb);
+    free(sheet->cells);
+    *sheet = (Sheet){.edge = sheet->edge};
+}

@@ -1,0 +1,23 @@
+/* A contact sheet: pictures of one size side by side, each with its name below. */
+#ifndef MATC_VIEW_SHEET_H
+#define MATC_VIEW_SHEET_H
+#include "runtime/gl/png_write.h"
+
+enum { SHEET_NAME = 128 };
+
+/* Pictures as they come; {edge} at first. */
+typedef struct {
+    int edge; /* of every picture, in pixels */
+    int count, room;
+    struct SheetCell *cells;
+} Sheet;
+
+/* Adds a picture: edge x edge pixels of RGB, row 0 is the bottom row. Both are copied; a long name is cut. */
+void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb);
+/* How many of so many pictures stand side by side: the sheet is wider than high, with as few empty cells as can be. */
+int sheet_columns(int count);
+/* Draws it; picture->bytes is from malloc. NULL, or why not: there is no picture, or the sheet would be too large for a file. */
+const char *sheet_draw(const Sheet *sheet, PngPicture *picture);
+/* Back to {edge}. */
+void sheet_free(Sheet *sheet);
+#endif
