@@ -99,6 +99,9 @@ typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
 /* What --aa makes of a volume map. */
 typedef enum { FILTER_samples, FILTER_point, FILTER_box, FILTER_octaves } FilterKind;
 
+/* Coordinates that a transformer changes. */
+typedef enum { MOVES_xyz = 1, MOVES_uv = 2, MOVES_both = MOVES_xyz | MOVES_uv } Moved;
+
 typedef struct {
     const char *name;
     const char *function; /* its name in GLSL: of its function, or of temporaries with its value */
@@ -110,6 +113,7 @@ typedef struct {
     const char *formula; /* what it computes: lines of plain text */
     FilterKind filter;
     int mean, variance; /* the filter's Functions, or FN_none */
+    unsigned moves;     /* Moved: coordinates that it answers with others than its input's */
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 

@@ -56,6 +56,10 @@ sed '/^rock.yaml/!d; N; N' "$root/README.md" >fault
 sed '/^rock.yaml/!d; N; N' "$root/docs/language.md" >fault_of_language
 check "its fault is what matc says" cmp fault said
 check "and so is that of language.md" cmp fault_of_language said
+printf 'material: Phong\ndiffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }\n' >grain.yaml
+"$matc" grain.yaml -o grain.frag 2>said
+sed '/^grain.yaml/!d; N; N' "$root/docs/language.md" >fault_of_language
+check "a warning, in docs/language.md" cmp -s said fault_of_language
 cp "$root/examples/checker.yaml" rock.yaml
 echo rock.yaml >materials.txt
 mkdir bin && ln -s "$matc" bin/matc && ln -s "$matview" bin/matview

@@ -346,6 +346,7 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     }
     Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){kind, r->node_count++, name->value->span, params, 0, 0};
+    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
     return fine && measure(r, node) ? node : NULL;
 }
 

@@ -17,6 +17,8 @@ typedef struct {
     bool *srgb_files; /* by source: its colours are sRGB; those beyond the room are linear */
     size_t srgb_room;
     int node_count;
+    const Node **nodes; /* but for bare numbers */
+    size_t named_count, named_room;
     int depth;
 } Resolver;
 

@@ -1,4 +1,5 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
+#include "compiler/front/doubt.h"
 #include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <stdlib.h>
@@ -169,5 +170,8 @@ Graph *resolve(Session *session, Tree *document)
     graph->uniform_names = r.uniform_names;
     graph->images = r.images;
     graph->image_count = (int)r.image_count;
-    return fine && !fault && !session->diags.errors ? graph : NULL;
+    if (!fine || fault || session->diags.errors)
+        return NULL;
+    doubt_graph(session, graph, r.nodes, r.named_count);
+    return session->diags.errors ? NULL : graph;
 }

@@ -284,7 +284,7 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     if (!count || l->failed)
         return lower_answer(l, input, group, env);
     Answer x = lower_answer(l, input, GROUP_X, env);
-    build_swizzle(ir, x.value, "x"); /* before what the items make */
+    lower_note_crossing(l, node, build_swizzle(ir, x.value, "x")); /* before what the items make */
     const Stop *stops = stops_of(l, blend, group, env);
     if (count > LIMIT_WALK && !ascending(ir, stops, count, true)) {
         diag_add(l->session, blend->span, DIAG_long_walk, LIMIT_WALK);

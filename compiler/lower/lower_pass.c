@@ -213,5 +213,8 @@ Ir *lower(Session *session, const Graph *graph, const Node *material, const Job 
 {
     Lower l = start(session, graph, job, simplify, session->optimize);
     stack_run(material ? material->depth : 0, write_on_stack, &(Writing){&l, material});
-    return l.failed ? NULL : l.ir;
+    if (l.failed)
+        return NULL;
+    lower_doubt_crossings(&l);
+    return l.ir;
 }

@@ -1,0 +1,192 @@
+/* Warnings about what shows nothing. Every node is asked for groups of channels by those above it, and asks those below it in turn;
+ * as inputs come before their users, one walk from the last node to the first knows what each is asked for.
+ *
+ *     diffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }
+ *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that on: nobody sees its u and v. */
+#include "compiler/front/doubt.h"
+#include <math.h>
+#include <string.h>
+
+enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 }; /* a colour's greatest lane from which on whole lanes look like bytes */
+
+/* What a node is asked for. The first two begin as MOVES_xyz and MOVES_uv of tables.h. */
+typedef enum {
+    ASKED_xyz = MOVES_xyz,
+    ASKED_uv = MOVES_uv,
+    ASKED_color = 4,
+    ASKED_shininess = 8, /* red as a material reads it for an exponent */
+    ASKED_slope = 16,    /* by u and v */
+    ASKED_other = 32,    /* normal, index of refraction, position in the world */
+    ASKED_shown = ASKED_color | ASKED_shininess,
+} Asked;
+
+typedef struct {
+    Session *session;
+    unsigned *asked;     /* by node's index: Asked */
+    const Node **reader; /* by node's index: one of those that ask */
+    bool saying;         /* what all are asked for is known */
+} Doubts;
+
+/* Lanes of a number, or of a param's default. */
+static int lanes_of(const Value *value, const double **lanes)
+{
+    if (value->kind != VALUE_number && value->kind != VALUE_uniform)
+        return 0;
+    *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    return type_table[value->type].lanes;
+}
+
+static bool is_byte(double lane) { return lane >= 0 && lane <= BYTE && lane == trunc(lane); }
+
+/* The three lanes of a colour. */
+static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
+{
+    const double most = fmax(lanes[0], fmax(lanes[1], lanes[2]));
+    if (most < LOOKS_LIKE_BYTE || !is_byte(lanes[0]) || !is_byte(lanes[1]) || !is_byte(lanes[2]))
+        return;
+    Text hex = text_new(d->session->arena);
+    text_format(&hex, "#%02x%02x%02x", (unsigned)lanes[0], (unsigned)lanes[1], (unsigned)lanes[2]);
+    diag_add(d->session, span, DIAG_byte_color, hex.at);
+}
+
+/* Parameters r, g and b of a colour or a material. */
+static void doubt_components(const Doubts *d, const Node *node)
+{
+    double rgb[3];
+    int found = 0;
+    Span span = node->span;
+    const KindRow *row = &kind_table[node->kind];
+    for (int i = row->count - 1; i >= 0; i--) {
+        const double *lane;
+        const char *at = strchr("rgb", param_table[row->first + i].name[0]);
+        if (!at || param_table[row->first + i].name[1] || !lanes_of(&node->params[i], &lane))
+            continue;
+        rgb[at - "rgb"] = *lane;
+        found++;
+        if (*lane > 1)
+            span = node->params[i].span;
+    }
+    if (found == 3)
+        doubt_bytes(d, span, rgb);
+}
+
+static void doubt_constant(const Doubts *d, const Node *node, unsigned asked)
+{
+    const double *lanes = NULL;
+    const int count = lanes_of(&node->params[0], &lanes);
+    if (asked & ASKED_color && node->kind == KIND_Constant && count >= 3)
+        doubt_bytes(d, node->params[0].span, lanes);
+    else if (asked & ASKED_color)
+        doubt_components(d, node);
+    if (asked & ASKED_shininess && count && *lanes > 1) {
+        Text is = text_new(d->session->arena), shininess = text_new(d->session->arena);
+        text_plain(&is, *lanes);
+        text_plain(&shininess, round(1e3 * (1 - sqrt(1 - exp(-2 / *lanes)))) / 1e3);
+        diag_add(d->session, node->params[0].span, DIAG_high_shininess, is.at, is.at, shininess.at);
+    }
+}
+
+static void ask(Doubts *d, const Node *reader, const Node *node, unsigned asked)
+{
+    if (!node || !asked)
+        return;
+    if (d->saying && section_of(node->kind) == SECTION_constant)
+        doubt_constant(d, node, asked);
+    d->asked[node->index] |= asked;
+    d->reader[node->index] = reader;
+}
+
+/* What a map asks its input for, being asked itself. */
+static unsigned asked_of_input(const Node *node, unsigned asked)
+{
+    const KindRow *row = &kind_table[node->kind];
+    const bool items = row->count > 1 && node->params[1].kind == VALUE_items;
+    switch (section_of(node->kind)) {
+    case SECTION_surface:
+        return ASKED_uv;
+    case SECTION_volume:
+        return ASKED_xyz;
+    case SECTION_blend:
+        return items ? ASKED_xyz : asked;
+    case SECTION_normal:
+        return asked | ASKED_uv | ASKED_other;
+    default:
+        return asked;
+    }
+}
+
+/* What a material or map asks the map of one of its own parameters for. */
+static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned asked)
+{
+    if (section_of(node->kind) == SECTION_normal)
+        return ASKED_slope;
+    if (section_of(node->kind) != SECTION_material)
+        return asked;
+    return strstr(param->name, "hininess") ? ASKED_shininess : ASKED_color;
+}
+
+static void ask_below(Doubts *d, const Node *node, unsigned asked)
+{
+    const KindRow *row = &kind_table[node->kind];
+    const bool material = section_of(node->kind) == SECTION_material;
+    for (int i = 0; i < row->count && (material || asked); i++) {
+        const ParamRow *param = &param_table[row->first + i];
+        const Value *value = &node->params[i];
+        const bool input = !strcmp(param->name, "input");
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            ask(d, node, value->items->item[k].input, asked);
+        if (value->kind == VALUE_node && param->type == PARAM_Map)
+            ask(d, node, value->node,
+                !input     ? asked_of_param(node, param, asked)
+                : material ? ASKED_other
+                           : asked_of_input(node, asked));
+    }
+}
+
+/* The map of its section that moves just these coordinates. */
+static const char *mover(unsigned moves)
+{
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if (kind_table[kind].moves == moves)
+            return kind_table[kind].name;
+    return "";
+}
+
+/* A transformer, or a modifier of the normal. */
+static void doubt_use(const Doubts *d, const Node *node)
+{
+    const unsigned asked = d->asked[node->index], moves = kind_table[node->kind].moves;
+    const Value *input = &node->params[0];
+    const bool through = input->kind == VALUE_node;
+    const bool moved = asked & moves || (moves & MOVES_uv && asked & ASKED_slope);
+    const char *name = kind_table[node->kind].name;
+    if (asked & ASKED_shown && (!through || !(moved || asked & ASKED_other)))
+        diag_add(d->session, node->span, DIAG_no_color, name,
+                 through ? "its input's comes through as it is" : "it is black, with alpha 0");
+    else if (moves && !moved && asked & (ASKED_uv | ASKED_xyz))
+        diag_add(d->session, node->span, DIAG_unread_transform, kind_table[d->reader[node->index]->kind].name,
+                 asked & ASKED_xyz ? "x, y and z" : "u and v", name, mover(asked & (ASKED_uv | ASKED_xyz)));
+}
+
+/* In the order of the document, inputs before their users. */
+static void say(Doubts *d, const Node *node)
+{
+    const Section section = section_of(node->kind);
+    if (section == SECTION_material)
+        doubt_components(d, node);
+    if (section == SECTION_transform || section == SECTION_normal)
+        doubt_use(d, node);
+}
+
+void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
+{
+    Doubts d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
+                ARENA_ARRAY(session->arena, const Node *, graph->node_count), false};
+    for (size_t i = count; i--;)
+        ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
+    d.saying = true;
+    for (size_t i = 0; i < count; i++) {
+        say(&d, nodes[i]);
+        ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
+    }
+}
