@@ -127,6 +127,11 @@ foreach(pair ${LONG})
   endif()
 endforeach()
 
+# It builds the project anew, about 45 s of one core: ctest -LE long leaves it out
+if(TEST add)
+  set_tests_properties(add PROPERTIES LABELS long)
+endif()
+
 # ctest -L quick: for the inner loop, a few seconds in all
 set(QUICK golden abi embed_example functions layers exports test_affine test_bounded test_defaults test_exact test_exact_material
   test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json test_json_write test_key test_ktx
