@@ -87,7 +87,8 @@ MATC_API bool matc_options_set(MatcOptions *options, const char *name, const cha
 /* NULL, or which option has a value that does not exist. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);
 
-/* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials.
+/* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials; nor has one of
+ * definitions alone.
  * `name` is for messages, for relative paths, and tells JSON (".json") from YAML. */
 MATC_API MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options);
 MATC_API void matc_document_free(MatcDocument *document);

@@ -159,6 +159,23 @@ mkdir "$work/half"
 check "a fault in one material" status 1 $fast -d "$work/half" "$work/half.yaml"
 check "writes none of the document" test -z "$(ls "$work/half")"
 mkdir "$work/x" && cp $example "$work/x/"
+printf 'defs: { paint: "#804020" }\n' >"$work/palette.yaml"
+printf 'include: palette.yaml\nmaterial: Phong\ndiffuse: { ref: paint }\n' >"$work/painted.yaml"
+printf '%s\n' "$work/palette.yaml" "$work/painted.yaml" >"$work/list"
+check "definitions among documents" status 0 $fast -d "$work/painted" "$work/palette.yaml" "$work/painted.yaml"
+check "are told" says 'palette.yaml:1:1: note: there are definitions only'
+check "and make no file" only "$work/painted" manifest.json painted.frag
+check "of a list, too" status 0 $fast -d "$work/painted" "@$work/list" --cache "$work/painted.cache"
+check "and out of a cache" status 0 $fast -d "$work/painted" "@$work/list" --cache "$work/painted.cache"
+check "and for --layout=auto" status 0 $fast -d "$work/painted" "@$work/list" --layout=auto
+check "alone there is nothing to compile" status 1 $fast -d "$work/alone" "$work/palette.yaml"
+check "which is an error" says 'error: no document has a material'
+check "without -d, too" status 1 $fast "$work/palette.yaml" -o "$work/none.frag"
+check "which is one" says 'error: the document has no material'
+check "but it has a tree" status 0 $fast "$work/palette.yaml" --emit=tree
+check "a fault in definitions is one" status 1 sh -c "printf 'defs: { paint: redd }' | $fast -d '$work/alone' - $example"
+(cd examples/materials && "$matc" --no-validate -d "$work/readme" *.yaml) >"$work/stdout" 2>"$work/stderr"
+check "README's matc -d out/ *.yaml, in examples/materials" test $? = 0 -a -s "$work/readme/marble.frag"
 check "two documents of one name" status 1 $fast -d "$work/same" $example "$work/x/checker.yaml"
 check "are not written over each other" says "two materials have this name"
 

@@ -259,7 +259,8 @@ static void put_choice(Text *out, const char *name, bool material, const char *m
 
 static void put_top(Text *out)
 {
-    text_put(out, "  \"anyOf\": [\n    {\"$ref\": \"#/$defs/materialsDocument\"}");
+    text_put(out,
+             "  \"anyOf\": [\n    {\"$ref\": \"#/$defs/materialsDocument\"},\n    {\"$ref\": \"#/$defs/definitions\"}");
     for (int kind = 0; kind < KIND_COUNT; kind++)
         if (kind_table[kind].lowering == LOWERING_MATERIAL)
             text_format(out, ",\n    {\"$ref\": \"#/$defs/%sDocument\"}", kind_table[kind].name);
@@ -282,6 +283,16 @@ static void put_outermost(Text *out)
         "    \"colors\": {\n"
         "      \"description\": \"What colours and pictures of this file are: linear light, or sRGB.\",\n"
         "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
+        "    },\n"
+        "    \"definitions\": {\n"
+        "      \"description\": \"Definitions alone, for other documents to include.\",\n"
+        "      \"type\": \"object\", \"additionalProperties\": false,\n"
+        "      \"anyOf\": [{\"required\": [\"defs\"]}, {\"required\": [\"include\"]}],\n"
+        "      \"properties\": {\n"
+        "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+        "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
+        "        \"colors\": {\"$ref\": \"#/$defs/colors\"}\n"
+        "      }\n"
         "    },\n"
         "    \"materialsDocument\": {\n"
         "      \"description\": \"Several materials in a file.\",\n"

@@ -139,15 +139,32 @@ static void check_defs(Resolver *r)
         }
 }
 
+/* A palette: definitions for `include:`, and nothing to compile. */
+static bool has_definitions_only(const Tree *document)
+{
+    for (uint32_t i = 0; i < document->count; i++)
+        if (!resolve_is_document_key(document->members[i].key))
+            return false;
+    return tree_find(document, "defs") || tree_find(document, "include");
+}
+
+static bool resolve_one(Resolver *r, Tree *document, NamedMaterial *material)
+{
+    bool fault = false;
+    const char *name = stem(r->session, r->session->sources[document->span.file].name);
+    *material = (NamedMaterial){name, resolve_any(r, document, true, true, &fault)};
+    return !fault;
+}
+
 Graph *resolve(Session *session, Tree *document)
 {
     Resolver r = {.session = session};
     if (document->kind != TREE_object)
         return diag_add(session, document->span, DIAG_document_not_object);
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
-    if (!many && !one)
+    if (!many && !one && !has_definitions_only(document))
         return diag_add(session, document->span, DIAG_no_material);
-    bool fine = check_top(&r, document, many), fault = false;
+    bool fine = check_top(&r, document, many);
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)
         return diag_add(session, many->value->span, DIAG_wrong_type, "materials", "an object",
@@ -155,14 +172,15 @@ Graph *resolve(Session *session, Tree *document)
     if (many && !many->value->count)
         return diag_add(session, many->value->span, DIAG_no_materials);
     Graph *graph = ARENA_NEW(session->arena, Graph);
-    graph->material_count = many ? (int)many->value->count : 1;
+    graph->material_count = many ? (int)many->value->count : one != NULL;
     NamedMaterial *materials = ARENA_ARRAY(session->arena, NamedMaterial, graph->material_count);
     graph->materials = materials;
     if (many)
         fine &= resolve_list(&r, many->value, materials);
+    else if (one)
+        fine &= resolve_one(&r, document, materials);
     else
-        materials[0] = (NamedMaterial){stem(session, session->sources[document->span.file].name),
-                                       resolve_any(&r, document, true, true, &fault)};
+        diag_add(session, document->span, DIAG_definitions_only);
     check_defs(&r);
     graph->node_count = r.node_count;
     graph->uniforms = r.uniforms;
@@ -170,7 +188,7 @@ Graph *resolve(Session *session, Tree *document)
     graph->uniform_names = r.uniform_names;
     graph->images = r.images;
     graph->image_count = (int)r.image_count;
-    if (!fine || fault || session->diags.errors)
+    if (!fine || session->diags.errors)
         return NULL;
     doubt_graph(session, graph, r.nodes, r.named_count);
     return session->diags.errors ? NULL : graph;

@@ -129,6 +129,16 @@ static bool is_utf8(const char *name)
     return at == end;
 }
 
+/* Palettes are documents, too, but not alone. */
+static void need_material(Batch *b)
+{
+    int materials = 0;
+    for (int d = 0; d < b->document_count; d++)
+        materials += b->documents[d].material_count;
+    if (!materials)
+        batch_complain(b, NULL, NULL, "no document has a material to compile");
+}
+
 /* Two materials of one name would overwrite each other. */
 static void check_names(Batch *b)
 {
@@ -302,6 +312,8 @@ bool batch_run(const CommandLine *line, const BatchCalls *calls, BatchResult *re
         batch_make_layout(&b);
     if (started)
         batch_phase(&b, open_to_compile, work_on_material, close_compiled);
+    if (!b.fault)
+        need_material(&b);
     if (!b.fault) {
         batch_group(&b);
         check_names(&b);

@@ -86,7 +86,7 @@ bool batch_document_list(Batch *b, BatchDocument *document)
     for (int i = 0; i < document->depend_count; i++)
         document->depends[i] = sets_copy(matc_depend(parsed, i));
     batch_say(b, document, matc_diagnostics(document->parsed, b->line->diagnostics));
-    if (!count)
+    if (!count && (matc_error_count(parsed) || b->line->material))
         batch_fault(b);
     return count > 0;
 }

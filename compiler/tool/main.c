@@ -182,7 +182,7 @@ static int choose_material(const CommandLine *line, const MatcDocument *document
 static int run_document(const CommandLine *line, MatcDocument *document)
 {
     if (!matc_material_count(document))
-        return FAULT;
+        return matc_error_count(document) ? FAULT : complain(line, NULL, "the document has no material to compile");
     int material = choose_material(line, document);
     if (material < 0)
         return FAULT;
@@ -216,7 +216,7 @@ static int run_input(const CommandLine *line, const char *path)
     int status = FAULT;
     if (!tree_only)
         status = run_document(line, document);
-    else if (matc_material_count(document))
+    else if (!matc_error_count(document))
         status = write_tree(line, document);
     matc_document_free(document);
     return status;

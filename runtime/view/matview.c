@@ -119,6 +119,8 @@ static int choose_and_draw(const Command *command, MatcDocument *document, const
 {
     char name[LONGEST_NAME];
     int count = matc_material_count(document), status = FINE;
+    if (!count)
+        return command->output ? complain(input, "the document has no material to draw") : FINE;
     int chosen = command->material ? matc_material_find(document, command->material) : count == 1 ? 0 : -1;
     if (command->material && chosen < 0)
         return complain(command->material, "no such material in the document");

@@ -50,12 +50,9 @@ function accepts(of, value) {
   }
 }
 
-// Definitions alone are for `include:`; the rest are documents, or layouts.
-const definitions = document => document && Object.keys(document).every(key => ['defs', 'include', 'colors'].includes(key));
 const documents = [];
 for (const file of files('examples', /\.(yaml|json)$/)) {
   const tree = read(file);
-  if (definitions(tree)) continue;
   const of = tree?.layout && !tree.material ? 'layout' : 'document';
   check(file, accepts(of, tree), said(of));
   if (of === 'document') documents.push(file);

@@ -74,7 +74,7 @@ static bool take_text(Document *d, const char *path, const char *text, size_t si
     Source source = {path, text, size};
     ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
     d->graph = compile_front(&d->session, 0, &d->tree);
-    return d->graph && matc_error_count(d->document) == 0;
+    return d->graph && d->graph->material_count && matc_error_count(d->document) == 0;
 }
 
 bool document_open(Document *d, const char *path)
@@ -93,7 +93,7 @@ bool document_open_text(Document *d, const char *text)
 
 bool document_is_library(const Document *d)
 {
-    return d->session.diags.count == 1 && d->session.diags.at[0].kind == DIAG_no_material;
+    return d->session.diags.count == 1 && d->session.diags.at[0].kind == DIAG_definitions_only;
 }
 
 const char *document_fault(Document *d)
