@@ -1,8 +1,10 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout compact
 
+in vec3 worldTangentU;
+in vec3 worldTangentV;
 in vec3 localPosition;
-in vec3 eyeNormal;
+uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
@@ -82,6 +84,12 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
@@ -120,21 +128,27 @@ void main() {
     // Gradient
     float gradient_1 = fract(xyzTransform.z) * 2.0 - 1.0;
     // Blend
-    vec3 blend = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(turbulence(localPosition * 14.0, 3, 2.0, 0.6) + 0.5, 0.0, 1.0));
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence(localPosition * 3.5, 11, 2.0, 0.5);
-    // Blend
-    vec3 blend2 = mix(mix(vec3(0.10946171, 0.015996294, 0.008023193), vec3(0.3049873, 0.051269457, 0.023153367), clamp((volumeTurbulence_1 + 0.8) * 1.1111112, 0.0, 1.0)), vec3(0.49693298, 0.14412847, 0.059511237), clamp((volumeTurbulence_1 - 0.1) * 1.25, 0.0, 1.0));
-    // normal
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 blend = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(turbulence(localPosition * 22.0, 3, 2.0, 0.7) + 0.5, 0.0, 1.0));
     // Gradient
-    float gradient_2 = fract(0.5 <= fract(xyzTransform.z * 0.5) ? xyzTransform.x : xyzTransform.x + 0.5) * 2.0;
-    float gradient_3 = gradient_2 - 1.0;
+    float gradient_2 = xyzTransform.z * 0.5;
+    float gradient_3 = floor(gradient_2 + 0.5);
+    // XYZTransform
+    vec3 xyzTransform2 = vec3(gradient_3) * vec3(4.3, 1.1, 2.9);
+    // normal
+    vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
+    // Gradient
+    float gradient_4 = 0.5 <= fract(gradient_2) ? xyzTransform.x : xyzTransform.x + 0.5;
+    float gradient_5 = fract(gradient_4) * 2.0 - 1.0;
+    float gradient_6 = floor(gradient_4 * 0.5 + 0.5);
+    // XYZTransform
+    vec3 xyzTransform3 = vec3(gradient_6) * vec3(1.7, 3.1, 5.3);
     // Blend
-    vec3 blend_1 = gradient_3 < -0.88 ? (gradient_3 < -0.93 ? blend : mix(blend, blend2, (gradient_3 + 0.93) * 20.0)) : blend2;
-    vec3 blend3 = gradient_3 < 0.88 ? blend_1 : gradient_3 < 0.93 ? mix(blend2, blend, (gradient_3 - 0.88) * 20.0) : blend;
-    vec3 blend_2 = gradient_1 < -0.75 ? (gradient_1 < -0.85 ? blend : mix(blend, blend3, (gradient_1 + 0.85) * 10.0)) : blend3;
-    vec3 blend4 = gradient_1 < 0.75 ? blend_2 : gradient_1 < 0.85 ? mix(blend3, blend, (gradient_1 - 0.75) * 10.0) : blend;
+    float blend_1 = mix(turbulence(mix(xyzTransform3, xyzTransform2, 0.5), 1, 2.0, 1.0), turbulence(localPosition * 5.0, 11, 2.0, 0.5), 0.4);
+    vec3 blend2 = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((blend_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(blend_1 * 2.0, 0.0, 1.0));
+    vec3 blend_2 = gradient_5 < -0.89 ? (gradient_5 < -0.93 ? blend : mix(blend, blend2, (gradient_5 + 0.93) * 25.0)) : blend2;
+    vec3 blend3 = gradient_5 < 0.89 ? blend_2 : gradient_5 < 0.93 ? mix(blend2, blend, (gradient_5 - 0.89) * 25.0) : blend;
+    vec3 blend_3 = gradient_1 < -0.76 ? (gradient_1 < -0.83 ? blend : mix(blend, blend3, (gradient_1 + 0.83) * 14.285714)) : blend3;
+    vec3 blend4 = gradient_1 < 0.76 ? blend_3 : gradient_1 < 0.83 ? mix(blend3, blend, (gradient_1 - 0.76) * 14.285714) : blend;
     // surface
     uint surface_1 = rootBits(blend4.x, 8) | rootBits(blend4.y, 8) << 8 | rootBits(blend4.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | 956301312u, 534788409u);

@@ -1,19 +1,12 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout compact
 
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
 in vec3 localPosition;
-in vec3 eyeNormal;
+uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
-
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
 
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
@@ -82,18 +75,20 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
-// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
-// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
-// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
-float phongExponent(float x) {
-    float y = x * (2.0 - x);
-    float w = min((1.0 - x) * (1.0 - x), 0.25);
-    float s = w / (2.0 - w);
-    float s2 = s * s;
-    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
-    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
-    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
-    return y > 0.0 ? exponent : 0.0;
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -104,14 +99,6 @@ uint unormBits(float v, int bits) {
 // The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
-}
-
-// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
-// bits from 4 to 16.
-uint logarithmBits(float v, int bits) {
-    int steps = (1 << bits) - 2;
-    float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
-    return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -137,15 +124,21 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normal
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    // VolumeTurbulence
+    float volumeTurbulence_1 = turbulence(localPosition * vec3(1.0, 1.0, 70.0), 4, 2.0, 0.8);
     // Blend
-    float blend_1 = clamp((turbulence(localPosition * vec3(1.2, 1.2, 70.0), 4, 2.0, 0.8) + 0.8) * 0.625, 0.0, 1.0);
-    vec3 blend = mix(vec3(0.20155625, 0.2158605, 0.24228112), vec3(0.69387174, 0.7230551, 0.7605245), blend_1);
-    // shininess
-    float shininess = phongExponent(mix(0.3, 0.6, blend_1));
+    vec3 blend = mix(vec3(0.107023105, 0.116970666, 0.13563333), vec3(0.19806932, 0.21223076, 0.23839757), clamp((volumeTurbulence_1 + 0.9) * 0.5555556, 0.0, 1.0));
+    // BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    float bumpMap_2 = volumeTurbulence_1 * 0.00026;
+    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
+    // normal
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface
-    uint surface_1 = rootBits(blend.y, 8) | rootBits(blend.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, rootBits(blend.x, 8) << 24 | 7039078u, surface_1);
+    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
+    // Blend
+    vec3 blend2 = mix(vec3(0.2663556, 0.29177064, 0.33245152), vec3(0.7379104, 0.76815116, 0.80695224), clamp((volumeTurbulence_1 + 0.8) * 0.625, 0.0, 1.0));
+    // surface
+    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | rootBits(blend2.x, 8) << 24, rootBits(blend2.y, 8) | rootBits(blend2.z, 8) << 8 | 903872512u);
     fragment0 = surface_2;
 }

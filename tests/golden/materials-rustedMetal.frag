@@ -1,14 +1,11 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout compact
 
-in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
-in vec2 uv;
 in vec3 localPosition;
 uniform float rusting;
 uniform mat3 matc_eyeFromWorld;
-uniform sampler2D carpenterTexture0;
 layout(location = 0) out uvec4 fragment0;
 
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
@@ -91,26 +88,6 @@ float granite(vec3 p) {
     return sum;
 }
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
-}
-
-// A synthetic texture of one lane, repeated, mixed as GroIMP does: size * uv is cut toward zero, so that a negative coordinate
-// has a negative weight and extrapolates. Whole turns of uv are dropped first, which changes nothing and is exact.
-float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
-    vec2 side = 1.0 - 2.0 * vec2(lessThan(uv, vec2(0.0)));
-    vec2 at = fract(abs(uv)) * size;
-    vec2 low = side * floor(at);
-    vec2 weight = side * at - low;
-    low += size * vec2(lessThan(low, vec2(0.0)));
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size).r, texel(s, vec2(high.x, low.y), size).r, weight.x),
-               mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
-}
-
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -189,17 +166,9 @@ void main() {
     // Blend
     vec3 blend = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((granite_1 + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((granite_1 - 0.1) * 2.0, 0.0, 1.0));
     float blend_1 = (volumeTurbulence_1 + 0.05) * 6.6666665;
-    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.07818742, 0.09084171, 0.107023105) : mix(vec3(0.07818742, 0.09084171, 0.107023105), blend, blend_1)) : blend;
-    // BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // Carpenter
-    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    // BumpMap
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.01 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = cross(worldTangentU, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.01);
-    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
+    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.08021982, 0.093058966, 0.10946171) : mix(vec3(0.08021982, 0.093058966, 0.10946171), blend, blend_1)) : blend;
     // normal
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
     // surface
     uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
     // Blend
