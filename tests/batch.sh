@@ -54,6 +54,20 @@ head -41 "$work/colors.yaml" >"$work/forty.yaml"
 check "with --constants=baked" status 0 $fast -d "$work/baked" --constants=baked "$work/forty.yaml"
 check "every colour is a program" programs "$work/baked" "$(sed 1d "$work/forty.yaml" | cut -d: -f3- | sort -u | wc -l)"
 
+# Documents that differ in names only are one program, which has the first one's words: with any number of threads, from the cache too
+for word in clay loam sand; do
+    printf 'defs:\n  %s: { map: Granite, frequency: 3 }\nmaterial: Phong\ndiffuse: { map: Blend, input: { ref: %s }, blend: [{ value: 0, input: red }, { value: 0.3, input: blue }, { value: 1, input: { ref: %s } }] }\n' \
+        $word $word $word >"$work/$word.yaml"
+done
+for jobs in 1 3 8; do
+    check "names alone, -j $jobs" status 0 $fast -d "$work/words$jobs" -j $jobs --cache="$work/wordsCache" "$work/loam.yaml" "$work/clay.yaml" "$work/sand.yaml"
+    check "one program" only "$work/words$jobs" loam.frag manifest.json
+    check "with the first one's words" has ' loam = ' "$work/words$jobs/loam.frag"
+    check "the same bytes" same "$work/words1" "$work/words$jobs"
+done
+check "another is the first" status 0 $fast -d "$work/words" -j 3 --cache="$work/wordsCache" "$work/sand.yaml" "$work/loam.yaml"
+check "its words" has ' sand = ' "$work/words/sand.frag"
+
 # In a Checker black and white, 0 and 1 are folded away where they can be. Shapes differ by what is left of the select:
 # a colour in all lanes, a grey, which is one number for all lanes, black or white.
 awk 'BEGIN {
@@ -272,7 +286,7 @@ for target in $targets; do
     check "$target" status 0 "$matc" --target=$target -d "$work/$target" "$work/checkers.yaml" examples/wood.yaml --pass=gbuffer,shadow
     check "has buffers" has '"constants": {"block": "Constants"' "$work/$target/manifest.json"
 done
-check "old GLSL has uniforms" has '^uniform .*Constant2*;' "$work/glsl110/x0.frag"
+check "old GLSL has uniforms" has '^uniform .*_constant2*;' "$work/glsl110/x0.frag"
 check "SPIR-V twice" status 0 "$matc" --target=spirv --emit=glsl,spirv -d "$work/spirv" examples/wood.yaml
 check "is one file" only "$work/spirv" manifest.json wood.spv
 check "named once" test "$(grep -o '"spirv": "wood' "$work/spirv/manifest.json" | wc -l)" = 1

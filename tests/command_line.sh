@@ -26,7 +26,7 @@ $fast $example >"$work/b.frag"
 check "the same bytes" same "$work/a.frag" "$work/b.frag"
 check "-oFILE" status 0 $fast $example -o"$work/c.frag"
 check "-o -" status 0 $fast $example -o -
-$fast - <$example >"$work/d.frag"
+$fast - <$example | sed "s/<stdin>:/$(basename $example):/" >"$work/d.frag"
 check "standard input" same "$work/a.frag" "$work/d.frag"
 check "validates" status 0 "$matc" $example -o "$work/a.frag"
 

@@ -1,6 +1,8 @@
 /* A hash index over a growing list. Hashes are seeded with an address: whoever writes a document cannot choose names that fall on one
  * another. */
 #include "compiler/base/names.h"
+#include "compiler/base/text.h"
+#include <ctype.h>
 #include <string.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -34,4 +36,31 @@ int names_add(Arena *arena, Names *names, const char *name)
     hash_index_add(arena, &names->index, hash, (uint32_t)names->count);
     ARENA_PUSH(arena, names->at, names->count, names->room, name);
     return (int)names->count - 1;
+}
+
+static int give(Arena *arena, FreshNames *fresh, const char *name)
+{
+    const int first = 1;
+    ARENA_PUSH(arena, fresh->last, fresh->last_count, fresh->last_room, first);
+    return names_add(arena, &fresh->given, name);
+}
+
+static const char *numbered(Arena *arena, const char *name, int number)
+{
+    Text text = text_new(arena);
+    text_put(&text, name);
+    if (isdigit((unsigned char)name[strlen(name) - 1]))
+        text_char(&text, '_');
+    text_int(&text, number);
+    return text.at;
+}
+
+const char *names_fresh(Arena *arena, FreshNames *fresh, const char *wanted)
+{
+    const int known = names_find(&fresh->given, wanted);
+    const char *name = wanted;
+    while (known >= 0 && names_find(&fresh->given, name) >= 0)
+        name = numbered(arena, wanted, ++fresh->last[known]);
+    give(arena, fresh, name);
+    return name;
 }

@@ -14,4 +14,14 @@ typedef struct {
 int names_find(const Names *names, const char *name);
 /* The same; a name that is not there comes last. The text is not copied. */
 int names_add(Arena *arena, Names *names, const char *name);
+
+/* Names that are given out, each to one. */
+typedef struct {
+    Names given;
+    int *last; /* by index: the number that was put behind the name last */
+    size_t last_count, last_room;
+} FreshNames;
+
+/* The wanted name where nobody has it, else "clay2", "clay3"; behind a digit "layer1_2". */
+const char *names_fresh(Arena *arena, FreshNames *fresh, const char *wanted);
 #endif

@@ -5,55 +5,21 @@
 
 enum { LARGEST_EXPRESSION = 6, INDENT = 4, LONGEST_INDENT = 64 };
 
-static const char *hint_title(int hint) { return hint < KIND_COUNT ? kind_table[hint].name : ir_hint_name(hint); }
-
-static bool is_taken(const Scope *e, const char *name)
-{
-    if (names_find(&e->ir->graph->uniform_names, name) >= 0)
-        return true;
-    for (int i = 0; i < FUNCTION_COUNT; i++) {
-        const char *other = function_row(i)->name;
-        if (other && *other == *name && !strcmp(other, name)) /* most differ in the first letter */
-            return true;
-    }
-    return false;
-}
-
-static void put_suffix(Text *name, const char *mark, int number)
-{
-    text_put(name, mark);
-    text_int(name, number);
-}
-
-/* "checker" for a map's value, "checker_1" for a step on its way; a number tells several apart. */
-static const char *new_name(Scope *e, const IrNode *node)
-{
-    Text name = text_new(e->scratch);
-    text_put(&name, ir_hint_name(node->hint));
-    if (!node->head)
-        put_suffix(&name, "_", ++e->steps[node->hint]);
-    else if (e->heads[node->hint]++)
-        put_suffix(&name, "", e->heads[node->hint]);
-    while (is_taken(e, name.at))
-        text_put(&name, "Value");
-    return name.at;
-}
-
 static void indent(Text *out, int depth)
 {
     for (int i = 0; i < depth && i < LONGEST_INDENT; i++)
         text_put(out, "    ");
 }
 
-/* A comment where the steps of another map or slot begin. */
+/* Where the author has what begins here. */
 static void put_comment(Scope *e, Text *out, const IrNode *node, int depth)
 {
-    if (node->hint == e->last_hint)
+    const char *note = emit_origin_note(e, node);
+    if (!*note)
         return;
-    e->last_hint = node->hint;
     indent(out, depth);
     text_put(out, "// ");
-    text_put(out, hint_title(node->hint));
+    text_put(out, note);
     text_char(out, '\n');
 }
 
@@ -141,7 +107,6 @@ static bool put_else_if(Scope *e, Text *out, const Arm *arm, int depth)
 
 static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth)
 {
-    int before = e->last_hint;
     bool tail = is_tail(e, arm);
     if (tail) {
         e->done[arm->value] = 1;
@@ -157,7 +122,6 @@ static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth)
         emit_expression(e, out, arm->value, PRECEDENCE_any);
         text_put(out, ";\n");
     }
-    e->last_hint = before;
 }
 
 static void put_statement(Scope *e, Text *out, Ref ref, int depth)
@@ -169,8 +133,8 @@ static void put_statement(Scope *e, Text *out, Ref ref, int depth)
         e->size[ref] = (uint16_t)size;
         return;
     }
-    const char *name = new_name(e, node);
     put_comment(e, out, node, depth);
+    const char *name = emit_new_name(e, node);
     indent(out, depth);
     text_put(out, type_table[node->type].name);
     text_char(out, ' ');
@@ -214,6 +178,10 @@ static Scope new_scope(Session *session, const Ir *ir, const Job *job, Interface
     e.names = ARENA_ARRAY(scratch, const char *, ir->count);
     e.size = ARENA_ARRAY(scratch, uint16_t, ir->count);
     e.done = ARENA_ARRAY(scratch, uint8_t, ir->count);
+    e.naming = ARENA_ARRAY(scratch, Naming, ORIGIN_MAPS + ir->map_count);
+    e.lines = ARENA_ARRAY(scratch, Lines, session->source_count + 1);
+    for (size_t i = 0; i < ir->constant_count; i++)
+        names_add(scratch, &e.constants, ir->constants[i].name);
     return e;
 }
 
@@ -221,10 +189,8 @@ static Scope new_scope(Session *session, const Ir *ir, const Job *job, Interface
 static void open_scope(Scope *e, const IrFunction *function, const Ref *roots, int count)
 {
     e->function = function;
-    e->last_hint = -1;
-    memset(e->heads, 0, sizeof e->heads);
-    memset(e->steps, 0, sizeof e->steps);
     schedule(&e->s, e->ir, roots, count, e->session->optimize > 0);
+    emit_forget_names(e);
     for (size_t i = 0; i < e->s.nodes.count; i++) {
         Ref ref = e->s.nodes.at[i];
         e->names[ref] = NULL;

@@ -47,9 +47,8 @@ void emit_constant(Text *out, const Ir *ir, Ref ref)
 const char *emit_function_name(Session *session, const Ir *ir, int function)
 {
     Text name = text_new(session->arena);
-    uint8_t hint = ir->functions[function].hint;
-    const char *kind = hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
-    text_format(&name, "%sInput%d", kind, function);
+    const Node *map = ir_origin_map(ir, ir->functions[function].origin);
+    text_format(&name, "%sInput%d", map ? kind_table[map->kind].function : "function", function);
     return name.at;
 }
 

@@ -4,6 +4,21 @@
 #include "compiler/emit/emit.h"
 #include "compiler/emit/schedule.h"
 
+/* What the temporaries of an origin are called in a scope. */
+typedef struct {
+    int scope;        /* in which that is known: Scope.number */
+    int valued;       /* scope that computes the value, which then is called so; else the first step is */
+    const char *name; /* numbers behind it tell steps apart */
+    int steps;        /* named so far */
+    bool given;       /* to somebody */
+} Naming;
+
+/* Where the lines of a source begin; NULL until somebody asks. */
+typedef struct {
+    uint32_t *starts;
+    size_t count, room;
+} Lines;
+
 typedef struct {
     Session *session;
     const Ir *ir;
@@ -11,13 +26,23 @@ typedef struct {
     Interface *interface;
     Arena *scratch;
     Schedule s;
-    const IrFunction *function;               /* NULL: main */
-    const char **names;                       /* by Ref: its temporary, or NULL */
-    uint16_t *size;                           /* by Ref: operations in its expression, where it is written in place */
-    uint8_t *done;                            /* by Ref: its statement is written, or it needs none */
-    int heads[HINT_COUNT], steps[HINT_COUNT]; /* names given so far */
-    int last_hint;                            /* of the statement before */
+    const IrFunction *function; /* NULL: main */
+    const char **names;         /* by Ref: its temporary, or NULL */
+    uint16_t *size;             /* by Ref: operations in its expression, where it is written in place */
+    uint8_t *done;              /* by Ref: its statement is written, or it needs none */
+    int number;                 /* of the scope, from 1 */
+    Naming *naming;             /* by origin */
+    FreshNames fresh;           /* temporaries of the scope */
+    Names constants;            /* members of the buffer */
+    Lines *lines;               /* by source */
 } Scope;
+
+/* emit_name.c: begins a scope, which is scheduled, with no names. */
+void emit_forget_names(Scope *e);
+/* A name for the node's temporary: "clay" for a map's value, "clay_1" for a step on its way, "diffuse_bits" for what is stored. */
+const char *emit_new_name(Scope *e, const IrNode *node);
+/* "brick.yaml:8 clay", the first time that something of the map gets a statement; "" otherwise. */
+const char *emit_origin_note(Scope *e, const IrNode *node);
 
 /* The value as an expression whose operators bind more tightly than `precedence`. */
 void emit_expression(Scope *e, Text *out, Ref ref, int precedence);

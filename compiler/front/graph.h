@@ -62,6 +62,8 @@ struct Node {
     const Value *params;
     int depth;   /* of the graph below it, 0 for a node without inputs; bounded */
     int filters; /* most filters on a way down from here, this one included; bounded */
+    const char *name;  /* the author's: its key under `defs:`, or its anchor; NULL: none */
+    const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
 };
 
 typedef struct {

@@ -98,10 +98,12 @@ static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
     const size_t size = strlen((const char *)name);
     Anchor *given = anchor_of(r, (const char *)name);
     if (given) { /* a name may be given anew */
+        tree->name = given->name;
         given->tree = tree;
         return;
     }
-    Anchor anchor = {memcpy(tree_build_text(r->b, size), name, size), tree};
+    tree->name = memcpy(tree_build_text(r->b, size), name, size);
+    Anchor anchor = {tree->name, tree};
     r->anchors = tree_build_room(r->anchors, r->anchor_count, &r->anchor_room, sizeof *r->anchors);
     hash_index_add(NULL, &r->anchor_index, tree_hash(anchor.name, size), (uint32_t)r->anchor_count);
     r->anchors[r->anchor_count++] = anchor;

@@ -1,7 +1,9 @@
-/* Names that a param cannot have, since its uniform would clash with GLSL's words or with what matc declares. Temporaries are
- * not among them: emit.c names those around the uniforms. */
+/* Names that a param cannot have, since its uniform would clash with GLSL's words or with what matc declares. Temporaries, too, are
+ * called by no such word; emit_name.c names them around the uniforms. */
+#include "compiler/front/reserved.h"
+#include "compiler/base/session.h"
+#include "grammar/tables.h"
 #include "runtime/library/chunk.h"
-#include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <string.h>
 
@@ -104,13 +106,12 @@ static bool is_function(const char *name)
     return false;
 }
 
-bool reserved_has(const char *name)
+bool reserved_is_word(const char *name)
 {
     /* `GL_` is the preprocessor's; the others are numbered */
     static const char *const prefixes[] = {
         "gl_", "GL_", "matc_", "imageTexture", "carpenterTexture", "smooth3DInput", "laplace3DInput"};
-    if (has_word(keywords, name) || has_word(functions, name) || has_word(own, name) || is_type(name) ||
-        is_function(name))
+    if (has_word(keywords, name) || has_word(functions, name) || has_word(own, name) || is_type(name))
         return true;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (!strcmp(input_table[i].glsl, name))
@@ -120,3 +121,5 @@ bool reserved_has(const char *name)
             return true;
     return strstr(name, "__") || strlen(name) > LIMIT_NAME;
 }
+
+bool reserved_has(const char *name) { return reserved_is_word(name) || is_function(name); }

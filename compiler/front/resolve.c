@@ -319,6 +319,18 @@ static bool measure(Resolver *r, Node *node)
     return false;
 }
 
+/* What the maps in a material's parameter belong to: the slot, if it is one. */
+static const char *slot_name(const char *param)
+{
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        if (!strcmp(slot_table[slot].name, param))
+            return slot_table[slot].name;
+    return NULL;
+}
+
+/* Before anything is made of the tree. */
+static const char *own_name(const Tree *tree) { return tree->made == MADE_nothing ? tree->name : NULL; }
+
 /* { map: Kind, param: value, ... }, and the same with material: */
 static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
 {
@@ -341,11 +353,15 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     set_presets(preset, kind, params);
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
+        if (material)
+            r->owner = slot_name(member->key);
         if (strcmp(member->key, key) != 0 && !(outermost && resolve_is_document_key(member->key)))
             fine &= resolve_member(r, member, kind, name->value->text, params);
     }
     Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){kind, r->node_count++, name->value->span, params, 0, 0};
+    *node = (Node){.kind = kind, .index = r->node_count++, .span = name->value->span, .params = params};
+    node->name = own_name(tree);
+    node->owner = r->owner;
     ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
     return fine && measure(r, node) ? node : NULL;
 }
@@ -389,7 +405,9 @@ static const Node *resolve_constant(Resolver *r, Tree *tree)
     if (!resolve_number(r, "a map", tree, (LaneCount){1, 4}, value))
         return NULL;
     Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){KIND_Constant, r->node_count++, tree->span, value, 0, 0};
+    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .span = tree->span, .params = value};
+    node->name = own_name(tree);
+    node->owner = r->owner;
     return node;
 }
 
@@ -418,6 +436,9 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
     if (tree->made == MADE_node && is_material(tree->node->kind) == material)
         return tree->node;
     const Node *node = NULL;
+    const char *owner = r->owner;
+    if (own_name(tree))
+        r->owner = own_name(tree);
     if (r->depth >= LIMIT_DEPTH)
         diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
     else if (!tree->failed) {
@@ -427,6 +448,7 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
         tree->open = false;
         r->depth--;
     }
+    r->owner = owner;
     if (node) {
         tree->node = node;
         tree->made = MADE_node;

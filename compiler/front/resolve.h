@@ -19,6 +19,7 @@ typedef struct {
     int node_count;
     const Node **nodes; /* but for bare numbers */
     size_t named_count, named_room;
+    const char *owner; /* of the maps that are resolved: Node.owner */
     int depth;
 } Resolver;
 
@@ -54,8 +55,6 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);
-/* A name that a uniform cannot have: GLSL's own, or one that matc gives. reserved.c */
-bool reserved_has(const char *name);
 
 /* Loads a PNG file; NULL and a diagnostic when it cannot. Equal paths are one image. */
 const Image *image_load(Resolver *r, const char *path, Span span);

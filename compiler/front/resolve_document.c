@@ -63,6 +63,13 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     return tree && read_defs(r, tree, depth + 1);
 }
 
+/* Of several keys for one value the first is its name. */
+static void name_defs(const Tree *defs)
+{
+    for (uint32_t i = defs->count; i-- > 0;)
+        defs->members[i].value->name = defs->members[i].key;
+}
+
 /* Collects `defs:` of the document and, after them, of the files it includes; each file's `colors:` counts for itself. */
 static bool read_defs(Resolver *r, Tree *document, int depth)
 {
@@ -74,6 +81,7 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
                      tree_describe(r->session, defs->value));
             return false;
         }
+        name_defs(defs->value);
         ARENA_PUSH(r->session->arena, r->defs, r->def_count, r->def_room, defs->value);
     }
     if (include && tree_is_null(include->value))

@@ -1,4 +1,5 @@
 /* Values of parameters: numbers, params, waves, transformations, items. */
+#include "compiler/front/reserved.h"
 #include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <float.h>

@@ -24,7 +24,7 @@ typedef struct {
 /* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of docs/stability.md, Memory. */
 struct Tree {
     uint8_t kind; /* TreeKind */
-    uint8_t made; /* Made: which of the last pointers is set */
+    uint8_t made; /* Made: which of the last pointers is set; MADE_nothing: the name may be */
     bool plain;   /* scalar: unquoted, so that it may be a number, a truth value or null */
     bool open;    /* being read, or being resolved: met again, it contains itself */
     bool shared;  /* an alias stands for it */
@@ -41,6 +41,7 @@ struct Tree {
         const Node *node;
         const Wave *wave;
         const Items *items_made;
+        const char *name; /* the author's, NULL for none: its key under `defs:`, else its anchor */
     };
 };
 

@@ -10,9 +10,9 @@
 #include <math.h>
 #include <string.h>
 
-static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source, uint8_t hint)
+static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source, uint32_t origin)
 {
-    IrConstant constant = {.type = type, .hint = hint, .source = source, .member = -1};
+    IrConstant constant = {.type = type, .origin = origin, .source = source, .member = -1};
     memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].lanes);
     ARENA_PUSH(ir->arena, ir->constants, ir->constant_count, ir->constant_room, constant);
     return (uint32_t)ir->constant_count - 1;
@@ -24,7 +24,7 @@ Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
     for (HashProbe probe = hash_probe(&ir->constant_index, hash); source && hash_probe_next(&probe);)
         if (ir->constants[probe.number].source == source)
             return build_leaf(ir, OP_member, type, (int)probe.number);
-    const uint32_t number = add_constant(ir, type, numbers, source, ir->hint);
+    const uint32_t number = add_constant(ir, type, numbers, source, ir->origin);
     if (source)
         hash_index_add(ir->arena, &ir->constant_index, hash, number);
     return build_leaf(ir, OP_member, type, (int)number);
@@ -63,15 +63,15 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
 static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
 {
     IrNode *node = &ir->nodes[ref];
-    uint8_t hint = node->hint;
+    uint32_t origin = node->origin;
     double numbers[4];
     memcpy(numbers, ir_numbers(ir, known), sizeof(double) * (size_t)ir_lanes(ir, known));
     *node = *ir_at(ir, known);
-    node->hint = hint;
+    node->origin = origin;
     if (!room)
         return;
     node->op = OP_member;
-    node->payload = add_constant(ir, (Type)node->type, numbers, NULL, hint);
+    node->payload = add_constant(ir, (Type)node->type, numbers, NULL, origin);
 }
 
 /* div(1, c) with c = 4 from the buffer is known to be 0.25: it becomes c' = 0.25 in the buffer, and c, which nothing else reads, goes.
@@ -138,10 +138,10 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
         Ref at = (Ref)member[i] + 1;
         IrNode *leaf = &ir->nodes[at];
         if (!leaf->op && !leaf->type) {
-            uint8_t hint = user ? ir_at(ir, user)->hint : ir_at(ir, value)->hint;
+            uint32_t origin = user ? ir_at(ir, user)->origin : ir_at(ir, value)->origin;
             const double *numbers = ir_numbers(ir, value);
-            *leaf = (IrNode){.op = OP_member, .type = ir_at(ir, value)->type, .hint = hint};
-            leaf->payload = add_constant(ir, (Type)leaf->type, numbers, NULL, hint);
+            *leaf = (IrNode){.op = OP_member, .type = ir_at(ir, value)->type, .origin = origin};
+            leaf->payload = add_constant(ir, (Type)leaf->type, numbers, NULL, origin);
             ir->constants[leaf->payload].member = member[i];
         }
         if (user)
@@ -151,19 +151,16 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
     }
 }
 
-/* "checkerConstant", "checkerConstant2" */
-static const char *new_name(Ir *ir, size_t index, int *named)
+/* "clay_constant", "clay_constant2" */
+static const char *new_name(Ir *ir, const IrConstant *constant, FreshNames *names)
 {
-    uint8_t hint = ir->constants[index].hint;
-    Text name = text_new(ir->arena);
-    do {
-        name.size = 0;
-        text_put(&name, ir_hint_name(hint));
-        text_put(&name, "Constant");
-        if (named[hint]++)
-            text_int(&name, named[hint]);
-    } while (names_find(&ir->graph->uniform_names, name.at) >= 0);
-    return name.at;
+    Text wanted = text_new(ir->arena);
+    text_format(&wanted, "%s_constant", ir_origin_name(ir->arena, ir, constant->origin));
+    const char *name;
+    do
+        name = names_fresh(ir->arena, names, wanted.at);
+    while (names_find(&ir->graph->uniform_names, name) >= 0);
+    return name;
 }
 
 /* By falling width; a triple takes the number behind it along. */
@@ -183,20 +180,27 @@ static void order(const IrConstant *list, size_t count, size_t *to)
         }
 }
 
-/* A colour by itself says little: it is called by what it is a colour of. */
-static void take_users_hints(const Ir *ir, const uint32_t *number, IrConstant *kept)
+/* A colour without a name of its own says little: it is called by what it is a colour of. */
+static bool is_nameless(const Ir *ir, const IrConstant *constant)
+{
+    const Node *map = ir_origin_map(ir, constant->origin);
+    return map && map->kind == KIND_Constant && !map->name;
+}
+
+static void take_users_origins(const Ir *ir, const uint32_t *number, IrConstant *kept)
 {
     for (Ref ref = 1; ref < ir->count; ref++)
         for (int i = 0; i < ir_at(ir, ref)->count; i++) {
             const IrNode *arg = ir_at(ir, ir_arg(ir, ref, i));
-            if (arg->op == OP_member && kept[number[arg->payload] - 1].hint == KIND_Constant)
-                kept[number[arg->payload] - 1].hint = ir_at(ir, ref)->hint;
+            if (arg->op == OP_member && is_nameless(ir, &kept[number[arg->payload] - 1]))
+                kept[number[arg->payload] - 1].origin = ir_at(ir, ref)->origin;
         }
 }
 
 void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
 {
-    int named[HINT_COUNT] = {0}, size = 0;
+    int size = 0;
+    FreshNames names = {0};
     uint32_t *number = ARENA_ARRAY(session->arena, uint32_t, ir->constant_count + 1); /* from 1, in the given order */
     IrConstant *kept = ARENA_ARRAY(session->arena, IrConstant, ir->constant_count + 1);
     size_t *from = ARENA_ARRAY(session->arena, size_t, ir->constant_count + 1);
@@ -204,7 +208,7 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
         kept[i] = ir->constants[list[i]];
         number[list[i]] = (uint32_t)i + 1;
     }
-    take_users_hints(ir, number, kept);
+    take_users_origins(ir, number, kept);
     IrConstant *laid = ARENA_ARRAY(session->arena, IrConstant, count + 1);
     uint32_t *moved = ARENA_ARRAY(session->arena, uint32_t, count + 1);
     order(kept, count, from);
@@ -219,7 +223,7 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
     ir->constants = laid;
     ir->constant_count = count;
     for (size_t i = 0; i < count; i++)
-        laid[i].name = new_name(ir, i, named);
+        laid[i].name = new_name(ir, &laid[i], &names);
 }
 
 uint32_t constant_bits(double value, bool word)

@@ -109,7 +109,7 @@ static Ref find_or_add(Ir *ir, IrNode *node, const Ref *args)
         if (equal_node(ir, &ir->nodes[ir->table[at]], node, args))
             return ir->table[at];
     node->first = (uint32_t)ir->arg_count;
-    node->hint = ir->hint;
+    node->origin = ir->origin;
     for (int i = 0; i < node->count; i++)
         ARENA_PUSH(ir->arena, ir->args, ir->arg_count, ir->arg_room, args[i]);
     return add_node(ir, node, at);
@@ -131,7 +131,7 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
             return ir->table[at];
     }
     node.payload = (uint32_t)ir->number_count;
-    node.hint = ir->hint;
+    node.origin = ir->origin;
     for (size_t i = 0; i < lanes; i++)
         ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, own[i]);
     return add_node(ir, &node, at);
@@ -210,7 +210,7 @@ int ir_function(Ir *ir, const Ref *arguments, int count, Ref result)
         if (ir->functions[f - 1].count == count &&
             !memcmp(ir->functions[f - 1].arguments, arguments, (size_t)count * sizeof *arguments))
             return f - 1;
-    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->hint, *last};
+    IrFunction function = {result, ARENA_ARRAY(ir->arena, Ref, count), count, ir->origin, *last};
     for (int i = 0; i < count; i++)
         function.arguments[i] = arguments[i];
     ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
@@ -297,11 +297,4 @@ void ir_measure(const Ir *ir, int *nodes, int *cost)
     }
     *cost = total > INT32_MAX ? INT32_MAX : (int)total;
     arena_free(&scratch);
-}
-
-const char *ir_hint_name(int hint)
-{
-    if (hint == HINT_SURFACE)
-        return "surface";
-    return hint < KIND_COUNT ? kind_table[hint].function : slot_table[hint - KIND_COUNT].name;
 }

@@ -40,15 +40,16 @@ typedef enum {
 } Payload;
 extern const uint8_t op_payload[OP_COUNT]; /* Payload */
 
-/* What a node was made for: a Kind, KIND_COUNT + Slot, or the surface point that a pass starts from. */
-enum { HINT_SURFACE = KIND_COUNT + SLOT_COUNT, HINT_COUNT };
+/* What a node is made for: the surface point that a pass starts from, a slot, or a map, by its number in Ir.maps. Names and comments
+ * go by it, and nothing else: equal nodes are one node, which keeps the origin that it was made with. */
+enum { ORIGIN_SURFACE, ORIGIN_SLOTS, ORIGIN_MAPS = ORIGIN_SLOTS + SLOT_COUNT };
 
 typedef uint32_t Ref; /* number of a node; 0 is none */
 
 typedef struct {
     uint8_t op, type, count; /* Op, Type, operands */
-    uint8_t hint;            /* what it was made for: a Kind, or KIND_COUNT + Slot; for names and comments only */
-    uint8_t head;            /* it is the value of its hint's map or slot, not a step on the way; for names only */
+    uint8_t head;            /* it is the value of its origin's map or slot, not a step on the way; for names only */
+    uint32_t origin;         /* what it was made for; for names and comments only */
     uint32_t first;          /* of its operands in args */
     uint32_t payload;        /* what op_payload says */
     uint32_t hash;
@@ -59,8 +60,8 @@ typedef struct {
     Ref result;
     Ref *arguments; /* OP_argument nodes, in order */
     int count;
-    uint8_t hint; /* Kind it was made for */
-    int next;     /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
+    uint32_t origin; /* what it was made for */
+    int next;        /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
 } IrFunction;
 
 typedef enum { OUT_discard, OUT_depth, OUT_color } OutputKind;
@@ -83,7 +84,7 @@ typedef struct {
 typedef struct {
     Type type;
     double numbers[4];   /* this material's */
-    uint8_t hint;        /* as a node's */
+    uint32_t origin;     /* as a node's */
     const Value *source; /* where in the document it stands; NULL: an expression of such, or a place */
     const char *name;    /* in the shader; constants_finish gives name and offset */
     int member;          /* of MatcOptions, or -1 */
@@ -130,13 +131,14 @@ typedef struct Ir {
     size_t held_count, held_room;
     int *function_of; /* by Ref: the last function of that result, from 1; by ir_function alone */
     size_t function_of_room;
-    uint8_t hint; /* given to new nodes */
+    const Node **maps; /* that nodes were made for; origin.c */
+    size_t map_count, map_room;
+    HashIndex map_index;
+    uint32_t origin; /* given to new nodes */
     /* What stands for a node that was just made; NULL leaves it as written. */
     Simplify *simplify;
 } Ir;
 
-/* Of a node's hint, as temporaries are called. */
-const char *ir_hint_name(int hint);
 Ir *ir_new(Session *session, const Graph *graph);
 /* Gives back what passes worked with; the IR itself stays. */
 void ir_done(Ir *ir);
@@ -200,6 +202,17 @@ void ir_print(Text *out, const Ir *ir);
 void ir_dot(Text *out, const Ir *ir);
 /* Reads what ir_print wrote (tests); NULL and a message. Textures and uniforms are those of `graph`. */
 Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault);
+
+/* The origin of what a map makes; the map of an origin, NULL where it is none. origin.c */
+uint32_t ir_origin(Ir *ir, const Node *map);
+static inline const Node *ir_origin_map(const Ir *ir, uint32_t origin)
+{
+    return origin < ORIGIN_MAPS ? NULL : ir->maps[origin - ORIGIN_MAPS];
+}
+/* An identifier for it: "clay" by the author's own word, "diffuse_blend" where there is none, "normal" of a slot. */
+const char *ir_origin_name(Arena *arena, const Ir *ir, uint32_t origin);
+/* A map in a comment: the author's word, or its kind. */
+const char *ir_origin_title(const Node *map);
 
 /* fold.c: one lane of an operation that works by lane; false when it is not finite. */
 bool fold_lane(Op op, const double *args, double *result);

@@ -92,13 +92,24 @@ static Memo *memo_find(Lower *l, uint64_t key)
     return &l->memo[at];
 }
 
-/* The node is the value of a map or slot. One that is another's value already keeps that name. */
-void lower_mark_head(Ir *ir, Ref value, uint8_t hint)
+/* What a vector has in all of its lanes, or the value itself. */
+static Ref repeated(const Ir *ir, Ref value)
 {
+    const IrNode *node = ir_at(ir, value);
+    for (int i = 1; node->op == OP_vec && i < node->count; i++)
+        if (ir_arg(ir, value, i) != ir_arg(ir, value, 0))
+            return value;
+    return node->op == OP_vec ? ir_arg(ir, value, 0) : value;
+}
+
+/* The node is the value of a map or slot. One that is another's value already keeps that name. */
+void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
+{
+    value = repeated(ir, value);
     IrNode *node = &ir->nodes[value];
     if (node->op == OP_const || node->op == OP_input || node->head)
         return;
-    node->hint = hint;
+    node->origin = origin;
     node->head = 1;
 }
 
@@ -116,11 +127,11 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         l->failed = true;
         return answer_of(env->root[group]);
     }
-    uint8_t hint = l->ir->hint;
-    l->ir->hint = (uint8_t)map->kind;
+    uint32_t origin = l->ir->origin;
+    l->ir->origin = ir_origin(l->ir, map);
     Answer answer = lower_map[map->kind](l, map, group, env);
-    l->ir->hint = hint;
-    lower_mark_head(l->ir, answer.value, (uint8_t)map->kind);
+    lower_mark_head(l->ir, answer.value, l->ir->origin);
+    l->ir->origin = origin;
     memo = memo_find(l, key); /* the table may have moved */
     *memo = (Memo){key, answer};
     l->memo_count++;

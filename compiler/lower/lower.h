@@ -79,7 +79,7 @@ Ir *lower(Session *session, const Graph *graph, const Node *material, const Job 
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
 /* Its value. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
-void lower_mark_head(Ir *ir, Ref value, uint8_t hint);
+void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
 Ref lower_as_group(Lower *l, Ref value, Group group);
 /* A parameter's value as IR, converted to the type. */

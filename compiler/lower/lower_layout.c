@@ -71,7 +71,7 @@ static Ref word_value(Lower *l, const Packed *p, int target, int lane, double kn
         if (piece->target != target || piece->lane != lane)
             continue;
         Ref code = piece_value(l, piece, p->material, p->env);
-        ir->hint = HINT_SURFACE; /* a word is no slot's */
+        ir->origin = ORIGIN_SURFACE; /* a word is no slot's */
         if (ir_is(ir, code, OP_const)) {
             known += ldexp(ir_numbers(ir, code)[0], piece->shift);
             continue;

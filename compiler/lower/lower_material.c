@@ -255,19 +255,19 @@ static Ref finished_normal(Lower *l, Ref normal, const Env *env)
 
 Ref lower_eye_normal(Lower *l, const Node *material, const Env *env)
 {
-    l->ir->hint = KIND_COUNT + SLOT_normal;
+    l->ir->origin = ORIGIN_SLOTS + SLOT_normal;
     Ref value = finished_normal(l, normal_of(l, material, env, true), env);
-    lower_mark_head(l->ir, value, KIND_COUNT + SLOT_normal);
+    lower_mark_head(l->ir, value, ORIGIN_SLOTS + SLOT_normal);
     return value;
 }
 
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
-    ir->hint = (uint8_t)(KIND_COUNT + slot);
+    ir->origin = (uint32_t)(ORIGIN_SLOTS + slot);
     Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
                                     : value_slot(l, material, slot, env);
     value = build_convert(ir, value, slot_table[slot].type);
-    lower_mark_head(ir, value, (uint8_t)(KIND_COUNT + slot));
+    lower_mark_head(ir, value, ir->origin);
     return value;
 }

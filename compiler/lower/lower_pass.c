@@ -134,7 +134,7 @@ static Lower start(Session *session, const Graph *graph, const Job *job, Simplif
     l.ir->simplify = optimize > 0 ? simplify : NULL;
     l.ir->keep_pow = job->choice[AXIS_powers] == CHOICE_powers_pow;
     l.ir->noise = job_noise(job->choice[AXIS_noise], job->target);
-    l.ir->hint = HINT_SURFACE;
+    l.ir->origin = ORIGIN_SURFACE;
     l.uniform_use = ARENA_ARRAY(session->arena, uint8_t, graph->uniform_count);
     return l;
 }

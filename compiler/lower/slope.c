@@ -214,10 +214,10 @@ static Ref apply_slope(Lower *l, Ref ref, Direction direction)
         return 0;
     for (int i = 0; i < node.count; i++)
         args[i] = ir_arg(l->ir, ref, i);
-    uint8_t hint = l->ir->hint;
-    l->ir->hint = l->ir->functions[function].hint;
+    uint32_t origin = l->ir->origin;
+    l->ir->origin = l->ir->functions[function].origin;
     int derived = ir_function(l->ir, l->ir->functions[function].arguments, l->ir->functions[function].count, slope);
-    l->ir->hint = hint;
+    l->ir->origin = origin;
     node.type = ir_at(l->ir, slope)->type;
     node.payload = (uint32_t)derived;
     return ir_make(l->ir, node, args);
@@ -302,10 +302,10 @@ static void hold(Lower *l, Ref slope)
 /* Its operands' are known. */
 static void find_slope(Lower *l, Ref value, Direction direction)
 {
-    uint8_t hint = l->ir->hint;
-    l->ir->hint = ir_at(l->ir, value)->hint;
+    uint32_t origin = l->ir->origin;
+    l->ir->origin = ir_at(l->ir, value)->origin;
     Ref slope = widened(l->ir, differentiate(l, value, direction), ir_type(l->ir, value));
-    l->ir->hint = hint;
+    l->ir->origin = origin;
     if (slope && ir_is_number(l->ir, slope, 0))
         slope = 0;
     slope_set(l, value, direction, slope);

@@ -66,13 +66,13 @@ bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user)
         if (!live[ref])
             continue;
         uint8_t head = ir->nodes[ref].head;
-        ir->hint = ir->nodes[ref].hint;
+        ir->origin = ir->nodes[ref].origin;
         Ref better = rewrite(ir, remake(ir, ref, &moves), user);
         moves.node[ref] = better;
         if (better == ref)
             continue;
         changed = true;
-        if (head && !ir->nodes[better].head && ir->nodes[better].hint == ir->hint)
+        if (head && !ir->nodes[better].head && ir->nodes[better].origin == ir->origin)
             ir->nodes[better].head = 1;
         move_functions(ir, &moves, ref, better);
     }

@@ -76,21 +76,17 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // UVTransform
-    vec2 uvTransform_1 = uv * vec2(6.0, 3.0);
-    // ImageMap
-    vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
-    // BumpMap
+    // bumpMap.yaml:9 UVTransform
+    vec2 tiles_uvTransform = uv * vec2(6.0, 3.0);
+    // bumpMap.yaml:7 tiles
+    vec4 tiles = imageBilinear(imageTexture0, tiles_uvTransform, vec2(64.0));
+    // bumpMap.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // ImageMap
-    vec2 image_2 = fract(uvTransform_1);
-    // surface
-    uint surface_1 = rootBits(image_1.x, 8) | rootBits(image_1.y, 8) << 8 | rootBits(image_1.z, 8) << 16;
-    // BumpMap
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * 0.24 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * 0.24 * cross(worldTangentU, bumpMap_1);
+    vec2 tiles_2 = fract(tiles_uvTransform);
+    uint surface_bits = rootBits(tiles.x, 8) | rootBits(tiles.y, 8) << 8 | rootBits(tiles.z, 8) << 16;
+    vec3 bumpMap_2 = (imageBilinear(imageTexture0, tiles_2 + vec2(0.015625, 0.0), vec2(64.0)).x - tiles.x) * 64.0 * 0.24 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = (imageBilinear(imageTexture0, tiles_2 + vec2(0.0, 0.015625), vec2(64.0)).x - tiles.x) * 64.0 * 0.24 * cross(worldTangentU, bumpMap_1);
     vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | 2701131776u, 1031840161u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2701131776u, 1031840161u);
 }

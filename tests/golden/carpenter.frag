@@ -69,15 +69,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Carpenter
-    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    // Blend
-    vec3 blend_1 = mix(mix(vec3(0.007843138, 0.039215688, 0.11372549), vec3(0.043137256, 0.2, 0.3764706), clamp((carpenter_1 - 0.3) * 5.5555553, 0.0, 1.0)), vec3(0.6117647, 0.49803922, 0.22745098), clamp((carpenter_1 - 0.48) * 50.0, 0.0, 1.0));
-    vec3 blend_2 = mix(mix(blend_1, vec3(0.09019608, 0.19607843, 0.043137256), clamp((carpenter_1 - 0.5) * 12.5, 0.0, 1.0)), vec3(0.2, 0.14509805, 0.09019608), clamp((carpenter_1 - 0.58) * 4.5454545, 0.0, 1.0));
-    vec3 blend = mix(blend_2, vec3(0.8862745, 0.8862745, 0.87058824), clamp((carpenter_1 - 0.8) * 6.6666665, 0.0, 1.0));
-    // normal
+    // carpenter.yaml:12 Carpenter
+    float diffuse_carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    // carpenter.yaml:4 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.007843138, 0.039215688, 0.11372549), vec3(0.043137256, 0.2, 0.3764706), clamp((diffuse_carpenter - 0.3) * 5.5555553, 0.0, 1.0)), vec3(0.6117647, 0.49803922, 0.22745098), clamp((diffuse_carpenter - 0.48) * 50.0, 0.0, 1.0));
+    vec3 diffuse_blend_2 = mix(mix(diffuse_blend_1, vec3(0.09019608, 0.19607843, 0.043137256), clamp((diffuse_carpenter - 0.5) * 12.5, 0.0, 1.0)), vec3(0.2, 0.14509805, 0.09019608), clamp((diffuse_carpenter - 0.58) * 4.5454545, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_2, vec3(0.8862745, 0.8862745, 0.87058824), clamp((diffuse_carpenter - 0.8) * 6.6666665, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

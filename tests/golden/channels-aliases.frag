@@ -49,15 +49,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(8.0, 4.0));
-    // normal
+    // aliases.yaml:10 Checker
+    vec2 diffuse_checker = fract(uv * vec2(8.0, 4.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Blend
-    vec3 blend = mix(vec3(0.1, 0.2, 0.4), (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? vec3(0.8) : vec3(0.0), clamp(localPosition.x * 2.0 + 0.5, 0.0, 1.0));
-    // diffuse
-    vec3 diffuse = gl_FrontFacing ? blend : vec3(0.5);
-    // surface
-    uint surface_1 = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    // aliases.yaml:6 Blend
+    vec3 diffuse_blend = mix(vec3(0.1, 0.2, 0.4), (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? vec3(0.8) : vec3(0.0), clamp(localPosition.x * 2.0 + 0.5, 0.0, 1.0));
+    vec3 diffuse = gl_FrontFacing ? diffuse_blend : vec3(0.5);
+    uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

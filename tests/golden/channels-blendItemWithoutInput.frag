@@ -48,14 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    vec4 blend = mix(vec4(0.5254902, 0.14509805, 0.03137255, 1.0), vec4(0.0), clamp((localPosition.z + 0.7) * 0.71428573, 0.0, 1.0));
-    // transparency
-    vec3 transparency = vec3(1.0) - blend.www;
-    // normal
+    // blendItemWithoutInput.yaml:4 Blend
+    vec4 diffuse_blend = mix(vec4(0.5254902, 0.14509805, 0.03137255, 1.0), vec4(0.0), clamp((localPosition.z + 0.7) * 0.71428573, 0.0, 1.0));
+    vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_1 | 1174405120u, rootBits(transparency.x, 6) << 24 | 7070534u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | 1174405120u, rootBits(transparency.x, 6) << 24 | 7070534u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
+    fragment0 = surface_bits2;
 }

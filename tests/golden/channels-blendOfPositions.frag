@@ -38,16 +38,15 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = localPosition * 2.0;
-    vec3 xyzTransform2 = localPosition * 6.0;
-    // Blend
-    vec3 blend = localPosition.x < 1.0 ? (localPosition.x < -1.0 ? xyzTransform : mix(xyzTransform, xyzTransform2, (localPosition.x + 1.0) * 0.5)) : xyzTransform2;
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(blend * 0.5);
-    // normal
+    // blendOfPositions.yaml:10 XYZTransform
+    vec3 diffuse_xyzTransform = localPosition * 2.0;
+    // blendOfPositions.yaml:11 XYZTransform
+    vec3 diffuse_xyzTransform2 = localPosition * 6.0;
+    // blendOfPositions.yaml:8 Blend
+    vec3 diffuse_blend = localPosition.x < 1.0 ? (localPosition.x < -1.0 ? diffuse_xyzTransform : mix(diffuse_xyzTransform, diffuse_xyzTransform2, (localPosition.x + 1.0) * 0.5)) : diffuse_xyzTransform2;
+    // blendOfPositions.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker = fract(diffuse_blend * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? 12967658u : 4674602u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= diffuse_volumeChecker.x) != (0.5 <= diffuse_volumeChecker.y)) != (0.5 <= diffuse_volumeChecker.z) ? 12967658u : 4674602u, 645922816u);
+    fragment0 = surface_bits;
 }

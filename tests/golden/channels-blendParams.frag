@@ -52,13 +52,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    float blend_1 = high - low;
-    vec3 blend_2 = localPosition.x < high ? mix(cold, warm, (localPosition.x - low) / (blend_1 == 0.0 ? 1.0 : blend_1)) : warm;
-    vec3 blend = localPosition.x < low ? cold : blend_2;
-    // normal
+    // blendParams.yaml:4 Blend
+    float diffuse_blend_1 = high - low;
+    vec3 diffuse_blend_2 = localPosition.x < high ? mix(cold, warm, (localPosition.x - low) / (diffuse_blend_1 == 0.0 ? 1.0 : diffuse_blend_1)) : warm;
+    vec3 diffuse_blend = localPosition.x < low ? cold : diffuse_blend_2;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

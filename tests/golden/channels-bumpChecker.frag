@@ -47,19 +47,17 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // BumpMap
+    // bumpChecker.yaml:3 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(6.0, 3.0));
-    bool checker_2 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y);
-    vec2 checker_3 = fract(checker_1 + vec2(0.05, 0.0));
-    vec2 checker_4 = fract(checker_1 + vec2(0.0, 0.05));
-    // BumpMap
+    // bumpChecker.yaml:3 Checker
+    vec2 checker = fract(uv * vec2(6.0, 3.0));
+    bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
+    vec2 checker_3 = fract(checker + vec2(0.05, 0.0));
+    vec2 checker_4 = fract(checker + vec2(0.0, 0.05));
     float bumpMap_2 = checker_2 ? -20.0 : 20.0;
     vec3 bumpMap_3 = (checker_2 != ((0.5 <= checker_3.x) != (0.5 <= checker_3.y)) ? bumpMap_2 : 0.0) * 0.03 * bumpMap_1;
     vec3 bumpMap_4 = (checker_2 != ((0.5 <= checker_4.x) != (0.5 <= checker_4.y)) ? bumpMap_2 : 0.0) * 0.03 * cross(worldTangentU, bumpMap_1);
     vec3 bumpMap = cross(bumpMap_3 + worldTangentU, worldTangentV) + bumpMap_4;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2708833937u, 903913889u);
 }

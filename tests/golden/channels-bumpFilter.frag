@@ -66,26 +66,26 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 smooth3DInput0(vec2 st) {
-    // UVTransform
-    vec2 uvTransform_1 = st * vec2(6.0, 3.0);
-    // ImageMap
-    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform_1) + vec2(0.015625, 0.0), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform_1, vec2(64.0)).xyz) * 64.0;
+    // bumpFilter.yaml:11 UVTransform
+    vec2 uvTransform = st * vec2(6.0, 3.0);
+    // bumpFilter.yaml:11 ImageMap
+    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform) + vec2(0.015625, 0.0), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform, vec2(64.0)).xyz) * 64.0;
     return image;
 }
 
 vec3 smooth3DInput1(vec2 st) {
-    // UVTransform
-    vec2 uvTransform_1 = st * vec2(6.0, 3.0);
-    // ImageMap
-    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform_1) + vec2(0.0, 0.015625), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform_1, vec2(64.0)).xyz) * 64.0;
+    // bumpFilter.yaml:11 UVTransform
+    vec2 uvTransform = st * vec2(6.0, 3.0);
+    // bumpFilter.yaml:11 ImageMap
+    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform) + vec2(0.0, 0.015625), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform, vec2(64.0)).xyz) * 64.0;
     return image;
 }
 
 void main() {
-    // BumpMap
+    // bumpFilter.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // Smooth3D
-    vec2 smooth3D_1 = uv - vec2(0.005);
+    // bumpFilter.yaml:7 Smooth3D
+    vec2 smooth3D = uv - vec2(0.005);
     vec2 smooth3D_2 = uv + vec2(-0.005, 0.0);
     vec2 smooth3D_3 = uv + vec2(-0.005, 0.005);
     vec2 smooth3D_4 = uv + vec2(0.0, -0.005);
@@ -93,7 +93,7 @@ void main() {
     vec2 smooth3D_6 = uv + vec2(0.005, -0.005);
     vec2 smooth3D_7 = uv + vec2(0.005, 0.0);
     vec2 smooth3D_8 = uv + vec2(0.005);
-    vec3 smooth3D_9 = smooth3DInput0(smooth3D_1);
+    vec3 smooth3D_9 = smooth3DInput0(smooth3D);
     vec3 smooth3D_10 = smooth3DInput0(smooth3D_2);
     vec3 smooth3D_11 = smooth3DInput0(smooth3D_3);
     vec3 smooth3D_12 = smooth3D_11 + (smooth3D_10 + (smooth3D_9 + smooth3D_9 + smooth3D_9) + smooth3D_10 + smooth3D_10) + smooth3D_11;
@@ -104,7 +104,7 @@ void main() {
     vec3 smooth3D_17 = smooth3DInput0(smooth3D_6);
     vec3 smooth3D_18 = smooth3DInput0(smooth3D_7);
     vec3 smooth3D_19 = smooth3D_18 + (smooth3D_17 + (smooth3D_16 + smooth3D_15 + smooth3D_16 + smooth3D_16) + smooth3D_17 + smooth3D_17);
-    vec3 smooth3D_20 = smooth3DInput1(smooth3D_1);
+    vec3 smooth3D_20 = smooth3DInput1(smooth3D);
     vec3 smooth3D_21 = smooth3DInput1(smooth3D_2);
     vec3 smooth3D_22 = smooth3DInput1(smooth3D_3);
     vec3 smooth3D_23 = smooth3D_22 + (smooth3D_21 + (smooth3D_20 + smooth3D_20 + smooth3D_20) + smooth3D_21 + smooth3D_21) + smooth3D_22;
@@ -115,13 +115,11 @@ void main() {
     vec3 smooth3D_28 = smooth3DInput1(smooth3D_6);
     vec3 smooth3D_29 = smooth3DInput1(smooth3D_7);
     vec3 smooth3D_30 = smooth3D_29 + (smooth3D_28 + (smooth3D_27 + smooth3D_26 + smooth3D_27 + smooth3D_27) + smooth3D_28 + smooth3D_28);
-    // BumpMap
     float bumpMap_2 = smooth3DInput0(smooth3D_8).x;
     float bumpMap_3 = smooth3DInput1(smooth3D_8).x;
     float bumpMap_4 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * 0.24;
     float bumpMap_5 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.24;
     vec3 bumpMap = cross(bumpMap_4 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_5 * cross(worldTangentU, bumpMap_1);
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);
 }

@@ -68,24 +68,22 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // WaveMap
+    // bumpOnBump.yaml:7 WaveMap
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 50.265484;
     float waveMap_3 = uv.y * 31.415926;
     float waveMap_4 = -(sin(waveMap_3) * 31.415926) * cos(waveMap_2) * 0.03;
     vec3 waveMap_5 = cos(waveMap_3) * -(sin(waveMap_2) * 50.265484) * 0.03 * waveMap_1;
     vec3 waveMap = waveMap_5 + worldTangentU;
-    vec3 waveMap2 = cross(waveMap, worldTangentV) + cross(worldTangentU, waveMap_1) * waveMap_4;
-    vec3 waveMap3 = waveMap_4 * waveMap_1 + worldTangentV;
-    // BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(waveMap2), 1e-30) * waveMap2;
-    // Carpenter
+    vec3 waveMap_6 = cross(waveMap, worldTangentV) + cross(worldTangentU, waveMap_1) * waveMap_4;
+    vec3 waveMap_7 = waveMap_4 * waveMap_1 + worldTangentV;
+    // bumpOnBump.yaml:4 BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(waveMap_6), 1e-30) * waveMap_6;
+    // bumpOnBump.yaml:6 Carpenter
     float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    // BumpMap
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.01 * bumpMap_1 + waveMap;
-    vec3 bumpMap_3 = cross(waveMap, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.01);
-    vec3 bumpMap = cross(bumpMap_2, waveMap3) + bumpMap_3;
-    // normal
+    float carpenter = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0;
+    float carpenter_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0;
+    vec3 bumpMap = cross(carpenter * 0.01 * bumpMap_1 + waveMap, waveMap_7) + cross(waveMap, bumpMap_1) * (carpenter_2 * 0.01);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2152956275u, 807436416u);
 }

@@ -76,24 +76,20 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // UVTransform
-    vec2 uvTransform_1 = mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uv;
-    // ImageMap
-    vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
-    // UVTransform
-    vec3 uvTransform = worldTangentV * 0.06490306 + worldTangentU * 0.15351017;
-    vec3 uvTransform2 = worldTangentV * 0.32000095 + worldTangentU * -0.099104084;
-    // BumpMap
+    // bumpTransformedTangents.yaml:6 laid
+    vec2 laid_1 = mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uv;
+    // bumpTransformedTangents.yaml:8 ImageMap
+    vec4 diffuse_image = imageBilinear(imageTexture0, laid_1, vec2(64.0));
+    vec3 laid = worldTangentV * 0.06490306 + worldTangentU * 0.15351017;
+    vec3 laid_2 = worldTangentV * 0.32000095 + worldTangentU * -0.099104084;
+    // bumpTransformedTangents.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // ImageMap
-    vec2 image_2 = fract(uvTransform_1);
-    // surface
-    uint surface_1 = rootBits(image_1.x, 8) | rootBits(image_1.y, 8) << 8 | rootBits(image_1.z, 8) << 16;
-    // BumpMap
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * 0.04 * bumpMap_1 + uvTransform;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * 0.04 * cross(uvTransform, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2, uvTransform2) + bumpMap_3;
-    // normal
+    // bumpTransformedTangents.yaml:6 ImageMap
+    vec2 image = fract(laid_1);
+    uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
+    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image + vec2(0.015625, 0.0), vec2(64.0)).x - diffuse_image.x) * 64.0 * 0.04 * bumpMap_1 + laid;
+    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image + vec2(0.0, 0.015625), vec2(64.0)).x - diffuse_image.x) * 64.0 * 0.04 * cross(laid, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, laid_2) + bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -114,11 +114,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // BumpMap
+    // bumpVolume.yaml:3 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    float bumpMap_2 = turbulence(localPosition * 3.0, 3, 2.0, 0.5) * 3.0;
+    // bumpVolume.yaml:3 VolumeTurbulence
+    float volumeTurbulence = turbulence(localPosition * 3.0, 3, 2.0, 0.5);
+    float bumpMap_2 = volumeTurbulence * 3.0;
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2709747025u, 807444897u);
 }

@@ -47,18 +47,16 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(8.0, 4.0));
-    // WaveMap
+    // bumpWithoutDisplacement.yaml:4 Checker
+    vec2 diffuse_checker = fract(uv * vec2(8.0, 4.0));
+    // bumpWithoutDisplacement.yaml:3 WaveMap
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 37.699112;
     float waveMap_3 = uv.y * 25.132742;
     vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 37.699112) * 0.04 * waveMap_1;
     vec3 waveMap_5 = cross(worldTangentU, waveMap_1) * (-(sin(waveMap_3) * 25.132742) * cos(waveMap_2) * 0.04);
     vec3 waveMap = cross(waveMap_4 + worldTangentU, worldTangentV) + waveMap_5;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 14013909u : 7500402u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 14013909u : 7500402u, 645922816u);
+    fragment0 = surface_bits;
 }

@@ -57,16 +57,15 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(4.0, 2.0));
-    vec3 checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0007963267, 0.9999997), vec3(0.0, -0.9999997, 0.0007963267)) * localPosition : mat3(vec3(0.0007963267, 0.0, -0.9999997), vec3(0.0, 1.0, 0.0), vec3(0.9999997, 0.0, 0.0007963267)) * localPosition;
-    // Wood
-    float wood_1 = abs(fract(wood(checker) * 6.0) * 4.0 - 1.0) - 2.0;
-    // Blend
-    vec3 blend = mix(vec3(0.043137256, 0.015686275, 0.007843138), vec3(0.6784314, 0.4392157, 0.1882353), clamp((abs(wood_1) - 1.0 + 1.0) * 0.5, 0.0, 1.0));
-    // normal
+    // checkerAsPosition.yaml:11 Checker
+    vec2 diffuse_checker_1 = fract(uv * vec2(4.0, 2.0));
+    vec3 diffuse_checker = (0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y) ? mat3(vec3(1.0, 0.0, 0.0), vec3(0.0, 0.0007963267, 0.9999997), vec3(0.0, -0.9999997, 0.0007963267)) * localPosition : mat3(vec3(0.0007963267, 0.0, -0.9999997), vec3(0.0, 1.0, 0.0), vec3(0.9999997, 0.0, 0.0007963267)) * localPosition;
+    // checkerAsPosition.yaml:7 Wood
+    float diffuse_wood_1 = abs(fract(wood(diffuse_checker) * 6.0) * 4.0 - 1.0) - 2.0;
+    float diffuse_wood = abs(diffuse_wood_1) - 1.0;
+    // checkerAsPosition.yaml:4 Blend
+    vec3 diffuse_blend = mix(vec3(0.043137256, 0.015686275, 0.007843138), vec3(0.6784314, 0.4392157, 0.1882353), clamp((diffuse_wood + 1.0) * 0.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -67,12 +67,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    float blend_1 = imageBilinear(imageTexture0, uv * vec2(6.0, 3.0), vec2(64.0)).x;
-    vec3 blend = mix(mix(vec3(0.007843138, 0.003921569, 0.015686275), vec3(0.3529412, 0.050980393, 0.03137255), clamp((blend_1 - 0.05) * 4.0, 0.0, 1.0)), vec3(0.9137255, 0.76862746, 0.43529412), clamp((blend_1 - 0.3) * 2.0, 0.0, 1.0));
-    // normal
+    // imageAsPosition.yaml:4 Blend
+    float diffuse_blend_1 = imageBilinear(imageTexture0, uv * vec2(6.0, 3.0), vec2(64.0)).x;
+    vec3 diffuse_blend = mix(mix(vec3(0.007843138, 0.003921569, 0.015686275), vec3(0.3529412, 0.050980393, 0.03137255), clamp((diffuse_blend_1 - 0.05) * 4.0, 0.0, 1.0)), vec3(0.9137255, 0.76862746, 0.43529412), clamp((diffuse_blend_1 - 0.3) * 2.0, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

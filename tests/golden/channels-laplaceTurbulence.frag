@@ -124,24 +124,22 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 laplace3DInput0(vec3 p) {
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(p, 3, 2.0, 0.5) * vec3(0.4) + p;
-    // Gradient
-    float gradient_1 = sin(fract(dot(turbulenceValue, vec3(2.0, 0.5, 2.0))) * 6.2831855);
-    return vec3(gradient_1);
+    // laplaceTurbulence.yaml:15 Turbulence
+    vec3 diffuse_turbulence = vectorTurbulence(p, 3, 2.0, 0.5) * vec3(0.4) + p;
+    // laplaceTurbulence.yaml:12 Gradient
+    float diffuse_gradient = sin(fract(dot(diffuse_turbulence, vec3(2.0, 0.5, 2.0))) * 6.2831855);
+    return vec3(diffuse_gradient);
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Blend
-    float blend_1 = laplace3DInput0(localPosition).x;
-    float blend_2 = blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + (blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x);
-    float blend_3 = blend_2 + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x) + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x);
-    float blend_4 = blend_3 + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x) + (blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x);
-    float blend_5 = blend_4 * 0.083333336;
-    vec3 blend = mix(mix(vec3(0.8862745, 0.85490197, 0.76862746), vec3(0.21176471, 0.27450982, 0.25490198), clamp((blend_5 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011764706, 0.023529412, 0.023529412), clamp(blend_5 * 5.0, 0.0, 1.0));
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    // laplaceTurbulence.yaml:4 Blend
+    float diffuse_blend_1 = laplace3DInput0(localPosition).x;
+    float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x);
+    float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x);
+    float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x);
+    float diffuse_blend_5 = diffuse_blend_4 * 0.083333336;
+    vec3 diffuse_blend = mix(mix(vec3(0.8862745, 0.85490197, 0.76862746), vec3(0.21176471, 0.27450982, 0.25490198), clamp((diffuse_blend_5 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011764706, 0.023529412, 0.023529412), clamp(diffuse_blend_5 * 5.0, 0.0, 1.0));
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

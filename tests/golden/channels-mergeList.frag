@@ -116,23 +116,20 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(6.0, 3.0));
-    float checker;
-    if ((0.5 <= checker_1.x) != (0.5 <= checker_1.y)) {
-        // VolumeTurbulence
-        float volumeTurbulence = turbulence(localPosition * 3.0, 4, 2.0, 0.5);
-        checker = volumeTurbulence;
+    // mergeList.yaml:4 Checker
+    vec2 diffuse_checker_1 = fract(uv * vec2(6.0, 3.0));
+    float diffuse_checker;
+    if ((0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y)) {
+        // mergeList.yaml:5 coarse
+        float coarse = turbulence(localPosition * 3.0, 4, 2.0, 0.5);
+        diffuse_checker = coarse;
     } else {
-        // VolumeTurbulence
-        float volumeTurbulence2 = turbulence(localPosition * 9.0, 4, 2.0, 0.5) + 0.4;
-        checker = volumeTurbulence2;
+        // mergeList.yaml:5 VolumeTurbulence
+        float diffuse_volumeTurbulence = turbulence(localPosition * 9.0, 4, 2.0, 0.5) + 0.4;
+        diffuse_checker = diffuse_volumeTurbulence;
     }
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // diffuse
-    uint diffuse_1 = rootBits(checker, 8);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_1 | diffuse_1 << 8 | diffuse_1 << 16, 645922816u);
-    fragment0 = surface_1;
+    uint diffuse_bits = rootBits(diffuse_checker, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
+    fragment0 = surface_bits;
 }

@@ -95,37 +95,32 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    float xyzTransform_1 = sin(turn.x);
-    float xyzTransform_2 = cos(turn.x) * zoom;
-    float xyzTransform_3 = -xyzTransform_1 * zoom;
-    float xyzTransform_4 = xyzTransform_1 * zoom;
-    float xyzTransform_5 = cos(turn.y);
-    float xyzTransform_6 = sin(turn.y);
-    float xyzTransform_7 = xyzTransform_5 * zoom;
-    float xyzTransform_8 = xyzTransform_6 * xyzTransform_4;
-    float xyzTransform_9 = xyzTransform_6 * xyzTransform_2;
-    float xyzTransform_10 = cos(turn.z);
-    float xyzTransform_11 = sin(turn.z);
-    float xyzTransform_12 = -xyzTransform_11;
-    vec3 xyzTransform_13 = vec3(xyzTransform_12 * xyzTransform_2 + xyzTransform_10 * xyzTransform_8, xyzTransform_10 * xyzTransform_2 + xyzTransform_11 * xyzTransform_8, xyzTransform_5 * xyzTransform_4);
-    vec3 xyzTransform_14 = vec3(xyzTransform_12 * xyzTransform_3 + xyzTransform_10 * xyzTransform_9, xyzTransform_10 * xyzTransform_3 + xyzTransform_11 * xyzTransform_9, xyzTransform_5 * xyzTransform_2);
-    vec3 xyzTransform = mat3(vec3(xyzTransform_10 * xyzTransform_7, xyzTransform_11 * xyzTransform_7, -xyzTransform_6 * zoom), xyzTransform_13, xyzTransform_14) * localPosition + pan;
-    // Julia
-    float julia_1 = sin(lift + contrast * julia(xyzTransform, steps, real, imaginary));
-    // Blend
-    vec4 blend_1 = vec4(vec3(bright), 1.0);
-    vec4 blend = julia_1 < 1.0 ? (julia_1 < -1.0 ? dark : mix(dark, blend_1, (julia_1 + 1.0) * 0.5)) : blend_1;
-    // transparency
-    vec3 transparency = vec3(1.0) - blend.www;
-    // normal
+    // params.yaml:13 XYZTransform
+    float diffuse_xyzTransform_1 = sin(turn.x);
+    float diffuse_xyzTransform_2 = cos(turn.x) * zoom;
+    float diffuse_xyzTransform_3 = -diffuse_xyzTransform_1 * zoom;
+    float diffuse_xyzTransform_4 = diffuse_xyzTransform_1 * zoom;
+    float diffuse_xyzTransform_5 = cos(turn.y);
+    float diffuse_xyzTransform_6 = sin(turn.y);
+    float diffuse_xyzTransform_7 = diffuse_xyzTransform_5 * zoom;
+    float diffuse_xyzTransform_8 = diffuse_xyzTransform_6 * diffuse_xyzTransform_4;
+    float diffuse_xyzTransform_9 = diffuse_xyzTransform_6 * diffuse_xyzTransform_2;
+    float diffuse_xyzTransform_10 = cos(turn.z);
+    float diffuse_xyzTransform_11 = sin(turn.z);
+    float diffuse_xyzTransform_12 = -diffuse_xyzTransform_11;
+    vec3 diffuse_xyzTransform_13 = vec3(diffuse_xyzTransform_12 * diffuse_xyzTransform_2 + diffuse_xyzTransform_10 * diffuse_xyzTransform_8, diffuse_xyzTransform_10 * diffuse_xyzTransform_2 + diffuse_xyzTransform_11 * diffuse_xyzTransform_8, diffuse_xyzTransform_5 * diffuse_xyzTransform_4);
+    vec3 diffuse_xyzTransform_14 = vec3(diffuse_xyzTransform_12 * diffuse_xyzTransform_3 + diffuse_xyzTransform_10 * diffuse_xyzTransform_9, diffuse_xyzTransform_10 * diffuse_xyzTransform_3 + diffuse_xyzTransform_11 * diffuse_xyzTransform_9, diffuse_xyzTransform_5 * diffuse_xyzTransform_2);
+    vec3 diffuse_xyzTransform = mat3(vec3(diffuse_xyzTransform_10 * diffuse_xyzTransform_7, diffuse_xyzTransform_11 * diffuse_xyzTransform_7, -diffuse_xyzTransform_6 * zoom), diffuse_xyzTransform_13, diffuse_xyzTransform_14) * localPosition + pan;
+    // params.yaml:7 Julia
+    float diffuse_julia = sin(lift + contrast * julia(diffuse_xyzTransform, steps, real, imaginary));
+    // params.yaml:4 Blend
+    vec4 diffuse_blend_1 = vec4(vec3(bright), 1.0);
+    vec4 diffuse_blend = diffuse_julia < 1.0 ? (diffuse_julia < -1.0 ? dark : mix(dark, diffuse_blend_1, (diffuse_julia + 1.0) * 0.5)) : diffuse_blend_1;
+    vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    // specular
-    uint specular_1 = rootBits(gloss, 7);
-    // surface
-    uint surface_2 = specular_1 | specular_1 << 7 | logarithmBits(phongExponent(sharpness), 10) << 14 | rootBits(transparency.x, 6) << 24;
-    uvec4 surface_3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_1 | specular_1 << 24, surface_2, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_3;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    uint specular_bits = rootBits(gloss, 7);
+    uint surface_bits2 = specular_bits | specular_bits << 7 | logarithmBits(phongExponent(sharpness), 10) << 14 | rootBits(transparency.x, 6) << 24;
+    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | specular_bits << 24, surface_bits2, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
+    fragment0 = surface_bits3;
 }

@@ -48,24 +48,24 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 smooth3DInput0(vec3 p) {
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(p * 3.0 * 0.5);
-    vec3 volumeChecker = ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? vec3(0.87058824, 0.74509805, 0.5254902) : vec3(0.043137256, 0.050980393, 0.14509805);
-    return volumeChecker;
+    // smoothNested.yaml:13 VolumeChecker
+    vec3 diffuse_volumeChecker_1 = fract(p * 3.0 * 0.5);
+    vec3 diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? vec3(0.87058824, 0.74509805, 0.5254902) : vec3(0.043137256, 0.050980393, 0.14509805);
+    return diffuse_volumeChecker;
 }
 
 vec3 smooth3DInput1(vec3 p) {
-    // Smooth3D
-    vec3 smooth3D_1 = smooth3DInput0(p + vec3(-0.15, -0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, -0.15, 0.0)) + smooth3DInput0(p - vec3(0.15)));
-    vec3 smooth3D_2 = smooth3DInput0(p + vec3(-0.15, 0.0, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.0, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.0, -0.15)) + smooth3D_1));
-    vec3 smooth3D_3 = smooth3DInput0(p + vec3(-0.15, 0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.15, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.15, -0.15)) + smooth3D_2));
-    vec3 smooth3D_4 = smooth3DInput0(p + vec3(0.0, -0.15, 0.15)) + (smooth3DInput0(p + vec3(0.0, -0.15, 0.0)) + (smooth3DInput0(p + vec3(0.0, -0.15, -0.15)) + smooth3D_3));
-    vec3 smooth3D_5 = smooth3DInput0(p + vec3(0.0, 0.0, 0.15)) + (smooth3DInput0(p) + (smooth3DInput0(p + vec3(0.0, 0.0, -0.15)) + smooth3D_4));
-    vec3 smooth3D_6 = smooth3DInput0(p + vec3(0.0, 0.15, 0.15)) + (smooth3DInput0(p + vec3(0.0, 0.15, 0.0)) + (smooth3DInput0(p + vec3(0.0, 0.15, -0.15)) + smooth3D_5));
-    vec3 smooth3D_7 = smooth3DInput0(p + vec3(0.15, -0.15, 0.15)) + (smooth3DInput0(p + vec3(0.15, -0.15, 0.0)) + (smooth3DInput0(p + vec3(0.15, -0.15, -0.15)) + smooth3D_6));
-    vec3 smooth3D_8 = smooth3DInput0(p + vec3(0.15, 0.0, 0.15)) + (smooth3DInput0(p + vec3(0.15, 0.0, 0.0)) + (smooth3DInput0(p + vec3(0.15, 0.0, -0.15)) + smooth3D_7));
-    vec3 smooth3D_9 = smooth3DInput0(p + vec3(0.15)) + (smooth3DInput0(p + vec3(0.15, 0.15, 0.0)) + (smooth3DInput0(p + vec3(0.15, 0.15, -0.15)) + smooth3D_8));
-    return smooth3D_9 * 0.037037037;
+    // smoothNested.yaml:9 Smooth3D
+    vec3 diffuse_smooth3D_1 = smooth3DInput0(p + vec3(-0.15, -0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, -0.15, 0.0)) + smooth3DInput0(p - vec3(0.15)));
+    vec3 diffuse_smooth3D_2 = smooth3DInput0(p + vec3(-0.15, 0.0, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.0, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.0, -0.15)) + diffuse_smooth3D_1));
+    vec3 diffuse_smooth3D_3 = smooth3DInput0(p + vec3(-0.15, 0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.15, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.15, -0.15)) + diffuse_smooth3D_2));
+    vec3 diffuse_smooth3D_4 = smooth3DInput0(p + vec3(0.0, -0.15, 0.15)) + (smooth3DInput0(p + vec3(0.0, -0.15, 0.0)) + (smooth3DInput0(p + vec3(0.0, -0.15, -0.15)) + diffuse_smooth3D_3));
+    vec3 diffuse_smooth3D_5 = smooth3DInput0(p + vec3(0.0, 0.0, 0.15)) + (smooth3DInput0(p) + (smooth3DInput0(p + vec3(0.0, 0.0, -0.15)) + diffuse_smooth3D_4));
+    vec3 diffuse_smooth3D_6 = smooth3DInput0(p + vec3(0.0, 0.15, 0.15)) + (smooth3DInput0(p + vec3(0.0, 0.15, 0.0)) + (smooth3DInput0(p + vec3(0.0, 0.15, -0.15)) + diffuse_smooth3D_5));
+    vec3 diffuse_smooth3D_7 = smooth3DInput0(p + vec3(0.15, -0.15, 0.15)) + (smooth3DInput0(p + vec3(0.15, -0.15, 0.0)) + (smooth3DInput0(p + vec3(0.15, -0.15, -0.15)) + diffuse_smooth3D_6));
+    vec3 diffuse_smooth3D_8 = smooth3DInput0(p + vec3(0.15, 0.0, 0.15)) + (smooth3DInput0(p + vec3(0.15, 0.0, 0.0)) + (smooth3DInput0(p + vec3(0.15, 0.0, -0.15)) + diffuse_smooth3D_7));
+    vec3 diffuse_smooth3D_9 = smooth3DInput0(p + vec3(0.15)) + (smooth3DInput0(p + vec3(0.15, 0.15, 0.0)) + (smooth3DInput0(p + vec3(0.15, 0.15, -0.15)) + diffuse_smooth3D_8));
+    return diffuse_smooth3D_9 * 0.037037037;
 }
 
 vec3 smooth3DInput1Sum(vec3 p, vec3 size) {
@@ -78,11 +78,9 @@ vec3 smooth3DInput1Sum(vec3 p, vec3 size) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Smooth3D
-    vec3 smooth3D = smooth3DInput1Sum(localPosition, vec3(0.1)) * 0.037037037;
-    // surface
-    uint surface_1 = rootBits(smooth3D.x, 8) | rootBits(smooth3D.y, 8) << 8 | rootBits(smooth3D.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    // smoothNested.yaml:4 Smooth3D
+    vec3 diffuse_smooth3D = smooth3DInput1Sum(localPosition, vec3(0.1)) * 0.037037037;
+    uint surface_bits = rootBits(diffuse_smooth3D.x, 8) | rootBits(diffuse_smooth3D.y, 8) << 8 | rootBits(diffuse_smooth3D.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -54,34 +54,30 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 float smooth3DInput0(vec3 p) {
-    // Leopard
-    float leopardValue = leopard(p * 3.0);
-    return leopardValue;
+    // smoothTwice.yaml:8 Leopard
+    float diffuse_leopard = leopard(p * 3.0);
+    return diffuse_leopard;
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Smooth3D
-    float smooth3D_1 = smooth3DInput0(localPosition + vec3(-0.05, -0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(-0.05, -0.05, 0.0)) + smooth3DInput0(localPosition - vec3(0.05)));
-    float smooth3D_2 = smooth3DInput0(localPosition + vec3(-0.05, 0.0, 0.05)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.0, 0.0)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.0, -0.05)) + smooth3D_1));
-    float smooth3D_3 = smooth3DInput0(localPosition + vec3(-0.05, 0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.05, -0.05)) + smooth3D_2));
-    float smooth3D_4 = smooth3DInput0(localPosition + vec3(0.0, -0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(0.0, -0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, -0.05, -0.05)) + smooth3D_3));
-    float smooth3D_5 = smooth3DInput0(localPosition);
-    float smooth3D_6 = smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.05)) + (smooth3D_5 + (smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.05)) + smooth3D_4));
-    float smooth3D_7 = smooth3DInput0(localPosition + vec3(0.0, 0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(0.0, 0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, 0.05, -0.05)) + smooth3D_6));
-    float smooth3D_8 = smooth3DInput0(localPosition + vec3(0.05, -0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(0.05, -0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.05, -0.05, -0.05)) + smooth3D_7));
-    float smooth3D_9 = smooth3DInput0(localPosition + vec3(0.05, 0.0, 0.05)) + (smooth3DInput0(localPosition + vec3(0.05, 0.0, 0.0)) + (smooth3DInput0(localPosition + vec3(0.05, 0.0, -0.05)) + smooth3D_8));
-    float smooth3D_10 = smooth3DInput0(localPosition + vec3(0.05)) + (smooth3DInput0(localPosition + vec3(0.05, 0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.05, 0.05, -0.05)) + smooth3D_9));
-    // diffuse
-    uint diffuse_1 = rootBits(smooth3D_10 * 0.037037037, 8);
-    // Laplace3D
-    float laplace3D_1 = smooth3D_5 - smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.0)) + (smooth3D_5 - smooth3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)));
-    float laplace3D_2 = smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.1, 0.0)) + (smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, -0.1, 0.0)) + laplace3D_1);
-    float laplace3D_3 = smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.1)) + (smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.1)) + laplace3D_2);
-    // specular
-    uint specular_1 = rootBits(laplace3D_3 * 0.083333336, 8);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_1 | diffuse_1 << 8 | diffuse_1 << 16 | specular_1 << 24, specular_1 | specular_1 << 8 | 645922816u);
-    fragment0 = surface_1;
+    // smoothTwice.yaml:4 Smooth3D
+    float diffuse_smooth3D_1 = smooth3DInput0(localPosition + vec3(-0.05, -0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(-0.05, -0.05, 0.0)) + smooth3DInput0(localPosition - vec3(0.05)));
+    float diffuse_smooth3D_2 = smooth3DInput0(localPosition + vec3(-0.05, 0.0, 0.05)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.0, 0.0)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.0, -0.05)) + diffuse_smooth3D_1));
+    float diffuse_smooth3D_3 = smooth3DInput0(localPosition + vec3(-0.05, 0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(-0.05, 0.05, -0.05)) + diffuse_smooth3D_2));
+    float diffuse_smooth3D_4 = smooth3DInput0(localPosition + vec3(0.0, -0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(0.0, -0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, -0.05, -0.05)) + diffuse_smooth3D_3));
+    float diffuse_smooth3D_5 = smooth3DInput0(localPosition);
+    float diffuse_smooth3D_6 = smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.05)) + (diffuse_smooth3D_5 + (smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.05)) + diffuse_smooth3D_4));
+    float diffuse_smooth3D_7 = smooth3DInput0(localPosition + vec3(0.0, 0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(0.0, 0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, 0.05, -0.05)) + diffuse_smooth3D_6));
+    float diffuse_smooth3D_8 = smooth3DInput0(localPosition + vec3(0.05, -0.05, 0.05)) + (smooth3DInput0(localPosition + vec3(0.05, -0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.05, -0.05, -0.05)) + diffuse_smooth3D_7));
+    float diffuse_smooth3D_9 = smooth3DInput0(localPosition + vec3(0.05, 0.0, 0.05)) + (smooth3DInput0(localPosition + vec3(0.05, 0.0, 0.0)) + (smooth3DInput0(localPosition + vec3(0.05, 0.0, -0.05)) + diffuse_smooth3D_8));
+    float diffuse_smooth3D_10 = smooth3DInput0(localPosition + vec3(0.05)) + (smooth3DInput0(localPosition + vec3(0.05, 0.05, 0.0)) + (smooth3DInput0(localPosition + vec3(0.05, 0.05, -0.05)) + diffuse_smooth3D_9));
+    uint diffuse_bits = rootBits(diffuse_smooth3D_10 * 0.037037037, 8);
+    // smoothTwice.yaml:10 Laplace3D
+    float specular_laplace3D_1 = diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.0)) + (diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)));
+    float specular_laplace3D_2 = diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.1, 0.0)) + (diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, -0.1, 0.0)) + specular_laplace3D_1);
+    float specular_laplace3D_3 = diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.1)) + (diffuse_smooth3D_5 - smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.1)) + specular_laplace3D_2);
+    uint specular_bits = rootBits(specular_laplace3D_3 * 0.083333336, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | 645922816u);
+    fragment0 = surface_bits;
 }

@@ -38,13 +38,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(1.4486003, 0.99104077, -0.9588511), vec3(-0.37364703, 3.092325, 0.5458147), vec3(2.5622425, 0.28409714, 3.1216705)) * localPosition + vec3(0.1, 0.2, 0.3);
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(xyzTransform * 0.5);
-    // normal
+    // transformComponents.yaml:8 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(1.4486003, 0.99104077, -0.9588511), vec3(-0.37364703, 3.092325, 0.5458147), vec3(2.5622425, 0.28409714, 3.1216705)) * localPosition + vec3(0.1, 0.2, 0.3);
+    // transformComponents.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker = fract(diffuse_xyzTransform * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? 12179686u : 2114145u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= diffuse_volumeChecker.x) != (0.5 <= diffuse_volumeChecker.y)) != (0.5 <= diffuse_volumeChecker.z) ? 12179686u : 2114145u, 645922816u);
+    fragment0 = surface_bits;
 }

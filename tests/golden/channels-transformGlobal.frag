@@ -48,13 +48,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Gradient
-    float gradient_1 = abs(fract(dot(worldPosition * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0) * 4.0 - 1.0);
-    // Blend
-    vec3 blend = mix(vec3(0.8862745, 0.8392157, 0.7372549), vec3(0.015686275, 0.039215688, 0.105882354), clamp((abs(gradient_1 - 2.0) - 1.0 + 0.2) * 2.5, 0.0, 1.0));
-    // normal
+    // transformGlobal.yaml:7 Gradient
+    float diffuse_gradient_1 = abs(fract(dot(worldPosition * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0) * 4.0 - 1.0);
+    float diffuse_gradient = abs(diffuse_gradient_1 - 2.0) - 1.0;
+    // transformGlobal.yaml:4 Blend
+    vec3 diffuse_blend = mix(vec3(0.8862745, 0.8392157, 0.7372549), vec3(0.015686275, 0.039215688, 0.105882354), clamp((diffuse_gradient + 0.2) * 2.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

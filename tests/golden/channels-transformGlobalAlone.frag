@@ -49,14 +49,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(localPosition * 0.5);
-    float volumeChecker = ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? worldPosition.x : localPosition.x;
-    // normal
+    // transformGlobalAlone.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker_1 = fract(localPosition * 0.5);
+    float diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? worldPosition.x : localPosition.x;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // diffuse
-    uint diffuse_1 = rootBits(volumeChecker, 8);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_1 | diffuse_1 << 8 | diffuse_1 << 16, 645922816u);
-    fragment0 = surface_1;
+    uint diffuse_bits = rootBits(diffuse_volumeChecker, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
+    fragment0 = surface_bits;
 }

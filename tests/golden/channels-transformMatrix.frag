@@ -38,13 +38,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(2.598, 1.5, 0.0), vec3(-1.5, 2.598, 0.0), vec3(0.0, 0.0, 3.0)) * localPosition + vec3(0.25, 0.5, 0.75);
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(xyzTransform * 0.5);
-    // normal
+    // transformMatrix.yaml:8 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(2.598, 1.5, 0.0), vec3(-1.5, 2.598, 0.0), vec3(0.0, 0.0, 3.0)) * localPosition + vec3(0.25, 0.5, 0.75);
+    // transformMatrix.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker = fract(diffuse_xyzTransform * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? 12179686u : 3498285u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= diffuse_volumeChecker.x) != (0.5 <= diffuse_volumeChecker.y)) != (0.5 <= diffuse_volumeChecker.z) ? 12179686u : 3498285u, 645922816u);
+    fragment0 = surface_bits;
 }

@@ -38,11 +38,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(localPosition * 3.0 * 0.5);
-    // normal
+    // transformScale.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker = fract(localPosition * 3.0 * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? 12179686u : 2960753u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= diffuse_volumeChecker.x) != (0.5 <= diffuse_volumeChecker.y)) != (0.5 <= diffuse_volumeChecker.z) ? 12179686u : 2960753u, 645922816u);
+    fragment0 = surface_bits;
 }

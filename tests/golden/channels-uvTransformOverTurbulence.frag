@@ -114,11 +114,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Checker
-    vec2 checker_1 = fract((vectorTurbulence(vec3(uv, 0.0), 3, 2.0, 0.5).xy * vec2(0.03) + uv) * vec2(8.0, 4.0));
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 13887474u : 5326624u, 645922816u);
-    fragment0 = surface_1;
+    // uvTransformOverTurbulence.yaml:4 Checker
+    vec2 diffuse_checker = fract((vectorTurbulence(vec3(uv, 0.0), 3, 2.0, 0.5).xy * vec2(0.03) + uv) * vec2(8.0, 4.0));
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 13887474u : 5326624u, 645922816u);
+    fragment0 = surface_bits;
 }

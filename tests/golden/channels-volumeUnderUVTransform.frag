@@ -114,13 +114,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    float blend = mix(0.02, 0.8, clamp((granite(localPosition) + 0.75) * 0.8, 0.0, 1.0));
-    // normal
+    // volumeUnderUVTransform.yaml:4 Blend
+    float diffuse_blend = mix(0.02, 0.8, clamp((granite(localPosition) + 0.75) * 0.8, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // diffuse
-    uint diffuse_1 = rootBits(blend, 8);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_1 | diffuse_1 << 8 | diffuse_1 << 16, 645922816u);
-    fragment0 = surface_1;
+    uint diffuse_bits = rootBits(diffuse_blend, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
+    fragment0 = surface_bits;
 }

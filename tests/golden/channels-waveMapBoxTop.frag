@@ -47,7 +47,7 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // WaveMap
+    // waveMapBoxTop.yaml:3 WaveMap
     float waveMap_1 = uv.x - 0.25;
     float waveMap_2 = uv.y - 0.33333334;
     bool waveMap_3 = 0.0 <= waveMap_1 && waveMap_1 <= 0.25 && (0.0 <= waveMap_2 && waveMap_2 <= 0.33333334);
@@ -62,7 +62,6 @@ void main() {
     } else {
         waveMap = worldNormal;
     }
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2710271300u, 903913889u);
 }

@@ -47,18 +47,17 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // UVTransform
+    // waveMapUnderTransform.yaml:8 UVTransform
     vec2 uvTransform_1 = mat2(vec2(2.6327477, -0.9588511), vec2(1.4382766, 1.7551651)) * uv;
     vec3 uvTransform = worldTangentV * 0.15980852 + worldTangentU * 0.29252753;
-    vec3 uvTransform2 = worldTangentV * 0.43879128 + worldTangentU * -0.23971277;
-    // WaveMap
+    vec3 uvTransform_2 = worldTangentV * 0.43879128 + worldTangentU * -0.23971277;
+    // waveMapUnderTransform.yaml:4 WaveMap
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uvTransform_1.x * 18.849556;
     float waveMap_3 = uvTransform_1.y * 12.566371;
     vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 18.849556) * 0.01 * waveMap_1;
     vec3 waveMap_5 = cross(uvTransform, waveMap_1) * (-(sin(waveMap_3) * 12.566371) * cos(waveMap_2) * 0.01);
-    vec3 waveMap = cross(waveMap_4 + uvTransform, uvTransform2) + waveMap_5;
-    // normal
+    vec3 waveMap = cross(waveMap_4 + uvTransform, uvTransform_2) + waveMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2710658678u, 903913889u);
 }

@@ -48,9 +48,7 @@ uint rootBits(float v, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, rootBits(warmth, 8) << 8 | 2352152777u, 807439500u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, rootBits(warmth, 8) << 8 | 2352152777u, 807439500u);
+    fragment0 = surface_bits;
 }

@@ -54,13 +54,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Leopard
-    float leopardValue = leopard(localPosition * 8.0);
-    // normal
+    // alphaOfVolume.yaml:3 Leopard
+    float diffuse_leopard = leopard(localPosition * 8.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // diffuse
-    uint diffuse_1 = rootBits(leopardValue, 8);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_1 | diffuse_1 << 8 | diffuse_1 << 16, 645922816u);
-    fragment0 = surface_1;
+    uint diffuse_bits = rootBits(diffuse_leopard, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
+    fragment0 = surface_bits;
 }

@@ -48,14 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    vec4 blend = mix(vec4(0.7, 0.7, 0.7, 1.0), vec4(0.6, 0.2, 0.1, 0.3), clamp((localPosition.x + 0.6) * 0.8333333, 0.0, 1.0));
-    // transparency
-    vec3 transparency = vec3(1.0) - blend.www;
-    // normal
+    // blendFloatVec4.yaml:4 Blend
+    vec4 diffuse_blend = mix(vec4(0.7, 0.7, 0.7, 1.0), vec4(0.6, 0.2, 0.1, 0.3), clamp((localPosition.x + 0.6) * 0.8333333, 0.0, 1.0));
+    vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_1, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
+    fragment0 = surface_bits2;
 }

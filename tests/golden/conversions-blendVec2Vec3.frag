@@ -48,11 +48,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    vec3 blend = mix(vec3(0.7, 0.4, 0.0), vec3(0.1, 0.2, 0.6), clamp((localPosition.x + 0.6) * 0.8333333, 0.0, 1.0));
-    // normal
+    // blendVec2Vec3.yaml:4 Blend
+    vec3 diffuse_blend = mix(vec3(0.7, 0.4, 0.0), vec3(0.1, 0.2, 0.6), clamp((localPosition.x + 0.6) * 0.8333333, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

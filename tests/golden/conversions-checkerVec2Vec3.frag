@@ -38,11 +38,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(6.0, 3.0));
-    // normal
+    // checkerVec2Vec3.yaml:4 Checker
+    vec2 diffuse_checker = fract(uv * vec2(6.0, 3.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 41429u : 13005393u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 41429u : 13005393u, 645922816u);
+    fragment0 = surface_bits;
 }

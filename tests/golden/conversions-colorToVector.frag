@@ -48,11 +48,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Blend
-    vec3 blend = mix(vec3(0.015686275, 0.03137255, 0.050980393), vec3(0.74509805, 0.5254902, 0.2784314), clamp((localPosition.x + 1.0) * 0.5, 0.0, 1.0));
-    // normal
+    // colorToVector.yaml:4 Blend
+    vec3 diffuse_blend = mix(vec3(0.015686275, 0.03137255, 0.050980393), vec3(0.74509805, 0.5254902, 0.2784314), clamp((localPosition.x + 1.0) * 0.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -53,12 +53,10 @@ uint sharedExponentBits(vec3 v, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv);
-    bool checker_2 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y);
-    // normal
+    // colorsSrgb.yaml:4 Checker
+    vec2 diffuse_checker = fract(uv);
+    bool diffuse_checker_2 = (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(glow, 5), checker_2 ? 3021415867u : 68724793u, checker_2 ? 648898592u : 645924896u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, sharedExponentBits(glow, 5), diffuse_checker_2 ? 3021415867u : 68724793u, diffuse_checker_2 ? 648898592u : 645924896u);
+    fragment0 = surface_bits;
 }

@@ -48,13 +48,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Gradient
-    float gradient = dot(vec3(at), vec3(0.5, 0.5, 0.25));
-    // specular
-    uint specular_1 = rootBits(gradient, 8);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_1 << 24 | 13290186u, specular_1 | specular_1 << 8 | 645922816u);
-    fragment0 = surface_1;
+    // floatToPosition.yaml:4 Gradient
+    float specular_gradient = dot(vec3(at), vec3(0.5, 0.5, 0.25));
+    uint specular_bits = rootBits(specular_gradient, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_bits << 24 | 13290186u, specular_bits | specular_bits << 8 | 645922816u);
+    fragment0 = surface_bits;
 }

@@ -114,13 +114,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // UVTransform
-    vec2 uvTransform_1 = uv * vec2(6.0, 3.0);
-    // normal
+    // floatToVector.yaml:7 UVTransform
+    vec2 diffuse_uvTransform_1 = uv * vec2(6.0, 3.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Checker
-    vec2 checker_1 = fract(vectorTurbulence(vec3(uvTransform_1, 0.0), 3, 2.0, 0.5).xy * vec2(0.04) + uvTransform_1);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 12180718u : 6702906u, 645922816u);
-    fragment0 = surface_1;
+    // floatToVector.yaml:4 Checker
+    vec2 diffuse_checker = fract(vectorTurbulence(vec3(diffuse_uvTransform_1, 0.0), 3, 2.0, 0.5).xy * vec2(0.04) + diffuse_uvTransform_1);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 12180718u : 6702906u, 645922816u);
+    fragment0 = surface_bits;
 }

@@ -60,9 +60,7 @@ float phongExponent(float x) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = octahedralBits(normal, 12) << 2 | logarithmBits(phongExponent(blur.x), 5) << 27 | 67108865u;
-    fragment0 = uvec4(surface_1, 1515278732u, 5713242u, 0u);
+    uint surface_bits = octahedralBits(normal, 12) << 2 | logarithmBits(phongExponent(blur.x), 5) << 27 | 67108865u;
+    fragment0 = uvec4(surface_bits, 1515278732u, 5713242u, 0u);
 }

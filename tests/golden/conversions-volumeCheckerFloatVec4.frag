@@ -115,22 +115,19 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(localPosition * 3.0 * 0.5);
-    vec4 volumeChecker;
-    if (((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z)) {
-        // VolumeTurbulence
-        float volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5) + 0.5;
-        volumeChecker = vec4(vec3(volumeTurbulence), 1.0);
+    // volumeCheckerFloatVec4.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker_1 = fract(localPosition * 3.0 * 0.5);
+    vec4 diffuse_volumeChecker;
+    if (((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z)) {
+        // volumeCheckerFloatVec4.yaml:5 VolumeTurbulence
+        float diffuse_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5) + 0.5;
+        diffuse_volumeChecker = vec4(vec3(diffuse_volumeTurbulence), 1.0);
     } else {
-        volumeChecker = vec4(0.1, 0.3, 0.5, 0.4);
+        diffuse_volumeChecker = vec4(0.1, 0.3, 0.5, 0.4);
     }
-    // transparency
-    vec3 transparency = vec3(1.0) - volumeChecker.www;
-    // normal
+    vec3 transparency = vec3(1.0) - diffuse_volumeChecker.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(volumeChecker.x, 8) | rootBits(volumeChecker.y, 8) << 8 | rootBits(volumeChecker.z, 8) << 16;
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_1, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, rootBits(transparency.x, 6) << 24 | 5046272u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
+    fragment0 = surface_bits2;
 }

@@ -67,11 +67,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // ImageMap
-    vec4 image_1 = imageBilinear(imageTexture0, uv * vec2(6.0, 3.0), vec2(64.0));
-    // normal
+    // image.yaml:4 ImageMap
+    vec4 diffuse_image = imageBilinear(imageTexture0, uv * vec2(6.0, 3.0), vec2(64.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(image_1.x, 8) | rootBits(image_1.y, 8) << 8 | rootBits(image_1.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | 2533359616u, 1031837591u);
+    uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2533359616u, 1031837591u);
 }

@@ -38,7 +38,6 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 1, 758861523u, 0u, 0u);
     fragment1 = uvec4(128u, 0u, 0u, 0u);

@@ -45,7 +45,6 @@ float octahedralRadix(vec3 n) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = vec4(octahedralRadix(normal), 11.470956, -6.28829e-05, 0.0044937134);
     fragment1 = vec4(0.004119873, 0.0, 0.0, 0.0);

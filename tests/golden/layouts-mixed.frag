@@ -37,7 +37,6 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2, 47370625u, 1364283828u, 0u);
 }

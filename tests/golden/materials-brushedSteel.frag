@@ -124,21 +124,18 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence(localPosition * vec3(1.0, 1.0, 70.0), 4, 2.0, 0.8);
-    // Blend
-    vec3 blend = mix(vec3(0.107023105, 0.116970666, 0.13563333), vec3(0.19806932, 0.21223076, 0.23839757), clamp((volumeTurbulence_1 + 0.9) * 0.5555556, 0.0, 1.0));
-    // BumpMap
+    // brushedSteel.yaml:5 streaks
+    float streaks = turbulence(localPosition * vec3(1.0, 1.0, 70.0), 4, 2.0, 0.8);
+    // brushedSteel.yaml:8 Blend
+    vec3 diffuse_blend = mix(vec3(0.107023105, 0.116970666, 0.13563333), vec3(0.19806932, 0.21223076, 0.23839757), clamp((streaks + 0.9) * 0.5555556, 0.0, 1.0));
+    // brushedSteel.yaml:7 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    float bumpMap_2 = volumeTurbulence_1 * 0.00026;
+    float bumpMap_2 = streaks * 0.00026;
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    // Blend
-    vec3 blend2 = mix(vec3(0.2663556, 0.29177064, 0.33245152), vec3(0.7379104, 0.76815116, 0.80695224), clamp((volumeTurbulence_1 + 0.8) * 0.625, 0.0, 1.0));
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | rootBits(blend2.x, 8) << 24, rootBits(blend2.y, 8) | rootBits(blend2.z, 8) << 8 | 903872512u);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    // brushedSteel.yaml:10 Blend
+    vec3 specular_blend = mix(vec3(0.2663556, 0.29177064, 0.33245152), vec3(0.7379104, 0.76815116, 0.80695224), clamp((streaks + 0.8) * 0.625, 0.0, 1.0));
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | rootBits(specular_blend.x, 8) << 24, rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | 903872512u);
+    fragment0 = surface_bits2;
 }

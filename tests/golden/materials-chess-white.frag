@@ -132,16 +132,15 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.9950042, 0.0, -0.099833414), vec3(0.09838081, 0.16996714, 0.98052657), vec3(0.016968401, -0.98544973, 0.16911802)) * localPosition + vec3(0.8, 0.3, 0.0);
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(xyzTransform, 5, 2.0, 0.6) * vec3(0.04) + xyzTransform;
-    // Blend
-    float blend_1 = (sin(fract(wood(turbulenceValue) * 10.0) * 6.2831855) + 1.0) * 0.5;
-    vec3 blend = mix(vec3(0.57112485, 0.3231432, 0.12477182), vec3(0.838799, 0.63075715, 0.3515326), clamp(blend_1, 0.0, 1.0));
-    // normal
+    // chess.json:27 XYZTransform
+    vec3 grain_xyzTransform = mat3(vec3(0.9950042, 0.0, -0.099833414), vec3(0.09838081, 0.16996714, 0.98052657), vec3(0.016968401, -0.98544973, 0.16911802)) * localPosition + vec3(0.8, 0.3, 0.0);
+    // chess.json:24 Turbulence
+    vec3 grain_turbulence = vectorTurbulence(grain_xyzTransform, 5, 2.0, 0.6) * vec3(0.04) + grain_xyzTransform;
+    // chess.json:20 grain
+    float grain = sin(fract(wood(grain_turbulence) * 10.0) * 6.2831855);
+    // chess.json:31 maple
+    vec3 maple = mix(vec3(0.57112485, 0.3231432, 0.12477182), vec3(0.838799, 0.63075715, 0.3515326), clamp((grain + 1.0) * 0.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | 2533359616u, 1031837591u);
+    uint surface_bits = rootBits(maple.x, 8) | rootBits(maple.y, 8) << 8 | rootBits(maple.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2533359616u, 1031837591u);
 }

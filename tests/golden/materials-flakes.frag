@@ -126,24 +126,20 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence((localPosition + vec3(3.7, 1.9, 5.1)) * 90.0, 1, 2.0, 1.0);
-    // Blend
-    vec3 blend = volumeTurbulence_1 < 0.85 ? (volumeTurbulence_1 < 0.25 ? paint : mix(paint, vec3(0.55201143, 0.051269457, 0.02842604), (volumeTurbulence_1 - 0.25) * 1.6666666)) : vec3(0.55201143, 0.051269457, 0.02842604);
-    // BumpMap
+    // flakes.yaml:5 clouds
+    float clouds = turbulence((localPosition + vec3(3.7, 1.9, 5.1)) * 90.0, 1, 2.0, 1.0);
+    // flakes.yaml:9 Blend
+    vec3 diffuse_blend = clouds < 0.85 ? (clouds < 0.25 ? paint : mix(paint, vec3(0.55201143, 0.051269457, 0.02842604), (clouds - 0.25) * 1.6666666)) : vec3(0.55201143, 0.051269457, 0.02842604);
+    // flakes.yaml:7 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // VolumeTurbulence
-    float volumeTurbulence_2 = turbulence(localPosition * 70.0, 1, 2.0, 1.0);
-    // BumpMap
-    float bumpMap_2 = volumeTurbulence_2 * (glitter * 0.02);
+    // flakes.yaml:4 flakes
+    float flakes = turbulence(localPosition * 70.0, 1, 2.0, 1.0);
+    float bumpMap_2 = flakes * (glitter * 0.02);
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    // Blend
-    vec3 blend2 = mix(vec3(0.2663556, 0.22322796, 0.19806932), vec3(1.0, 0.9046612, 0.80695224), clamp((volumeTurbulence_2 - 0.35) * 2.857143, 0.0, 1.0));
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | rootBits(blend2.x, 8) << 24, rootBits(blend2.y, 8) | rootBits(blend2.z, 8) << 8 | 1249902592u);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    // flakes.yaml:13 Blend
+    vec3 specular_blend = mix(vec3(0.2663556, 0.22322796, 0.19806932), vec3(1.0, 0.9046612, 0.80695224), clamp((flakes - 0.35) * 2.857143, 0.0, 1.0));
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | rootBits(specular_blend.x, 8) << 24, rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | 1249902592u);
+    fragment0 = surface_bits2;
 }

@@ -38,12 +38,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(uv * vec2(6.0, 3.0));
-    bool checker_2 = (0.5 <= checker_1.x) != (0.5 <= checker_1.y);
-    // normal
+    // glassChecker.yaml:5 Checker
+    vec2 diffuse_checker = fract(uv * vec2(6.0, 3.0));
+    bool diffuse_checker_2 = (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, checker_2 ? 2021746459u : 2030043135u, checker_2 ? 464977016u : 1035402360u, checker_2 ? 1755u : 3965u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, diffuse_checker_2 ? 2021746459u : 2030043135u, diffuse_checker_2 ? 464977016u : 1035402360u, diffuse_checker_2 ? 1755u : 3965u);
+    fragment0 = surface_bits;
 }

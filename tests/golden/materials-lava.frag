@@ -160,23 +160,21 @@ uint sharedExponentBits(vec3 v, int bits) {
 }
 
 void main() {
-    // Carpenter
-    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    // Blend
-    vec3 blend = mix(vec3(0.015996294, 0.015996294, 0.011612245), vec3(0.06662594, 0.054480277, 0.046665087), clamp((carpenter_1 - 0.2) * 1.4285715, 0.0, 1.0));
-    // BumpMap
+    // lava.yaml:6 plates
+    float plates = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    // lava.yaml:10 Blend
+    vec3 diffuse_blend = mix(vec3(0.015996294, 0.015996294, 0.011612245), vec3(0.06662594, 0.054480277, 0.046665087), clamp((plates - 0.2) * 1.4285715, 0.0, 1.0));
+    // lava.yaml:8 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.016 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = cross(worldTangentU, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.016);
-    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
-    // normal
+    float plates_1 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - plates) * 200.0;
+    float plates_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - plates) * 200.0;
+    vec3 bumpMap = cross(plates_1 * 0.016 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (plates_2 * 0.016);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // VolumeTurbulence
-    float volumeTurbulence_1 = abs(turbulence(localPosition * 1.6, 6, 2.0, 0.55));
-    // Blend
-    vec3 blend_1 = mix(mix(vec3(1.0, 0.75, 0.25), vec3(0.95, 0.28, 0.02), clamp(volumeTurbulence_1 * 20.0, 0.0, 1.0)), vec3(0.3, 0.02, 0.0), clamp((volumeTurbulence_1 - 0.05) * 9.090909, 0.0, 1.0));
-    vec3 blend2 = mix(blend_1, vec3(0.0), clamp((volumeTurbulence_1 - 0.16) * 10.0, 0.0, 1.0));
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(blend2, 7), surface_1 | 1207959552u, 631261256u);
+    // lava.yaml:5 crust
+    float crust = abs(turbulence(localPosition * 1.6, 6, 2.0, 0.55));
+    // lava.yaml:16 Blend
+    vec3 emissive_blend_1 = mix(mix(vec3(1.0, 0.75, 0.25), vec3(0.95, 0.28, 0.02), clamp(crust * 20.0, 0.0, 1.0)), vec3(0.3, 0.02, 0.0), clamp((crust - 0.05) * 9.090909, 0.0, 1.0));
+    vec3 emissive_blend = mix(emissive_blend_1, vec3(0.0), clamp((crust - 0.16) * 10.0, 0.0, 1.0));
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | 1207959552u, 631261256u);
 }

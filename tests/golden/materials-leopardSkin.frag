@@ -130,17 +130,16 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(localPosition, 4, 2.0, 0.7) * vec3(0.07) + localPosition;
-    // Leopard
-    float leopard_1 = leopard(turbulenceValue * 15.0);
-    // Blend
-    vec3 blend = mix(vec3(0.8631572, 0.76815116, 0.61049557), vec3(0.6653873, 0.3231432, 0.07421357), clamp(localPosition.z + 0.9, 0.0, 1.0));
-    vec3 blend_1 = mix(mix(blend, vec3(0.011612245, 0.008023193, 0.004024717), clamp((leopard_1 - 0.26) * 16.666666, 0.0, 1.0)), vec3(0.023153367, 0.011612245, 0.004024717), clamp((leopard_1 - 0.32) * 4.347826, 0.0, 1.0));
-    vec3 blend2 = mix(blend_1, vec3(0.33245152, 0.114435375, 0.023153367), clamp((leopard_1 - 0.55) * 9.090909, 0.0, 1.0));
-    // normal
+    // leopardSkin.yaml:17 Turbulence
+    vec3 diffuse_turbulence = vectorTurbulence(localPosition, 4, 2.0, 0.7) * vec3(0.07) + localPosition;
+    // leopardSkin.yaml:13 Leopard
+    float diffuse_leopard = leopard(diffuse_turbulence * 15.0);
+    // leopardSkin.yaml:7 coat
+    vec3 coat = mix(vec3(0.8631572, 0.76815116, 0.61049557), vec3(0.6653873, 0.3231432, 0.07421357), clamp(localPosition.z + 0.9, 0.0, 1.0));
+    // leopardSkin.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(coat, vec3(0.011612245, 0.008023193, 0.004024717), clamp((diffuse_leopard - 0.26) * 16.666666, 0.0, 1.0)), vec3(0.023153367, 0.011612245, 0.004024717), clamp((diffuse_leopard - 0.32) * 4.347826, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.33245152, 0.114435375, 0.023153367), clamp((diffuse_leopard - 0.55) * 9.090909, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | 1040187392u, 599801406u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 1040187392u, 599801406u);
 }

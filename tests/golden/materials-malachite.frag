@@ -133,26 +133,22 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.921061, 0.0, -0.38941833), vec3(0.32768422, 0.5403023, 0.7750461), vec3(0.21040362, -0.84147096, 0.49765137)) * localPosition + vec3(0.4, 0.3, 0.0);
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(xyzTransform, 3, 2.0, 0.45) * vec3(0.35) + xyzTransform;
-    // Wood
-    float wood_1 = abs(fract(wood(turbulenceValue) * 5.0) * 4.0 - 1.0) - 2.0;
-    float wood_2 = sin((abs(wood_1) - 1.0) * 0.9 + 0.1);
-    // Blend
-    float blend_1 = wood_2 + 1.0;
-    vec3 blend_2 = wood_2 < -0.1 ? (wood_2 < -1.0 ? vec3(0.0, 0.035601314, 0.023153367) : mix(vec3(0.0, 0.035601314, 0.023153367), vec3(0.008023193, 0.19461784, 0.107023105), blend_1 * 1.1111112)) : mix(vec3(0.008023193, 0.19461784, 0.107023105), bright, (wood_2 + 0.1) * 1.6666666);
-    vec3 blend = wood_2 < 0.5 ? blend_2 : wood_2 < 0.8 ? mix(bright, vec3(0.008023193, 0.19461784, 0.107023105), (wood_2 - 0.5) * 3.3333333) : vec3(0.008023193, 0.19461784, 0.107023105);
-    // normal
+    // malachite.json:32 XYZTransform
+    vec3 bands_xyzTransform = mat3(vec3(0.921061, 0.0, -0.38941833), vec3(0.32768422, 0.5403023, 0.7750461), vec3(0.21040362, -0.84147096, 0.49765137)) * localPosition + vec3(0.4, 0.3, 0.0);
+    // malachite.json:28 Turbulence
+    vec3 bands_turbulence = vectorTurbulence(bands_xyzTransform, 3, 2.0, 0.45) * vec3(0.35) + bands_xyzTransform;
+    // malachite.json:24 bands
+    float bands_1 = abs(fract(wood(bands_turbulence) * 5.0) * 4.0 - 1.0) - 2.0;
+    float bands = sin((abs(bands_1) - 1.0) * 0.9 + 0.1);
+    // malachite.json:5 Blend
+    float diffuse_blend_1 = bands + 1.0;
+    vec3 diffuse_blend_2 = bands < -0.1 ? (bands < -1.0 ? vec3(0.0, 0.035601314, 0.023153367) : mix(vec3(0.0, 0.035601314, 0.023153367), vec3(0.008023193, 0.19461784, 0.107023105), diffuse_blend_1 * 1.1111112)) : mix(vec3(0.008023193, 0.19461784, 0.107023105), bright, (bands + 0.1) * 1.6666666);
+    vec3 diffuse_blend = bands < 0.5 ? diffuse_blend_2 : bands < 0.8 ? mix(bright, vec3(0.008023193, 0.19461784, 0.107023105), (bands - 0.5) * 3.3333333) : vec3(0.008023193, 0.19461784, 0.107023105);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    // Blend
-    float blend2 = mix(0.45, 0.25, clamp(blend_1 * 0.5, 0.0, 1.0));
-    // specular
-    uint specular_1 = rootBits(blend2, 8);
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | specular_1 << 24, specular_1 | specular_1 << 8 | 1249902592u);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    // malachite.json:15 Blend
+    float specular_blend = mix(0.45, 0.25, clamp(diffuse_blend_1 * 0.5, 0.0, 1.0));
+    uint specular_bits = rootBits(specular_blend, 8);
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1249902592u);
+    fragment0 = surface_bits2;
 }

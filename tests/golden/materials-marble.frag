@@ -153,22 +153,19 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(localPosition, 6, 2.0, 0.5) * vec3(0.45) + localPosition;
-    // Gradient
-    float gradient_1 = sin(fract(dot(turbulenceValue, vec3(1.1, 0.4, 1.3))) * 3.1415927) * 2.0 - 1.0;
-    // Blend
-    vec3 blend = mix(vec3(0.6239604, 0.59061885, 0.5271151), vec3(0.8631572, 0.7912979, 0.6653873), clamp(turbulence(turbulenceValue, 4, 2.0, 0.6) + 0.5, 0.0, 1.0));
-    vec3 blend2 = gradient_1 < -0.3 ? (gradient_1 < -0.85 ? vein : mix(vein, blend, (gradient_1 + 0.85) * 1.8181819)) : blend;
-    // normal
+    // palette.yaml:17 swirl
+    vec3 swirl = vectorTurbulence(localPosition, 6, 2.0, 0.5) * vec3(0.45) + localPosition;
+    // marble.yaml:12 veins
+    float veins = sin(fract(dot(swirl, vec3(1.1, 0.4, 1.3))) * 3.1415927) * 2.0 - 1.0;
+    // marble.yaml:23 clouds
+    vec3 clouds = mix(vec3(0.6239604, 0.59061885, 0.5271151), vec3(0.8631572, 0.7912979, 0.6653873), clamp(turbulence(swirl, 4, 2.0, 0.6) + 0.5, 0.0, 1.0));
+    // marble.yaml:6 Blend
+    vec3 diffuse_blend = veins < -0.3 ? (veins < -0.85 ? vein : mix(vein, clouds, (veins + 0.85) * 1.8181819)) : clouds;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
-    // Blend
-    float blend3 = mix(0.15, 0.4, clamp((gradient_1 + 0.9) * 1.4285715, 0.0, 1.0));
-    // specular
-    uint specular_1 = rootBits(blend3, 8);
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | specular_1 << 24, specular_1 | specular_1 << 8 | 1193279488u);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    // marble.yaml:17 Blend
+    float specular_blend = mix(0.15, 0.4, clamp((veins + 0.9) * 1.4285715, 0.0, 1.0));
+    uint specular_bits = rootBits(specular_blend, 8);
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
+    fragment0 = surface_bits2;
 }

@@ -161,23 +161,24 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.1813382, 0.40848744, 0.89456946), vec3(0.08115393, -0.91276395, 0.40034488)) * localPosition + vec3(0.35, 0.2, 0.0);
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(xyzTransform, 3, 2.0, 0.6) * vec3(0.04, 0.04, 0.02) + xyzTransform;
-    // Wood
-    float wood_1 = fract(rings * wood(turbulenceValue)) * 2.0 - 1.0;
-    // Blend
-    vec3 blend;
-    if (wood_1 < 1.0) {
-        vec3 blend2 = mix(vec3(0.3231432, 0.14412847, 0.046665087), vec3(0.58407843, 0.3231432, 0.12477182), clamp((turbulence(turbulenceValue * vec3(30.0, 30.0, 2.0), 3, 2.0, 0.6) + 1.0) * 0.71428573, 0.0, 1.0));
-        blend = wood_1 < -0.3 ? blend2 : mix(blend2, vec3(0.20155625, 0.070360094, 0.019382361), (wood_1 + 0.3) * 0.7692308);
+    // oak.yaml:10 XYZTransform
+    vec3 trunk_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.1813382, 0.40848744, 0.89456946), vec3(0.08115393, -0.91276395, 0.40034488)) * localPosition + vec3(0.35, 0.2, 0.0);
+    // oak.yaml:6 trunk
+    vec3 trunk = vectorTurbulence(trunk_xyzTransform, 3, 2.0, 0.6) * vec3(0.04, 0.04, 0.02) + trunk_xyzTransform;
+    // oak.yaml:26 Wood
+    float diffuse_wood = fract(rings * wood(trunk)) * 2.0 - 1.0;
+    // oak.yaml:21 Blend
+    vec3 diffuse_blend;
+    if (diffuse_wood < 1.0) {
+        // oak.yaml:15 VolumeTurbulence
+        float fibres_volumeTurbulence = turbulence(trunk * vec3(30.0, 30.0, 2.0), 3, 2.0, 0.6);
+        // oak.yaml:12 fibres
+        vec3 fibres = mix(vec3(0.3231432, 0.14412847, 0.046665087), vec3(0.58407843, 0.3231432, 0.12477182), clamp((fibres_volumeTurbulence + 1.0) * 0.71428573, 0.0, 1.0));
+        diffuse_blend = diffuse_wood < -0.3 ? fibres : mix(fibres, vec3(0.20155625, 0.070360094, 0.019382361), (diffuse_wood + 0.3) * 0.7692308);
     } else {
-        blend = vec3(0.20155625, 0.070360094, 0.019382361);
+        diffuse_blend = vec3(0.20155625, 0.070360094, 0.019382361);
     }
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | 2147483648u, 1193312384u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2147483648u, 1193312384u);
 }

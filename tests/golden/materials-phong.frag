@@ -78,18 +78,16 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Carpenter
-    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    // Blend
-    vec3 blend = mix(vec3(0.019382361, 0.10224173, 0.011612245), vec3(0.17144111, 0.41788507, 0.046665087), clamp((carpenter_1 - 0.35) * 2.5, 0.0, 1.0));
-    // BumpMap
+    // phong.yaml:4 relief
+    float relief = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    // phong.yaml:6 Blend
+    vec3 diffuse_blend = mix(vec3(0.019382361, 0.10224173, 0.011612245), vec3(0.17144111, 0.41788507, 0.046665087), clamp((relief - 0.35) * 2.5, 0.0, 1.0));
+    // phong.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0 * 0.08 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = cross(worldTangentU, bumpMap_1) * ((carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0 * 0.08);
-    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
-    // normal
+    float relief_1 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - relief) * 200.0;
+    float relief_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - relief) * 200.0;
+    vec3 bumpMap = cross(relief_1 * 0.08 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (relief_2 * 0.08);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 6) | rootBits(blend.y, 6) << 6 | rootBits(blend.z, 6) << 12;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1409286147u, 1752466048u, surface_1 | 1255407616u, 1816823477u);
+    uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1409286147u, 1752466048u, surface_bits | 1255407616u, 1816823477u);
 }

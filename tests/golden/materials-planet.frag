@@ -152,30 +152,29 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(localPosition, 5, 2.0, 0.7) * vec3(0.12) + localPosition;
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence((turbulenceValue + vec3(7.3, 1.9, 4.1)) * 2.3, 6, 2.0, 0.55);
-    float volumeTurbulence_2 = turbulence(localPosition * 1.4, 11, 2.0, 0.5);
-    // Blend
-    float blend_1 = clamp((volumeTurbulence_2 + 0.02) * 50.0, 0.0, 1.0);
-    vec3 blend;
-    if (volumeTurbulence_1 < 0.75) {
-        vec3 blend_2 = mix(mix(mix(vec3(0.004024717, 0.027320892, 0.09084171), vec3(0.023153367, 0.21223076, 0.34191442), clamp((volumeTurbulence_2 + 0.5) * 2.0833333, 0.0, 1.0)), vec3(0.61049557, 0.45641103, 0.22696587), blend_1), vec3(0.070360094, 0.16202937, 0.039546236), clamp(volumeTurbulence_2 * 10.0, 0.0, 1.0));
-        vec3 blend2 = mix(mix(blend_2, vec3(0.20155625, 0.14412847, 0.06662594), clamp((volumeTurbulence_2 - 0.1) * 3.3333333, 0.0, 1.0)), vec3(0.9046612, 0.91309863, 0.9301109), clamp((volumeTurbulence_2 - 0.4) * 3.3333333, 0.0, 1.0));
-        vec3 blend_3 = turbulenceValue.z < -0.8 ? (turbulenceValue.z < -0.86 ? vec3(0.9046612, 0.91309863, 0.9301109) : mix(vec3(0.9046612, 0.91309863, 0.9301109), blend2, (turbulenceValue.z + 0.86) * 16.666666)) : blend2;
-        vec3 blend3 = turbulenceValue.z < 0.8 ? blend_3 : turbulenceValue.z < 0.86 ? mix(blend2, vec3(0.9046612, 0.91309863, 0.9301109), (turbulenceValue.z - 0.8) * 16.666666) : vec3(0.9046612, 0.91309863, 0.9301109);
-        blend = volumeTurbulence_1 < 0.15 ? blend3 : mix(blend3, vec3(0.9046612, 0.91309863, 0.9301109), (volumeTurbulence_1 - 0.15) * 1.6666666);
+    // planet.yaml:7 coast
+    vec3 coast = vectorTurbulence(localPosition, 5, 2.0, 0.7) * vec3(0.12) + localPosition;
+    // planet.yaml:33 VolumeTurbulence
+    float diffuse_volumeTurbulence = turbulence((coast + vec3(7.3, 1.9, 4.1)) * 2.3, 6, 2.0, 0.55);
+    // planet.yaml:5 height
+    float height = turbulence(localPosition * 1.4, 11, 2.0, 0.5);
+    // planet.yaml:9 ground
+    float ground_1 = clamp((height + 0.02) * 50.0, 0.0, 1.0);
+    // planet.yaml:28 Blend
+    vec3 diffuse_blend;
+    if (diffuse_volumeTurbulence < 0.75) {
+        vec3 ground_2 = mix(mix(mix(vec3(0.004024717, 0.027320892, 0.09084171), vec3(0.023153367, 0.21223076, 0.34191442), clamp((height + 0.5) * 2.0833333, 0.0, 1.0)), vec3(0.61049557, 0.45641103, 0.22696587), ground_1), vec3(0.070360094, 0.16202937, 0.039546236), clamp(height * 10.0, 0.0, 1.0));
+        vec3 ground = mix(mix(ground_2, vec3(0.20155625, 0.14412847, 0.06662594), clamp((height - 0.1) * 3.3333333, 0.0, 1.0)), vec3(0.9046612, 0.91309863, 0.9301109), clamp((height - 0.4) * 3.3333333, 0.0, 1.0));
+        // planet.yaml:19 surface
+        vec3 surface_1 = coast.z < -0.8 ? (coast.z < -0.86 ? vec3(0.9046612, 0.91309863, 0.9301109) : mix(vec3(0.9046612, 0.91309863, 0.9301109), ground, (coast.z + 0.86) * 16.666666)) : ground;
+        vec3 surface = coast.z < 0.8 ? surface_1 : coast.z < 0.86 ? mix(ground, vec3(0.9046612, 0.91309863, 0.9301109), (coast.z - 0.8) * 16.666666) : vec3(0.9046612, 0.91309863, 0.9301109);
+        diffuse_blend = diffuse_volumeTurbulence < 0.15 ? surface : mix(surface, vec3(0.9046612, 0.91309863, 0.9301109), (diffuse_volumeTurbulence - 0.15) * 1.6666666);
     } else {
-        blend = vec3(0.9046612, 0.91309863, 0.9301109);
+        diffuse_blend = vec3(0.9046612, 0.91309863, 0.9301109);
     }
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    // specular
-    uint specular_1 = rootBits(mix(0.35, 0.02, blend_1), 8);
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | specular_1 << 24, specular_1 | specular_1 << 8 | 903872512u);
-    fragment0 = surface_2;
+    uint surface2_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    uint specular_bits = rootBits(mix(0.35, 0.02, ground_1), 8);
+    uvec4 surface2_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface2_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
+    fragment0 = surface2_bits2;
 }

@@ -48,11 +48,8 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // transparency
-    uint transparency_1 = rootBits(1.0 - opacity, 6);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, 3378392u, transparency_1 << 24 | 5046272u, transparency_1 | transparency_1 << 6);
-    fragment0 = surface_1;
+    uint transparency_bits = rootBits(1.0 - opacity, 6);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, 3378392u, transparency_bits << 24 | 5046272u, transparency_bits | transparency_bits << 6);
+    fragment0 = surface_bits;
 }

@@ -159,25 +159,22 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeTurbulence
-    float volumeTurbulence_1 = rusting + turbulence(localPosition * 1.7, 6, 2.0, 0.6);
-    // Granite
-    float granite_1 = granite(localPosition * 2.0);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((granite_1 + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((granite_1 - 0.1) * 2.0, 0.0, 1.0));
-    float blend_1 = (volumeTurbulence_1 + 0.05) * 6.6666665;
-    vec3 blend2 = volumeTurbulence_1 < 0.1 ? (volumeTurbulence_1 < -0.05 ? vec3(0.08021982, 0.093058966, 0.10946171) : mix(vec3(0.08021982, 0.093058966, 0.10946171), blend, blend_1)) : blend;
-    // normal
+    // rustedMetal.yaml:6 mask
+    float mask = rusting + turbulence(localPosition * 1.7, 6, 2.0, 0.6);
+    // rustedMetal.yaml:7 scale
+    float scale = granite(localPosition * 2.0);
+    // rustedMetal.yaml:9 rustTones
+    vec3 rustTones = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((scale + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((scale - 0.1) * 2.0, 0.0, 1.0));
+    // rustedMetal.yaml:24 Blend
+    float diffuse_blend_1 = (mask + 0.05) * 6.6666665;
+    vec3 diffuse_blend = mask < 0.1 ? (mask < -0.05 ? vec3(0.08021982, 0.093058966, 0.10946171) : mix(vec3(0.08021982, 0.093058966, 0.10946171), rustTones, diffuse_blend_1)) : rustTones;
     vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
-    // Blend
-    float blend_2 = clamp(blend_1, 0.0, 1.0);
-    vec3 blend3 = mix(vec3(0.2663556, 0.28744084, 0.31854677), vec3(0.02), blend_2);
-    // shininess
-    float shininess = phongExponent(mix(0.75, 0.1, blend_2));
-    // surface
-    uint surface_2 = rootBits(blend3.y, 8) | rootBits(blend3.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
-    uvec4 surface_3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | rootBits(blend3.x, 8) << 24, surface_2);
-    fragment0 = surface_3;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    // rustedMetal.yaml:28 Blend
+    float specular_blend_1 = clamp(diffuse_blend_1, 0.0, 1.0);
+    vec3 specular_blend = mix(vec3(0.2663556, 0.28744084, 0.31854677), vec3(0.02), specular_blend_1);
+    float shininess = phongExponent(mix(0.75, 0.1, specular_blend_1));
+    uint surface_bits2 = rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
+    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | rootBits(specular_blend.x, 8) << 24, surface_bits2);
+    fragment0 = surface_bits3;
 }

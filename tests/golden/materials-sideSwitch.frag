@@ -48,15 +48,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Gradient
-    float gradient_1 = abs(abs(fract(localPosition.z * 6.0) * 4.0 - 1.0) - 2.0);
-    // Blend
-    vec3 blend = mix(vec3(0.8713671, 0.7991027, 0.67244315), vec3(0.019382361, 0.06662594, 0.15292615), clamp((gradient_1 - 1.0 + 0.1) * 5.0, 0.0, 1.0));
-    // normal
+    // sideSwitch.yaml:11 Gradient
+    float diffuse_gradient_1 = abs(abs(fract(localPosition.z * 6.0) * 4.0 - 1.0) - 2.0);
+    // sideSwitch.yaml:7 Blend
+    vec3 diffuse_blend = mix(vec3(0.8713671, 0.7991027, 0.67244315), vec3(0.019382361, 0.06662594, 0.15292615), clamp((diffuse_gradient_1 - 1.0 + 0.1) * 5.0, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // diffuse
-    vec3 diffuse = gl_FrontFacing ? blend : vec3(0.35, 0.03, 0.05);
-    // surface
-    uint surface_1 = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    vec3 diffuse = gl_FrontFacing ? diffuse_blend : vec3(0.35, 0.03, 0.05);
+    uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -74,9 +74,7 @@ uint sharedExponentBits(vec3 v, int bits) {
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // emissive
     vec3 emissive = skyRadiance(localPosition, vec3(0.35320863, -0.8830216, 0.30905756), vec3(1.6307038, 0.32276142, 0.33811134), vec3(-0.92687, -0.31697, -0.31085), vec3(-0.63871, -0.19872, -0.27564), vec3(5.25707, 0.21124, 0.18647), vec3(-2.21513, -1.09114, -1.78584), vec3(0.16939, 0.03542, 0.02015)) * 0.3;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive, 7), 0u, 645922816u);
 }

@@ -123,32 +123,33 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence(localPosition * 1.5, 8, 2.0, 0.5) + 0.16;
-    // Blend
-    float blend_1 = clamp((turbulence(localPosition * 6.0, 4, 2.0, 0.7) + 0.4) * 1.25, 0.0, 1.0);
-    vec3 blend = mix(vec3(0.013702083, 0.046665087, 0.011612245), vec3(0.049706567, 0.114435375, 0.023153367), blend_1);
-    vec3 blend2;
-    if (volumeTurbulence_1 < 0.26) {
-        vec3 blend3 = mix(vec3(0.07227185, 0.14702727, 0.023153367), vec3(0.2541521, 0.3231432, 0.070360094), blend_1);
-        vec3 blend_2 = volumeTurbulence_1 < -0.03 ? (volumeTurbulence_1 < -0.4 ? vec3(0.0047769533, 0.04231141, 0.107023105) : mix(vec3(0.0047769533, 0.04231141, 0.107023105), vec3(0.046665087, 0.2541521, 0.3515326), (volumeTurbulence_1 + 0.4) * 2.7027028)) : mix(vec3(0.046665087, 0.2541521, 0.3515326), vec3(0.6866853, 0.5647115, 0.28744084), (volumeTurbulence_1 + 0.03) * 33.333332);
-        vec3 blend_3 = volumeTurbulence_1 < 0.18 ? (volumeTurbulence_1 < 0.04 ? mix(vec3(0.6866853, 0.5647115, 0.28744084), blend3, volumeTurbulence_1 * 25.0) : blend3) : mix(blend3, blend, (volumeTurbulence_1 - 0.18) * 12.5);
-        blend2 = volumeTurbulence_1 < 0.0 ? blend_2 : blend_3;
+    // terrain.yaml:4 height
+    float height = turbulence(localPosition * 1.5, 8, 2.0, 0.5) + 0.16;
+    // terrain.yaml:7 patches
+    float patches = turbulence(localPosition * 6.0, 4, 2.0, 0.7);
+    // terrain.yaml:8 meadow
+    float meadow_1 = clamp((patches + 0.4) * 1.25, 0.0, 1.0);
+    // terrain.yaml:9 forest
+    vec3 forest = mix(vec3(0.013702083, 0.046665087, 0.011612245), vec3(0.049706567, 0.114435375, 0.023153367), meadow_1);
+    // terrain.yaml:14 Blend
+    vec3 diffuse_blend;
+    if (height < 0.26) {
+        vec3 meadow = mix(vec3(0.07227185, 0.14702727, 0.023153367), vec3(0.2541521, 0.3231432, 0.070360094), meadow_1);
+        vec3 diffuse_blend_1 = height < -0.03 ? (height < -0.4 ? vec3(0.0047769533, 0.04231141, 0.107023105) : mix(vec3(0.0047769533, 0.04231141, 0.107023105), vec3(0.046665087, 0.2541521, 0.3515326), (height + 0.4) * 2.7027028)) : mix(vec3(0.046665087, 0.2541521, 0.3515326), vec3(0.6866853, 0.5647115, 0.28744084), (height + 0.03) * 33.333332);
+        vec3 diffuse_blend_2 = height < 0.18 ? (height < 0.04 ? mix(vec3(0.6866853, 0.5647115, 0.28744084), meadow, height * 25.0) : meadow) : mix(meadow, forest, (height - 0.18) * 12.5);
+        diffuse_blend = height < 0.0 ? diffuse_blend_1 : diffuse_blend_2;
     } else {
-        vec3 blend4 = mix(vec3(0.10224173, 0.08437621, 0.070360094), vec3(0.2663556, 0.22696587, 0.18782078), blend_1);
-        vec3 blend_4 = volumeTurbulence_1 < 0.54 ? (volumeTurbulence_1 < 0.46 ? blend : mix(blend, blend4, (volumeTurbulence_1 - 0.46) * 12.5)) : blend4;
-        vec3 blend_5 = volumeTurbulence_1 < 0.72 ? blend_4 : volumeTurbulence_1 < 0.78 ? mix(blend4, vec3(0.9046612, 0.92158186, 0.9386857), (volumeTurbulence_1 - 0.72) * 16.666666) : vec3(0.9046612, 0.92158186, 0.9386857);
-        blend2 = blend_5;
+        // terrain.yaml:10 rock
+        vec3 rock = mix(vec3(0.10224173, 0.08437621, 0.070360094), vec3(0.2663556, 0.22696587, 0.18782078), meadow_1);
+        vec3 diffuse_blend_3 = height < 0.54 ? (height < 0.46 ? forest : mix(forest, rock, (height - 0.46) * 12.5)) : rock;
+        vec3 diffuse_blend_4 = height < 0.72 ? diffuse_blend_3 : height < 0.78 ? mix(rock, vec3(0.9046612, 0.92158186, 0.9386857), (height - 0.72) * 16.666666) : vec3(0.9046612, 0.92158186, 0.9386857);
+        diffuse_blend = diffuse_blend_4;
     }
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend2.x, 8) | rootBits(blend2.y, 8) << 8 | rootBits(blend2.z, 8) << 16;
-    // Blend
-    float blend5 = mix(0.5, 0.02, clamp((volumeTurbulence_1 + 0.02) * 50.0, 0.0, 1.0));
-    // specular
-    uint specular_1 = rootBits(blend5, 8);
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | specular_1 << 24, specular_1 | specular_1 << 8 | 903872512u);
-    fragment0 = surface_2;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    // terrain.yaml:27 Blend
+    float specular_blend = mix(0.5, 0.02, clamp((height + 0.02) * 50.0, 0.0, 1.0));
+    uint specular_bits = rootBits(specular_blend, 8);
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
+    fragment0 = surface_bits2;
 }

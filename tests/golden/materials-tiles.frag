@@ -76,27 +76,21 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // UVTransform
-    vec2 uvTransform_1 = uv * vec2(8.0, 4.0);
-    // ImageMap
-    vec4 image_1 = imageBilinear(imageTexture0, uvTransform_1, vec2(64.0));
-    // BumpMap
+    // tiles.yaml:6 UVTransform
+    vec2 tiles_uvTransform = uv * vec2(8.0, 4.0);
+    // tiles.yaml:4 tiles
+    vec4 tiles = imageBilinear(imageTexture0, tiles_uvTransform, vec2(64.0));
+    // tiles.yaml:8 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // ImageMap
-    vec2 image_2 = fract(uvTransform_1);
-    // surface
-    uint surface_1 = rootBits(image_1.x, 8) | rootBits(image_1.y, 8) << 8 | rootBits(image_1.z, 8) << 16;
-    // Blend
-    float blend = mix(0.02, 0.45, clamp((image_1.x - 0.04) * 25.0, 0.0, 1.0));
-    // specular
-    uint specular_1 = rootBits(blend, 8);
-    // BumpMap
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image_2 + vec2(0.015625, 0.0), vec2(64.0)).x - image_1.x) * 64.0 * 0.2 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image_2 + vec2(0.0, 0.015625), vec2(64.0)).x - image_1.x) * 64.0 * 0.2 * cross(worldTangentU, bumpMap_1);
+    vec2 tiles_2 = fract(tiles_uvTransform);
+    uint surface_bits = rootBits(tiles.x, 8) | rootBits(tiles.y, 8) << 8 | rootBits(tiles.z, 8) << 16;
+    // tiles.yaml:11 Blend
+    float specular_blend = mix(0.02, 0.45, clamp((tiles.x - 0.04) * 25.0, 0.0, 1.0));
+    uint specular_bits = rootBits(specular_blend, 8);
+    vec3 bumpMap_2 = (imageBilinear(imageTexture0, tiles_2 + vec2(0.015625, 0.0), vec2(64.0)).x - tiles.x) * 64.0 * 0.2 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = (imageBilinear(imageTexture0, tiles_2 + vec2(0.0, 0.015625), vec2(64.0)).x - tiles.x) * 64.0 * 0.2 * cross(worldTangentU, bumpMap_1);
     vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1 | specular_1 << 24, specular_1 | specular_1 << 8 | 1193279488u);
-    fragment0 = surface_2;
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
+    fragment0 = surface_bits2;
 }

@@ -161,21 +161,19 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = localPosition * vec3(1.6, 1.6, 2.6);
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(xyzTransform, 2, 2.0, 0.5) * vec3(0.3) + xyzTransform;
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence(turbulenceValue * 1.6, 3, 2.0, 0.42);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.001821162, 0.02121901, 0.049706567), vec3(0.0047769533, 0.09084171, 0.17788842), clamp((volumeTurbulence_1 + 0.5) * 1.5384616, 0.0, 1.0)), vec3(0.09758735, 0.39675522, 0.50888133), clamp((volumeTurbulence_1 - 0.15) * 2.2222223, 0.0, 1.0));
-    // BumpMap
+    // water.yaml:4 XYZTransform
+    vec3 swell_xyzTransform = localPosition * vec3(1.6, 1.6, 2.6);
+    // water.yaml:4 swell
+    vec3 swell = vectorTurbulence(swell_xyzTransform, 2, 2.0, 0.5) * vec3(0.3) + swell_xyzTransform;
+    // water.yaml:5 ripples
+    float ripples = turbulence(swell * 1.6, 3, 2.0, 0.42);
+    // water.yaml:9 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.001821162, 0.02121901, 0.049706567), vec3(0.0047769533, 0.09084171, 0.17788842), clamp((ripples + 0.5) * 1.5384616, 0.0, 1.0)), vec3(0.09758735, 0.39675522, 0.50888133), clamp((ripples - 0.15) * 2.2222223, 0.0, 1.0));
+    // water.yaml:7 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    float bumpMap_2 = volumeTurbulence_1 * 0.12;
+    float bumpMap_2 = ripples * 0.12;
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
-    // normal
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_1 | 2013265920u, 262667384u, 1687u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | 2013265920u, 262667384u, 1687u);
 }

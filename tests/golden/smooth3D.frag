@@ -48,30 +48,28 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 smooth3DInput0(vec2 st) {
-    // Checker
-    vec2 checker_1 = fract(st * vec2(8.0, 4.0));
-    vec3 checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? vec3(0.8980392, 0.85490197, 0.7607843) : vec3(0.2627451, 0.011764706, 0.023529412);
-    return checker;
+    // smooth3D.yaml:8 Checker
+    vec2 diffuse_checker_1 = fract(st * vec2(8.0, 4.0));
+    vec3 diffuse_checker = (0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y) ? vec3(0.8980392, 0.85490197, 0.7607843) : vec3(0.2627451, 0.011764706, 0.023529412);
+    return diffuse_checker;
 }
 
 void main() {
-    // normal
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // Smooth3D
-    vec3 smooth3D_1 = smooth3DInput0(uv - vec2(0.021, 0.042));
-    vec3 smooth3D_2 = smooth3DInput0(uv + vec2(-0.021, 0.0));
-    vec3 smooth3D_3 = smooth3DInput0(uv + vec2(-0.021, 0.042));
-    vec3 smooth3D_4 = smooth3D_3 + (smooth3D_2 + (smooth3D_1 + smooth3D_1 + smooth3D_1) + smooth3D_2 + smooth3D_2) + smooth3D_3;
-    vec3 smooth3D_5 = smooth3DInput0(uv + vec2(0.0, -0.042));
-    vec3 smooth3D_6 = smooth3DInput0(uv);
-    vec3 smooth3D_7 = smooth3D_6 + (smooth3D_5 + (smooth3D_4 + smooth3D_3) + smooth3D_5 + smooth3D_5) + smooth3D_6 + smooth3D_6;
-    vec3 smooth3D_8 = smooth3DInput0(uv + vec2(0.0, 0.042));
-    vec3 smooth3D_9 = smooth3DInput0(uv + vec2(0.021, -0.042));
-    vec3 smooth3D_10 = smooth3DInput0(uv + vec2(0.021, 0.0));
-    vec3 smooth3D_11 = smooth3D_10 + (smooth3D_9 + (smooth3D_8 + smooth3D_7 + smooth3D_8 + smooth3D_8) + smooth3D_9 + smooth3D_9);
-    vec3 smooth3D_12 = smooth3DInput0(uv + vec2(0.021, 0.042));
-    vec3 smooth3D = (smooth3D_12 + (smooth3D_11 + smooth3D_10 + smooth3D_10) + smooth3D_12 + smooth3D_12) * 0.037037037;
-    // surface
-    uint surface_1 = rootBits(smooth3D.x, 8) | rootBits(smooth3D.y, 8) << 8 | rootBits(smooth3D.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    // smooth3D.yaml:4 Smooth3D
+    vec3 diffuse_smooth3D_1 = smooth3DInput0(uv - vec2(0.021, 0.042));
+    vec3 diffuse_smooth3D_2 = smooth3DInput0(uv + vec2(-0.021, 0.0));
+    vec3 diffuse_smooth3D_3 = smooth3DInput0(uv + vec2(-0.021, 0.042));
+    vec3 diffuse_smooth3D_4 = diffuse_smooth3D_3 + (diffuse_smooth3D_2 + (diffuse_smooth3D_1 + diffuse_smooth3D_1 + diffuse_smooth3D_1) + diffuse_smooth3D_2 + diffuse_smooth3D_2) + diffuse_smooth3D_3;
+    vec3 diffuse_smooth3D_5 = smooth3DInput0(uv + vec2(0.0, -0.042));
+    vec3 diffuse_smooth3D_6 = smooth3DInput0(uv);
+    vec3 diffuse_smooth3D_7 = diffuse_smooth3D_6 + (diffuse_smooth3D_5 + (diffuse_smooth3D_4 + diffuse_smooth3D_3) + diffuse_smooth3D_5 + diffuse_smooth3D_5) + diffuse_smooth3D_6 + diffuse_smooth3D_6;
+    vec3 diffuse_smooth3D_8 = smooth3DInput0(uv + vec2(0.0, 0.042));
+    vec3 diffuse_smooth3D_9 = smooth3DInput0(uv + vec2(0.021, -0.042));
+    vec3 diffuse_smooth3D_10 = smooth3DInput0(uv + vec2(0.021, 0.0));
+    vec3 diffuse_smooth3D_11 = diffuse_smooth3D_10 + (diffuse_smooth3D_9 + (diffuse_smooth3D_8 + diffuse_smooth3D_7 + diffuse_smooth3D_8 + diffuse_smooth3D_8) + diffuse_smooth3D_9 + diffuse_smooth3D_9);
+    vec3 diffuse_smooth3D_12 = smooth3DInput0(uv + vec2(0.021, 0.042));
+    vec3 diffuse_smooth3D = (diffuse_smooth3D_12 + (diffuse_smooth3D_11 + diffuse_smooth3D_10 + diffuse_smooth3D_10) + diffuse_smooth3D_12 + diffuse_smooth3D_12) * 0.037037037;
+    uint surface_bits = rootBits(diffuse_smooth3D.x, 8) | rootBits(diffuse_smooth3D.y, 8) << 8 | rootBits(diffuse_smooth3D.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -124,15 +124,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Turbulence
-    vec3 turbulenceValue = vectorTurbulence(localPosition, 6, 2.0, 0.5) * vec3(0.5) + localPosition;
-    // Gradient
-    float gradient_1 = sin(fract(dot(turbulenceValue, vec3(1.5, 0.5, 1.5))) * 6.2831855);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.8980392, 0.8627451, 0.7921569), vec3(0.39607844, 0.4745098, 0.43529412), clamp((gradient_1 + 1.0) * 0.625, 0.0, 1.0)), vec3(0.03137255, 0.05882353, 0.050980393), clamp((gradient_1 - 0.6) * 2.5, 0.0, 1.0));
-    // normal
+    // turbulence.yaml:13 Turbulence
+    vec3 diffuse_turbulence = vectorTurbulence(localPosition, 6, 2.0, 0.5) * vec3(0.5) + localPosition;
+    // turbulence.yaml:10 Gradient
+    float diffuse_gradient = sin(fract(dot(diffuse_turbulence, vec3(1.5, 0.5, 1.5))) * 6.2831855);
+    // turbulence.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.8980392, 0.8627451, 0.7921569), vec3(0.39607844, 0.4745098, 0.43529412), clamp((diffuse_gradient + 1.0) * 0.625, 0.0, 1.0)), vec3(0.03137255, 0.05882353, 0.050980393), clamp((diffuse_gradient - 0.6) * 2.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -38,11 +38,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Checker
-    vec2 checker_1 = fract(mat2(vec2(9.75806, -4.2426486), vec2(7.2125072, 4.242633)) * uv);
-    // normal
+    // uvTransform.yaml:4 Checker
+    vec2 diffuse_checker = fract(mat2(vec2(9.75806, -4.2426486), vec2(7.2125072, 4.242633)) * uv);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 2160452853u : 2153921708u, 903905408u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 2160452853u : 2153921708u, 903905408u);
+    fragment0 = surface_bits;
 }

@@ -38,13 +38,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(2.8660095, 0.8865606, 0.0), vec3(-0.8165764, 2.6397696, 1.168255), vec3(0.34524298, -1.1160767, 2.7631829)) * localPosition + vec3(0.5);
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(xyzTransform * 0.5);
-    // normal
+    // volumeChecker.yaml:7 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(2.8660095, 0.8865606, 0.0), vec3(-0.8165764, 2.6397696, 1.168255), vec3(0.34524298, -1.1160767, 2.7631829)) * localPosition + vec3(0.5);
+    // volumeChecker.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker = fract(diffuse_xyzTransform * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? 2357514483u : 2348814468u, 903908492u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= diffuse_volumeChecker.x) != (0.5 <= diffuse_volumeChecker.y)) != (0.5 <= diffuse_volumeChecker.z) ? 2357514483u : 2348814468u, 903908492u);
+    fragment0 = surface_bits;
 }

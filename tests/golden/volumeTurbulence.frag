@@ -115,13 +115,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // VolumeTurbulence
-    float volumeTurbulence_1 = turbulence(localPosition * 2.2, 6, 2.0, 0.5);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.02745098, 0.15294118, 0.4627451), vec3(0.3372549, 0.54509807, 0.7921569), clamp((volumeTurbulence_1 + 0.15) * 2.5, 0.0, 1.0)), vec3(1.0), clamp((volumeTurbulence_1 - 0.25) * 2.857143, 0.0, 1.0));
-    // normal
+    // volumeTurbulence.yaml:9 VolumeTurbulence
+    float diffuse_volumeTurbulence = turbulence(localPosition * 2.2, 6, 2.0, 0.5);
+    // volumeTurbulence.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.02745098, 0.15294118, 0.4627451), vec3(0.3372549, 0.54509807, 0.7921569), clamp((diffuse_volumeTurbulence + 0.15) * 2.5, 0.0, 1.0)), vec3(1.0), clamp((diffuse_volumeTurbulence - 0.25) * 2.857143, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

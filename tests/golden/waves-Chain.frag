@@ -56,16 +56,14 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
-    // Wood
-    float wood_1 = sin(fract(wood(xyzTransform) * 4.0) * 6.2831855) * 0.9 + 0.5;
-    float wood_2 = abs(wood_1);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.003921569, 0.011764706, 0.05490196), vec3(0.050980393, 0.27450982, 0.43529412), clamp(wood_2 * 2.5, 0.0, 1.0)), vec3(0.92156863, 0.8627451, 0.69411767), clamp((wood_2 - 0.4) * 1.0, 0.0, 1.0));
-    // normal
+    // Chain.yaml:18 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
+    // Chain.yaml:10 Wood
+    float diffuse_wood_1 = sin(fract(wood(diffuse_xyzTransform) * 4.0) * 6.2831855) * 0.9 + 0.5;
+    float diffuse_wood = abs(diffuse_wood_1);
+    // Chain.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.003921569, 0.011764706, 0.05490196), vec3(0.050980393, 0.27450982, 0.43529412), clamp(diffuse_wood * 2.5, 0.0, 1.0)), vec3(0.92156863, 0.8627451, 0.69411767), clamp((diffuse_wood - 0.4) * 1.0, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -48,13 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Gradient
-    float gradient_1 = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.37 * 2.7182817;
-    // Blend
-    vec3 blend = mix(mix(vec3(0.043137256, 0.003921569, 0.02745098), vec3(0.5411765, 0.05882353, 0.105882354), clamp(gradient_1 + 1.0, 0.0, 1.0)), vec3(0.9647059, 0.74509805, 0.38039216), clamp(gradient_1, 0.0, 1.0));
-    // normal
+    // E.yaml:10 Gradient
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.37 * 2.7182817;
+    // E.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.043137256, 0.003921569, 0.02745098), vec3(0.5411765, 0.05882353, 0.105882354), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9647059, 0.74509805, 0.38039216), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -56,15 +56,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
-    // Wood
-    float wood_1 = floor(wood(xyzTransform) * 8.0);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(wood_1 * 0.2857143, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp((wood_1 - 3.5) * 0.2857143, 0.0, 1.0));
-    // normal
+    // Floor.yaml:13 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
+    // Floor.yaml:10 Wood
+    float diffuse_wood = floor(wood(diffuse_xyzTransform) * 8.0);
+    // Floor.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(diffuse_wood * 0.2857143, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp((diffuse_wood - 3.5) * 0.2857143, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

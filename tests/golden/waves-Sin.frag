@@ -56,15 +56,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
-    // Wood
-    float wood_1 = sin(wood(xyzTransform) * 18.0);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.043137256, 0.003921569, 0.02745098), vec3(0.5411765, 0.05882353, 0.105882354), clamp(wood_1 + 1.0, 0.0, 1.0)), vec3(0.9647059, 0.74509805, 0.38039216), clamp(wood_1, 0.0, 1.0));
-    // normal
+    // Sin.yaml:13 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
+    // Sin.yaml:10 Wood
+    float diffuse_wood = sin(wood(diffuse_xyzTransform) * 18.0);
+    // Sin.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.043137256, 0.003921569, 0.02745098), vec3(0.5411765, 0.05882353, 0.105882354), clamp(diffuse_wood + 1.0, 0.0, 1.0)), vec3(0.9647059, 0.74509805, 0.38039216), clamp(diffuse_wood, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

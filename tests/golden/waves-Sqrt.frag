@@ -48,13 +48,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Gradient
-    float gradient_1 = sqrt(max(dot(localPosition, vec3(0.8, 0.0, 0.6)), 0.0));
-    // Blend
-    vec3 blend = mix(mix(vec3(0.003921569, 0.011764706, 0.05490196), vec3(0.050980393, 0.27450982, 0.43529412), clamp(gradient_1 * 2.0, 0.0, 1.0)), vec3(0.92156863, 0.8627451, 0.69411767), clamp((gradient_1 - 0.5) * 2.0, 0.0, 1.0));
-    // normal
+    // Sqrt.yaml:10 Gradient
+    float diffuse_gradient = sqrt(max(dot(localPosition, vec3(0.8, 0.0, 0.6)), 0.0));
+    // Sqrt.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.003921569, 0.011764706, 0.05490196), vec3(0.050980393, 0.27450982, 0.43529412), clamp(diffuse_gradient * 2.0, 0.0, 1.0)), vec3(0.92156863, 0.8627451, 0.69411767), clamp((diffuse_gradient - 0.5) * 2.0, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

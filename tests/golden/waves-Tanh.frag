@@ -65,13 +65,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Gradient
-    float gradient_1 = waveTanh(dot(localPosition, vec3(0.8, 0.0, 0.6)) * 3.0);
-    // Blend
-    vec3 blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(gradient_1 + 1.0, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp(gradient_1, 0.0, 1.0));
-    // normal
+    // Tanh.yaml:10 Gradient
+    float diffuse_gradient = waveTanh(dot(localPosition, vec3(0.8, 0.0, 0.6)) * 3.0);
+    // Tanh.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -56,15 +56,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(0.9553365, 0.0, -0.29552022), vec3(0.27543637, 0.36235777, 0.89041096), vec3(0.107084036, -0.9320391, 0.34617358)) * localPosition + vec3(0.3, 0.1, 0.0);
-    // Wood
-    float wood_1 = fract(wood(xyzTransform) * 8.0) * 2.0 - 1.0;
-    // Blend
-    vec3 blend = mix(mix(vec3(0.14509805, 0.050980393, 0.011764706), vec3(0.5529412, 0.25490198, 0.078431375), clamp((wood_1 + 1.0) * 0.625, 0.0, 1.0)), vec3(0.69411767, 0.39215687, 0.14901961), clamp((wood_1 - 0.6) * 2.5, 0.0, 1.0));
-    // normal
+    // wood.yaml:13 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(0.9553365, 0.0, -0.29552022), vec3(0.27543637, 0.36235777, 0.89041096), vec3(0.107084036, -0.9320391, 0.34617358)) * localPosition + vec3(0.3, 0.1, 0.0);
+    // wood.yaml:10 Wood
+    float diffuse_wood = fract(wood(diffuse_xyzTransform) * 8.0) * 2.0 - 1.0;
+    // wood.yaml:4 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.14509805, 0.050980393, 0.011764706), vec3(0.5529412, 0.25490198, 0.078431375), clamp((diffuse_wood + 1.0) * 0.625, 0.0, 1.0)), vec3(0.69411767, 0.39215687, 0.14901961), clamp((diffuse_wood - 0.6) * 2.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uint surface_1 = rootBits(blend.x, 8) | rootBits(blend.y, 8) << 8 | rootBits(blend.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_1, 645922816u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -38,13 +38,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // XYZTransform
-    vec3 xyzTransform = mat3(vec3(1.3311787, 1.3706329, -0.59104043), vec3(-1.45773, 3.5375268, 1.5365306), vec3(3.1476307, -0.8878646, 5.0303197)) * localPosition + vec3(0.5, 0.5, 0.2);
-    // VolumeChecker
-    vec3 volumeChecker_1 = fract(xyzTransform * 0.5);
-    // normal
+    // xyzTransform.yaml:8 XYZTransform
+    vec3 diffuse_xyzTransform = mat3(vec3(1.3311787, 1.3706329, -0.59104043), vec3(-1.45773, 3.5375268, 1.5365306), vec3(3.1476307, -0.8878646, 5.0303197)) * localPosition + vec3(0.5, 0.5, 0.2);
+    // xyzTransform.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker = fract(diffuse_xyzTransform * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // surface
-    uvec4 surface_1 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= volumeChecker_1.x) != (0.5 <= volumeChecker_1.y)) != (0.5 <= volumeChecker_1.z) ? 13427931u : 4084023u, 645922816u);
-    fragment0 = surface_1;
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, ((0.5 <= diffuse_volumeChecker.x) != (0.5 <= diffuse_volumeChecker.y)) != (0.5 <= diffuse_volumeChecker.z) ? 13427931u : 4084023u, 645922816u);
+    fragment0 = surface_bits;
 }
