@@ -163,6 +163,8 @@ typedef struct {
     const unsigned char *bytes; /* a byte a lane, over 255; or NULL */
     const float *floats;        /* a float a lane; or NULL */
     bool mipmaps;               /* give it all mipmaps and filter linearly in and between them; else: nearest texels */
+    const char *format;          /* of a texel, by OpenGL's name: "RGBA8", "SRGB8_ALPHA8", "RGBA16", "R32F", ... */
+    const unsigned short *words; /* 16 bits a lane, over 65535; or NULL */
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
 /* Made on first request. */

@@ -34,6 +34,23 @@ const ParamRow param_table[PARAM_COUNT] = {
 #include "maps.def"
 };
 
+const WordRow word_table[WORD_COUNT] = {
+#define WORD(list, name, doc) {PARAM_##list, #name, doc},
+#include "words.def"
+};
+
+bool param_is_colored(int param)
+{
+    switch (param) {
+#define COLORED(kind, name) case P_##kind##_##name:
+#include "materials.def"
+#include "maps.def"
+        return true;
+    default:
+        return false;
+    }
+}
+
 /* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
 enum {
 #define MATERIAL(name, sort, doc)                 FIRST_##name, RESET_##name = FIRST_##name - 1,
@@ -154,6 +171,11 @@ const TargetRow target_table[TARGET_COUNT] = {
 const PassRow pass_table[PASS_COUNT] = {
 #define PASS(name, doc) {#name, doc},
 #include "passes.def"
+};
+
+const TexelsRow texels_table[TEXELS_COUNT] = {
+#define TEXELS(name, lanes, bits, doc) {#name, lanes, bits, doc},
+#include "textures.def"
 };
 
 const FormatRow format_table[FORMAT_COUNT] = {
@@ -372,6 +394,8 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define LETTER_Transform ""
 #define LETTER_Image     ""
 #define LETTER_Items     ""
+#define LETTER_ColorSpace ""
+#define LETTER_Channel    ""
 /* A volume map's function takes the position, then the PARAM lines. */
 static const char *const map_arguments[KIND_COUNT] = {
     [0] = "" /* materials have none */

@@ -73,7 +73,23 @@ typedef enum {
     PARAM_Transform, /* a transformation of space */
     PARAM_Image,     /* a picture file */
     PARAM_Items,     /* a list of blend items */
+/* one of the names of a list of words.def */
+#define WORDS(list) PARAM_##list,
+#include "words.def"
+    PARAM_KIND_COUNT
 } ParamKind;
+
+/* Names that parameters are one of. A parameter's number is its Word. */
+typedef enum {
+#define WORD(list, name, doc) WORD_##list##_##name,
+#include "words.def"
+    WORD_COUNT
+} Word;
+typedef struct {
+    ParamKind list;
+    const char *name, *doc;
+} WordRow;
+extern const WordRow word_table[WORD_COUNT];
 
 typedef struct {
     Kind kind; /* whose parameter */
@@ -93,6 +109,9 @@ enum {
     PARAM_COUNT
 };
 extern const ParamRow param_table[PARAM_COUNT];
+/* Whether the colour of a map or material is made of that of this parameter's map. */
+bool param_is_colored(int param);
+static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
 
@@ -241,7 +260,7 @@ typedef struct {
     const char *library;   /* ending of its own files of the library, or NULL */
     int number;            /* of the version */
     int layout;            /* Layout: the default */
-    bool in_out, blocks, locations, words, zero_to_one, spirv; /* as targets.def says */
+    bool in_out, blocks, locations, words, zero_to_one, spirv, srgb_textures, word_textures; /* as targets.def says */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 
@@ -254,6 +273,18 @@ typedef struct {
     const char *name, *doc;
 } PassRow;
 extern const PassRow pass_table[PASS_COUNT];
+
+typedef enum {
+#define TEXELS(name, lanes, bits, doc) TEXELS_##name,
+#include "textures.def"
+    TEXELS_COUNT
+} Texels;
+typedef struct {
+    const char *name;
+    int lanes, bits; /* bits of a lane */
+    const char *doc;
+} TexelsRow;
+extern const TexelsRow texels_table[TEXELS_COUNT];
 
 /* Layouts of the G-buffer: formats of targets, encodings of slots, and the rows that join them. */
 typedef enum {

@@ -125,7 +125,7 @@ static void halves_are_rounded_as_the_reference(void **state)
         numbers[i][3] = nextafterf((float)tie, -INFINITY);
     }
     GLuint source =
-        texture_make(f->canvas.gl, &(TextureSpec){SIDE, SIDE, 4, NULL, &numbers[0][0], false, false, false});
+        texture_make(f->canvas.gl, &(TextureSpec){.width = SIDE, .height = SIDE, .lanes = 4, .floats = &numbers[0][0]});
     draw(f,
          &(Drawing){.functions = "halfBits",
                     .expression = "uvec4(halfBits(t.x), halfBits(t.y), halfBits(t.z), halfBits(t.w))",

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/matc.h"
+#include "runtime/gl/png_write.h"
 #include "runtime/library/srgb.h"
 #include <math.h>
 #include <stdio.h>
@@ -39,11 +40,22 @@ static const char *const palettes[][2] = {
     {"linear.yaml", "colors: linear\ndefs: { grey: '#808080' }"},
     {"srgb.yaml", "colors: srgb\ndefs: { grey: '#808080', other: 'linear(gray)' }"},
     {"both.yaml", "include: srgb.yaml\ndefs: { own: gray }"},
+    {"picture.yaml", "defs: { tone: { map: ImageMap, image: gray.png } }"},
+    {"srgbPicture.yaml", "colors: srgb\ndefs: { tone: { map: ImageMap, image: gray.png } }"},
 };
+
+/* A texel of 128, 128, 128. */
+static char *gray_picture(size_t *size)
+{
+    const char *why;
+    return (char *)png_write(&(PngPicture){1, 1, 3, (uint8_t[]){128, 128, 128}}, size, &why);
+}
 
 static char *read_palette(void *user, const char *path, size_t *size, const char **why)
 {
     (void)user;
+    if (!strcmp(path, "gray.png"))
+        return gray_picture(size);
     for (size_t i = 0; i < sizeof palettes / sizeof *palettes; i++)
         if (!strcmp(path, palettes[i][0])) {
             *size = strlen(palettes[i][1]);
@@ -59,6 +71,7 @@ static void evaluate(const char *text, const char *slot, double *lanes, int coun
     MatcOptions options;
     matc_options_init(&options);
     options.read_file = read_palette;
+    options.pixels = true;
     MatcDocument *document = matc_read("color.yaml", text, strlen(text), &options);
     if (!matc_material_count(document))
         fail_msg("%s\n%s", text, matc_diagnostics(document, MATC_TEXT));
@@ -148,12 +161,102 @@ static void alpha_is_not_converted(void **state)
     assert_true(fabs(alpha - 128 / 255.) < 1e-12);
 }
 
+#define P         "{ map: ImageMap, image: gray.png }"
+#define MIX(a, t) "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " a " }], input: " t " }"
+#define OVER(map) "{ map: " map ", input: " P " }"
+
+/* What a picture of 128 gives: LINEAR or SRGB of its own, products of those, and the exponents that they make. */
+static const double LINEAR = 128 / 255., SRGB = .215861, SHARP = 7.01567, BLUNT = 2.09603;
+
+static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
+{
+    (void)state;
+    const struct {
+        const char *text, *slot;
+        double want;
+    } rows[] = {
+        {"material: Phong\nemissive: " P, "emissive", LINEAR},
+        {"colors: srgb\nmaterial: Phong\nemissive: " P, "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nspecular: " P, "specular", SRGB},
+        {"colors: srgb\nmaterial: SideSwitch\nfrontShader: { material: Phong, emissive: " P " }", "emissive", SRGB},
+        /* a number */
+        {"material: Phong\nshininess: " P, "shininess", SHARP},
+        {"colors: srgb\nmaterial: Phong\nshininess: " P, "shininess", SHARP},
+        {"colors: srgb\nmaterial: Phong\nemissive: " MIX("1", P), "emissive", LINEAR},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Gradient"), "emissive", LINEAR},
+        /* what passes a colour on */
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("UVTransform"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("XYZTransform"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Turbulence"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("BumpMap"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("WaveMap"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Smooth3D"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Laplace3D"), "emissive", 0},
+        {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Blend"), "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: " P ", color2: " P " }", "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: VolumeChecker, color1: " P ", color2: " P " }", "emissive",
+         SRGB},
+        /* both: two maps are two, one is one */
+        {"colors: srgb\nmaterial: Phong\nemissive: " MIX(P, P), "emissive", LINEAR * SRGB},
+        {"colors: srgb\nmaterial: Phong\nspecular: &p " P "\nemissive: " MIX("*p", "*p"), "emissive", SRGB * SRGB},
+        /* what the map says goes first */
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, colorspace: linear }", "emissive",
+         LINEAR},
+        {"material: Phong\nemissive: { map: ImageMap, image: gray.png, colorspace: srgb }", "emissive", SRGB},
+        {"material: Phong\nshininess: { map: ImageMap, image: gray.png, colorspace: srgb }", "shininess", BLUNT},
+        /* every file for itself */
+        {"include: picture.yaml\ncolors: srgb\nmaterial: Phong\nemissive: { ref: tone }", "emissive", LINEAR},
+        {"include: srgbPicture.yaml\nmaterial: Phong\nemissive: { ref: tone }", "emissive", SRGB},
+        {"include: srgbPicture.yaml\nmaterial: Phong\nshininess: { ref: tone }", "shininess", SHARP},
+        /* one lane; alpha is never decoded */
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: b }", "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: a }", "emissive", 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        double got;
+        evaluate(rows[i].text, rows[i].slot, &got, 1);
+        if (fabs(got - rows[i].want) > 2e-4 * fmax(rows[i].want, .01))
+            fail_msg("%s\n%.9g, want %.9g", rows[i].text, got, rows[i].want);
+    }
+}
+
+/* What a program's texture is, per target: the sampler decodes where it can, else the texels are decoded, to 16 bits. */
+static void targets_have_their_textures(void **state)
+{
+    (void)state;
+    static const char text[] = "colors: srgb\nmaterial: Phong\nemissive: " P;
+    static const struct {
+        const char *target, *format;
+    } rows[] = {{"glsl110", "RGBA16"},
+                {"glsl330", "SRGB8_ALPHA8"},
+                {"glsl450", "SRGB8_ALPHA8"},
+                {"essl300", "SRGB8_ALPHA8"},
+                {"spirv", "SRGB8_ALPHA8"}};
+    MatcOptions options;
+    matc_options_init(&options);
+    options.read_file = read_palette;
+    options.pixels = true;
+    MatcDocument *document = matc_read("color.yaml", text, sizeof text - 1, &options);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        options.target = rows[i].target;
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        assert_true(matc_ok(program));
+        assert_int_equal(matc_texture_count(program), 1);
+        const MatcTexture *texture = matc_texture(program, 0);
+        assert_string_equal(texture->format, rows[i].format);
+        assert_true(texture->bytes ? !strcmp(rows[i].format, "SRGB8_ALPHA8") && texture->bytes[0] == 128
+                                   : texture->words[0] == 14146 && texture->words[3] == 65535);
+        matc_program_free(program);
+    }
+    matc_document_free(document);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_function_is_the_standards),
-        cmocka_unit_test(every_file_says_what_its_colours_are),
-        cmocka_unit_test(alpha_is_not_converted),
+        cmocka_unit_test(the_function_is_the_standards), cmocka_unit_test(every_file_says_what_its_colours_are),
+        cmocka_unit_test(alpha_is_not_converted),        cmocka_unit_test(a_picture_is_srgb_where_it_feeds_a_colour),
+        cmocka_unit_test(targets_have_their_textures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

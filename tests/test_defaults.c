@@ -28,6 +28,8 @@ static const Default defaults[] = {
     {"ImageMap", "input", NONE, {0}},
     {"ImageMap", "image", NONE, {0}},
     {"ImageMap", "bilinearFiltering", 1, {1}},
+    {"ImageMap", "colorspace", 1, {WORD_ColorSpace_linear}},
+    {"ImageMap", "channel", NONE, {0}},
     {"Carpenter", "input", NONE, {0}},
     {"Carpenter", "color", 1, {.5}},
     {"Carpenter", "noise", 1, {1}},

@@ -219,8 +219,9 @@ static void faults_are_said(void **state)
     assert_false(framebuffer_make(gl, &(FramebufferSpec){1 << 20, 4, 1, GL_RGBA8, false}, &none));
     assert_false(framebuffer_make(gl, &(FramebufferSpec){4, 4, 1, GL_RGB9_E5, false}, &none));
     assert_int_equal(none.name, 0);
-    assert_int_equal(texture_make(gl, &(TextureSpec){2, 2, 3, (uint8_t[12]){0}, NULL, false, false, false}), 0);
-    assert_int_equal(texture_make(gl, &(TextureSpec){2, 2, 4, NULL, NULL, false, false, false}), 0);
+    assert_int_equal(texture_make(gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 3, .bytes = (uint8_t[12]){0}}),
+                     0);
+    assert_int_equal(texture_make(gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 4}), 0);
     assert_true(gl_check(gl, "refusing"));
     gl_close(gl);
 }
@@ -265,13 +266,15 @@ static void textures_keep_their_numbers(void **state)
     const float floats[3] = {-2, 0.1f, 1e6f};
     const uint8_t bytes[2 * 4] = {0, 51, 102, 255, 255, 204, 153, 0};
     float found[4];
-    look_up(gl, &(TextureSpec){3, 1, 1, NULL, floats, false, false, false}, (float[]){5, 0.5f}, found);
+    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats}, (float[]){5, 0.5f}, found);
     assert_true(found[0] == 1e6f); /* clamped */
-    look_up(gl, &(TextureSpec){3, 1, 1, NULL, floats, false, true, false}, (float[]){4.1f, 0.5f}, found);
+    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats, .repeat = true},
+            (float[]){4.1f, 0.5f}, found);
     assert_true(found[0] == -2); /* repeated */
-    look_up(gl, &(TextureSpec){1, 2, 4, bytes, NULL, false, false, false}, (float[]){0.5f, 0.25f}, found);
+    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes}, (float[]){0.5f, 0.25f}, found);
     assert_float_equal(found[1], 0.2, 1e-6); /* row 0 is the bottom */
-    look_up(gl, &(TextureSpec){1, 2, 4, bytes, NULL, true, false, false}, (float[]){0.5f, 0.5f}, found);
+    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes, .linear = true},
+            (float[]){0.5f, 0.5f}, found);
     assert_float_equal(found[0], 0.5, 1e-2); /* the middle between */
     gl_close(gl);
 }

@@ -86,6 +86,11 @@ static void keys_are_of_what_a_program_is(void **state)
     assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "pass", "depth"), KEYS | SHAPES);
     assert_int_equal(meeting(image, image, NULL, NULL), KEYS | SHAPES);
     assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, bilinearFiltering: false"), NULL, NULL), 0);
+    /* another texture is another program: its reflection says what it holds */
+    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, colorspace: srgb"), NULL, NULL), 0);
+    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, colorspace: linear"), NULL, NULL),
+                     KEYS | SHAPES);
+    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, channel: g"), NULL, NULL), 0);
     assert_int_equal(meeting(param, with(param, "0.5", "0.7"), NULL, NULL),
                      KEYS | SHAPES); /* a param's default is no part */
     assert_int_equal(meeting(param, with(param, "shine", "gloss"), NULL, NULL), 0);

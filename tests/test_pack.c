@@ -47,7 +47,7 @@ static void draw(Fixture *f, const Drawing *drawing, const Framebuffer *target, 
 /* numbers -> pack -> half floats -> unpack -> numbers. `t` is the texel under the pixel. */
 static void round_trip(Fixture *f, const char *pack, const char *packing, const char *unpack, const char *unpacking)
 {
-    const TextureSpec numbers = {SIDE, SIDE, 4, NULL, &f->numbers[0][0], false, false, false};
+    const TextureSpec numbers = {.width = SIDE, .height = SIDE, .lanes = 4, .floats = &f->numbers[0][0]};
     f->canvas.gl->DeleteTextures(1, &f->source); /* GL ignores the name 0 */
     f->source = texture_make(f->canvas.gl, &numbers);
     assert_true(f->source);

@@ -29,6 +29,8 @@ static void rows_are_documented(void **state)
         assert_true(is_sentence(param_table[i].doc));
     for (int i = 0; i < WAVE_COUNT; i++)
         assert_true(is_sentence(wave_table[i].doc));
+    for (int i = 0; i < WORD_COUNT; i++)
+        assert_true(is_sentence(word_table[i].doc));
     for (int i = 0; i < SLOT_COUNT; i++)
         assert_true(is_sentence(slot_table[i].doc));
     for (int i = 0; i < ENCODING_COUNT; i++)
@@ -131,6 +133,14 @@ static void try_numeric(const ParamRow *row)
     assert_false(tries(row, "{ map: Wood }"));
 }
 
+static void try_words(const ParamRow *row)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        assert_int_equal(tries(row, word_table[i].name), word_table[i].list == row->type);
+    assert_false(tries(row, "other"));
+    assert_false(tries(row, "0"));
+}
+
 static void every_parameter_is_tried(void **state)
 {
     (void)state;
@@ -147,6 +157,8 @@ static void every_parameter_is_tried(void **state)
             assert_true(tries(row, "true") && tries(row, "false") && !tries(row, "2"));
         else
             assert_false(tries(row, "[1, 2]"));
+        if (param_is_word(row))
+            try_words(row);
         assert_true(tries(row, "null"));
     }
 }

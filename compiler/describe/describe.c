@@ -13,7 +13,7 @@ const char *describe_type(const ParamRow *param)
         [PARAM_Bool] = "bool",   [PARAM_Vec3] = "3 numbers",      [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
         [PARAM_Items] = "items", [PARAM_Transform] = "transform",
     };
-    return param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
+    return param_is_word(param) ? "name" : param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
 }
 
 static double initial(const ParamRow *param, int lane, const char *preset)
@@ -30,6 +30,8 @@ void describe_default(Text *out, const ParamRow *param, const char *preset)
         text_put(out, "none");
     } else if (param->type == PARAM_Bool) {
         text_put(out, initial(param, 0, preset) != 0 ? "true" : "false");
+    } else if (param_is_word(param)) {
+        text_put(out, word_table[(int)param->init[0]].name);
     } else if (param->lanes == 1) {
         text_plain(out, initial(param, 0, preset));
     } else {

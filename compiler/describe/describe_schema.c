@@ -129,6 +129,23 @@ static void put_color(Text *out)
     text_put(out, ")\\\\)$\"}\n      ]\n    },\n");
 }
 
+static const char *const word_list_names[PARAM_KIND_COUNT] = {
+#define WORDS(list) [PARAM_##list] = "word" #list,
+#include "grammar/words.def"
+};
+
+/* "wordChannel": { all names of the list, or null } */
+static void put_words(Text *out)
+{
+    for (int i = 0; i < WORD_COUNT; i++) {
+        bool first = !i || word_table[i - 1].list != word_table[i].list;
+        bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != word_table[i].list;
+        if (first)
+            text_format(out, "    \"%s\": {\"enum\": [null", word_list_names[word_table[i].list]);
+        text_format(out, ", \"%s\"%s", word_table[i].name, last ? "]},\n" : "");
+    }
+}
+
 /* One alternative a name, as only so a name can have its own description. */
 static void put_waves(Text *out)
 {
@@ -178,7 +195,9 @@ static const char *definition_of(const ParamRow *param)
         [PARAM_Bool] = "bool",   [PARAM_Vec3] = "vector",          [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
         [PARAM_Items] = "items", [PARAM_Transform] = "transform",
     };
-    return param->kind == KIND_Constant ? "constantOrParam" : names[param->type];
+    return param_is_word(param)           ? word_list_names[param->type]
+           : param->kind == KIND_Constant ? "constantOrParam"
+                                          : names[param->type];
 }
 
 static void put_limits(Text *out, const ParamRow *param)
@@ -199,8 +218,9 @@ static void put_param(Text *out, const ParamRow *param)
         text_put(out, "}}");
     }
     if (param->lanes) {
-        text_put(out, ", \"default\": ");
+        text_put(out, param_is_word(param) ? ", \"default\": \"" : ", \"default\": ");
         describe_default(out, param, NULL);
+        text_put(out, param_is_word(param) ? "\"" : "");
     }
     text_put(out, ", \"description\": ");
     json_string(out, param->doc);
@@ -329,6 +349,7 @@ static char *document_schema(void)
         "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, {\"$ref\": \"#/$defs/param\"}]},\n");
     put_color(&out);
     put_waves(&out);
+    put_words(&out);
     put_choice(&out, "map", false, any_value);
     put_choice(&out, "material", true, "");
     put_choice(&out, "anyMaterial", true, "        {\"type\": \"null\"},\n");

@@ -135,12 +135,13 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
     List list = open_list(out, "textures");
     for (int i = 0; i < count; i++) {
         const MatcTexture *t = &textures[i];
-        bool bytes = made_by[i] >= 0 ? t->path != NULL : !strcmp(t->name, "matc_xor");
         next(&list);
         text_put(out, "{");
         json_member(out, "name", t->name);
         text_format(out, ", \"width\": %d, \"height\": %d", t->width, t->height);
-        json_next(out, "format", t->lanes == 4 ? bytes ? "RGBA8" : "RGBA32F" : bytes ? "R8" : "R32F");
+        json_next(out, "format", t->format);
+        if (made_by[i] >= 0 && ir->textures[made_by[i]].srgb)
+            json_next(out, "colorspace", "srgb");
         json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
         text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
         if (target_table[job->target].locations)

@@ -1,6 +1,7 @@
 /* Textures: pictures as they are, reliefs baked, GroIMP's noise tables. */
 #include "compiler/emit/texture.h"
 #include "runtime/library/carpenter.h"
+#include "runtime/library/srgb.h"
 #include <string.h>
 
 enum { TABLE_PERMUTATION = -1, TABLE_RANDOM = -2, TABLE_XOR = -3, SIDE = 256, RANDOM_COUNT = 512 };
@@ -8,13 +9,13 @@ enum { TABLE_PERMUTATION = -1, TABLE_RANDOM = -2, TABLE_XOR = -3, SIDE = 256, RA
 typedef struct {
     const char *name;
     int number, width, height, lanes;
-    bool floats;
+    Texels texels;
 } Table;
 
 static const Table tables[] = {
-    {"matc_permutation", TABLE_PERMUTATION, SIDE, SIDE, 1, true},
-    {"matc_random", TABLE_RANDOM, RANDOM_COUNT, 1, 4, true},
-    {"matc_xor", TABLE_XOR, SIDE, SIDE, 1, false},
+    {"matc_permutation", TABLE_PERMUTATION, SIDE, SIDE, 1, TEXELS_R32F},
+    {"matc_random", TABLE_RANDOM, RANDOM_COUNT, 1, 4, TEXELS_RGBA32F},
+    {"matc_xor", TABLE_XOR, SIDE, SIDE, 1, TEXELS_R8},
 };
 
 /* Those whose mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10, which takes samples). */
@@ -34,10 +35,11 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
     const IrTexture *t = &ir->textures[i];
     MatcTexture texture = {
         .name = emit_texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1};
+    texture.format = texels_table[t->texels].name;
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
         texture.lanes = 4;
-        texture.bytes = t->image->bytes;
+        texture.bytes = texels_table[t->texels].bits == 8 ? t->image->bytes : NULL;
         texture.mipmaps = averaged;
     }
     return texture;
@@ -67,8 +69,11 @@ int texture_list(Session *session, const Ir *ir, const Interface *interface, Mat
     for (int i = 0; interface && i < TABLE_COUNT; i++)
         if (declares(interface, tables[i].name)) {
             (*made_by)[count] = tables[i].number;
-            (*list)[count++] = (MatcTexture){
-                .name = tables[i].name, .width = tables[i].width, .height = tables[i].height, .lanes = tables[i].lanes};
+            (*list)[count++] = (MatcTexture){.name = tables[i].name,
+                                             .width = tables[i].width,
+                                             .height = tables[i].height,
+                                             .lanes = tables[i].lanes,
+                                             .format = texels_table[tables[i].texels].name};
         }
     return count;
 }
@@ -108,9 +113,25 @@ static const unsigned char *xor_table(Session *session)
     return texels;
 }
 
+/* A lane as the texture holds it: decoded, where the texture does not do so. */
+static double texel_lane(const IrTexture *texture, size_t number)
+{
+    const double value = texture->image->bytes[number] / 255.;
+    return texture->srgb && number % 4 < 3 ? srgb_decode(value) : value;
+}
+
+static const unsigned short *decoded_words(Session *session, const IrTexture *texture)
+{
+    const size_t count = (size_t)texture->width * (size_t)texture->height * 4;
+    unsigned short *words = arena_alloc(session->arena, count * sizeof *words);
+    for (size_t i = 0; i < count; i++)
+        words[i] = (unsigned short)(texel_lane(texture, i) * 65535 + .5);
+    return words;
+}
+
 void texture_fill(Session *session, const Ir *ir, MatcTexture *texture, int made_by)
 {
-    if (texture->bytes || texture->floats)
+    if (texture->bytes || texture->floats || texture->words)
         return;
     if (made_by == TABLE_PERMUTATION)
         texture->floats = permutation_table(session);
@@ -120,4 +141,6 @@ void texture_fill(Session *session, const Ir *ir, MatcTexture *texture, int made
         texture->bytes = xor_table(session);
     else if (ir->textures[made_by].kind == TEXTURE_carpenter)
         texture->floats = relief(session, ir->textures[made_by].node);
+    else if (texels_table[ir->textures[made_by].texels].bits == 16 && ir->textures[made_by].image->bytes)
+        texture->words = decoded_words(session, &ir->textures[made_by]);
 }

@@ -117,6 +117,32 @@ static bool resolve_bool(Resolver *r, const ParamRow *row, const Tree *tree, Val
     return true;
 }
 
+/* "r, g, b or a" */
+static const char *names_of_words(Resolver *r, ParamKind list)
+{
+    Text text = text_new(r->session->arena);
+    for (int i = 0, first = 1; i < WORD_COUNT; i++) {
+        if (word_table[i].list != list)
+            continue;
+        bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != list;
+        text_format(&text, "%s%s", first ? "" : last ? " or " : ", ", word_table[i].name);
+        first = 0;
+    }
+    return text.at;
+}
+
+static bool resolve_word(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
+{
+    for (int i = 0; tree->kind == TREE_scalar && i < WORD_COUNT; i++)
+        if (word_table[i].list == row->type && !strcmp(word_table[i].name, tree->text)) {
+            *value = (Value){.kind = VALUE_number, .type = TYPE_int, .number = {i}};
+            return true;
+        }
+    diag_add(r->session, tree->span, DIAG_wrong_type, row->name, names_of_words(r, row->type),
+             tree_describe(r->session, tree));
+    return false;
+}
+
 static const char *item_key(const void *user, int i)
 {
     (void)user;
@@ -260,6 +286,9 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         fine = resolve_transform(r, tree, transform);
         break;
     }
+    default:
+        fine = resolve_word(r, row, tree, value);
+        break;
     }
     value->given = true;
     value->span = tree->span;
@@ -363,6 +392,8 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     node->name = own_name(tree);
     node->owner = r->owner;
     ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
+    if (kind == KIND_ImageMap && fine)
+        resolve_picture(r, node, params);
     return fine && measure(r, node) ? node : NULL;
 }
 

@@ -3,6 +3,12 @@
 #define MATC_RESOLVE_H
 #include "compiler/front/tree.h"
 
+/* An ImageMap that says no colour space, and where it will stand. */
+typedef struct {
+    const Node *node;
+    Value *colorspace;
+} UndecidedPicture;
+
 /* What resolving keeps at hand. */
 typedef struct {
     Session *session;
@@ -16,6 +22,8 @@ typedef struct {
     Names image_paths;
     bool *srgb_files; /* by source: its colours are sRGB; those beyond the room are linear */
     size_t srgb_room;
+    UndecidedPicture *undecided; /* in files of `colors: srgb` */
+    size_t undecided_count, undecided_room;
     int node_count;
     const Node **nodes; /* but for bare numbers */
     size_t named_count, named_room;
@@ -55,6 +63,11 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);
+
+/* An ImageMap's colour space, where it has none of its own: linear, until resolve_picture_spaces finds that it feeds a colour.
+ * resolve_picture.c */
+void resolve_picture(Resolver *r, const Node *node, Value *params);
+void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int count);
 
 /* Loads a PNG file; NULL and a diagnostic when it cannot. Equal paths are one image. */
 const Image *image_load(Resolver *r, const char *path, Span span);

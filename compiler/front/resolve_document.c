@@ -190,6 +190,7 @@ Graph *resolve(Session *session, Tree *document)
     else
         diag_add(session, document->span, DIAG_definitions_only);
     check_defs(&r);
+    resolve_picture_spaces(&r, materials, graph->material_count);
     graph->node_count = r.node_count;
     graph->uniforms = r.uniforms;
     graph->uniform_count = (int)r.uniform_count;

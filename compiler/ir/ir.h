@@ -78,6 +78,8 @@ typedef struct {
     const Node *node;   /* of a Carpenter */
     int width, height;
     bool linear;
+    bool srgb;     /* of an image: red, green and blue are decoded, by the sampler or before it has them */
+    Texels texels; /* what the program's texture holds */
 } IrTexture;
 
 /* A number that a program reads from a buffer, so that materials that differ in it share the program. constants.c */

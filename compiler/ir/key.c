@@ -78,6 +78,13 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
     put_value(w, value, placed);
 }
 
+/* What a program wants of a texture; which picture it is changes nothing. */
+static void put_texture(Walk *w, const IrTexture *texture)
+{
+    put(w, (uint32_t)texture->kind << 2 | (uint32_t)texture->linear << 1 | texture->srgb);
+    put(w, (uint32_t)texture->texels);
+}
+
 static void put_payload(Walk *w, const IrNode *node)
 {
     const Ir *ir = w->ir;
@@ -93,7 +100,7 @@ static void put_payload(Walk *w, const IrNode *node)
     case PAYLOAD_texture:
         put(w, node->payload);
         if (node->payload < ir->texture_count)
-            put(w, (uint32_t)ir->textures[node->payload].kind << 1 | ir->textures[node->payload].linear);
+            put_texture(w, &ir->textures[node->payload]);
         break;
     default:
         put(w, node->payload);

@@ -117,7 +117,7 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
-        return a->kind == b->kind && a->image == b->image;
+        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb;
     for (int i = 1; i < kind_table[KIND_Carpenter].count; i++) {
         double x[4], y[4];
         value_number(&a->node->params[i], TYPE_float, x);
@@ -157,7 +157,14 @@ typedef struct {
     IrTexture texture;
     Function function;
     double step_u, step_v;
+    const char *lane; /* that alone, by its letter in GLSL; NULL: all */
 } Sampled;
+
+/* Of what a picture's function gave, its lanes. */
+static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
+{
+    return sampled->lane ? build_swizzle(l->ir, value, sampled->lane) : value;
+}
 
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
 static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
@@ -168,13 +175,35 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
     Ref size = ir_const(ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
     Ref sampler = build_leaf(ir, OP_texture, TYPE_sampler, (int)texture_number(ir, wanted));
     if (!is_derivative(group))
-        return lower_as_group(l, area_picture(l, function, sampler, uv, size), group);
-    Ref here = build_call(ir, function, sampler, uv, size);
+        return lower_as_group(l, lanes_of(l, sampled, area_picture(l, function, sampler, uv, size)), group);
+    Ref here = lanes_of(l, sampled, build_call(ir, function, sampler, uv, size));
     double h = group == GROUP_DU ? sampled->step_u : sampled->step_v, u = group == GROUP_DU ? h : 0, v = h - u;
     bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
     Ref beyond = turns ? stepped(l, uv, u, v) : build_add(ir, uv, ir_const(ir, TYPE_vec2, (double[]){u, v}));
-    Ref there = build_call(ir, function, sampler, beyond, size);
+    Ref there = lanes_of(l, sampled, build_call(ir, function, sampler, beyond, size));
     return lower_as_group(l, build_scale(ir, build_sub(ir, there, here), 1 / h), group);
+}
+
+static bool is_word(const Node *node, int param, Word word)
+{
+    const Value *value = node_param(node, param);
+    return value->kind == VALUE_number && value->number[0] == word;
+}
+
+/* Of `channel:`, as GLSL has it. */
+static const char *channel_lane(const Node *node)
+{
+    static const char *const lanes[] = {"x", "y", "z", "w"};
+    const Value *value = node_param(node, P_ImageMap_channel);
+    return value->kind == VALUE_number ? lanes[(int)value->number[0] - WORD_Channel_r] : NULL;
+}
+
+/* Where the target has no texture that decodes, the texels are decoded to 16 bits when the texture is filled. */
+static Texels texels_of(const Lower *l, bool srgb)
+{
+    if (!srgb)
+        return TEXELS_RGBA8;
+    return target_table[l->job->target].srgb_textures ? TEXELS_SRGB8_ALPHA8 : TEXELS_RGBA16;
 }
 
 Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
@@ -187,14 +216,24 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
     Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
     const Image *picture = image->image;
+    const bool only_alpha = is_word(node, P_ImageMap_channel, WORD_Channel_a);
+    const bool srgb = is_word(node, P_ImageMap_colorspace, WORD_ColorSpace_srgb) && !only_alpha;
+    if (only_alpha && picture->opaque)
+        return constant(l, build_float(ir, 1), group);
     const Sampled sampled = {
-        .texture = {TEXTURE_image, picture, NULL, picture->width, picture->height, false},
+        .texture = {.kind = TEXTURE_image,
+                    .image = picture,
+                    .width = picture->width,
+                    .height = picture->height,
+                    .srgb = srgb,
+                    .texels = texels_of(l, srgb)},
         .function = bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest,
         .step_u = 1.0 / picture->width,
         .step_v = 1.0 / picture->height,
+        .lane = channel_lane(node),
     };
     Ref value = sample_group(l, &sampled, uv, group);
-    if (group == GROUP_R && picture->opaque)
+    if (group == GROUP_R && picture->opaque && !sampled.lane)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
     return answer_of(value);
 }
@@ -210,6 +249,10 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
     Ref uv = build_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
-    const IrTexture texture = {TEXTURE_carpenter, NULL, node, (int)width[0], (int)height[0], false};
-    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, step}, uv, group));
+    const IrTexture texture = {.kind = TEXTURE_carpenter,
+                               .texels = TEXELS_R32F,
+                               .node = node,
+                               .width = (int)width[0],
+                               .height = (int)height[0]};
+    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, step, NULL}, uv, group));
 }

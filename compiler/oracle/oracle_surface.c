@@ -55,6 +55,8 @@ typedef struct {
     int function; /* library function that reads it */
     ReferenceTexture texture;
     double step_u, step_v;
+    bool gray; /* it is one lane, `channel`, with alpha 1 */
+    int channel;
 } Picture;
 
 /* The component of a picture at (u, v). The lanes that the function does not write are those of a grey. */
@@ -65,6 +67,8 @@ static double picture_at(const Picture *picture, double u, double v, int compone
     double args[5] = {0, u, v, picture->texture.width, picture->texture.height};
     double texel[4];
     reference_of(picture->function)(&context, args, texel);
+    if (picture->gray)
+        return component == 3 ? 1 : texel[picture->channel];
     if (picture->texture.lanes == 4)
         return texel[component];
     return component == 3 ? 1 : texel[0];
@@ -91,6 +95,14 @@ static double no_picture(int channel)
     return lane_of(channel) == 3 ? 1 : .5;
 }
 
+enum { NO_WORD = -1 };
+
+static int word_of(const Node *node, int param)
+{
+    const Value *value = node_param(node, param);
+    return value->kind == VALUE_number ? (int)value->number[0] : NO_WORD;
+}
+
 double oracle_ImageMap(Environment *environment, const Node *node, int channel)
 {
     const Value *value = node_param(node, P_ImageMap_image);
@@ -100,7 +112,13 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
     Picture picture = {
         .environment = environment,
         .function = oracle_number(node, P_ImageMap_bilinearFiltering) != 0 ? FN_imageBilinear : FN_imageNearest,
-        .texture = {.width = image->width, .height = image->height, .lanes = 4, .bytes = image->bytes},
+        .texture = {.width = image->width,
+                    .height = image->height,
+                    .lanes = 4,
+                    .bytes = image->bytes,
+                    .srgb = word_of(node, P_ImageMap_colorspace) == WORD_ColorSpace_srgb},
+        .gray = word_of(node, P_ImageMap_channel) != NO_WORD,
+        .channel = word_of(node, P_ImageMap_channel) - WORD_Channel_r,
         .step_u = 1. / image->width,
         .step_v = 1. / image->height,
     };

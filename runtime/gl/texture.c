@@ -1,5 +1,20 @@
 /* Texels in, a texture out. */
 #include "runtime/gl/texture.h"
+#include <string.h>
+
+GLint texture_format(const char *name)
+{
+    static const struct {
+        const char *name;
+        GLint format;
+    } rows[] = {
+        {"R8", GL_R8},         {"R32F", GL_R32F},       {"RGBA8", GL_RGBA8},    {"SRGB8_ALPHA8", GL_SRGB8_ALPHA8},
+        {"RGBA16", GL_RGBA16}, {"RGBA16F", GL_RGBA16F}, {"RGBA32F", GL_RGBA32F}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (!strcmp(rows[i].name, name))
+            return rows[i].format;
+    return 0;
+}
 
 bool texture_check(GlContext *gl, const TextureSpec *spec)
 {
@@ -10,8 +25,8 @@ bool texture_check(GlContext *gl, const TextureSpec *spec)
                        gl->max_texture_size);
     if (spec->lanes != 1 && spec->lanes != 4)
         return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->lanes);
-    if (!spec->bytes == !spec->floats)
-        return gl_fail(gl, "a texture is of bytes or of floats");
+    if (!!spec->bytes + !!spec->floats + !!spec->words != 1)
+        return gl_fail(gl, "a texture is of bytes, of words or of floats");
     return true;
 }
 
@@ -32,8 +47,12 @@ static void upload(const GlContext *gl, const TextureSpec *spec)
     static const GLint formats[2][2] = {{GL_R32F, GL_R8}, {GL_RGBA32F, GL_RGBA8}};
     GLint internal = formats[spec->lanes == 4][spec->bytes != NULL];
     GLenum format = spec->lanes == 4 ? GL_RGBA : GL_RED;
-    GLenum type = spec->bytes ? GL_UNSIGNED_BYTE : GL_FLOAT;
-    const void *texels = spec->bytes ? (const void *)spec->bytes : spec->floats;
+    GLenum type = spec->bytes ? GL_UNSIGNED_BYTE : spec->words ? GL_UNSIGNED_SHORT : GL_FLOAT;
+    const void *texels = spec->bytes   ? (const void *)spec->bytes
+                         : spec->words ? (const void *)spec->words
+                                       : spec->floats;
+    if (spec->format || spec->words)
+        internal = spec->format ? spec->format : GL_RGBA16;
     gl->TexImage2D(GL_TEXTURE_2D, 0, internal, spec->width, spec->height, 0, format, type, texels);
 }
 

@@ -4,16 +4,21 @@
 #include "runtime/gl/context.h"
 #include <stdint.h>
 
-/* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. Either bytes or floats are set. */
+/* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. One of bytes, words and floats is set. */
 typedef struct {
     int width, height;
-    int lanes;            /* 1 or 4 */
-    const uint8_t *bytes; /* a byte over 255 is the value: R8, RGBA8 */
-    const float *floats;  /* R32F, RGBA32F */
-    bool linear;          /* filter; false: nearest */
-    bool repeat;          /* wrap; false: clamp to the edge */
-    bool mipmaps;         /* make them, and filter linearly in and between them */
+    int lanes;             /* 1 or 4 */
+    const uint8_t *bytes;  /* a byte over 255 is the value: R8, RGBA8 */
+    const float *floats;   /* R32F, RGBA32F */
+    bool linear;           /* filter; false: nearest */
+    bool repeat;           /* wrap; false: clamp to the edge */
+    bool mipmaps;          /* make them, and filter linearly in and between them */
+    const uint16_t *words; /* a word over 65535 is the value: RGBA16 */
+    GLint format;          /* the internal one, where several can hold the numbers: SRGB8_ALPHA8; 0: as said above */
 } TextureSpec;
+
+/* OpenGL's number of a format's name; 0: unknown. */
+GLint texture_format(const char *name);
 
 /* The spec can be one. */
 bool texture_check(GlContext *gl, const TextureSpec *spec);

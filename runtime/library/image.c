@@ -1,5 +1,6 @@
 /* Pictures and reliefs, semantics.md 2.2. Arguments: the texture's index, u, v, and its size, which the texture itself knows. */
 #include "runtime/library/reference.h"
+#include "runtime/library/srgb.h"
 #include <stddef.h>
 
 enum { LANES = 4 };
@@ -26,6 +27,8 @@ static void texel(const ReferenceTexture *texture, double column, double row, do
             result[lane] = lane == LANES - 1;
         else
             result[lane] = texture->bytes ? texture->bytes[number] / 255. : (double)texture->floats[number];
+        if (texture->srgb && lane < 3)
+            result[lane] = srgb_decode(result[lane]);
     }
 }
 

@@ -19,6 +19,7 @@ typedef struct {
     int lanes;            /* 1 or 4 */
     const uint8_t *bytes; /* lanes a texel, a byte over 255 is the value; NULL when floats are set */
     const float *floats;
+    bool srgb; /* bytes: the first three lanes are decoded */
 } ReferenceTexture;
 
 /* Which lattice noise stands below every noise-like function. */

@@ -68,7 +68,15 @@ static bool set_textures(Material *m, MatcProgram *program)
 {
     for (int i = 0; i < matc_texture_count(program); i++) {
         const MatcTexture *t = matc_texture(program, i);
-        const TextureSpec spec = {t->width, t->height, t->lanes, t->bytes, t->floats, false, true, t->mipmaps};
+        const TextureSpec spec = {.width = t->width,
+                                  .height = t->height,
+                                  .lanes = t->lanes,
+                                  .bytes = t->bytes,
+                                  .floats = t->floats,
+                                  .repeat = true,
+                                  .mipmaps = t->mipmaps,
+                                  .words = t->words,
+                                  .format = texture_format(t->format)};
         if (!material_set_texture(m, t->name, &spec))
             return false;
     }

@@ -149,11 +149,12 @@ const StoreItem *store_program(Store *store, const ProgramText *text)
 static Key key_of_texture(const TextureSpec *spec)
 {
     const size_t lanes = (size_t)spec->width * (size_t)spec->height * (size_t)spec->lanes;
-    const int numbers[] = {spec->width,  spec->height, spec->lanes,  spec->bytes != NULL,
-                           spec->linear, spec->repeat, spec->mipmaps};
+    const int numbers[] = {spec->width,  spec->height, spec->lanes,   spec->bytes != NULL, spec->words != NULL,
+                           spec->linear, spec->repeat, spec->mipmaps, spec->format};
     const Key parts[] = {key_of_bytes(numbers, sizeof numbers),
-                         spec->bytes ? key_of_bytes(spec->bytes, lanes)
-                                     : key_of_bytes(spec->floats, lanes * sizeof *spec->floats)};
+                         spec->bytes   ? key_of_bytes(spec->bytes, lanes)
+                         : spec->words ? key_of_bytes(spec->words, lanes * sizeof *spec->words)
+                                       : key_of_bytes(spec->floats, lanes * sizeof *spec->floats)};
     return key_of_bytes(parts, sizeof parts);
 }
 

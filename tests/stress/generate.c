@@ -184,6 +184,16 @@ static void put_items(Generator *g)
     text_put(g->out, "]");
 }
 
+/* One of a list's names. */
+static void put_word(Generator *g, const ParamRow *row)
+{
+    int first = 0, count = 0;
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (word_table[i].list == row->type && !count++)
+            first = i;
+    text_put(g->out, word_table[first + (int)choose(g->c, (uint32_t)count)].name);
+}
+
 static void put_parameter(Generator *g, const ParamRow *row)
 {
     text_format(g->out, ", %s: ", row->name);
@@ -207,7 +217,10 @@ static void put_parameter(Generator *g, const ParamRow *row)
         put_items(g);
         break;
     default:
-        put_numeric(g, row);
+        if (param_is_word(row))
+            put_word(g, row);
+        else
+            put_numeric(g, row);
     }
 }
 
@@ -299,6 +312,8 @@ void generate_document(Choices *c, Text *out)
     int definitions = chance(c, 1, 4) ? 1 + (int)choose(c, MOST_DEFINITIONS) : 0;
     int size = sizes[choose(c, sizeof sizes / sizeof *sizes)];
     Generator g = {.c = c, .out = out, .left = size, .hostile = chance(c, 1, 2)};
+    if (chance(c, 1, 4))
+        text_put(out, "colors: srgb\n");
     if (definitions)
         text_put(out, "defs:\n");
     for (int i = 0; i < definitions; i++) {

@@ -106,6 +106,18 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     }
 }
 
+/* Of a texture that the driver decodes: tests/bounds.def, of ColorSpace srgb. A slope has it for each texel on the way. */
+static double decoding_error(const Erring *e, const IrNode *node, const FoldArg *args)
+{
+    const double decoded = 2e-3;
+    if (function_arguments((int)node->payload)[0] != 's' || !e->context->textures[(int)args[0].numbers[0]].srgb)
+        return 0;
+    if (node->payload != FN_imageAlong)
+        return decoded;
+    const double *size = args[2].numbers, *direction = args[3].numbers;
+    return 2 * decoded * (fabs(direction[0] * size[0]) + fabs(direction[1] * size[1]));
+}
+
 /* What drivers err by: numerics.md 6.2, with some room. */
 static double float_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
@@ -129,7 +141,7 @@ static double float_error(Erring *e, const IrNode *node, const FoldArg *args, do
     case OP_pow:
         return 70 * FLOAT_ULP * fabs(value);
     case OP_call:
-        return call_error(node, args, value) + inner_error(e, node, args, value);
+        return call_error(node, args, value) + inner_error(e, node, args, value) + decoding_error(e, node, args);
     case OP_input:
     case OP_uniform:
     case OP_member:

@@ -6,12 +6,14 @@ const Bound bound_table[SUBJECT_COUNT] = {
 #define KIND(name)                 KIND_##name
 #define WAVE(name)                 SUBJECT_WAVES + (int)WAVE_##name
 #define SLOT(name)                 SUBJECT_SLOTS + (int)SLOT_##name
+#define WORD_OF(list, name)        SUBJECT_WORDS + (int)WORD_##list##_##name
 #define DEFAULT                    SUBJECT_DEFAULT
 #define BOUND(subject, bound, why) [subject] = {bound, why},
 #include "tests/bounds.def"
 #undef KIND
 #undef WAVE
 #undef SLOT
+#undef WORD_OF
 #undef DEFAULT
 #undef BOUND
 };
@@ -22,7 +24,9 @@ const char *subject_name(int subject)
         return kind_table[subject].name;
     if (subject < SUBJECT_SLOTS)
         return subject - SUBJECT_WAVES < WAVE_COUNT ? wave_table[subject - SUBJECT_WAVES].name : "Chain";
-    return subject < SUBJECT_DEFAULT ? slot_table[subject - SUBJECT_SLOTS].name : "default";
+    if (subject < SUBJECT_WORDS)
+        return slot_table[subject - SUBJECT_SLOTS].name;
+    return subject < SUBJECT_DEFAULT ? word_table[subject - SUBJECT_WORDS].name : "default";
 }
 
 static void walk(const Node *node, Subjects *subjects);
@@ -52,8 +56,12 @@ static void walk(const Node *node, Subjects *subjects)
     if (!node)
         return;
     subjects->has[SUBJECT_KINDS + (int)node->kind] = true;
-    for (int i = 0; i < kind_table[node->kind].count; i++)
-        walk_value(&node->params[i], subjects);
+    for (int i = 0; i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        walk_value(value, subjects);
+        if (param_is_word(&param_table[kind_table[node->kind].first + i]) && value->kind == VALUE_number)
+            subjects->has[SUBJECT_WORDS + (int)value->number[0]] = true;
+    }
 }
 
 static void walk_phong(const Node *phong, Slot slot, Subjects *subjects)

@@ -3,12 +3,13 @@
 #define MATC_VALUE_BOUNDS_H
 #include "compiler/front/graph.h"
 
-/* A subject of the table is a kind, a wave or a slot, or none of them. */
+/* A subject of the table is a kind, a wave, a slot or a word of words.def, or none of them. */
 enum {
     SUBJECT_KINDS = 0,
     SUBJECT_WAVES = KIND_COUNT,
     SUBJECT_SLOTS = SUBJECT_WAVES + WAVE_COUNT + 1,
-    SUBJECT_DEFAULT = SUBJECT_SLOTS + SLOT_COUNT,
+    SUBJECT_WORDS = SUBJECT_SLOTS + SLOT_COUNT,
+    SUBJECT_DEFAULT = SUBJECT_WORDS + WORD_COUNT,
     SUBJECT_COUNT
 };
 

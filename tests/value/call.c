@@ -18,8 +18,9 @@ static const float relief[WIDTH * HEIGHT] = {0.5f,  -0.25f, 1.5f,  0.1f,  -0.7f,
                                              0.6f,  -0.4f,  1.25f, 0.75f, -0.9f, 0.2f,  -0.05f, 0.45f, 1.0f,
                                              -0.6f, 0.8f,   0.15f, -1.3f, 0.7f,  0.3f,  -0.8f,  0.55f, 1.1f,
                                              -0.2f, 0.4f,   -0.5f, 0.95f, 0.0f,  -1.0f, 0.65f,  0.25f};
-const ReferenceTexture call_textures[CALL_TEXTURES] = {{WIDTH, HEIGHT, 4, picture, NULL},
-                                                       {WIDTH, HEIGHT, 1, NULL, relief}};
+const ReferenceTexture call_textures[CALL_TEXTURES] = {
+    {.width = WIDTH, .height = HEIGHT, .lanes = 4, .bytes = picture},
+    {.width = WIDTH, .height = HEIGHT, .lanes = 1, .floats = relief}};
 /* GroIMP's tables, for who asks for them. */
 static bool set_tables(Material *material)
 {
@@ -31,9 +32,9 @@ static bool set_tables(Material *material)
     }
     for (int i = 0; i < 4 * RANDOM_COUNT; i++)
         random[i] = reference_random_table()[(i / 4 + i % 4) % RANDOM_COUNT];
-    const TextureSpec specs[] = {{SIDE, SIDE, 1, NULL, permutation, false, true, false},
-                                 {RANDOM_COUNT, 1, 4, NULL, random, false, true, false},
-                                 {SIDE, SIDE, 1, xor, NULL, false, true, false}};
+    const TextureSpec specs[] = {{.width = SIDE, .height = SIDE, .lanes = 1, .floats = permutation, .repeat = true},
+                                 {.width = RANDOM_COUNT, .height = 1, .lanes = 4, .floats = random, .repeat = true},
+                                 {.width = SIDE, .height = SIDE, .lanes = 1, .bytes = xor, .repeat = true}};
     return material_set_texture(material, "matc_permutation", &specs[0]) &&
            material_set_texture(material, "matc_random", &specs[1]) &&
            material_set_texture(material, "matc_xor", &specs[2]);
@@ -44,10 +45,15 @@ static bool set_textures(Material *material, Tuple *tuples, int source)
     const ReferenceTexture *t = &call_textures[source];
     return material_set_texture(
                material, "arguments",
-               &(TextureSpec){CALL_ARGUMENTS, CALL_COUNT, CALL_LANES, NULL, &tuples[0][0][0], false, false, false}) &&
-           material_set_texture(
-               material, "source",
-               &(TextureSpec){t->width, t->height, t->lanes, t->bytes, t->floats, false, true, false}) &&
+               &(TextureSpec){
+                   .width = CALL_ARGUMENTS, .height = CALL_COUNT, .lanes = CALL_LANES, .floats = &tuples[0][0][0]}) &&
+           material_set_texture(material, "source",
+                                &(TextureSpec){.width = t->width,
+                                               .height = t->height,
+                                               .lanes = t->lanes,
+                                               .bytes = t->bytes,
+                                               .floats = t->floats,
+                                               .repeat = true}) &&
            set_tables(material);
 }
 

@@ -27,6 +27,7 @@ bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVA
         if (t->kind == TEXTURE_image) {
             textures[i].lanes = 4;
             textures[i].bytes = t->image->bytes;
+            textures[i].srgb = t->srgb;
         } else {
             textures[i].floats = bake(arena, t);
         }
