@@ -9,6 +9,7 @@
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "compiler/lower/answer.h"
+#include "compiler/lower/slope.h"
 #include "compiler/opt/opt.h"
 #include "tests/value/documents.h"
 #include "tests/value/evaluate.h"
@@ -284,11 +285,45 @@ static void what_is_no_line_is_asked_of_both(void **state)
     assert_int_equal(faults, 0);
 }
 
+/* (p q)^2 = p^2 q^2: as good a rule as any, and what was marked by its node, p q, is gone. */
+static Ref square_apart(Ir *ir, Ref ref)
+{
+    if (!ir_is(ir, ref, OP_mul) || ir_arg(ir, ref, 0) != ir_arg(ir, ref, 1) || !ir_is(ir, ir_arg(ir, ref, 0), OP_mul))
+        return ref;
+    Ref product = ir_arg(ir, ref, 0), p = ir_arg(ir, product, 0), q = ir_arg(ir, product, 1);
+    return build_mul(ir, build_square(ir, p), build_square(ir, q));
+}
+
+/* sin(e^y) over a pixel: its mean is sin(v) sinc(b / 2) with v = e^y, and b = e^y of the footprint, which is no part of the slope. */
+static void a_footprint_is_constant_whatever_is_rewritten(void **state)
+{
+    (void)state;
+    static Simplify *const rules[] = {NULL, square_apart, opt_simplify};
+    const double v = exp(CENTRE_Y), b = v * WIDTH_Y, want = cos(v) * v * sin(b / 2) / (b / 2);
+    Document d;
+    open_text(&d, "a footprint",
+              "diffuse: { map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: Exp, second: Sin } }");
+    for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
+        Attempt w;
+        double known[4];
+        attempt_open(&w, &d, 0);
+        w.l.ir->simplify = rules[i];
+        Env env = lower_surface_env(&w.l);
+        const Node *map = node_param(d.graph->materials[0].node, P_Phong_diffuse)->node;
+        Ref value = lower_ask(&w.l, map, GROUP_IOR, &env);
+        slope_set(&w.l, env.root[GROUP_X], DIRECTION_u, build_vec3(w.l.ir, 0, 1, 0));
+        attempt_close(&w, slope_of(&w.l, value, DIRECTION_u), known);
+        assert_true(fabs(known[0] - want) < 1e-12);
+    }
+    document_close(&d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(variance_is_what_a_mean_leaves_out),
         cmocka_unit_test(what_is_no_line_is_asked_of_both),
+        cmocka_unit_test(a_footprint_is_constant_whatever_is_rewritten),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -185,7 +185,7 @@ Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
 {
     Ir *ir = l->ir;
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
-    Ref right = slope_of(l, uv, DIRECTION_right), up = slope_of(l, uv, DIRECTION_up);
+    Ref right = slope_detached(l, uv, DIRECTION_right), up = slope_detached(l, uv, DIRECTION_up);
     if (!footprint_is_filtered(l) || (!right && !up))
         return build_call(ir, function, sampler, uv, size);
     Ref none = build_all(ir, TYPE_vec2, 0);

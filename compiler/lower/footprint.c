@@ -37,7 +37,8 @@ static Ref with_variance(Lower *l, Ref edges, Ref variance)
 Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges)
 {
     Ir *ir = l->ir;
-    Ref right = slope_of(l, coordinate.value, DIRECTION_right), up = slope_of(l, coordinate.value, DIRECTION_up);
+    Ref right = slope_detached(l, coordinate.value, DIRECTION_right),
+        up = slope_detached(l, coordinate.value, DIRECTION_up);
     if (l->job->choice[AXIS_aa] != CHOICE_aa_aniso || !footprint_is_filtered(l) || !right || !up)
         return 0;
     Ref wide = build_lt(ir, build_dot(ir, up, up), build_dot(ir, right, right));
@@ -69,7 +70,7 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
     Ir *ir = l->ir;
     static const double offset[MOST_TAPS][2] = {
         {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
-    Ref right = slope_of(l, coordinate, DIRECTION_right), up = slope_of(l, coordinate, DIRECTION_up);
+    Ref right = slope_detached(l, coordinate, DIRECTION_right), up = slope_detached(l, coordinate, DIRECTION_up);
     Type type = ir_type(ir, coordinate);
     if (!footprint_is_filtered(l) || (!right && !up))
         return 0;
@@ -85,7 +86,7 @@ Ref footprint_edges(Lower *l, Answer a)
 {
     if (!footprint_is_filtered(l))
         return 0;
-    Ref right = slope_of(l, a.value, DIRECTION_right), up = slope_of(l, a.value, DIRECTION_up);
+    Ref right = slope_detached(l, a.value, DIRECTION_right), up = slope_detached(l, a.value, DIRECTION_up);
     return with_variance(l, together(l, right, up), a.variance);
 }
 

@@ -216,5 +216,6 @@ Ir *lower(Session *session, const Graph *graph, const Node *material, const Job 
     if (l.failed)
         return NULL;
     lower_doubt_crossings(&l);
+    slope_done(&l);
     return l.ir;
 }

@@ -291,14 +291,6 @@ static void push_unknown(Lower *l, Ref ref, Direction direction)
         ARENA_PUSH(l->session->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
 }
 
-/* Footprints count as constant. */
-static void hold(Lower *l, Ref slope)
-{
-    for (int d = 0; d < DIRECTION_COUNT; d++)
-        if (*memo_of(l, slope, (Direction)d) == UNKNOWN && !ir_is(l->ir, slope, OP_const))
-            slope_set(l, slope, (Direction)d, 0);
-}
-
 /* Its operands' are known. */
 static void find_slope(Lower *l, Ref value, Direction direction)
 {
@@ -309,11 +301,6 @@ static void find_slope(Lower *l, Ref value, Direction direction)
     if (slope && ir_is_number(l->ir, slope, 0))
         slope = 0;
     slope_set(l, value, direction, slope);
-    if (slope && (direction == DIRECTION_right || direction == DIRECTION_up)) {
-        hold(l, slope);
-        if (ir_is(l->ir, slope, OP_neg)) /* squares of it are squares of that */
-            hold(l, ir_arg(l->ir, slope, 0));
-    }
 }
 
 /* Operands first, the left one before the right, on a stack of its own: a tree of maps may be deeper than the caller's stack. */
@@ -334,4 +321,24 @@ Ref slope_of(Lower *l, Ref value, Direction direction)
     }
     Ref slope = *memo_of(l, value, direction);
     return slope == FLAT ? 0 : slope;
+}
+
+Ref slope_detached(Lower *l, Ref value, Direction direction)
+{
+    Ref slope = slope_of(l, value, direction);
+    return !slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) ? slope
+                                                                                    : build_detach(l->ir, slope);
+}
+
+static Ref attach(Ir *ir, Ref ref, const void *user)
+{
+    (void)user;
+    return ir_is(ir, ref, OP_detach) ? ir_arg(ir, ref, 0) : ref;
+}
+
+void slope_done(Lower *l)
+{
+    if (l->job->choice[AXIS_aa] != CHOICE_aa_none)
+        ir_sweep(l->ir, attach, NULL);
+    arena_reset(&l->ir->scratch);
 }

@@ -5,6 +5,10 @@
 
 /* The derivative of a value; 0 where it does not change. Discontinuities do not count: a step has derivative 0. */
 Ref slope_of(Lower *l, Ref value, Direction direction);
+/* The same, as a value that itself does not change along any direction: a footprint. No rule sees through that. */
+Ref slope_detached(Lower *l, Ref value, Direction direction);
+/* Takes the marks of footprints out of the IR, when nothing is differentiated any more. */
+void slope_done(Lower *l);
 /* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 #endif

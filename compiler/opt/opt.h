@@ -20,10 +20,6 @@ bool opt_polish(Ir *ir);       /* the local rules together, with what is known o
 Ref opt_simplify(Ir *ir, Ref ref);
 bool opt_dead(Ir *ir); /* drops what the outputs do not reach */
 
-/* One sweep over the live nodes, operands first: each is remade on its new operands and given to `rewrite`, which returns
- * what stands for it, or the node itself. */
-typedef Ref (*Rewrite)(Ir *ir, Ref ref, const void *user);
-bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user);
 /* The local rules: what stands for a node, or the node itself. Swizzle's `user` is a Uses. */
 Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user);

@@ -108,4 +108,4 @@ Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user)
     return ref;
 }
 
-bool opt_algebra(Ir *ir) { return opt_sweep(ir, opt_rewrite_algebra, NULL); }
+bool opt_algebra(Ir *ir) { return ir_sweep(ir, opt_rewrite_algebra, NULL); }

@@ -11,4 +11,4 @@ Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user)
     return ir_const(ir, (Type)node->type, result);
 }
 
-bool opt_fold(Ir *ir) { return opt_sweep(ir, opt_rewrite_fold, NULL); }
+bool opt_fold(Ir *ir) { return ir_sweep(ir, opt_rewrite_fold, NULL); }

@@ -91,6 +91,6 @@ bool opt_function(Ir *ir)
         return false;
     Arena *scratch = &ir->scratch;
     Plan plan = {arguments_read(ir, scratch), ARENA_ARRAY(scratch, int, ir->function_count + 1), ir->function_count};
-    bool changed = opt_sweep(ir, simplify_apply, &plan);
+    bool changed = ir_sweep(ir, simplify_apply, &plan);
     return changed;
 }

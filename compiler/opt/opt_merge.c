@@ -84,5 +84,5 @@ bool opt_merge(Ir *ir)
     for (size_t i = 0; i < count; i++)
         if (live[found[i]])
             keep(ir, &gradients, found[i]);
-    return opt_sweep(ir, merge, &gradients);
+    return ir_sweep(ir, merge, &gradients);
 }

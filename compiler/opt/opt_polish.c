@@ -6,7 +6,7 @@ enum { MOST_REWRITES = 16 };
 
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
-    static const Rewrite rules[] = {opt_rewrite_fold, opt_rewrite_algebra, opt_rewrite_swizzle, opt_rewrite_select,
+    static IrRewrite *const rules[] = {opt_rewrite_fold, opt_rewrite_algebra, opt_rewrite_swizzle, opt_rewrite_select,
                                     opt_rewrite_power};
     enum { RULE_COUNT = sizeof rules / sizeof *rules };
     if (!ir_at(ir, ref)->count)
@@ -28,5 +28,5 @@ Ref opt_simplify(Ir *ir, Ref ref)
 bool opt_polish(Ir *ir)
 {
     Uses uses = {opt_uses(ir, &ir->scratch), (Ref)ir->count};
-    return opt_sweep(ir, polish, &uses);
+    return ir_sweep(ir, polish, &uses);
 }

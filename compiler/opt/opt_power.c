@@ -55,4 +55,4 @@ Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user)
     return n > 0 ? product : build_div(ir, one, product);
 }
 
-bool opt_power(Ir *ir) { return opt_sweep(ir, opt_rewrite_power, NULL); }
+bool opt_power(Ir *ir) { return ir_sweep(ir, opt_rewrite_power, NULL); }

@@ -48,5 +48,5 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
 bool opt_range(Ir *ir)
 {
     Ranges ranges = range_find(ir, &ir->scratch, 1);
-    return opt_sweep(ir, decide, &ranges);
+    return ir_sweep(ir, decide, &ranges);
 }

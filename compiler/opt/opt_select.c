@@ -64,4 +64,4 @@ Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user)
     return ir_is(ir, ref, OP_select) ? simplify_select(ir, ref) : through_select(ir, ref);
 }
 
-bool opt_select(Ir *ir) { return opt_sweep(ir, opt_rewrite_select, NULL); }
+bool opt_select(Ir *ir) { return ir_sweep(ir, opt_rewrite_select, NULL); }

@@ -164,6 +164,6 @@ bool opt_swizzle(Ir *ir)
 {
     Arena *scratch = &ir->scratch;
     Uses uses = {opt_uses(ir, scratch), (Ref)ir->count};
-    bool changed = opt_sweep(ir, opt_rewrite_swizzle, &uses);
+    bool changed = ir_sweep(ir, opt_rewrite_swizzle, &uses);
     return changed;
 }

@@ -26,4 +26,4 @@ static Ref bound(Ir *ir, Ref ref, const void *user)
     return build_call_of(ir, function, args, node.count);
 }
 
-bool opt_trigonometry(Ir *ir) { return opt_sweep(ir, bound, NULL); }
+bool opt_trigonometry(Ir *ir) { return ir_sweep(ir, bound, NULL); }

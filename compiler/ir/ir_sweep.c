@@ -1,5 +1,5 @@
 /* The sweep that most passes are. */
-#include "compiler/opt/opt.h"
+#include "compiler/ir/ir.h"
 
 /* What stands for old nodes and functions during a sweep. */
 typedef struct {
@@ -55,7 +55,7 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
     }
 }
 
-bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user)
+bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user)
 {
     Arena *scratch = &ir->scratch;
     uint8_t *live = ir_live(ir, scratch);
@@ -79,18 +79,4 @@ bool opt_sweep(Ir *ir, Rewrite rewrite, const void *user)
     for (int i = 0; i < ir->output_count; i++)
         ir->outputs[i].value = moves.node[ir->outputs[i].value];
     return changed;
-}
-
-uint32_t *opt_uses(const Ir *ir, Arena *arena)
-{
-    uint8_t *live = ir_live(ir, arena);
-    uint32_t *uses = ARENA_ARRAY(arena, uint32_t, ir->count);
-    for (Ref ref = 1; ref < ir->count; ref++)
-        for (int i = 0; live[ref] && i < ir->nodes[ref].count; i++)
-            uses[ir_arg(ir, ref, i)]++;
-    for (int i = 0; i < ir->output_count; i++)
-        uses[ir->outputs[i].value]++;
-    for (size_t f = 0; f < ir->function_count; f++)
-        uses[ir->functions[f].result]++;
-    return uses;
 }
