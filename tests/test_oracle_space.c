@@ -1,5 +1,7 @@
 /* The oracle against closed forms: coordinate transformers, normal modifiers, filters, and textures. */
 #include "oracle_fixture.h"
+#include "tests/value/documents.h"
+#include <stdio.h>
 
 static void test_uv_transform(void **state)
 {
@@ -275,6 +277,45 @@ static void test_carpenter(void **state)
     build_free(&b);
 }
 
+/* A stair has no slope, and differences over its steps have its mean: they tell none. A smooth height's do. */
+static void test_rough_slopes(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *height;
+        double x;
+        bool rough;
+    } cases[] = {
+        {"{ map: Gradient, direction: [1, 0, 0], waveForm: Sin }", 0.3, false},
+        {"{ map: Gradient, direction: [1000000, 0, 0], waveForm: Sin }", 0.3, false},
+        {"{ map: Gradient, direction: [1, 0, 0], waveForm: Ceil }", 0.3, false},
+        {"{ map: Gradient, direction: [1, 0, 0], waveForm: Ceil }", 2, true},
+        {"{ map: Gradient, direction: [1000000000, 0, 0], waveForm: Ceil }", 0.3, true},
+        {"{ map: Gradient, direction: [10000000000000, 0, 0], waveForm: Ceil }", 0.3, true},
+        {"{ map: Gradient, direction: [1, 0, 0], waveForm: Sin }", 1e8, true},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512];
+        Document d;
+        Surface s;
+        SlotValues values;
+        snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n", cases[i].height);
+        assert_true(document_open_text(&d, text));
+        Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+        oracle_exact_derivatives(oracle, true);
+        oracle_judge_slopes(oracle);
+        oracle_surface_default(&s);
+        s.root[X] = cases[i].x;
+        s.local_u[0] = 1;
+        assert_true(oracle_material(oracle, d.graph->materials[0].node, &s, &values));
+        if (oracle_slopes_rough(oracle) != cases[i].rough)
+            fail_msg("%s at x = %g", cases[i].height, cases[i].x);
+        assert_false(oracle_slopes_rough(oracle));
+        oracle_close(oracle);
+        document_close(&d);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -284,6 +325,7 @@ int main(void)
         cmocka_unit_test(test_smooth),         cmocka_unit_test(test_smooth_uv),
         cmocka_unit_test(test_laplace),        cmocka_unit_test(test_image_nearest),
         cmocka_unit_test(test_image_bilinear), cmocka_unit_test(test_carpenter),
+        cmocka_unit_test(test_rough_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

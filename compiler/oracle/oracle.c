@@ -43,6 +43,15 @@ void oracle_slope_span(Oracle *oracle, double behind, double ahead)
     oracle->ahead = ahead;
 }
 
+void oracle_judge_slopes(Oracle *oracle) { oracle->judges = true; }
+
+bool oracle_slopes_rough(Oracle *oracle)
+{
+    bool rough = oracle->rough;
+    oracle->rough = false;
+    return rough;
+}
+
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
 {
     Oracle *oracle = calloc(1, sizeof *oracle);

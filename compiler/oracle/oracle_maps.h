@@ -45,6 +45,7 @@ struct Oracle {
     size_t memo_count, memo_room;
     bool exact;           /* derivatives are those of the map, not GroIMP's finite steps */
     double behind, ahead; /* the steps that they are taken over */
+    bool judges, rough;   /* whether it is asked if heights are smooth there; whether some were not */
     uint64_t stamp;       /* that of the environment opened last; 0 is in no environment */
     double work;          /* steps for this point; beyond LIMIT_WORK all answers are 0 */
 };

@@ -66,6 +66,42 @@ static double slope_step(const Surface *surface)
     return ldexp(size, -26);
 }
 
+/* How far the height in the middle is from the mean of those to either side, and what rounding makes of that. */
+typedef struct {
+    double bend, rounding;
+} Bend;
+
+/* Rounding is that of the height, and that of the point, whose coordinates are up to 2^26 / part of what it moves by. */
+static Bend bend_at(Environment *environment, const Node *height, const double move[2], double part)
+{
+    const double ulp = ldexp(1, -52), du = part * move[0], dv = part * move[1];
+    double here = height_at(environment, height, 0, 0);
+    double ahead = height_at(environment, height, du, dv), behind = height_at(environment, height, -du, -dv);
+    double of_height = 8 * ulp * fabs(here), of_point = 2 * ulp * fabs(ahead - behind) * ldexp(1 / part, 26);
+    return (Bend){fabs(ahead + behind - 2 * here), of_height + of_point};
+}
+
+/* A smooth curve bends by the square of the step, and over a small part of it by no more than rounding; a stair bends by a whole
+ * step or by none, over whatever part.
+ *   sin(x) at 1, 2^-26 to either side: bends by 2e-16; over a tenth of that by 2e-18
+ *   ceil(1e9 x) there: by -1, 0 or 1 of 30 steps; over a tenth of that by -1, 0 or 1 of 3 */
+static bool is_smooth(Environment *environment, const Node *height, const double move[2])
+{
+    enum { PARTS = 8 };
+    const double shrink = 0.41, widest = ldexp(1, -10); /* of maps whose periods are 1 and less, more tells nothing */
+    if (fmax(move[0], move[1]) > widest)
+        return false;
+    const Bend whole = bend_at(environment, height, move, 1);
+    double part = 1;
+    for (int i = 0; i < PARTS; i++) {
+        part *= shrink;
+        Bend bend = bend_at(environment, height, move, part);
+        if (bend.bend > 2 * part * part * whole.bend + bend.rounding)
+            return false;
+    }
+    return true;
+}
+
 /* Derivatives of the height by u and v from differences. */
 static void exact_slopes(Environment *environment, const Node *height, double slope[2])
 {
@@ -75,6 +111,9 @@ static void exact_slopes(Environment *environment, const Node *height, double sl
     double by_v = height_at(environment, height, 0, ahead) - height_at(environment, height, 0, behind);
     slope[0] = by_u / (ahead - behind);
     slope[1] = by_v / (ahead - behind);
+    if (environment->oracle->judges &&
+        !(is_smooth(environment, height, (double[]){h, 0}) && is_smooth(environment, height, (double[]){0, h})))
+        environment->oracle->rough = true;
 }
 
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)

@@ -71,13 +71,12 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
 {
     double numbers[64], result[4] = {0}, most = 0;
     const char *types = function_arguments((int)node->payload);
-    const double ulp = e->machine == MACHINE_float ? FLOAT_ULP : DOUBLE_ULP;
     int used = 0;
     for (int i = 0; i < node->count; i++)
         for (int lane = 0; lane < type_table[args[i].type].lanes; lane++) {
             double v = args[i].numbers[lane];
             bool whole = types[i] == 's' || types[i] == 'i';
-            numbers[used] = whole ? v : v + 4 * ulp * toss(e, node, 1 + used) * fmax(1, fabs(v));
+            numbers[used] = whole ? v : v + 4 * FLOAT_ULP * toss(e, node, 1 + used) * fmax(1, fabs(v));
             used++;
         }
     reference_of((int)node->payload)(e->context, numbers, result);
@@ -164,7 +163,7 @@ static bool is_exact(const IrNode *node)
 }
 
 /* Also of inputs and constants, which doubles hold exactly. */
-static double double_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
+static double double_error(const IrNode *node, const FoldArg *args, double value)
 {
     if (node->op == OP_input || node->op == OP_uniform || node->op == OP_member || node->op == OP_const)
         return 0;
@@ -172,7 +171,7 @@ static double double_error(Erring *e, const IrNode *node, const FoldArg *args, d
                                                                                   : size_of(node, args, value);
     if (node->op == OP_call && (node->payload == FN_turbulence || node->payload == FN_vectorTurbulence))
         size = fmax(size, octaves_error(args, 1));
-    return 8 * DOUBLE_ULP * size + (node->op == OP_call ? inner_error(e, node, args, value) : 0);
+    return 8 * DOUBLE_ULP * size;
 }
 
 static double err(void *user, const IrNode *node, const FoldArg *args, double value)
@@ -181,7 +180,7 @@ static double err(void *user, const IrNode *node, const FoldArg *args, double va
     if (is_exact(node) || !isfinite(value))
         return value;
     const double error =
-        e->machine == MACHINE_float ? float_error(e, node, args, value) : double_error(e, node, args, value);
+        e->machine == MACHINE_float ? float_error(e, node, args, value) : double_error(node, args, value);
     const double tossed = toss(e, node, 0) * error;
     value = e->evaluation % 8 == 7 && fabs(value) <= error ? 0 : value + tossed;
     return e->machine == MACHINE_float && fabs(value) < FLT_MIN ? 0 : value;
@@ -260,19 +259,4 @@ void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread
         ir_eval_rounded(at->ir, at->context, at->inputs, &rounding, result);
         widen(spread, (const double(*)[4])result);
     }
-}
-
-bool spread_meets(const Evaluated *at, const Meeting *wanted, int count)
-{
-    Erring erring = {.machine = MACHINE_double, .context = at->context};
-    IrRounding rounding = {err, &erring};
-    choices_random(&erring.random, 1, (uint64_t)count);
-    for (int i = 0; i < count; i++) {
-        double result[MOST_OUTPUTS][4] = {{0}};
-        erring.evaluation = i;
-        ir_eval_rounded(at->ir, at->context, at->inputs, &rounding, result);
-        if (fabs(result[wanted->output][wanted->lane] - wanted->number) <= wanted->room)
-            return true;
-    }
-    return false;
 }

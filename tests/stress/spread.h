@@ -20,13 +20,6 @@ typedef struct {
 
 /* Of `count` evaluations. The exact value is included. */
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread);
-/* A number that an output's lane may be, give or take. */
-typedef struct {
-    int output, lane;
-    double number, room;
-} Meeting;
-/* One of `count` evaluations by MACHINE_double gives that number. */
-bool spread_meets(const Evaluated *at, const Meeting *wanted, int count);
 /* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its own width on both sides. */
 double spread_miss(const Spread *spread, int output, int lane, double value, double number);
 

@@ -16,8 +16,6 @@ const char *const fault_names[] = {"none", "document refused", "no IR",  "text o
 /* Evaluations of a spread: few first, many before anything is called a fault. */
 enum { FEW = 12, MANY = 300 };
 static const double double_bound = 1e-9;
-/* Of exact derivatives: differences to either side that are so far apart tell nothing; what those that are not err by, at most. */
-static const double slope_apart = 1e-3, slope_room = 1e-6;
 
 bool trial_fault(Trial *t, FaultKind kind, const char *format, ...)
 {
@@ -55,6 +53,7 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = job_noise(job.choice[AXIS_noise], job.target)});
     t->exact = job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic;
     oracle_exact_derivatives(t->oracle, t->exact);
+    oracle_judge_slopes(t->oracle);
     t->count->nodes += t->graph->node_count;
     return true;
 }
@@ -105,29 +104,47 @@ static bool reads_back(Trial *t, Arena *arena, const Ir *ir)
     return !strcmp(first.at, second.at) || trial_fault(t, FAULT_text, "it changes:\n%s", first.at);
 }
 
-/* A program at both levels, and what it samples. */
+/* The forms of a program: -O0, -O2, and -O0 with the numbers in it that else come from a buffer. What is computed of those is computed
+ * once, by matc, but rounds as if it stood in the program. */
+enum { AS_WRITTEN, OPTIMISED, WITH_NUMBERS, FORM_COUNT };
+
+/* A program in its forms, and what it samples. */
 typedef struct {
     Arena arena;
-    const Ir *ir[2]; /* -O0, -O2 */
-    ReferenceTexture textures[2][EVALUATE_TEXTURES];
-    ReferenceContext context[2];
+    const Ir *ir[FORM_COUNT];
+    ReferenceTexture textures[FORM_COUNT][EVALUATE_TEXTURES];
+    ReferenceContext context[FORM_COUNT];
     const char *name;
     double greatest; /* a value on the way that is beyond this excuses all */
 } Program;
+
+static bool make_form(Trial *t, Program *p, Pass pass, Slot slot, int form)
+{
+    const char *constants = t->options.constants;
+    if (form == WITH_NUMBERS)
+        t->options.constants = "baked";
+    p->ir[form] = trial_ir(t, &p->arena, pass, slot, form == OPTIMISED ? 2 : 0);
+    t->options.constants = constants;
+    if (!p->ir[form])
+        return false;
+    evaluate_textures(&p->arena, p->ir[form], p->textures[form]);
+    p->context[form] = (ReferenceContext){p->ir[form]->noise, p->textures[form]};
+    return true;
+}
 
 static bool make_program(Trial *t, Program *p, Pass pass, Slot slot)
 {
     p->arena = (Arena){0};
     p->greatest = pass == PASS_value ? t->plan->greatest : GREATEST_VALUE;
     p->name = pass == PASS_value ? slot_table[slot].name : pass_table[pass].name;
-    for (int i = 0; i < 2; i++) {
-        p->ir[i] = trial_ir(t, &p->arena, pass, slot, 2 * i);
-        if (!p->ir[i])
-            return false;
-        evaluate_textures(&p->arena, p->ir[i], p->textures[i]);
-        p->context[i] = (ReferenceContext){p->ir[i]->noise, p->textures[i]};
-    }
-    return reads_back(t, &p->arena, p->ir[1]);
+    if (!make_form(t, p, pass, slot, AS_WRITTEN) || !make_form(t, p, pass, slot, OPTIMISED))
+        return false;
+    p->ir[WITH_NUMBERS] = p->ir[AS_WRITTEN];
+    p->context[WITH_NUMBERS] = p->context[AS_WRITTEN];
+    if (p->ir[AS_WRITTEN]->constant_count + p->ir[OPTIMISED]->constant_count > 0 &&
+        !make_form(t, p, pass, slot, WITH_NUMBERS))
+        return false;
+    return reads_back(t, &p->arena, p->ir[OPTIMISED]);
 }
 
 /* One point of a program. */
@@ -190,24 +207,14 @@ typedef struct {
     double want;
 } Expected;
 
-/* Of the program as it is optimised: an evaluation that errs by roundings of its own gives what should be. A border is told so; a form
- * that is less exact everywhere meets the value as seldom as any other. */
-static bool rounds_to(const Spot *s, const Expected *e)
-{
-    const Evaluated at = {s->program->ir[1], &s->program->context[1], (const double(*)[4])s->inputs,
-                          (const double(*)[4])s->exact[1].value};
-    return e->level == 1 &&
-           spread_meets(&at, &(Meeting){e->output, e->lane, e->want, double_bound * fmax(1, fabs(e->want))}, MANY);
-}
-
 /* The spread is only made where they are apart. */
 static bool agrees(Trial *t, Spot *s, const Expected *e)
 {
     const double got = s->exact[e->level].value[e->output][e->lane], want = e->want;
     if (fabs(got - want) <= double_bound * fmax(1, fabs(want)))
         return true;
-    const Evaluated at = {s->program->ir[0], &s->program->context[0], (const double(*)[4])s->inputs,
-                          (const double(*)[4])s->exact[0].value};
+    const Evaluated at = {s->program->ir[WITH_NUMBERS], &s->program->context[WITH_NUMBERS],
+                          (const double(*)[4])s->inputs, (const double(*)[4])s->exact[0].value};
     double miss = INFINITY;
     for (int count = FEW; count <= MANY && miss > double_bound; count *= MANY / FEW) {
         Spread spread;
@@ -216,47 +223,15 @@ static bool agrees(Trial *t, Spot *s, const Expected *e)
         miss = fmax(spread_miss(&spread, e->output, e->lane, want, got),
                     spread_miss(&spread, e->output, e->lane, got, want));
     }
-    return miss <= double_bound || rounds_to(s, e) ||
-           trial_fault(t, e->level ? FAULT_level_2 : FAULT_level_0, "lane %d is %.17g, should be %.17g: %s", e->lane,
-                       got, want, where(s));
-}
-
-/* What the oracle says of a slot, and how far a true slope may be from its differences. */
-typedef struct {
-    SlotValues value, room;
-    bool known;
-} Wanted;
-
-/* Of exact derivatives the differences ahead of the point and behind it: where those are apart, nothing is known. Two that are alike
- * may still be off alike, where a great number rounds both: the third goes over another width. */
-static void ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Wanted *w)
-{
-    Surface surface;
-    static const double spans[3][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}};
-    SlotValues side[3];
-    memset(&w->room, 0, sizeof w->room);
-    w->known = t->plan->oracle;
-    point_surface(point, front, &surface);
-    oracle_material(t->oracle, t->material, &surface, &w->value);
-    for (int i = 0; t->exact && i < 3; i++) {
-        oracle_slope_span(t->oracle, spans[i][0], spans[i][1]);
-        oracle_material(t->oracle, t->material, &surface, &side[i]);
-    }
-    oracle_slope_span(t->oracle, -1, 1);
-    for (int lane = 0; t->exact && lane < 4; lane++) {
-        double apart = fabs(side[0].lane[slot][lane] - side[1].lane[slot][lane]);
-        double size = fmax(1, fabs(w->value.lane[slot][lane]));
-        w->known = w->known && apart <= slope_apart * size;
-        apart = fmax(apart, fabs(side[2].lane[slot][lane] - w->value.lane[slot][lane]));
-        w->room.lane[slot][lane] = apart == 0 ? 0 : slope_room * size + 4 * apart;
-    }
+    return miss <= double_bound || trial_fault(t, e->level ? FAULT_level_2 : FAULT_level_0,
+                                               "lane %d is %.17g, should be %.17g: %s", e->lane, got, want, where(s));
 }
 
 static bool try_slot(Trial *t, Program *p, Slot slot)
 {
     for (int i = 0; i < t->plan->count; i++) {
         Spot s;
-        Wanted wanted;
+        TrialWanted wanted;
         bool beyond = false, front = (t->plan->first + i) % 4 != 0;
         const Point *point = &t->plan->field[(t->plan->first + i) % FIELD_COUNT];
         spot_open(&s, p, t->plan->pixel, point, front);
@@ -264,7 +239,7 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
             return false;
         if (beyond)
             continue;
-        ask_oracle(t, point, front, slot, &wanted);
+        trial_ask_oracle(t, point, front, slot, &wanted);
         for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
             double written = s.exact[0].value[0][lane], want = wanted.known ? wanted.value.lane[slot][lane] : written;
             double room = wanted.room.lane[slot][lane];

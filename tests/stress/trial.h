@@ -74,6 +74,12 @@ bool trial_run(const TrialPlan *plan, const char *text, size_t size, TrialCount 
 __attribute__((format(printf, 3, 4))) bool trial_fault(Trial *t, FaultKind kind, const char *format, ...);
 /* One slot's or one pass' IR, in an arena of its own; NULL and a fault. */
 const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level);
+/* What the oracle says of a slot, and how far a true slope may be from its differences; trial_oracle.c */
+typedef struct {
+    SlotValues value, room;
+    bool known;
+} TrialWanted;
+void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w);
 /* trial_draw.c */
 bool trial_draw(Trial *t, const char *text, size_t size);
 bool trial_validate(Trial *t, const char *text, size_t size);

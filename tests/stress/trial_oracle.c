@@ -1,0 +1,37 @@
+/* What the oracle says of a slot; of exact derivatives, how much of it can be known by differences. */
+#include "trial.h"
+#include <string.h>
+
+/* Of exact derivatives: differences to either side that are so far apart tell nothing; what those that are not err by, at most. */
+static const double slope_apart = 1e-3, slope_room = 1e-6;
+
+/* Of exact derivatives the differences behind the point and ahead of it: where those are apart, nothing is known. Two that are alike
+ * may still be off alike, where a great number rounds both: the third goes over another width. */
+enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_COUNT };
+static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}};
+
+static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int lane)
+{
+    const double value = w->value.lane[slot][lane], size = fmax(1, fabs(value));
+    double apart = fabs(sides[SPAN_BEHIND].lane[slot][lane] - sides[SPAN_AHEAD].lane[slot][lane]);
+    w->known = w->known && apart <= slope_apart * size;
+    apart = fmax(apart, fabs(sides[SPAN_OTHER].lane[slot][lane] - value));
+    w->room.lane[slot][lane] = apart == 0 ? 0 : slope_room * size + 4 * apart;
+}
+
+void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, TrialWanted *w)
+{
+    Surface surface;
+    SlotValues sides[SPAN_COUNT];
+    memset(&w->room, 0, sizeof w->room);
+    point_surface(point, front, &surface);
+    oracle_material(t->oracle, t->material, &surface, &w->value);
+    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle);
+    for (int i = 0; t->exact && i < SPAN_COUNT; i++) {
+        oracle_slope_span(t->oracle, spans[i][0], spans[i][1]);
+        oracle_material(t->oracle, t->material, &surface, &sides[i]);
+    }
+    oracle_slope_span(t->oracle, -1, 1);
+    for (int lane = 0; t->exact && lane < 4; lane++)
+        judge_slope(w, sides, slot, lane);
+}
