@@ -31,6 +31,17 @@ done
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
 check "says so" says 'the layout does not store that slot'
 
+# -- --mesh: a square that lies as the plane does is the plane, but for its size
+
+plane='v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n'
+printf "${plane}f 1/1 2/2 3/3 4/4\n" >"$work/plane.obj"
+check "a mesh" status 0 $draw --mesh="$work/plane.obj" --camera=0,-2,2,0,0,0 $example -o "$work/mesh.png"
+check "the plane" status 0 $draw --shape=plane --camera=0,-2.82842712,2.82842712,0,0,0 $example -o "$work/square.png"
+check "is the same" same mesh square
+check "a mesh that is not there" status 1 $draw --mesh="$work/no.obj" $example -o "$work/none.png"
+check "is told" says 'no.obj: No such file'
+check "and nothing drawn" test ! -e "$work/none.png"
+
 # -- --contact
 
 # wide PICTURE, high PICTURE: what a PNG says of its size

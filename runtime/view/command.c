@@ -22,6 +22,8 @@ const char command_help[] =
     "  --param=NAME=VALUE   a value of the document's param of that name, as documents have it: 0.7, #c04020, "
     "[0, 1, 0]\n"
     "  --shape=SHAPE        sphere (default), plane, cube, torus, cloth, ground (a plane to the horizon)\n"
+    "  --mesh=FILE          an OBJ, glTF 2 (.gltf, .glb) or PLY file instead of a shape; it is scaled to the size of "
+    "one\n"
     "  --camera=VIEWPOINT   front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]]: where it stands, what it looks "
     "at,\n"
     "                       its angle of view; the shape is about 1 around the origin, and z is up\n"
@@ -88,6 +90,8 @@ static const char *set_option(Command *command, const char *name, const char *va
         command->material = value;
     else if (!strcmp(name, "--contact"))
         command->contact = value;
+    else if (!strcmp(name, "--mesh"))
+        command->mesh = value;
     else if (!strcmp(name, "--param"))
         return add_param(command, value);
     else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&

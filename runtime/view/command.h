@@ -11,7 +11,7 @@ typedef struct {
     char message[PARAM_ROOM]; /* room for what is wrong */
     const char **inputs;
     int input_count;
-    const char *output, *folder, *contact, *material, *viewpoint;
+    const char *output, *folder, *contact, *mesh, *material, *viewpoint;
     GlKind gl;
     bool watch, help, version;
     Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */

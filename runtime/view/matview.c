@@ -4,6 +4,7 @@
 #include "compiler/base/text.h"
 #include "compiler/base/watch.h"
 #include "runtime/view/command.h"
+#include "runtime/view/model.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
 #include <stdio.h>
@@ -172,7 +173,7 @@ static bool write_sheet(const Sheet *sheet, const char *path)
 }
 
 /* A contact sheet is written if nothing is wrong in any of its documents. */
-static int run_inputs(Command *command)
+static int draw_inputs(Command *command)
 {
     Sheet sheet = {.edge = command->picture.view.width};
     int status = FINE;
@@ -182,6 +183,26 @@ static int run_inputs(Command *command)
     if (command->contact && status == FINE && !write_sheet(&sheet, command->contact))
         status = FAULT;
     sheet_free(&sheet);
+    return status;
+}
+
+/* On the shape, or a mesh that is read anew every time. */
+static int run_inputs(Command *command)
+{
+    char error[LONGEST_MESSAGE];
+    Shape mesh;
+    if (!command->mesh)
+        return draw_inputs(command);
+    if (command->watched)
+        watch_list_add(command->watched, command->mesh);
+    if (!model_read(command->mesh, &mesh, error, sizeof error)) {
+        for (int i = 0; command->watched && i < command->input_count; i++)
+            watch_list_add(command->watched, command->inputs[i]);
+        return complain(command->mesh, error);
+    }
+    command->picture.view.mesh = &mesh;
+    int status = draw_inputs(command);
+    shape_free(&mesh);
     return status;
 }
 

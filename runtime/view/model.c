@@ -1,0 +1,183 @@
+/* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process of its own, with an end to its time and
+ * memory, and what comes back through a pipe is checked like the file itself. So a file that breaks the reader is a fault like others. */
+#include "runtime/view/model.h"
+#include "runtime/gl/message.h"
+#include "runtime/view/model_import.h"
+#include <errno.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(__SANITIZE_ADDRESS__)
+enum { HAS_MEMORY_LIMIT = 0 }; /* its shadow memory counts as memory */
+#else
+enum { HAS_MEMORY_LIMIT = 1 };
+#endif
+
+enum { MESSAGE = 1024, BROKEN = 3 };
+
+/* What goes through the pipe first; then vertices, then indices. */
+typedef struct {
+    bool done, has_normals, has_coordinates;
+    int vertex_count, index_count;
+    char error[MESSAGE];
+} Head;
+
+static const struct {
+    const char *ending;
+    bool y_up;
+} endings[] = {{".obj", true}, {".gltf", true}, {".glb", true}, {".ply", false}};
+
+static int find_ending(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    for (int i = 0; dot && i < (int)(sizeof endings / sizeof *endings); i++)
+        if (!strcasecmp(dot, endings[i].ending))
+            return i;
+    return -1;
+}
+
+static bool send_all(int pipe, const void *bytes, size_t size)
+{
+    for (const char *at = bytes; size;) {
+        ssize_t sent = write(pipe, at, size);
+        if (sent < 0 && errno == EINTR)
+            continue;
+        if (sent <= 0)
+            return false;
+        at += sent;
+        size -= (size_t)sent;
+    }
+    return true;
+}
+
+static bool receive_all(int pipe, void *bytes, size_t size)
+{
+    for (char *at = bytes; size;) {
+        ssize_t got = read(pipe, at, size);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0)
+            return false;
+        at += got;
+        size -= (size_t)got;
+    }
+    return true;
+}
+
+static void limit(int what, rlim_t most)
+{
+    const struct rlimit limits = {most, most};
+    setrlimit(what, &limits);
+}
+
+/* The other process, from its begin to its end. */
+static _Noreturn void import_and_send(const char *path, int pipe)
+{
+    ModelParts parts;
+    Head head = {0};
+    limit(RLIMIT_CPU, MODEL_SECONDS);
+    limit(RLIMIT_CORE, 0);
+    if (HAS_MEMORY_LIMIT)
+        limit(RLIMIT_AS, (rlim_t)MODEL_MEMORY_MIB << 20);
+    head.done = model_import(path, &parts, head.error, sizeof head.error);
+    head.has_normals = parts.has_normals;
+    head.has_coordinates = parts.has_coordinates;
+    head.vertex_count = parts.shape.vertex_count;
+    head.index_count = parts.shape.index_count;
+    bool sent = send_all(pipe, &head, sizeof head);
+    if (sent && head.done)
+        sent = send_all(pipe, parts.shape.vertices, (size_t)head.vertex_count * sizeof *parts.shape.vertices) &&
+               send_all(pipe, parts.shape.indices, (size_t)head.index_count * sizeof *parts.shape.indices);
+    _exit(sent ? 0 : BROKEN);
+}
+
+/* What the other process says; false: it said it not, or not to its end. */
+static bool receive(int pipe, Head *head, Shape *shape)
+{
+    if (!receive_all(pipe, head, sizeof *head))
+        return false;
+    head->error[MESSAGE - 1] = 0;
+    if (!head->done)
+        return true;
+    if (head->vertex_count < 0 || head->vertex_count > MODEL_VERTICES || head->index_count < 0 ||
+        head->index_count > MODEL_INDICES)
+        return false;
+    *shape =
+        (Shape){calloc((size_t)head->vertex_count + 1, sizeof *shape->vertices),
+                calloc((size_t)head->index_count + 1, sizeof *shape->indices), head->vertex_count, head->index_count};
+    if (!shape->vertices || !shape->indices)
+        abort();
+    return receive_all(pipe, shape->vertices, (size_t)head->vertex_count * sizeof *shape->vertices) &&
+           receive_all(pipe, shape->indices, (size_t)head->index_count * sizeof *shape->indices);
+}
+
+/* The file's triangles; `head` tells what they have. */
+static bool import_apart(const char *path, Head *head, Shape *shape, char *error, size_t room)
+{
+    int ends[2], status = 0;
+    if (pipe(ends))
+        return message_fail(error, room, "%s", strerror(errno));
+    const pid_t child = fork();
+    if (!child) {
+        close(ends[0]);
+        import_and_send(path, ends[1]);
+    }
+    close(ends[1]);
+    bool whole = child > 0 && receive(ends[0], head, shape);
+    close(ends[0]);
+    while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
+        continue;
+    if (!whole)
+        return message_fail(error, room,
+                            "reading it took too much time or memory, or broke off: the file is damaged, or too large");
+    return head->done || message_fail(error, room, "%s", head->error);
+}
+
+/* y up, and z to the viewer, becomes z up. */
+static void turn(Shape *shape)
+{
+    for (int i = 0; i < shape->vertex_count; i++) {
+        float *vectors[2] = {shape->vertices[i].position, shape->vertices[i].normal};
+        for (int k = 0; k < 2; k++) {
+            const float y = vectors[k][1];
+            vectors[k][1] = -vectors[k][2];
+            vectors[k][2] = y;
+        }
+    }
+}
+
+static bool is_readable(const char *path, char *error, size_t room)
+{
+    struct stat info;
+    if (find_ending(path) < 0)
+        return message_fail(error, room, "a mesh is a file .obj, .gltf, .glb or .ply");
+    if (stat(path, &info))
+        return message_fail(error, room, "%s", strerror(errno));
+    if (!S_ISREG(info.st_mode))
+        return message_fail(error, room, "not a file");
+    return info.st_size <= (off_t)MODEL_FILE_MIB << 20 ||
+           message_fail(error, room, "larger than %d MiB", MODEL_FILE_MIB);
+}
+
+bool model_read(const char *path, Shape *made, char *error, size_t room)
+{
+    Head head = {0};
+    *made = (Shape){0};
+    if (!is_readable(path, error, room))
+        return false;
+    bool done = import_apart(path, &head, made, error, room);
+    if (done && endings[find_ending(path)].y_up)
+        turn(made);
+    const char *fault = done ? model_complete(made, head.has_normals, head.has_coordinates) : NULL;
+    if (fault)
+        done = message_fail(error, room, "%s", fault);
+    if (!done)
+        shape_free(made);
+    return done;
+}

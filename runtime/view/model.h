@@ -1,0 +1,22 @@
+/* Meshes out of files, for the preview. */
+#ifndef MATC_VIEW_MODEL_H
+#define MATC_VIEW_MODEL_H
+#include "runtime/gl/shape.h"
+#include <stddef.h>
+
+enum {
+    MODEL_FILE_MIB = 256,
+    MODEL_VERTICES = 1 << 22,
+    MODEL_INDICES = 1 << 24,
+    MODEL_SECONDS = 30,     /* of reading */
+    MODEL_MEMORY_MIB = 4096 /* for reading */
+};
+
+/* Reads an OBJ, glTF 2 (.gltf, .glb) or PLY file: all its triangles, turned so that z is up (OBJ and glTF have y up), moved and scaled until
+ * the corners of its bounding box are at most 1 from the origin. Normals that are missing become those of the faces, smoothed; texture coordinates
+ * longitude and latitude; tangents are dP/du and dP/dv of the triangles, as on every shape. False: *error, and *made is empty. */
+bool model_read(const char *path, Shape *made, char *error, size_t room);
+
+/* The second half: checks what was read, and adds what is missing. NULL, or what is wrong. */
+const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates);
+#endif

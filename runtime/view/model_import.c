@@ -1,0 +1,95 @@
+/* Assimp's scene as one list of triangles. */
+#include "runtime/view/model_import.h"
+#include "runtime/gl/message.h"
+#include "runtime/view/model.h"
+#include <stdlib.h>
+
+#ifndef MATC_ASSIMP
+bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
+{
+    (void)path;
+    *parts = (ModelParts){0};
+    return message_fail(error, room,
+                        "this matview was built without assimp (Debian: libassimp-dev), which reads meshes");
+}
+#else
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+static const unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices | aiProcess_SortByPType |
+                              aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure;
+
+/* Points and lines have no surface. */
+static bool has_triangles(const struct aiMesh *mesh) { return mesh->mPrimitiveTypes & aiPrimitiveType_TRIANGLE; }
+
+static void count(const struct aiScene *scene, size_t *vertices, size_t *indices)
+{
+    *vertices = *indices = 0;
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        if (!has_triangles(scene->mMeshes[m]))
+            continue;
+        *vertices += scene->mMeshes[m]->mNumVertices;
+        *indices += (size_t)scene->mMeshes[m]->mNumFaces * 3;
+    }
+}
+
+static void put(float to[3], const struct aiVector3D *from) { to[0] = from->x, to[1] = from->y, to[2] = from->z; }
+
+static void add_vertices(const struct aiMesh *mesh, ModelParts *parts)
+{
+    for (unsigned i = 0; i < mesh->mNumVertices; i++) {
+        ShapeVertex *vertex = &parts->shape.vertices[parts->shape.vertex_count++];
+        put(vertex->position, &mesh->mVertices[i]);
+        if (mesh->mNormals)
+            put(vertex->normal, &mesh->mNormals[i]);
+        if (mesh->mTextureCoords[0]) {
+            vertex->uv[0] = mesh->mTextureCoords[0][i].x;
+            vertex->uv[1] = mesh->mTextureCoords[0][i].y;
+        }
+    }
+    parts->has_normals &= mesh->mNormals != NULL;
+    parts->has_coordinates &= mesh->mTextureCoords[0] != NULL;
+}
+
+static void add_mesh(const struct aiMesh *mesh, ModelParts *parts)
+{
+    const uint32_t first = (uint32_t)parts->shape.vertex_count;
+    add_vertices(mesh, parts);
+    for (unsigned f = 0; f < mesh->mNumFaces; f++)
+        for (unsigned k = 0; k < 3 && mesh->mFaces[f].mNumIndices == 3; k++) {
+            /* one that is out of range stays so: the parts are checked */
+            const unsigned index = mesh->mFaces[f].mIndices[k];
+            parts->shape.indices[parts->shape.index_count++] = index < mesh->mNumVertices ? first + index : UINT32_MAX;
+        }
+}
+
+static bool take(const struct aiScene *scene, ModelParts *parts, char *error, size_t room)
+{
+    size_t vertices, indices;
+    count(scene, &vertices, &indices);
+    if (vertices > MODEL_VERTICES || indices > MODEL_INDICES)
+        return message_fail(error, room, "it has %zu vertices and %zu triangles; at most %d and %d are drawn", vertices,
+                            indices / 3, MODEL_VERTICES, MODEL_INDICES / 3);
+    *parts = (ModelParts){.has_normals = true, .has_coordinates = true};
+    parts->shape.vertices = calloc(vertices + 1, sizeof *parts->shape.vertices);
+    parts->shape.indices = calloc(indices + 1, sizeof *parts->shape.indices);
+    if (!parts->shape.vertices || !parts->shape.indices)
+        return message_fail(error, room, "out of memory");
+    for (unsigned m = 0; m < scene->mNumMeshes; m++)
+        if (has_triangles(scene->mMeshes[m]))
+            add_mesh(scene->mMeshes[m], parts);
+    return true;
+}
+
+bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
+{
+    *parts = (ModelParts){0};
+    const struct aiScene *scene = aiImportFile(path, steps);
+    if (!scene)
+        return message_fail(error, room, "%s", aiGetErrorString());
+    bool done = take(scene, parts, error, room);
+    aiReleaseImport(scene);
+    return done;
+}
+#endif

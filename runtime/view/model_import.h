@@ -1,0 +1,15 @@
+/* The part of a mesh's reading that is not ours: assimp's, which has to run where it can do no harm. */
+#ifndef MATC_VIEW_MODEL_IMPORT_H
+#define MATC_VIEW_MODEL_IMPORT_H
+#include "runtime/gl/shape.h"
+#include <stddef.h>
+
+/* What a file has, as it stands in it; vertices without tangents. */
+typedef struct {
+    Shape shape;
+    bool has_normals, has_coordinates;
+} ModelParts;
+
+/* False: *error. */
+bool model_import(const char *path, ModelParts *parts, char *error, size_t room);
+#endif
