@@ -53,7 +53,7 @@ typedef struct {
     const char *layout;       /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
     const char *precision;    /* "fast" (default), "balanced", "exact": sets those below that are NULL */
     const char *noise;        /* "lattice" (default), "groimp" */
-    const char *aa;           /* "none" (default), "box", "aniso" */
+    const char *aa;           /* "auto" (default), "none", "box", "aniso" */
     const char *derivatives;  /* "finite" (default), "analytic" */
     const char *coordinates;  /* "plain" (default), "long" */
     const char *powers;       /* "squaring" (default), "pow", "compensated" */
@@ -165,6 +165,7 @@ typedef struct {
     bool mipmaps;               /* give it all mipmaps and filter linearly in and between them; else: nearest texels */
     const char *format;          /* of a texel, by OpenGL's name: "RGBA8", "SRGB8_ALPHA8", "RGBA16", "R32F", ... */
     const unsigned short *words; /* 16 bits a lane, over 65535; or NULL */
+    int anisotropy;             /* of its sampler, at most, where the driver can; 1: none */
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
 /* Made on first request. */

@@ -104,7 +104,7 @@ static double level_at(const Mipmaps *m, int level, const double u[2], int lane)
     return bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, lane);
 }
 
-/* By imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed with mipmaps, the level being the
+/* --aa=box, by imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed with mipmaps, the level being the
  * logarithm of the texels; then the mipmaps alone. */
 static double want_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
 {
@@ -126,16 +126,42 @@ static double want_samples(const Mipmaps *m, double texels, const double u[2], i
     return sum;
 }
 
+/* By the sampler: the mipmap whose level is the logarithm of the texels, up to a texel the picture itself. */
+static double want_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    double level = fmin(fmax(log2(texels), 0), log2(m->side));
+    int low = (int)level, high = m->side >> (low + 1) ? low + 1 : low;
+    return level_at(m, low, u, lane) * (1 - level + low) + level_at(m, high, u, lane) * (level - low);
+}
+
+/* A BumpMap's normal: the slope is the difference to one texel further, of the mipmap that is shown here. */
+static double want_normal(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    const double step = .02, texel = 1. / m->side, right[2] = {u[0] + texel, u[1]}, up[2] = {u[0], u[1] + texel};
+    double here = want_sampler(m, texels, u, 0);
+    double n[3] = {-step * m->side * (want_sampler(m, texels, right, 0) - here),
+                   -step * m->side * (want_sampler(m, texels, up, 0) - here), 1};
+    return n[lane] / sqrt(n[0] * n[0] + n[1] * n[1] + 1);
+}
+
+typedef double Want(const Mipmaps *m, double texels, const double u[2], int lane);
+
+/* A map of a picture, %s in `map`, and what it should show. */
+typedef struct {
+    const char *map, *slot, *target, *aa;
+    Want *want;
+} Look;
+
 /* Greatest error of pixels that cover `texels` texels either way. */
-static double measure(const Mipmaps *m, double texels, const char *target)
+static double measure(const Mipmaps *m, double texels, const Look *look)
 {
     static Pixels rgba;
-    char map[128];
+    char map[1024], image[128];
     double worst = 0;
-    bool samples = !strcmp(target, "glsl110");
     Sheet sheet;
-    snprintf(map, sizeof map, "{ map: ImageMap, image: %s }", m->path);
-    Filtered f = {.map = map, .slot = "emissive", .target = target, .aa = "box"};
+    snprintf(image, sizeof image, "map: ImageMap, image: %s", m->path);
+    snprintf(map, sizeof map, look->map, image, image);
+    Filtered f = {.map = map, .slot = look->slot, .target = look->target, .aa = look->aa};
     if (!filtered_open(&f, &drawers))
         fail_msg("%s", f.error);
     sheet_init(&sheet);
@@ -147,13 +173,27 @@ static double measure(const Mipmaps *m, double texels, const char *target)
         int pixel = i / LANES, lane = i % LANES;
         Surface s;
         sheet_surface(&sheet, pixel, 0, 0, &s);
-        const double *u = &s.root[channel_id(GROUP_U, 0)];
-        double want = samples ? want_samples(m, texels, u, lane) : want_mipmaps(m, texels, u, lane);
+        double want = look->want(m, texels, &s.root[channel_id(GROUP_U, 0)], lane);
         note(isnan(rgba[pixel][lane]) ? INFINITY : fabs(rgba[pixel][lane] - want), &worst);
     }
     filtered_close(&f);
     return worst;
 }
+
+/* Of both pictures. */
+static int judge(const Look *look, double texels, double most)
+{
+    int failures = 0;
+    for (int k = 0; k < 2; k++) {
+        double seen = measure(k ? &large : &small, texels, look);
+        print_message("%-7s %-4s %-8s %d x %d, %g texels a pixel: %.1e, at most %.1e\n", look->target, look->aa,
+                      look->slot, k ? 8 : 2, k ? 8 : 2, texels, seen, most);
+        failures += !(seen <= most);
+    }
+    return failures;
+}
+
+static const char *const targets[] = {"glsl330", "essl300", "glsl110"};
 
 /* Of the driver's mipmaps: bytes, mixed by weights of eight bits. */
 static void pictures_show_their_mipmaps(void **state)
@@ -162,17 +202,33 @@ static void pictures_show_their_mipmaps(void **state)
     static const struct {
         double texels, most;
     } cases[] = {{.21, 3e-6}, {.9, 3e-6}, {1.5, .01}, {2, .01}, {2.9, .015}, {4, .01}};
-    static const char *const targets[] = {"glsl330", "essl300", "glsl110"};
     int failures = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        for (int target = 0; target < 3; target++)
-            for (int k = 0; k < 2; k++) {
-                double seen = measure(k ? &large : &small, cases[i].texels, targets[target]);
-                double most = target == 2 ? 1e-5 : cases[i].most;
-                print_message("%s, %d x %d, %g texels a pixel: %.1e, at most %.1e\n", targets[target], k ? 8 : 2,
-                              k ? 8 : 2, cases[i].texels, seen, most);
-                failures += !(seen <= most);
-            }
+        for (int target = 0; target < 3; target++) {
+            const Look look = {"{ %s }", "emissive", targets[target], "box", target == 2 ? want_samples : want_mipmaps};
+            failures += judge(&look, cases[i].texels, target == 2 ? 1e-5 : cases[i].most);
+        }
+    assert_int_equal(failures, 0);
+}
+
+/* By default the sampler does all: with the footprint of the neighbouring pixels, or in a choice of costly maps with one that it is
+ * told. Below a texel its weights have eight bits. */
+static void samplers_show_pictures(void **state)
+{
+    (void)state;
+    static const double texels[] = {.21, .9, 1.5, 2, 2.9, 4};
+    static const char turbulent[] = "{ map: Checker, color1: { %s, input: { map: Turbulence, amount: [0, 0, 0] } }, "
+                                    "color2: { %s, input: { map: Turbulence, amount: [0, 0, 0] } } }";
+    int failures = 0;
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
+        for (int target = 0; target < 3; target++) {
+            const Look looks[] = {
+                {"{ %s }", "emissive", targets[target], "auto", want_sampler},
+                {turbulent, "emissive", targets[target], "auto", want_sampler},
+                {"{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal}};
+            for (size_t k = 0; k < sizeof looks / sizeof *looks; k++)
+                failures += judge(&looks[k], texels[i], k < 2 ? .015 : .006);
+        }
     assert_int_equal(failures, 0);
 }
 
@@ -180,6 +236,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_show_their_mipmaps),
+        cmocka_unit_test(samplers_show_pictures),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

@@ -208,7 +208,7 @@ static void reflection_fits_the_shader(void **state)
         item = cJSON_GetObjectItem(root, "choices");
         assert_true(cJSON_GetArraySize(item) >= 6); /* noise ... trigonometry */
         assert_string_equal(cJSON_GetObjectItem(item, "noise")->valuestring, "groimp");
-        assert_string_equal(cJSON_GetObjectItem(item, "aa")->valuestring, "none");
+        assert_string_equal(cJSON_GetObjectItem(item, "aa")->valuestring, "auto");
         assert_non_null(strstr(shader, "// choices: noise=groimp\n"));
         item = cJSON_GetObjectItem(cJSON_GetObjectItem(root, "block"), "size");
         assert_true(target_table[i].locations ? item->valueint == 80

@@ -23,21 +23,34 @@
 typedef struct {
     Target target;
     int optimize;
-    Choice choice; /* the one that is not its axis' default, if any */
+    Choice choice; /* the one that is not its axis' default, if any; of aa that is none here */
     bool buffered; /* numbers of the document come from a buffer */
 } Variant;
 
 /* Without a footprint filtered maps have the values of plain ones. */
 static const Variant variants[] = {
-    {TARGET_glsl330, 0, CHOICE_noise_lattice, false},        {TARGET_glsl330, 2, CHOICE_noise_lattice, false},
-    {TARGET_glsl110, 2, CHOICE_noise_lattice, false},        {TARGET_glsl450, 2, CHOICE_noise_lattice, false},
-    {TARGET_essl300, 2, CHOICE_noise_lattice, false},        {TARGET_glsl330, 2, CHOICE_noise_groimp, false},
-    {TARGET_glsl110, 2, CHOICE_noise_groimp, false},         {TARGET_glsl330, 2, CHOICE_noise_simplex, false},
-    {TARGET_glsl110, 2, CHOICE_noise_simplex, false},        {TARGET_glsl330, 2, CHOICE_derivatives_analytic, false},
-    {TARGET_glsl110, 2, CHOICE_derivatives_analytic, false}, {TARGET_glsl330, 2, CHOICE_aa_box, false},
-    {TARGET_glsl330, 2, CHOICE_coordinates_long, false},     {TARGET_glsl330, 2, CHOICE_trigonometry_bounded, false},
-    {TARGET_glsl330, 2, CHOICE_powers_compensated, false},   {TARGET_glsl330, 2, CHOICE_noise_lattice, true},
-    {TARGET_glsl110, 2, CHOICE_noise_lattice, true},         {TARGET_glsl450, 0, CHOICE_noise_lattice, true},
+    {TARGET_glsl330, 0, CHOICE_noise_lattice, false},
+    {TARGET_glsl330, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl450, 2, CHOICE_noise_lattice, false},
+    {TARGET_essl300, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl330, 2, CHOICE_noise_groimp, false},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp, false},
+    {TARGET_glsl330, 2, CHOICE_noise_simplex, false},
+    {TARGET_glsl110, 2, CHOICE_noise_simplex, false},
+    {TARGET_glsl330, 2, CHOICE_derivatives_analytic, false},
+    {TARGET_glsl110, 2, CHOICE_derivatives_analytic, false},
+    {TARGET_glsl330, 2, CHOICE_aa_box, false},
+    {TARGET_glsl330, 2, CHOICE_coordinates_long, false},
+    {TARGET_glsl330, 2, CHOICE_trigonometry_bounded, false},
+    {TARGET_glsl330, 2, CHOICE_powers_compensated, false},
+    {TARGET_glsl330, 2, CHOICE_noise_lattice, true},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice, true},
+    {TARGET_glsl450, 0, CHOICE_noise_lattice, true},
+    {TARGET_glsl330, 0, CHOICE_aa_auto, false},
+    {TARGET_glsl330, 2, CHOICE_aa_auto, false},
+    {TARGET_glsl110, 2, CHOICE_aa_auto, false},
+    {TARGET_essl300, 2, CHOICE_aa_auto, false},
 };
 enum { VARIANTS = sizeof variants / sizeof *variants, NOISES = REFERENCE_NOISE_COUNT };
 
@@ -228,6 +241,8 @@ static void record(Run *run, const Case *c, const Seen *seen)
 
 /* So far out that differences of the oracle's doubles are no measure of a derivative, or the bounded sine's bound is no more. */
 static const float far_for_slopes = 1000, far_for_sines = 1e5f;
+/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. */
+static const float far_for_samplers = 100;
 static bool point_is_far(const Point *point, float far)
 {
     float greatest = 0;
@@ -251,6 +266,23 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
     return 3 * width / fmax(1, fabs(hull->value.lane[c->slot][lane])) + c->bound < SHARP;
 }
 
+/* Pictures come through the driver's sampler, whose weights and results have eight bits: two codes, and as much more as a Blend along
+ * them is steep. Slopes of them, which a BumpMap takes, are test_filtered_picture's. */
+static const double sampler_bound = 2. / 255, sampler_blend_bound = 10. / 255;
+
+static bool is_sampled(const Variant *variant, const Subjects *subjects)
+{
+    return variant->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
+}
+
+static double bound_of(const Variant *variant, const Subjects *subjects, int governing)
+{
+    const double bound = bound_table[governing].bound;
+    return !is_sampled(variant, subjects)
+               ? bound
+               : fmax(bound, subjects->has[KIND_Blend] ? sampler_blend_bound : sampler_bound);
+}
+
 /* The worst lane of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
@@ -258,6 +290,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = job_noise(basis, c->variant->target);
     bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
+    bool sampled = is_sampled(c->variant, c->subjects), bumped = c->subjects->has[KIND_BumpMap];
     const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
@@ -267,6 +300,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
             bool far = point_is_extreme(&w->run->points[i]) ||
                        (exact && point_is_far(&w->run->points[i], far_for_slopes)) ||
                        (choice == CHOICE_trigonometry_bounded && point_is_far(&w->run->points[i], far_for_sines)) ||
+                       (sampled && (bumped || point_is_far(&w->run->points[i], far_for_samplers))) ||
                        (steep && point_on_edges(&w->run->points[i]));
             if (far && isfinite(rgba[4 * i + k]))
                 continue;
@@ -368,6 +402,7 @@ static void check_variant(Worker *w, const Case *c)
     options.slot = slot_table[c->slot].name;
     options.target = target_table[c->variant->target].name;
     const ChoiceRow *choice = &choice_table[c->variant->choice];
+    options.aa = "none";
     matc_options_set(&options, axis_table[choice->axis].name, choice->name);
     options.optimize = c->variant->optimize;
     options.constants = c->variant->buffered ? "uniform" : "baked";
@@ -389,6 +424,8 @@ static void check_variant(Worker *w, const Case *c)
 /* Whether a choice can change what the subjects make. */
 static bool matters(Choice choice, const Subjects *subjects)
 {
+    if (choice == CHOICE_aa_auto)
+        return subjects->has[KIND_ImageMap];
     if (axis_table[choice_table[choice].axis].first == (int)choice)
         return true;
     if (choice_table[choice].axis == AXIS_noise)
@@ -406,7 +443,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
         for (int i = 0; i < VARIANTS; i++)
             if (matters(variants[i].choice, &subjects))
                 check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], &subjects, governing,
-                                         bound_table[governing].bound, changed});
+                                         bound_of(&variants[i], &subjects, governing), changed});
     }
     forget(&subject);
 }

@@ -128,6 +128,15 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, "}");
 }
 
+/* Down to one texel. */
+static int level_count(const MatcTexture *t)
+{
+    int count = 1;
+    for (int side = t->width > t->height ? t->width : t->height; side > 1; side /= 2)
+        count++;
+    return count;
+}
+
 static void put_textures(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
 {
     MatcTexture *textures;
@@ -143,6 +152,7 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
         if (made_by[i] >= 0 && ir->textures[made_by[i]].srgb)
             json_next(out, "colorspace", "srgb");
         json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
+        text_format(out, ", \"levels\": %d, \"anisotropy\": %d", t->mipmaps ? level_count(t) : 1, t->anisotropy);
         text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
         if (target_table[job->target].locations)
             text_format(out, "\"binding\": %d, ",

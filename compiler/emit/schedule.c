@@ -63,6 +63,12 @@ static void bound_depth(Schedule *s, Ref ref)
         s->branch[ref] = 0;
 }
 
+/* It takes differences between neighbouring pixels, which must all come by. */
+static bool needs_neighbours(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_imageSampled;
+}
+
 static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count)
 {
     clear(s);
@@ -70,6 +76,8 @@ static void assign_blocks(const Ir *ir, Schedule *s, const Ref *roots, int count
         use(s, roots[i], 0);
     for (size_t k = 0; k < s->nodes.count; k++) {
         Ref ref = s->nodes.at[k];
+        if (needs_neighbours(ir, ref))
+            s->block[ref] = 0;
         int block = s->block[ref];
         s->next[ref] = s->blocks[block].first;
         s->blocks[block].first = ref;

@@ -5,6 +5,8 @@
 #include <string.h>
 
 enum { TABLE_PERMUTATION = -1, TABLE_RANDOM = -2, TABLE_XOR = -3, SIDE = 256, RANDOM_COUNT = 512 };
+/* What OpenGL 4.6 promises; a driver takes no more samples than a footprint is long. */
+enum { SAMPLER_ANISOTROPY = 16 };
 
 typedef struct {
     const char *name;
@@ -34,13 +36,14 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
 {
     const IrTexture *t = &ir->textures[i];
     MatcTexture texture = {
-        .name = emit_texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1};
+        .name = emit_texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1, .anisotropy = 1};
     texture.format = texels_table[t->texels].name;
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
         texture.lanes = 4;
         texture.bytes = texels_table[t->texels].bits == 8 ? t->image->bytes : NULL;
-        texture.mipmaps = averaged;
+        texture.mipmaps = averaged || t->sampled;
+        texture.anisotropy = t->sampled ? SAMPLER_ANISOTROPY : 1;
     }
     return texture;
 }
@@ -73,7 +76,8 @@ int texture_list(Session *session, const Ir *ir, const Interface *interface, Mat
                                              .width = tables[i].width,
                                              .height = tables[i].height,
                                              .lanes = tables[i].lanes,
-                                             .format = texels_table[tables[i].texels].name};
+                                             .format = texels_table[tables[i].texels].name,
+                                             .anisotropy = 1};
         }
     return count;
 }

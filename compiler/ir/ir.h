@@ -77,7 +77,7 @@ typedef struct {
     const Image *image; /* of an image */
     const Node *node;   /* of a Carpenter */
     int width, height;
-    bool linear;
+    bool sampled; /* by the sampler, with mipmaps; else texel by texel */
     bool srgb;     /* of an image: red, green and blue are decoded, by the sampler or before it has them */
     Texels texels; /* what the program's texture holds */
 } IrTexture;

@@ -181,19 +181,53 @@ Ref area_odd_share(Lower *l, Answer q)
     return build_sub(ir, build_float(ir, 0.5), build_scale(ir, product, 0.5));
 }
 
-Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size)
+/* The sampler takes the footprint from the neighbouring pixels where those surely do the same and no seam lies between them: not in
+ * branches, nor in the functions of filters, nor where the view ray makes the texture coordinate. Elsewhere it is told. GLSL
+ * 1.10 cannot tell it: there the functions of filters mix texels. */
+Function area_picture_function(const Lower *l, bool smooth)
+{
+    const bool told = l->arms || l->filters || l->job->pass == PASS_sky || l->job->pass == PASS_plane;
+    if (!smooth)
+        return FN_imageNearest;
+    if (l->job->choice[AXIS_aa] != CHOICE_aa_auto)
+        return FN_imageBilinear;
+    if (!target_table[l->job->target].words)
+        return l->filters ? FN_imageBilinear : FN_imageSampled;
+    return told ? FN_imageSampledOver : FN_imageSampled;
+}
+
+static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point, Ref uv)
+{
+    Ir *ir = l->ir;
+    Ref right = slope_detached(l, uv, DIRECTION_right), up = slope_detached(l, uv, DIRECTION_up);
+    right = build_or_zero(ir, right, TYPE_vec2);
+    up = build_or_zero(ir, up, TYPE_vec2);
+    return build_call(ir, function, p->sampler, point, p->size, right, up);
+}
+
+Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
+{
+    if (p->function == FN_imageSampledOver)
+        return picture_over(l, p->function, p, point, uv);
+    return build_call(l->ir, p->function, p->sampler, point, p->size);
+}
+
+Ref area_picture(Lower *l, const Picture *p, Ref uv)
 {
     Ir *ir = l->ir;
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
     Ref right = slope_detached(l, uv, DIRECTION_right), up = slope_detached(l, uv, DIRECTION_up);
+    if (p->function == FN_imageSampled)
+        return build_call(ir, FN_imageSampled, p->sampler, uv, p->size);
+    if (p->function == FN_imageSampledOver)
+        return picture_over(l, FN_imageSampledOver, p, uv, uv);
     if (!footprint_is_filtered(l) || (!right && !up))
-        return build_call(ir, function, sampler, uv, size);
-    Ref none = build_all(ir, TYPE_vec2, 0);
-    if (function == FN_imageBilinear)
-        return build_call(ir, FN_imageFiltered, sampler, uv, size, right ? right : none, up ? up : none);
+        return build_call(ir, p->function, p->sampler, uv, p->size);
+    if (p->function == FN_imageBilinear)
+        return picture_over(l, FN_imageFiltered, p, uv, uv);
     int count = footprint_points(l, uv, points);
     for (int i = 0; i < count; i++)
-        values[i] = build_call(ir, function, sampler, points[i], size);
+        values[i] = build_call(ir, p->function, p->sampler, points[i], p->size);
     return mean_of(l, values, count);
 }
 

@@ -11,8 +11,17 @@ Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3]);
 /* The share of the footprint where an odd number of lanes of q lie in the upper half of their period 1; q has two or three.
  * 0: it is everywhere the same, and only the point decides. */
 Ref area_odd_share(Lower *l, Answer q);
-/* A picture's function (sampler, uv, size). */
-Ref area_picture(Lower *l, Function function, Ref sampler, Ref uv, Ref size);
+/* A picture and its function (sampler, uv, size). */
+typedef struct {
+    Function function;
+    Ref sampler, size;
+} Picture;
+/* Which function reads an ImageMap where it is asked now; `smooth`: texels are mixed. */
+Function area_picture_function(const Lower *l, bool smooth);
+/* A picture at uv. */
+Ref area_picture(Lower *l, const Picture *picture, Ref uv);
+/* At a point near uv, as it would be shown at uv: for differences. */
+Ref area_picture_near(Lower *l, const Picture *picture, Ref point, Ref uv);
 /* 1 / (high - low) of known numbers, computed in double here or where the buffer is filled; 0 where they are equal. */
 Ref area_known_inverse(Lower *l, Ref low, Ref high);
 /* The share of the way from `low` to `high` that t has gone, in [0, 1], as a mean over a box of t; equal ones make a step. */

@@ -8,7 +8,11 @@
 static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */
 static const double LEAST_DIVISOR = 1e-37; /* a float that is no denormal */
 
-bool footprint_is_filtered(const Lower *l) { return l->job->choice[AXIS_aa] != CHOICE_aa_none && !l->filters; }
+bool footprint_is_filtered(const Lower *l)
+{
+    const Choice aa = l->job->choice[AXIS_aa];
+    return (aa == CHOICE_aa_box || aa == CHOICE_aa_aniso) && !l->filters;
+}
 
 /* The edge of one box that stands for two, one after the other. Of a number, whose box is all that is known: their variances add. Of
  * a coordinate by lane the greater one, which is as good for checkers and noise, and cheaper. */

@@ -2,6 +2,8 @@
 #include "compiler/lower/area.h"
 #include <string.h>
 
+enum { LEAST_ARM = 40 }; /* scalar operations of a map from which on a choice of it may be a branch */
+
 typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
 /* A volume map's answer is the same on every channel: its function of the position, sent through its wave. */
@@ -135,6 +137,29 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     memo = memo_find(l, key); /* the table may have moved */
     *memo = (Memo){key, answer};
     l->memo_count++;
+    return answer;
+}
+
+/* What evaluating a map costs by the tables, up to `limit`. */
+static int map_cost_below(const Node *map, int limit)
+{
+    int cost = map ? kind_table[map->kind].cost : 0;
+    for (int i = 0; map && i < kind_table[map->kind].count && cost < limit; i++) {
+        const Value *value = &map->params[i];
+        if (value->kind == VALUE_node)
+            cost += map_cost_below(value->node, limit - cost);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count && cost < limit; k++)
+            cost += map_cost_below(value->items->item[k].input, limit - cost);
+    }
+    return cost;
+}
+
+Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
+{
+    const bool branches = map_cost_below(map, LEAST_ARM) >= LEAST_ARM;
+    l->arms += branches;
+    Answer answer = lower_answer(l, map, group, env);
+    l->arms -= branches;
     return answer;
 }
 

@@ -56,6 +56,7 @@ typedef struct {
     const Job *job;
     Simplify *simplify;             /* the local rules; NULL in the IR at -O0 */
     int filters;                    /* under way: Smooth3D, Laplace3D */
+    int arms;                       /* under way: maps of a choice that is likely to become a branch */
     bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;
@@ -79,6 +80,8 @@ Ir *lower(Session *session, const Graph *graph, const Node *material, const Job 
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
 /* Its value. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
+/* The same of a map that is one of several to choose from: its evaluation may become a branch's. */
+Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
 Ref lower_as_group(Lower *l, Ref value, Group group);

@@ -263,7 +263,7 @@ static Stop *stops_of(Lower *l, const Value *blend, Group group, const Env *env)
     for (int i = 0; i < count; i++) {
         const Item *item = &blend->items->item[i];
         stops[i].value = lower_param(l, &item->value, TYPE_float);
-        answers[i] = lower_answer(l, item->input, group, env);
+        answers[i] = lower_arm(l, item->input, group, env);
         Type own = ir_type(l->ir, answers[i].value);
         type = i ? answer_common_type(type, own) : own;
     }

@@ -62,18 +62,14 @@ static Ref odd_sum(Lower *l, Ref q)
     return odd;
 }
 
-/* uv + (step_u, step_v), whole turns dropped first: far from the origin the step would be lost. */
-static Ref stepped(Lower *l, Ref uv, double step_u, double step_v)
-{
-    Ir *ir = l->ir;
-    return build_add(ir, build_fract(ir, uv), ir_const(ir, TYPE_vec2, (double[]){step_u, step_v}));
-}
+/* uv + step, whole turns dropped first: far from the origin the step would be lost. */
+static Ref stepped(Lower *l, Ref uv, Ref step) { return build_add(l->ir, build_fract(l->ir, uv), step); }
 
 /* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
 static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 {
     if (step_u != 0 || step_v != 0)
-        uv = stepped(l, uv, step_u, step_v);
+        uv = stepped(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
     return odd_sum(l, uv);
 }
 
@@ -98,7 +94,7 @@ Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
     Answer uv = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
         return answer_of(checker_slope(l, node, uv.value, group, env));
-    Answer a = lower_answer(l, color1, group, env), b = lower_answer(l, color2, group, env);
+    Answer a = lower_arm(l, color1, group, env), b = lower_arm(l, color2, group, env);
     Ref share = area_odd_share(l, uv);
     return answer_either(l, share ? share : odd_square(l, uv.value, 0, 0), a, b);
 }
@@ -106,8 +102,8 @@ Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    Answer a = lower_answer(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
-    Answer b = lower_answer(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
+    Answer a = lower_arm(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
+    Answer b = lower_arm(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
     p = answer_scaled(l, p, build_float(l->ir, 0.5));
     Ref share = area_odd_share(l, p);
     return answer_either(l, share ? share : odd_sum(l, p.value), a, b);
@@ -117,7 +113,7 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
-        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb;
+        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb && a->sampled == b->sampled;
     for (int i = 1; i < kind_table[KIND_Carpenter].count; i++) {
         double x[4], y[4];
         value_number(&a->node->params[i], TYPE_float, x);
@@ -152,11 +148,11 @@ static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
     return (uint32_t)ir->texture_count - 1;
 }
 
-/* A picture, the function that reads it, and the steps of its slopes along u and v. */
+/* A picture, the function that reads it, and the steps of its slopes along u and v; 0: a texel. */
 typedef struct {
     IrTexture texture;
     Function function;
-    double step_u, step_v;
+    double step;
     const char *lane; /* that alone, by its letter in GLSL; NULL: all */
 } Sampled;
 
@@ -166,22 +162,37 @@ static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
     return sampled->lane ? build_swizzle(l->ir, value, sampled->lane) : value;
 }
 
+/* Its width and height: asked of the sampler where that can tell, so that pictures of all sizes share a program. */
+static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
+{
+    if (texture->sampled && target_table[l->job->target].words)
+        return build_call(l->ir, FN_pictureSize, sampler);
+    return ir_const(l->ir, TYPE_vec2, (double[]){texture->width, texture->height});
+}
+
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
-static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
+static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
     Ir *ir = l->ir;
-    const IrTexture *wanted = &sampled->texture;
-    const Function function = sampled->function;
-    Ref size = ir_const(ir, TYPE_vec2, (double[]){wanted->width, wanted->height});
-    Ref sampler = build_leaf(ir, OP_texture, TYPE_sampler, (int)texture_number(ir, wanted));
-    if (!is_derivative(group))
-        return lower_as_group(l, lanes_of(l, sampled, area_picture(l, function, sampler, uv, size)), group);
-    Ref here = lanes_of(l, sampled, build_call(ir, function, sampler, uv, size));
-    double h = group == GROUP_DU ? sampled->step_u : sampled->step_v, u = group == GROUP_DU ? h : 0, v = h - u;
-    bool turns = wanted->kind == TEXTURE_image; /* repeat exactly; a relief does not on both sides of 0 */
-    Ref beyond = turns ? stepped(l, uv, u, v) : build_add(ir, uv, ir_const(ir, TYPE_vec2, (double[]){u, v}));
-    Ref there = lanes_of(l, sampled, build_call(ir, function, sampler, beyond, size));
-    return lower_as_group(l, build_scale(ir, build_sub(ir, there, here), 1 / h), group);
+    Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
+    Ref h = sampled->step > 0 ? build_float(ir, sampled->step) : build_div(ir, build_float(ir, 1), lane);
+    Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
+    /* They repeat exactly. A relief does not on both sides of 0, and the sampler would take a dropped turn for a wide footprint. */
+    const bool turns = sampled->texture.kind == TEXTURE_image && !sampled->texture.sampled;
+    Ref beyond = turns ? stepped(l, uv, step) : build_add(ir, uv, step);
+    Ref here = lanes_of(l, sampled, area_picture_near(l, picture, uv, uv));
+    Ref there = lanes_of(l, sampled, area_picture_near(l, picture, beyond, uv));
+    Ref rise = build_sub(ir, there, here);
+    return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step) : build_mul(ir, rise, lane);
+}
+
+static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
+{
+    Ref sampler = build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
+    const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler)};
+    Ref value = is_derivative(group) ? sampled_slope(l, sampled, &picture, uv, group == GROUP_DV)
+                                     : lanes_of(l, sampled, area_picture(l, &picture, uv));
+    return lower_as_group(l, value, group);
 }
 
 static bool is_word(const Node *node, int param, Word word)
@@ -220,16 +231,16 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     const bool srgb = is_word(node, P_ImageMap_colorspace, WORD_ColorSpace_srgb) && !only_alpha;
     if (only_alpha && picture->opaque)
         return constant(l, build_float(ir, 1), group);
+    const Function function = area_picture_function(l, bilinear[0] != 0);
     const Sampled sampled = {
         .texture = {.kind = TEXTURE_image,
                     .image = picture,
                     .width = picture->width,
                     .height = picture->height,
+                    .sampled = function == FN_imageSampled || function == FN_imageSampledOver,
                     .srgb = srgb,
                     .texels = texels_of(l, srgb)},
-        .function = bilinear[0] != 0 ? FN_imageBilinear : FN_imageNearest,
-        .step_u = 1.0 / picture->width,
-        .step_v = 1.0 / picture->height,
+        .function = function,
         .lane = channel_lane(node),
     };
     Ref value = sample_group(l, &sampled, uv, group);
@@ -254,5 +265,5 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
-    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, step, NULL}, uv, group));
+    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, NULL}, uv, group));
 }

@@ -37,7 +37,7 @@ static const char after_layout[] =
     "  --coordinates=C      plain (default), long: no accuracy lost to scales and offsets\n"
     "  --powers=P           squaring (default), pow, compensated\n"
     "  --trigonometry=T     native (default), bounded\n"
-    "  --aa=A               none (default), box, aniso: maps are averaged over the pixel\n"
+    "  --aa=A               auto (default), none, box, aniso: what is averaged over the pixel\n"
     "  --derivatives=D      finite (default), analytic\n"
     "  --material=NAME      of `materials:`; without it, the only one\n"
     "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"

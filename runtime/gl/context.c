@@ -53,6 +53,17 @@ static bool is_software(const char *renderer)
            strstr(renderer, "Software Rasterizer");
 }
 
+/* A driver without it calls the question an error, which is dropped. Mesa's software samplers blur with it what they should
+ * magnify. */
+static int greatest_anisotropy(const GlContext *gl)
+{
+    GLint most = 1;
+    if (!gl->hardware)
+        return 1;
+    gl->GetIntegerv(GL_MAX_TEXTURE_MAX_ANISOTROPY, &most);
+    return gl->GetError() == GL_NO_ERROR && most > 1 ? most : 1;
+}
+
 static void describe(GlContext *gl)
 {
     gl->version = string(gl, GL_VERSION);
@@ -64,6 +75,7 @@ static void describe(GlContext *gl)
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &gl->max_texture_units);
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
+    gl->max_anisotropy = greatest_anisotropy(gl);
 }
 
 /* Rows of bytes and of one float are not padded, in either direction. */

@@ -23,6 +23,7 @@ typedef struct GlContext {
     bool hardware;         /* the renderer is none of Mesa's software ones */
     int max_texture_size;  /* edge of a texture or framebuffer, texels */
     int max_texture_units; /* samplers in a fragment program */
+    int max_anisotropy;    /* of a sampler, GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: there is none that is good */
     int max_draw_buffers;  /* colour targets of one draw */
     void *state;           /* of the backend */
     char error[4096];      /* what failed last; functions of the GL layer that return false or 0 leave it here */

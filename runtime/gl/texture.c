@@ -38,6 +38,9 @@ static void set_parameters(const GlContext *gl, const TextureSpec *spec)
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, spec->mipmaps ? GL_LINEAR : filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
+    if (spec->anisotropy > 1 && gl->max_anisotropy > 1)
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY,
+                          spec->anisotropy < gl->max_anisotropy ? spec->anisotropy : gl->max_anisotropy);
     if (!spec->mipmaps)
         gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }

@@ -13,6 +13,7 @@ typedef struct {
     bool linear;           /* filter; false: nearest */
     bool repeat;           /* wrap; false: clamp to the edge */
     bool mipmaps;          /* make them, and filter linearly in and between them */
+    int anisotropy;        /* samples along a footprint's longer side, at most; as many as the driver can, 0 or 1: one */
     const uint16_t *words; /* a word over 65535 is the value: RGBA16 */
     GLint format;          /* the internal one, where several can hold the numbers: SRGB8_ALPHA8; 0: as said above */
 } TextureSpec;

@@ -63,6 +63,16 @@ REFERENCE(imageBilinear)
     mixed(texture, low, weight, result);
 }
 
+/* The sampler's own weights are those of the four texels. */
+REFERENCE(imageSampled) { reference_imageBilinear(context, args, result); }
+
+REFERENCE(pictureSize)
+{
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    result[0] = texture->width;
+    result[1] = texture->height;
+}
+
 REFERENCE(carpenterRelief)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
@@ -108,7 +118,7 @@ REFERENCE(reliefAlong)
 }
 
 /* The mean of samples over the footprint. */
-REFERENCE(imageFiltered)
+static void footprint_mean(const void *context, const double *args, double *result)
 {
     enum { SIDE = 16 };
     for (int lane = 0; lane < LANES; lane++)
@@ -120,4 +130,22 @@ REFERENCE(imageFiltered)
         for (int lane = 0; lane < LANES; lane++)
             result[lane] += sample[lane] / (SIDE * SIDE);
     }
+}
+
+REFERENCE(imageFiltered) { footprint_mean(context, args, result); }
+
+/* Texels that a change of uv crosses. */
+static double texels_across(const double *size, const double *change)
+{
+    return hypot(size[0] * change[0], size[1] * change[1]);
+}
+
+/* Up to a texel a pixel the sampler magnifies: the value at the point. */
+REFERENCE(imageSampledOver)
+{
+    const double *size = &args[3], *right = &args[5], *up = &args[7];
+    if (fmax(texels_across(size, right), texels_across(size, up)) <= 1)
+        reference_imageBilinear(context, args, result);
+    else
+        footprint_mean(context, args, result);
 }

@@ -75,6 +75,7 @@ static bool set_textures(Material *m, MatcProgram *program)
                                   .floats = t->floats,
                                   .repeat = true,
                                   .mipmaps = t->mipmaps,
+                                  .anisotropy = t->anisotropy,
                                   .words = t->words,
                                   .format = texture_format(t->format)};
         if (!material_set_texture(m, t->name, &spec))

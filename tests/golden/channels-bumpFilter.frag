@@ -9,22 +9,15 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
 }
 
-// The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
-vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
-    vec2 at = fract(uv) * size;
-    vec2 low = floor(at);
-    vec2 weight = at - low;
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size), texel(s, vec2(high.x, low.y), size), weight.x),
-               mix(texel(s, vec2(low.x, high.y), size), texel(s, high, size), weight.x), weight.y);
+// A picture by its sampler over the footprint that the changes of uv to the pixel's right and upper neighbour span. A texel's value
+// stands at its lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageSampledOver(sampler2D s, vec2 uv, vec2 size, vec2 right, vec2 up) {
+    return textureGrad(s, uv + 0.5 / size, right, up);
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -65,11 +58,17 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
+vec2 uvByX;
+vec2 uvByY;
+
 vec3 smooth3DInput0(vec2 st) {
     // bumpFilter.yaml:11 UVTransform
     vec2 uvTransform = st * vec2(6.0, 3.0);
     // bumpFilter.yaml:11 ImageMap
-    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform) + vec2(0.015625, 0.0), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform, vec2(64.0)).xyz) * 64.0;
+    vec2 image_1 = pictureSize(imageTexture0);
+    vec2 uvTransform_2 = uvByX * vec2(6.0, 3.0);
+    vec2 uvTransform_3 = uvByY * vec2(6.0, 3.0);
+    vec3 image = (imageSampledOver(imageTexture0, vec2(1.0 / image_1.x, 0.0) + uvTransform, image_1, uvTransform_2, uvTransform_3).xyz - imageSampledOver(imageTexture0, uvTransform, image_1, uvTransform_2, uvTransform_3).xyz) * image_1.x;
     return image;
 }
 
@@ -77,11 +76,16 @@ vec3 smooth3DInput1(vec2 st) {
     // bumpFilter.yaml:11 UVTransform
     vec2 uvTransform = st * vec2(6.0, 3.0);
     // bumpFilter.yaml:11 ImageMap
-    vec3 image = (imageBilinear(imageTexture0, fract(uvTransform) + vec2(0.0, 0.015625), vec2(64.0)).xyz - imageBilinear(imageTexture0, uvTransform, vec2(64.0)).xyz) * 64.0;
+    vec2 image_1 = pictureSize(imageTexture0);
+    vec2 uvTransform_2 = uvByX * vec2(6.0, 3.0);
+    vec2 uvTransform_3 = uvByY * vec2(6.0, 3.0);
+    vec3 image = (imageSampledOver(imageTexture0, vec2(0.0, 1.0 / image_1.y) + uvTransform, image_1, uvTransform_2, uvTransform_3).xyz - imageSampledOver(imageTexture0, uvTransform, image_1, uvTransform_2, uvTransform_3).xyz) * image_1.y;
     return image;
 }
 
 void main() {
+    uvByX = dFdx(uv);
+    uvByY = dFdy(uv);
     // bumpFilter.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpFilter.yaml:7 Smooth3D

@@ -9,22 +9,15 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
 }
 
-// The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
-vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
-    vec2 at = fract(uv) * size;
-    vec2 low = floor(at);
-    vec2 weight = at - low;
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size), texel(s, vec2(high.x, low.y), size), weight.x),
-               mix(texel(s, vec2(low.x, high.y), size), texel(s, high, size), weight.x), weight.y);
+// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
+// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
+    return texture(s, uv + 0.5 / size);
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -79,17 +72,16 @@ void main() {
     // bumpTransformedTangents.yaml:6 laid
     vec2 laid_1 = mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uv;
     // bumpTransformedTangents.yaml:8 ImageMap
-    vec4 diffuse_image = imageBilinear(imageTexture0, laid_1, vec2(64.0));
+    vec2 diffuse_image = pictureSize(imageTexture0);
+    vec4 diffuse_image_2 = imageSampled(imageTexture0, laid_1, diffuse_image);
     vec3 laid = worldTangentV * 0.06490306 + worldTangentU * 0.15351017;
     vec3 laid_2 = worldTangentV * 0.32000095 + worldTangentU * -0.099104084;
     // bumpTransformedTangents.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // bumpTransformedTangents.yaml:6 ImageMap
-    vec2 image = fract(laid_1);
-    uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image + vec2(0.015625, 0.0), vec2(64.0)).x - diffuse_image.x) * 64.0 * 0.04 * bumpMap_1 + laid;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image + vec2(0.0, 0.015625), vec2(64.0)).x - diffuse_image.x) * 64.0 * 0.04 * cross(laid, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2, laid_2) + bumpMap_3;
+    uint surface_bits = rootBits(diffuse_image_2.x, 8) | rootBits(diffuse_image_2.y, 8) << 8 | rootBits(diffuse_image_2.z, 8) << 16;
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x * 0.04;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y * 0.04;
+    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + laid, laid_2) + bumpMap_3 * cross(laid, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -7,24 +7,18 @@ in vec3 worldTangentV;
 in vec2 uv;
 uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
+uniform sampler2D imageTexture1;
 layout(location = 0) out uvec4 fragment0;
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
 }
 
-// The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
-vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
-    vec2 at = fract(uv) * size;
-    vec2 low = floor(at);
-    vec2 weight = at - low;
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size), texel(s, vec2(high.x, low.y), size), weight.x),
-               mix(texel(s, vec2(low.x, high.y), size), texel(s, high, size), weight.x), weight.y);
+// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
+// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
+    return texture(s, uv + 0.5 / size);
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -51,6 +45,11 @@ uint unormBits(float v, int bits) {
 // The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
 uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+vec4 texel(sampler2D s, vec2 i, vec2 size) {
+    return texelFetch(s, ivec2(i), 0);
 }
 
 // Texel floor(size * fraction of uv) of a picture of `size` texels. The min is for a fraction that rounds up to 1.
@@ -104,17 +103,17 @@ float phongExponent(float x) {
 
 void main() {
     // imageChannel.yaml:4 ImageMap
-    vec4 diffuse_image = imageBilinear(imageTexture0, uv, vec2(64.0));
+    vec2 diffuse_image = pictureSize(imageTexture0);
+    vec4 diffuse_image_2 = imageSampled(imageTexture0, uv, diffuse_image);
     // imageChannel.yaml:3 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // imageChannel.yaml:3 ImageMap
-    vec2 image_1 = fract(uv);
-    float image = (imageBilinear(imageTexture0, image_1 + vec2(0.015625, 0.0), vec2(64.0)).z - diffuse_image.z) * 64.0;
-    float image_2 = (imageBilinear(imageTexture0, image_1 + vec2(0.0, 0.015625), vec2(64.0)).z - diffuse_image.z) * 64.0;
-    vec3 bumpMap = cross(image * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (image_2 * 0.02);
+    float image = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.x;
+    float image_1 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.y;
+    vec3 bumpMap = cross(image * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (image_1 * 0.02);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint diffuse_bits = rootBits(diffuse_image.y, 8);
-    uint specular_bits = rootBits(imageNearest(imageTexture0, uv, vec2(64.0)).x, 8);
-    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 34611264u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(diffuse_image.z), 10) << 21);
+    uint diffuse_bits = rootBits(diffuse_image_2.y, 8);
+    uint specular_bits = rootBits(imageNearest(imageTexture1, uv, vec2(64.0)).x, 8);
+    uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 34611264u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(diffuse_image_2.z), 10) << 21);
     fragment0 = surface_bits;
 }

@@ -10,22 +10,15 @@ uniform sampler2D imageTexture0;
 uniform sampler2D imageTexture1;
 layout(location = 0) out uvec4 fragment0;
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
 }
 
-// The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
-vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
-    vec2 at = fract(uv) * size;
-    vec2 low = floor(at);
-    vec2 weight = at - low;
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size), texel(s, vec2(high.x, low.y), size), weight.x),
-               mix(texel(s, vec2(low.x, high.y), size), texel(s, high, size), weight.x), weight.y);
+// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
+// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
+    return texture(s, uv + 0.5 / size);
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -99,21 +92,21 @@ float phongExponent(float x) {
 }
 
 void main() {
+    // imageRoles.yaml:8 ImageMap
+    vec2 diffuse_image = pictureSize(imageTexture0);
     // imageRoles.yaml:6 Blend
-    float diffuse_blend_1 = imageBilinear(imageTexture0, uv * vec2(3.0, 1.0), vec2(64.0)).x;
+    float diffuse_blend_1 = imageSampled(imageTexture0, uv * vec2(3.0, 1.0), diffuse_image).x;
     // imageRoles.yaml:7 ImageMap
-    vec4 diffuse_image = vec4(imageBilinear(imageTexture1, uv, vec2(64.0)).xyz, 1.0);
-    vec4 diffuse_blend = diffuse_blend_1 < 1.0 ? (diffuse_blend_1 < 0.0 ? vec4(0.014443844, 0.029556835, 0.051269457, 1.0) : mix(vec4(0.014443844, 0.029556835, 0.051269457, 1.0), diffuse_image, diffuse_blend_1)) : diffuse_image;
+    vec4 diffuse_image2 = vec4(imageSampled(imageTexture1, uv, pictureSize(imageTexture1)).xyz, 1.0);
+    vec4 diffuse_blend = diffuse_blend_1 < 1.0 ? (diffuse_blend_1 < 0.0 ? vec4(0.014443844, 0.029556835, 0.051269457, 1.0) : mix(vec4(0.014443844, 0.029556835, 0.051269457, 1.0), diffuse_image2, diffuse_blend_1)) : diffuse_image2;
     vec3 transparency = vec3(1.0) - diffuse_blend.www;
     // imageRoles.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // imageRoles.yaml:4 ImageMap
-    vec2 image = fract(uv);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    float shininess_1 = imageBilinear(imageTexture0, uv, vec2(64.0)).x;
-    vec3 bumpMap_2 = (imageBilinear(imageTexture0, image + vec2(0.015625, 0.0), vec2(64.0)).x - shininess_1) * 64.0 * 0.04 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = (imageBilinear(imageTexture0, image + vec2(0.0, 0.015625), vec2(64.0)).x - shininess_1) * 64.0 * 0.04 * cross(worldTangentU, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
+    float shininess_1 = imageSampled(imageTexture0, uv, diffuse_image).x;
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).x - shininess_1) * diffuse_image.x * 0.04;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).x - shininess_1) * diffuse_image.y * 0.04;
+    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 14 | rootBits(transparency.x, 6) << 24, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
     fragment0 = surface_bits2;

@@ -8,22 +8,15 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
-vec4 texel(sampler2D s, vec2 i, vec2 size) {
-    return texelFetch(s, ivec2(i), 0);
+// A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
+// lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
+vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
+    return texture(s, uv + 0.5 / size);
 }
 
-// The four texels from floor(size * fraction of uv) on, repeated, mixed by the fraction of that: a texel's value stands at its
-// lower corner, not at its centre. The first step is for a fraction that rounds up to 1. Error 8e-7.
-vec4 imageBilinear(sampler2D s, vec2 uv, vec2 size) {
-    vec2 at = fract(uv) * size;
-    vec2 low = floor(at);
-    vec2 weight = at - low;
-    low -= size * step(size, low);
-    vec2 high = low + 1.0;
-    high -= size * step(size, high);
-    return mix(mix(texel(s, low, size), texel(s, vec2(high.x, low.y), size), weight.x),
-               mix(texel(s, vec2(low.x, high.y), size), texel(s, high, size), weight.x), weight.y);
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -76,7 +69,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // textureUnused.yaml:4 ImageMap
-    vec4 diffuse_image = imageBilinear(imageTexture0, uv, vec2(64.0));
+    vec4 diffuse_image = imageSampled(imageTexture0, uv, pictureSize(imageTexture0));
     vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

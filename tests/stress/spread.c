@@ -7,6 +7,7 @@
 #include <string.h>
 
 static const double FLOAT_ULP = 1. / (1 << 23), DOUBLE_ULP = DBL_EPSILON;
+static const double SAMPLER_ERROR = 2. / 255; /* weights and results of eight bits */
 
 static double greatest(const FoldArg *arg)
 {
@@ -85,6 +86,15 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
     return 2 * most;
 }
 
+/* imageSampledOver's footprint is surely below a texel. */
+static bool is_magnified(const FoldArg *args)
+{
+    double texels = 0;
+    for (int i = 3; i < 5; i++)
+        texels = fmax(texels, hypot(args[i].numbers[0] * args[2].numbers[0], args[i].numbers[1] * args[2].numbers[1]));
+    return texels < 0.5;
+}
+
 /* Of a library function whose arguments err already. */
 static double call_error(const IrNode *node, const FoldArg *args, double value)
 {
@@ -96,6 +106,10 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     case FN_waveSinh:
     case FN_waveExpm1:
         return 6 * FLOAT_ULP * fabs(value) * (2 + fabs(args[0].numbers[0]));
+    case FN_imageSampled:
+        return SAMPLER_ERROR;
+    case FN_imageSampledOver: /* what a driver takes of a footprint above a texel is its own */
+        return is_magnified(args) ? SAMPLER_ERROR : 1;
     case FN_phongExponent:
         return 4e-6 * fabs(value);
     case FN_skyRadiance:

@@ -89,7 +89,7 @@ static TrialPlan plan_of(Worker *w, long index)
                       .pixel = pixel_number(index),
                       .greatest = GREATEST_VALUE,
                       .validate = o->validate_every && index % o->validate_every == 0};
-    plan.oracle = (!o->options.aa || !strcmp(o->options.aa, "none"));
+    plan.oracle = o->options.aa && !strcmp(o->options.aa, "none");
     if (w->can_draw && o->draw_every && index % o->draw_every == 0)
         plan_drawing(&plan, w);
     return plan;

@@ -40,7 +40,8 @@ static bool set_tables(Material *material)
            material_set_texture(material, "matc_xor", &specs[2]);
 }
 
-static bool set_textures(Material *material, Tuple *tuples, int source)
+/* `linear`: the function leaves the mixing of texels to the sampler. */
+static bool set_textures(Material *material, Tuple *tuples, int source, bool linear)
 {
     const ReferenceTexture *t = &call_textures[source];
     return material_set_texture(
@@ -53,7 +54,8 @@ static bool set_textures(Material *material, Tuple *tuples, int source)
                                                .lanes = t->lanes,
                                                .bytes = t->bytes,
                                                .floats = t->floats,
-                                               .repeat = true}) &&
+                                               .repeat = true,
+                                               .linear = linear}) &&
            set_tables(material);
 }
 
@@ -189,7 +191,8 @@ static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_
     gl_use(c->gl);
     if (!make_program(c, function, &material))
         return false;
-    bool drawn = set_textures(&material, tuples, sampled ? (int)tuples[0][0][0] : 0);
+    bool linear = function == FN_imageSampled || function == FN_imageSampledOver;
+    bool drawn = set_textures(&material, tuples, sampled ? (int)tuples[0][0][0] : 0, linear);
     framebuffer_use(c->gl, words ? &c->words : &c->floats);
     material_use(&material);
     screen_draw(c->gl, &c->screen);

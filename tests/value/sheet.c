@@ -87,7 +87,8 @@ static bool fail(Filtered *filtered, const char *text)
 bool filtered_open(Filtered *f, Drawers *drawers)
 {
     MatcOptions options;
-    snprintf(f->text, sizeof f->text, "material: Phong\n%s: %s\n", f->slot, f->map);
+    const char *param = strcmp(f->slot, "normal") ? f->slot : "input"; /* where Phong takes its normal from */
+    snprintf(f->text, sizeof f->text, "material: Phong\n%s: %s\n", param, f->map);
     if (!document_open_text(&f->document, f->text))
         return fail(f, document_fault(&f->document));
     set_options(f, &options);
