@@ -10,6 +10,16 @@ const char *diag_suggest(const Session *session, const char *name, SuggestName *
     return diag_full(session) ? "" : suggest(session->arena, name, names, user, count);
 }
 
+const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names, const char *before)
+{
+    const char *near = diag_suggest(session, name, names->name, names->user, names->count);
+    if (*near || diag_full(session) || !before)
+        return near;
+    Text list = text_new(session->arena);
+    text_format(&list, "%s%s", before, suggest_list(session->arena, names));
+    return list.at;
+}
+
 void *diag_add(Session *session, Span span, DiagKind kind, ...)
 {
     const Severity severity = warnings_severity(session->options ? session->options->warnings : NULL, kind);

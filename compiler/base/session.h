@@ -68,6 +68,8 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...);
 bool diag_full(const Session *session);
 /* "; did you mean 'x'?" as suggest() has it, "" where no further diagnostic is said. */
 const char *diag_suggest(const Session *session, const char *name, SuggestName *names, const void *user, int count);
+/* The same, or, where none is near, what there is, behind `before`; NULL: there is too much to list. */
+const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names, const char *before);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
 const char *diag_all(Session *session, MatcForm form);
 /* Seconds of a clock that never goes back. */

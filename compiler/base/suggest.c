@@ -6,6 +6,7 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { LONGEST = 64 };
 
@@ -50,6 +51,18 @@ const char *suggest(Arena *arena, const char *name, SuggestName *names, const vo
     if (!best)
         return "";
     Text text = text_new(arena);
-    text_format(&text, "; did you mean '%s'?", best);
+    text_format(&text, "; did you mean '%s'?%s", best, strcasecmp(name, best) ? "" : " Names are case-sensitive");
+    return text.at;
+}
+
+const char *suggest_list(Arena *arena, const NameChoice *names)
+{
+    Text text = text_new(arena);
+    text_put(&text, "");
+    for (int i = 0; i < names->count; i++) {
+        const char *name = names->name(names->user, i);
+        if (name)
+            text_format(&text, "%s%s", text.size ? ", " : "", name);
+    }
     return text.at;
 }

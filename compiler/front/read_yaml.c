@@ -1,5 +1,6 @@
 /* YAML -> Tree: libyaml's events become values. An alias shares its anchor's node, so nothing is ever expanded. */
 #include "compiler/front/read.h"
+#include "compiler/front/read_mistake.h"
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -68,6 +69,9 @@ static bool next_event(Reader *r, yaml_event_t *event)
     uint32_t at = offset_of(r, mark);
     if (r->parser.error == YAML_READER_ERROR)
         at = r->b->start + (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
+    const YamlFault fault = {problem, at, r->parser.context ? offset_of(r, r->parser.context_mark) : at, r->b->file};
+    if (read_mistake(r->session, &fault))
+        return false;
     diag_add(r->session, (Span){at, at + 1, r->b->file}, DIAG_syntax, problem);
     if (r->parser.context && r->parser.context_mark.line != mark.line) {
         uint32_t context = offset_of(r, r->parser.context_mark);

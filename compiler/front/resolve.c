@@ -1,6 +1,6 @@
 /* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
  * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
-#include "compiler/front/resolve.h"
+#include "compiler/front/mistake.h"
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
@@ -48,7 +48,9 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
         diag_add(r->session, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
         return false;
     }
-    const char *near = diag_suggest(r->session, name->text, name_of_group, &material, kind_name_count());
+    const char *near = diag_suggest_or_list(
+        r->session, name->text, &(NameChoice){name_of_group, &material, material ? KIND_COUNT : kind_name_count()},
+        material ? "; there are " : NULL);
     diag_add(r->session, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
     return false;
 }
@@ -178,7 +180,9 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
 static bool resolve_items(Resolver *r, Tree *tree, Value *value)
 {
     if (tree->kind != TREE_list) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, "blend", "a list of items", tree_describe(r->session, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, "blend",
+                 "a list of items, `[{ value: 0, input: black }, { value: 1, input: white }]`",
+                 tree_describe(r->session, tree));
         return false;
     }
     if (tree->made == MADE_items) {
@@ -313,7 +317,8 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     for (int i = 0; i < row->count; i++)
         if (!strcmp(param_table[row->first + i].name, member->key))
             return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
-    const char *near = diag_suggest(r->session, member->key, param_name, row, row->count);
+    const char *near =
+        diag_suggest_or_list(r->session, member->key, &(NameChoice){param_name, row, row->count}, "; it has ");
     diag_add(r->session, member->span, DIAG_unknown_key, name, member->key, near);
     return false;
 }
@@ -367,6 +372,9 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     const Member *name = tree_find(tree, key);
     Kind kind;
     if (!name) {
+        const Member *other = mistake_case(tree, key);
+        if (other)
+            return diag_add(r->session, other->span, DIAG_key_case, other->key, key);
         const char *hint =
             tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
         return diag_add(r->session, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
@@ -433,7 +441,7 @@ static const Member *find_def(Resolver *r, Tree *tree)
 static const Node *resolve_constant(Resolver *r, Tree *tree)
 {
     Value *value = ARENA_NEW(r->session->arena, Value);
-    if (!resolve_number(r, "a map", tree, (LaneCount){1, 4}, value))
+    if (mistake_map(r, tree) || !resolve_number(r, "a map", tree, (LaneCount){1, 4}, value))
         return NULL;
     Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .span = tree->span, .params = value};

@@ -1,6 +1,6 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
 #include "compiler/front/doubt.h"
-#include "compiler/front/resolve.h"
+#include "compiler/front/mistake.h"
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -156,6 +156,17 @@ static bool has_definitions_only(const Tree *document)
     return tree_find(document, "defs") || tree_find(document, "include");
 }
 
+static void *say_no_material(Session *session, const Tree *document)
+{
+    static const char *const keys[] = {"material", "materials"};
+    for (int i = 0; i < 2; i++) {
+        const Member *other = mistake_case(document, keys[i]);
+        if (other)
+            return diag_add(session, other->span, DIAG_key_case, other->key, keys[i]);
+    }
+    return diag_add(session, document->span, DIAG_no_material);
+}
+
 static bool resolve_one(Resolver *r, Tree *document, NamedMaterial *material)
 {
     bool fault = false;
@@ -171,7 +182,7 @@ Graph *resolve(Session *session, Tree *document)
         return diag_add(session, document->span, DIAG_document_not_object);
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
     if (!many && !one && !has_definitions_only(document))
-        return diag_add(session, document->span, DIAG_no_material);
+        return say_no_material(session, document);
     bool fine = check_top(&r, document, many);
     fine &= read_defs(&r, document, 0);
     if (many && many->value->kind != TREE_object)

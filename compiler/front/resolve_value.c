@@ -1,6 +1,6 @@
 /* Values of parameters: numbers, params, waves, transformations, items. */
+#include "compiler/front/mistake.h"
 #include "compiler/front/reserved.h"
-#include "compiler/front/resolve.h"
 #include <ctype.h>
 #include <float.h>
 #include <math.h>
@@ -136,6 +136,11 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
         value->number[0] = number;
         return fits_float(r, what, tree, number);
     }
+    if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
+        mistake_hex(r, tree, tree->text))
+        return false;
+    if (mistake_number(r, tree))
+        return false;
     if (tree->kind == TREE_scalar && tree->plain && tree->count && strchr("+-.0123456789", tree->text[0])) {
         diag_add(r->session, tree->span, DIAG_bad_number, tree->text);
         return false;

@@ -1,0 +1,113 @@
+/* What people write who know another format better, and what they are told. */
+#include "compiler/front/mistake.h"
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include <strings.h>
+
+/* "45deg": 45, and *unit is "deg"; NULL: it is no number with letters, a percent or a degree sign behind it. */
+static const char *unit_of(const Session *session, const char *text, double *number)
+{
+    const size_t digits = strspn(text, "+-.0123456789");
+    const char *unit = text + digits + strspn(text + digits, " ");
+    for (const char *c = unit; *c; c++)
+        if (!isalpha((unsigned char)*c) && *c != '%' && !((unsigned char)*c & 0x80))
+            return NULL;
+    if (!*unit || !strcasecmp(unit, "e"))
+        return NULL;
+    const char *alone = arena_string(session->arena, text, digits); /* text_number reads what stands behind, too */
+    return text_number(alone, digits, number) ? unit : NULL;
+}
+
+static bool say_unit(Resolver *r, const Tree *tree)
+{
+    double number;
+    const char *unit = unit_of(r->session, tree->text, &number);
+    if (!unit)
+        return false;
+    Text meant = text_new(r->session->arena);
+    const bool degrees = !strncasecmp(unit, "deg", 3) || !strcmp(unit, "°"), percent = !strcmp(unit, "%");
+    if (degrees)
+        text_put(&meant, "; angles are in radians: ");
+    else
+        text_put(&meant, "; leave out the unit: ");
+    text_double(&meant, degrees ? number * M_PI / 180 : percent ? number / 100 : number);
+    diag_add(r->session, tree->span, DIAG_number_unit, tree->text, meant.at);
+    return true;
+}
+
+bool mistake_number(Resolver *r, const Tree *tree)
+{
+    double number;
+    if (tree->kind != TREE_scalar || !tree->count)
+        return false;
+    if (tree->plain)
+        return say_unit(r, tree);
+    if (!text_number(tree->text, tree->count, &number) || strlen(tree->text) != tree->count)
+        return false;
+    diag_add(r->session, tree->span, DIAG_quoted_number, tree->text);
+    return true;
+}
+
+bool mistake_hex(Resolver *r, const Tree *tree, const char *text)
+{
+    const size_t size = strlen(text);
+    if (strspn(text, "0123456789abcdefABCDEF") != size || (size != 3 && size != 6 && size != 8))
+        return false;
+    Text near = text_new(r->session->arena);
+    text_format(&near, "; did you mean \"#%s\"?", text);
+    diag_add(r->session, tree->span, DIAG_unknown_color, text, near.at);
+    return true;
+}
+
+/* The name of a map as it is to be written. */
+static const char *map_name(const char *name)
+{
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if (kind_table[kind].lowering != LOWERING_MATERIAL && !strcasecmp(kind_table[kind].name, name))
+            return kind_table[kind].name;
+    for (int i = 0; i < preset_count; i++)
+        if (!strcasecmp(preset_table[i].name, name))
+            return preset_table[i].name;
+    return NULL;
+}
+
+static bool is_def(const Resolver *r, const char *name)
+{
+    for (size_t i = 0; i < r->def_count; i++)
+        if (tree_find(r->defs[i], name))
+            return true;
+    return false;
+}
+
+static bool is_color(const char *name)
+{
+    for (int i = 0; i < color_count; i++)
+        if (!strcmp(color_table[i].name, name))
+            return true;
+    return false;
+}
+
+bool mistake_map(Resolver *r, const Tree *tree)
+{
+    if (tree->kind != TREE_scalar || !isalpha((unsigned char)tree->text[0]) || is_color(tree->text))
+        return false;
+    const char *map = map_name(tree->text);
+    if (is_def(r, tree->text))
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "of `defs:`; it is referred to by", "ref",
+                 tree->text);
+    else if (map)
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a map, and no colour; a map is written", "map",
+                 map);
+    else
+        return false;
+    return true;
+}
+
+const Member *mistake_case(const Tree *object, const char *key)
+{
+    for (uint32_t i = 0; i < object->count; i++)
+        if (!strcasecmp(object->members[i].key, key))
+            return &object->members[i];
+    return NULL;
+}
