@@ -76,4 +76,4 @@ while read -r page command words; do
     fi
 done <"$work/commands"
 echo "$blocks blocks"
-[ "$failed" = 0 ] && [ "$blocks" -ge 7 ]
+[ "$failed" = 0 ] && [ "$blocks" -ge 9 ]

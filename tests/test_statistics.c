@@ -188,12 +188,64 @@ static void shares_are_those_of_least_squares(void **state)
         }
 }
 
+/* The topmost bits of a corner's number, from the slope of noise there: where all other corners count for nothing it is that number. */
+enum { GRID = 64, LEVELS = 16, PAIRS = LEVELS * LEVELS };
+
+static int level_at(ReferenceNoise noise, const int corner[3], int axis)
+{
+    double p[3], value[3], slope[3][3],
+        back = noise == REFERENCE_SIMPLEX ? (corner[0] + corner[1] + corner[2]) / 6. : 0;
+    for (int i = 0; i < 3; i++)
+        p[i] = corner[i] - back;
+    reference_lattice_slope(noise, p, value, slope);
+    double number = slope[0][axis] / (noise == REFERENCE_SIMPLEX ? 71. / 16 : 1);
+    return (int)clamp(floor((number + 1) * LEVELS / 2), 0, LEVELS - 1);
+}
+
+/* Chi squared of pairs of levels, 255 degrees of freedom: of 54 that are independent, one in a million sets has one above 430. */
+static double chi_squared(const unsigned char *levels, const int step[3])
+{
+    int counts[PAIRS] = {0};
+    const double expected = (double)(GRID - step[0]) * (GRID - step[1]) * (GRID - step[2]) / PAIRS;
+    double sum = 0;
+    for (int x = 0; x < GRID - step[0]; x++)
+        for (int y = 0; y < GRID - step[1]; y++)
+            for (int z = 0; z < GRID - step[2]; z++) {
+                const unsigned char *at = levels + (x * GRID + y) * GRID + z;
+                counts[LEVELS * at[0] + at[(step[0] * GRID + step[1]) * GRID + step[2]]]++;
+            }
+    for (int i = 0; i < PAIRS; i++)
+        sum += (counts[i] - expected) * (counts[i] - expected) / expected;
+    return sum;
+}
+
+static void neighbours_know_nothing_of_each_other(void **state)
+{
+    static const int steps[][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1},
+                                   {1, 0, 1}, {1, 1, 1}, {2, 0, 0}, {0, 0, 2}};
+    static const struct {
+        const char *name;
+        ReferenceNoise noise;
+    } hashed[] = {{"lattice", REFERENCE_LATTICE}, {"simplex", REFERENCE_SIMPLEX}};
+    static unsigned char levels[GRID * GRID * GRID];
+    (void)state;
+    for (int i = 0; i < 6; i++) {
+        for (int at = 0; at < GRID * GRID * GRID; at++)
+            levels[at] = (unsigned char)level_at(
+                hashed[i / 3].noise, (const int[]){1000 + at / GRID / GRID, 777 + at / GRID % GRID, 31000 + at % GRID},
+                i % 3);
+        for (size_t step = 0; step < sizeof steps / sizeof *steps; step++)
+            near(hashed[i / 3].name, "neighbours, chi squared", 0, chi_squared(levels, steps[step]), 430);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(wide_squares_have_the_moments),
         cmocka_unit_test(slopes_show_their_part),
         cmocka_unit_test(shares_are_those_of_least_squares),
+        cmocka_unit_test(neighbours_know_nothing_of_each_other),
     };
     return cmocka_run_group_tests(tests, set_up, NULL);
 }

@@ -80,6 +80,22 @@ static Corner integer_corner(const uint32_t c[3])
     return corner;
 }
 
+/* Of a simplex: numbers are the top bits of products of its hash. There is no value. */
+static Corner simplex_corner(const uint32_t c[3])
+{
+    static const uint32_t factor[NUMBERS] = {0, 0xC2B2AE3Du, 0x27D4EB2Fu, 0x165667B1u};
+    Corner corner;
+    uint32_t h = (c[0] + 65536 * c[1]) * 0x2C1B3C6Du ^ c[2] * 0x85EB0000u;
+    h ^= h >> 13;
+    for (int output = 0; output < OUTPUTS; output++) {
+        for (int i = 0; i < NUMBERS; i++)
+            corner.number[output][i] = signed_bits(h * factor[i]);
+        h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+        h ^= h >> 16;
+    }
+    return corner;
+}
+
 static uint32_t cube(uint32_t x) { return x * x % PRIME * x % PRIME; }
 
 static uint32_t prime_axis(uint32_t c)
@@ -120,6 +136,8 @@ static Corner corner_of(ReferenceNoise noise, const uint32_t c[3])
         return float_corner(c);
     case REFERENCE_GROIMP:
         return groimp_corner(c);
+    case REFERENCE_SIMPLEX:
+        return simplex_corner(c);
     default:
         return integer_corner(c);
     }

@@ -1,13 +1,10 @@
-// needs: latticeNumbers latticeScale simplexHash simplexPlace
+// needs: latticeNumbers latticeScale simplexCorners
 // Gradient of simplex noise, then its value. Error 5e-6 in each lane.
 vec4 latticeSlope(vec3 cell, vec3 d) {
-    vec3 first, second, third, x;
-    simplexPlace(cell, d, first, second, third, x);
-    vec4 hash = simplexHash(first, second, third);
-    vec4 dx = x.x + vec4(0.0, 1.0 / 6.0 - second.x, 1.0 / 3.0 - third.x, -0.5);
-    vec4 dy = x.y + vec4(0.0, 1.0 / 6.0 - second.y, 1.0 / 3.0 - third.y, -0.5);
-    vec4 dz = x.z + vec4(0.0, 1.0 / 6.0 - second.z, 1.0 / 3.0 - third.z, -0.5);
-    vec4 t = max(0.5 - dx * dx - dy * dy - dz * dz, 0.0);
+    vec4 hash;
+    vec4 dx, dy, dz;
+    simplexCorners(cell, d, hash, dx, dy, dz);
+    vec4 t = clamp(0.5 - dx * dx - dy * dy - dz * dz, 0.0, 1.0);
     vec4 kernel = t * t * t * t;
     vec4 value, gx, gy, gz;
     latticeNumbers(hash, value, gx, gy, gz);

@@ -38,6 +38,8 @@ int bench_error(int argc, char **argv);
 int bench_batch(int argc, char **argv);
 /* --untimed: what is stated alone, since drivers differ. 1: one errs by more than is stated. */
 int bench_functions(int argc, char **argv);
+/* Noise beside that of others: --untimed --gl=KIND. */
+int bench_noise(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
 int bench_growth(int argc, char **argv);

@@ -29,8 +29,7 @@ void canvas_close(Canvas *c)
     *c = (Canvas){0};
 }
 
-/* False: there is no such function. */
-static bool gather(const char *functions, char library[LIBRARY_ROOM])
+bool canvas_library(const char *functions, const Choice *choice, char *library, size_t room)
 {
     MatcOptions options = {0};
     Arena arena = {0};
@@ -40,6 +39,8 @@ static bool gather(const char *functions, char library[LIBRARY_ROOM])
     bool found = true;
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         job.choice[axis] = (Choice)axis_table[axis].first;
+    if (choice)
+        job.choice[choice_table[*choice].axis] = *choice;
     for (const char *name = functions; *name && found;) {
         int size = (int)strcspn(name, " ");
         char one[64];
@@ -50,7 +51,7 @@ static bool gather(const char *functions, char library[LIBRARY_ROOM])
     }
     library[0] = 0;
     for (size_t i = 0; i < chunks.count; i++)
-        strncat(library, chunks.at[i]->body, LIBRARY_ROOM - 1 - strlen(library));
+        strncat(library, chunks.at[i]->body, room - 1 - strlen(library));
     arena_free(&arena);
     return found;
 }
@@ -60,7 +61,7 @@ static GLuint make_program(Canvas *c, const Drawing *d, bool words)
     static char library[LIBRARY_ROOM];
     char head[256], body[MAIN_ROOM];
     bool reads_words = d->source && framebuffer_has_words(d->source, 0), reads = d->source || d->texture;
-    if (!gather(d->functions, library)) {
+    if (!canvas_library(d->functions, NULL, library, sizeof library)) {
         gl_fail(c->gl, "no such function: %s", d->functions);
         return 0;
     }

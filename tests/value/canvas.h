@@ -1,7 +1,7 @@
 /* Draws expressions of matc's library functions over a square: what a GLSL function makes of every code there is. */
 #ifndef MATC_VALUE_CANVAS_H
 #define MATC_VALUE_CANVAS_H
-#include "compiler/base/arena.h"
+#include "grammar/tables.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/screen.h"
 #include "runtime/gl/texture.h"
@@ -24,6 +24,10 @@ typedef struct {
     const Framebuffer *source; /* its target is read, or NULL */
     GLuint texture;            /* of floats, is read where there is no source; or 0 */
 } Drawing;
+
+/* The GLSL 3.30 of library functions and of what they need, users last, by the first choice of every axis but that of `choice`, which
+ * may be NULL. False: there is no such function. */
+bool canvas_library(const char *functions, const Choice *choice, char *library, size_t room);
 
 /* False: see error. Close it in any case. */
 bool canvas_open(Canvas *canvas, int side);
