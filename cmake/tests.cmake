@@ -109,6 +109,7 @@ endif()
 # The same text in every build: figures in docs/, and a second judge of what is for WebGL 2, ctest -L browser
 if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
   matc_test(pages sh tests/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
+  matc_test(pictures sh tests/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(figures sh tests/figures.sh ${PROJECT_BINARY_DIR})
   matc_test(browser sh tests/browser/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
   set_tests_properties(browser PROPERTIES LABELS browser)
@@ -117,7 +118,7 @@ endif()
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
 set(LONG test_value=300 add=60 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
   test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_layout_auto=20 test_text=20 schema=20
-  install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15)
+  install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15 pictures=15 view=10)
 foreach(pair ${LONG})
   string(REPLACE "=" ";" pair ${pair})
   list(GET pair 0 name)

@@ -1,0 +1,66 @@
+#!/bin/sh
+# What docs/materials.md and docs/from-other-tools.md show: every document compiles without a warning, and is not the same everywhere; every picture is
+# there: pictures.sh MATC MATVIEW [--update]. --update draws the pictures anew. Run from the project's root.
+set -u
+matc=$(realpath "$1")
+matview=$(realpath "$2")
+update=${3:-}
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+: >"$work/stderr"
+. tests/check.sh
+page=docs/from-other-tools.md
+pictures=docs/from-other-tools
+relief=--derivatives=analytic
+ten=$(sed -n "s/^matview $relief --contact=materials.png //p" docs/materials.md)
+
+# The documents of the page, each named after the picture above it; NAME.options has what the page says to matview
+cp examples/tiles.png "$work"
+awk -v work="$work" '
+    /^<!-- matview / { options = $0; gsub(/^<!-- matview | -->$/, "", options) }
+    /^!\[/ { name = $0; gsub(/^!\[|\].*/, "", name); print name; print options >(work "/" name ".options"); options = "" }
+    /^```/ { open = $0 == "```yaml"; next }
+    open { print >(work "/" name ".yaml") }' "$page" >"$work/names"
+check "twenty documents" test "$(wc -l <"$work/names")" = 20 -a "$(find "$work" -name '*.yaml' | wc -l)" = 20
+check "of twenty names" test "$(sort -u "$work/names" | wc -l)" = 20
+check "ten materials" test "$(echo "$ten" | wc -w)" = 10
+# varies DOCUMENT: its values are not the same everywhere on a sphere, by the C reference
+points=$(awk 'BEGIN { for (i = 0; i < 12; i++) { u = (i + 0.5) / 12; v = (i * 5 % 12 + 0.5) / 12; a = 6.2831853 * u; b = 3.1415927 * (v - 0.5)
+    printf "u=%g,v=%g,x=%g,y=%g,z=%g\n", u, v, cos(a) * cos(b), sin(a) * cos(b), sin(b) } }')
+varies() {
+    for point in $points; do
+        "$matc" --eval "$(echo "$point" | tr , ' ')" "$1" | md5sum
+    done | sort -u | wc -l >"$work/count"
+    [ "$(cat "$work/count")" -gt 1 ]
+}
+echo 'material: Phong' >"$work/plain.yaml"
+small="$matview --size=64 --samples=1"
+check "a plain surface" $small "$work/plain.yaml" -o "$work/plain.png"
+
+while read -r document; do
+    check "$document compiles without a warning" "$matc" --no-validate -Werror "$work/$document.yaml" -o "$work/$document.frag"
+    # shellcheck disable=SC2046
+    check "$document is drawn" $small $(cat "$work/$document.options") "$work/$document.yaml" -o "$work/$document.png"
+    check "$document varies" varies "$work/$document.yaml"
+    check "and so does its picture" sh -c "! cmp -s '$work/$document.png' '$work/plain.png'"
+    # shellcheck disable=SC2046
+    [ -z "$update" ] || "$matview" $relief --size=160 $(cat "$work/$document.options") "$work/$document.yaml" -o "$pictures/$document.png"
+    check "$document is in docs" test -s "$pictures/$document.png"
+done <"$work/names"
+
+cd examples/materials || exit 1
+# shellcheck disable=SC2086
+check "the ten compile without a warning" "$matc" --no-validate -Werror -d "$work/ten" $ten
+# shellcheck disable=SC2086
+check "and are drawn" $small -d "$work/ten" $ten
+for document in $ten; do
+    check "$document varies" varies "$document"
+    check "and so does its picture" sh -c "! cmp -s '$work/ten/${document%.yaml}.png' '$work/plain.png'"
+done
+# shellcheck disable=SC2086
+[ -z "$update" ] || "$matview" $relief --contact=../../docs/materials.png $ten
+cd ../.. || exit 1
+check "their picture is in docs" test -s docs/materials.png
+
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]
