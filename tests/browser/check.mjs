@@ -1,9 +1,10 @@
-// A browser as a second judge of what matc writes for WebGL 2: node check.mjs MATC ROOT FOLDER BROWSER [--all]. FOLDER is scratch.
+// A browser as a second judge of what matc writes for WebGL 2: node check.mjs MATC ROOT FOLDER BROWSER [--all] [--part=K/N]. FOLDER is
+// scratch. Faults are printed as they are found, and every ten seconds how far it is.
 // - every program links, draws without an error, and writes finite numbers;
 // - the pass `value` of every slot of every example has the values of `matc --eval`;
 // - what one program packs, another unpacks within the layout's stated errors.
-// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each. BROWSER_PART=drawValues in
-// the environment does that part alone.
+// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each; --part=2/5 takes of the combinations
+// the 2nd, the 7th and so on. BROWSER_PART=drawValues in the environment does that part alone.
 import {chromium} from 'playwright-core';
 import {Matc, exampleDocuments} from './matc.mjs';
 import {linkAndDraw} from './programs.mjs';
@@ -13,6 +14,12 @@ import path from 'node:path';
 
 const [program, root, folder, executablePath] = process.argv.slice(2, 6).map(p => path.resolve(p));
 const all = process.argv.includes('--all'), atOnce = 64, timeout = 600_000;
+const [, number, count] = /^--part=(\d+)\/(\d+)$/.exec(process.argv.find(a => a.startsWith('--part=')) ?? '--part=1/1') ?? [];
+if (!(number >= 1 && +number <= +count)) {
+  console.log('FAILED: --part=K/N takes the Kth part of N');
+  process.exit(2);
+}
+const inPart = list => list.filter((_, i) => i % count === number - 1);
 
 // In software, as root too, and without a network.
 const args = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-quic', '--no-first-run', '--disable-background-networking',
@@ -48,12 +55,22 @@ async function run(jobs) {
 
 // Without --all a combination of options is for some of the documents, others than the one before it.
 const SHARE = 6, share = turn => documents.filter((_, i) => i % SHARE === turn % SHARE);
-const faults = [], context = {matc, documents, share, root, run, all, faults};
+const MOST_PRINTED = 30, BETWEEN = 10_000; // faults; milliseconds
+let faults = 0, saidAt = Date.now();
+function report(...texts) {
+  for (const text of texts) if (faults++ < MOST_PRINTED) console.log(`FAILED: ${text}`);
+}
+function progress(done, of, what) {
+  if (Date.now() - saidAt < BETWEEN) return;
+  saidAt = Date.now();
+  console.log(`  ${done} of ${of} ${what}, ${faults} faults`);
+}
+const context = {matc, documents, share, root, run, all, inPart, report, progress};
 const only = process.env.BROWSER_PART, parts = [linkAndDraw, drawValues, roundTrips].filter(part => !only || part.name === only);
 for (const part of parts) {
-  const start = Date.now(), found = faults.length, said = await part(context);
-  console.log(`${said}; ${faults.length - found} faults; ${((Date.now() - start) / 1000).toFixed(1)} s`);
+  const start = Date.now(), found = faults, said = await part(context);
+  console.log(`${said}; ${faults - found} faults; ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }
 await browser.close();
-for (const fault of faults.slice(0, 30)) console.log(`FAILED: ${fault}`);
-process.exit(faults.length ? 1 : 0);
+if (faults > MOST_PRINTED) console.log(`${faults - MOST_PRINTED} more faults`);
+process.exit(faults ? 1 : 0);

@@ -64,10 +64,12 @@ function compareSlot(fields, slot, wanted, read) {
       .map(({field, lane, off, bound}) => `lane ${lane ?? 'all'} (${field.encoding}): ${wanted} came back as ${read}; ${off} off, ${bound} allowed`);
 }
 
-export async function roundTrips({matc, run, faults}) {
+export async function roundTrips({matc, run, inPart, report, progress}) {
   const reference = new Reference(matc);
   let count = 0;
-  for (const layout of layouts) {
+  const part = inPart(layouts);
+  for (const [done, layout] of part.entries()) {
+    progress(done, part.length, `layouts, ${count} numbers`);
     const cases = explain(matc, layout);
     for (const draw of matc.batch([`--layout=${layout}`], documents)) {
       const slots = storedSlots(draw.unpack), keep = `${layout} ${draw.material} `, pack = {...atPoints(draw.job), keep};
@@ -77,7 +79,7 @@ export async function roundTrips({matc, run, faults}) {
       }));
       const [packed, ...read] = await run([pack, ...unpack]), error = packed.error ?? read.find(r => r.error)?.error;
       if (error) {
-        faults.push(`${draw.what}: ${error}`);
+        report(`${draw.what}: ${error}`);
         continue;
       }
       const fields = cases[Math.min(caseOf[draw.material], cases.length - 1)];
@@ -86,10 +88,10 @@ export async function roundTrips({matc, run, faults}) {
         slots.forEach((slot, i) => {
           const numbers = read[i].pixels[0].slice(4 * point, 4 * point + slot.lanes).map(Number);
           count += slot.lanes;
-          faults.push(...compareSlot(fields, slot, wanted[slot.name], numbers).map(text => `${draw.what}, point ${point}, ${slot.name}: ${text}`));
+          report(...compareSlot(fields, slot, wanted[slot.name], numbers).map(text => `${draw.what}, point ${point}, ${slot.name}: ${text}`));
         });
       }
     }
   }
-  return `${count} numbers of ${layouts.length} layouts come back`;
+  return `${count} numbers of ${part.length} layouts come back`;
 }

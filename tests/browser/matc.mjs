@@ -28,7 +28,7 @@ export class Matc {
     const out = path.join(this.folder, `run${this.runs++}`), read = name => fs.readFileSync(path.join(out, name), 'utf8');
     fs.rmSync(out, {recursive: true, force: true});
     const fixed = ['--no-validate', '--target=essl300', '--emit=glsl,vertex,unpack,reflect', '--textures', out, '-d', out];
-    execFileSync(this.program, [...fixed, ...options, ...documents], {cwd: this.root});
+    execFileSync(this.program, [...fixed, ...options, ...documents], {cwd: this.root, stdio: 'pipe'}); // warnings are not asked for
     const manifest = JSON.parse(read('manifest.json'));
     const programs = manifest.programs.map(p => ({...p, fragmentText: read(p.fragment), vertexText: read(p.vertex),
                                                   reflected: JSON.parse(read(p.reflection))}));

@@ -36,9 +36,10 @@ const notFinite = pixels => pixels.some(numbers => numbers.some(n => typeof n ==
 // Where the driver puts a block's members and where matc says that they are.
 const misplaced = (job, offsets) => job.block?.members.find(({name, offset}) => name in offsets && offsets[name] !== offset);
 
-export async function linkAndDraw({matc, documents, share, run, all, faults}) {
-  const seen = new Set();
-  for (const [turn, options] of (all ? every : some).entries()) {
+export async function linkAndDraw({matc, documents, share, run, all, inPart, report, progress}) {
+  const seen = new Set(), combinations = inPart([...(all ? every : some).entries()]);
+  for (const [done, [turn, options]] of combinations.entries()) {
+    progress(done, combinations.length, `combinations, ${seen.size} programs`);
     const fresh = matc.batch(options, all ? documents : share(turn)).filter(({job}) => {
       const text = job.vertex + job.fragment.replace(/^\/\/ .*\n/gm, ''), known = seen.has(text);
       seen.add(text);
@@ -48,10 +49,10 @@ export async function linkAndDraw({matc, documents, share, run, all, faults}) {
     const results = await run(fresh.map(({job}) => whole(job)));
     results.forEach(({error, pixels, offsets, drawn}, i) => {
       const {what, job} = fresh[i], member = !error && misplaced(job, offsets);
-      if (error) faults.push(`${what}: ${error}`);
-      else if (!drawn) faults.push(`${what}: draws nothing`);
-      else if (notFinite(pixels)) faults.push(`${what}: draws a number that is none`);
-      else if (member) faults.push(`${what}: ${member.name} is at ${offsets[member.name]} in its block, not at ${member.offset}`);
+      if (error) report(`${what}: ${error}`);
+      else if (!drawn) report(`${what}: draws nothing`);
+      else if (notFinite(pixels)) report(`${what}: draws a number that is none`);
+      else if (member) report(`${what}: ${member.name} is at ${offsets[member.name]} in its block, not at ${member.offset}`);
     });
   }
   return `${seen.size} programs link and draw`;

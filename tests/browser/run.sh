@@ -1,6 +1,6 @@
 #!/bin/sh
-# What matc writes for WebGL 2, linked and drawn by a browser: run.sh MATC BUILD_FOLDER [--all]. MATC_BROWSER names a Chromium; without
-# it the first that is installed. Run from the project's root. Status 77: skipped.
+# What matc writes for WebGL 2, linked and drawn by a browser: run.sh MATC BUILD_FOLDER [--all] [--part=K/N]. MATC_BROWSER names a
+# Chromium; without it the first that is installed. Run from the project's root. Status 77: skipped.
 set -u
 . tests/npm.sh
 matc=$1

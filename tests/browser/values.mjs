@@ -118,20 +118,21 @@ const variants = [
 const slots = ['normal', 'diffuse', 'alpha', 'specular', 'shininess', 'transparency', 'transparencyShininess', 'interpolatedTransparency',
                'diffuseTransparency', 'ambient', 'emissive', 'ior'];
 
-export async function drawValues({matc, documents, share, root, run, all, faults}) {
+export async function drawValues({matc, documents, share, root, run, all, inPart, report, progress}) {
   const bounds = readBounds(path.join(root, 'tests/bounds.def')), reference = new Reference(matc), worst = new Map();
+  const combinations = inPart([...variants.entries()].flatMap(([turn, options]) => slots.map(slot => ({turn, options, slot}))));
   let count = 0;
-  for (const [turn, options] of variants.entries())
-    for (const slot of slots) {
-      const draws = matc.batch(['--pass=value', `--slot=${slot}`, ...options], all || !turn ? documents : share(turn));
-      const results = await run(draws.map(draw => atPoints(draw.job)));
-      await together([...draws.entries()], 4, async ([i, draw]) => {
-        if (results[i].error) return faults.push(`${draw.what}: ${results[i].error}`);
-        const found = await compareValues({draw, slot, pixels: results[i].pixels, options, reference, bounds, worst, root});
-        count += found.count;
-        faults.push(...found.faults);
-      });
-    }
+  for (const [done, {turn, options, slot}] of combinations.entries()) {
+    progress(done, combinations.length, `variants and slots, ${count} values`);
+    const draws = matc.batch(['--pass=value', `--slot=${slot}`, ...options], all || !turn ? documents : share(turn));
+    const results = await run(draws.map(draw => atPoints(draw.job)));
+    await together([...draws.entries()], 4, async ([i, draw]) => {
+      if (results[i].error) return report(`${draw.what}: ${results[i].error}`);
+      const found = await compareValues({draw, slot, pixels: results[i].pixels, options, reference, bounds, worst, root});
+      count += found.count;
+      report(...found.faults);
+    });
+  }
   for (const [name, {off, bound, what}] of worst) console.log(`  ${name}: ${off.toExponential(1)} seen, ${bound} stated (${what})`);
   return `${count} values are those of --eval`;
 }
