@@ -36,6 +36,18 @@ static double ratio(const GrowthRow *row)
     return least / base;
 }
 
+/* The same of a batch, whose shorter one has nothing to do but to begin: what is above that grows. */
+static double batch_ratio(const GrowthBatch *row)
+{
+    int count = smaller(row->count);
+    double base = growth_batch_seconds(row, MATC_PROGRAM, count, 1), least = INFINITY;
+    assert_true(isfinite(base));
+    for (int i = 0; i < TRIES && least > MOST * base; i++)
+        least = fmin(least, growth_batch_seconds(row, MATC_PROGRAM, GROWTH_FACTOR * count, 1));
+    assert_true(isfinite(least));
+    return least / base;
+}
+
 static void every_document_takes_time_by_its_length(void **state)
 {
     (void)state;
@@ -46,6 +58,21 @@ static void every_document_takes_time_by_its_length(void **state)
             continue;
         fprintf(stderr, "%s %s: %d parts take %.1f times as long as %d\n", growth_table[i].name,
                 growth_table[i].options, GROWTH_FACTOR * growth_table[i].count, times, growth_table[i].count);
+        failed++;
+    }
+    assert_int_equal(failed, 0);
+}
+
+static void every_batch_takes_time_by_its_documents(void **state)
+{
+    (void)state;
+    int failed = 0;
+    for (int i = 0; i < growth_batch_count; i++) {
+        double times = batch_ratio(&growth_batches[i]);
+        if (times <= MOST)
+            continue;
+        fprintf(stderr, "%s: %d documents take %.1f times as long as %d\n", growth_batches[i].name,
+                GROWTH_FACTOR * growth_batches[i].count, times, growth_batches[i].count);
         failed++;
     }
     assert_int_equal(failed, 0);
@@ -69,6 +96,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(documents_are_read_as_they_are_meant),
         cmocka_unit_test(every_document_takes_time_by_its_length),
+        cmocka_unit_test(every_batch_takes_time_by_its_documents),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,6 +29,18 @@ static void print_row(const GrowthRow *row)
     printf(" %8.2f %8zu %8zu %6d\n", exponent, last.read / 1024, last.written / 1024, last.errors);
 }
 
+static void print_batch(const GrowthBatch *row)
+{
+    double seconds[SIZES];
+    printf("%-20s %-34s %6d", row->name, row->options, row->count);
+    for (int i = 0; i < SIZES; i++) {
+        seconds[i] = growth_batch_seconds(row, MATC_PROGRAM, row->count << i, RUNS);
+        printf(" %9.2f", seconds[i] * 1000);
+        fflush(stdout);
+    }
+    printf(" %8.2f\n", log(seconds[SIZES - 1] / seconds[0]) / log(GROWTH_FACTOR));
+}
+
 int bench_growth(int argc, char **argv)
 {
     printf("%-20s %-34s %6s %9s %9s %9s %9s %8s %8s %8s %6s\n", "document", "options", "n", "n: ms", "2 n", "4 n",
@@ -36,5 +48,8 @@ int bench_growth(int argc, char **argv)
     for (int i = 0; i < growth_count; i++)
         if (is_wanted(growth_table[i].name, argc, argv))
             print_row(&growth_table[i]);
+    for (int i = 0; i < growth_batch_count; i++)
+        if (is_wanted(growth_batches[i].name, argc, argv))
+            print_batch(&growth_batches[i]);
     return 0;
 }

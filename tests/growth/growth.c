@@ -1,6 +1,8 @@
 /* Writes the documents of growth.def, and compiles them with the clock of this thread. */
 #include "growth.h"
+#include "compiler/ir/ir.h"
 #include "compiler/matc.h"
+#include "compiler/pipeline.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,8 +25,7 @@ enum {
     STEP = 40
 }; /* maps that a material of its own resolves: a reference and what it names are a level each of LIMIT_DEPTH */
 
-/* The part with its number for $, and a reference to the part before it for @. */
-static void put_part(FILE *out, const char *part, int number)
+void growth_put_part(FILE *out, const char *part, int number)
 {
     for (const char *at = part; *at; at++)
         if (*at == '$')
@@ -39,7 +40,7 @@ static void put_many(FILE *out, const GrowthRow *row, int count)
 {
     fputs(row->head, out);
     for (int i = 0; i < count; i++)
-        put_part(out, row->part, i);
+        growth_put_part(out, row->part, i);
     fputs(row->middle, out);
     for (int i = 0; i < count; i++)
         fputs(row->close, out);
@@ -52,7 +53,7 @@ static void put_deep(FILE *out, const GrowthRow *row, int count)
     fputs("defs:\n  k0: { map: Granite }\n", out);
     for (int i = 1; i <= count; i++) {
         fprintf(out, "  k%d: ", i);
-        put_part(out, row->part, i);
+        growth_put_part(out, row->part, i);
         fputc('\n', out);
     }
     fputs("materials:\n", out);
@@ -60,7 +61,7 @@ static void put_deep(FILE *out, const GrowthRow *row, int count)
         fprintf(out, "  m%d: { material: Phong, diffuse: { ref: k%d } }\n", i, i);
     bool frame = *row->head == '!';
     fprintf(out, "  top: { material: Phong, %s: ", frame ? "input" : "diffuse");
-    put_part(out, row->head + frame, count + 1);
+    growth_put_part(out, row->head + frame, count + 1);
     fputs(" }\n", out);
 }
 
@@ -100,7 +101,7 @@ static char *read_made(void *user, const char *path, size_t *size, const char **
 
 typedef struct {
     MatcOptions options;
-    bool eval, all, json;
+    bool eval, all, json, ir;
 } Setting;
 
 static void set_option(Setting *s, const char *name, char *value)
@@ -109,6 +110,8 @@ static void set_option(Setting *s, const char *name, char *value)
         s->eval = s->options.pixels = true;
     else if (!strcmp(name, "json"))
         s->json = true;
+    else if (!strcmp(name, "ir"))
+        s->ir = true;
     else if (!strcmp(name, "all"))
         s->all = true;
     else if (!strcmp(name, "measure"))
@@ -176,6 +179,46 @@ static void evaluate(const MatcDocument *document, int material, const Setting *
     free(text);
 }
 
+/* The IR of the last material as text, read and written again. */
+static void read_back(const Setting *s, const char *text, GrowthRun *run)
+{
+    Arena arena = {0};
+    Session session = {.options = &s->options, .arena = &arena, .optimize = s->options.optimize};
+    Source source = {"growth.yaml", text, run->read};
+    Tree *tree;
+    Job job;
+    ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
+    choice_job(&s->options, &job);
+    Graph *graph = compile_front(&session, 0, &tree);
+    Ir *ir = graph ? compile_ir(&session, graph, graph->materials[graph->material_count - 1].node, &job) : NULL;
+    Text out = text_new(&arena), again = text_new(&arena);
+    const char *wrong = NULL;
+    if (ir) {
+        ir_print(&out, ir);
+        ir = ir_read(&session, out.at, graph, &wrong);
+    }
+    if (ir)
+        ir_print(&again, ir);
+    run->written += again.size;
+    run->errors += !ir;
+    arena_free(&arena);
+}
+
+static void compile_document(const Setting *s, const char *text, GrowthRun *run)
+{
+    MatcDocument *document = matc_read(s->json ? "growth.json" : "growth.yaml", text, run->read, &s->options);
+    run->written += strlen(matc_tree_text(document)) + (size_t)matc_depend_count(document);
+    run->written += strlen(matc_diagnostics(document, MATC_TEXT)) + strlen(matc_diagnostics(document, MATC_JSON));
+    run->errors += matc_error_count(document);
+    int materials = matc_material_count(document);
+    for (int i = s->all ? 0 : materials - 1; i >= 0 && i < materials; i++)
+        if (s->eval)
+            evaluate(document, i, s, run);
+        else
+            compile(document, i, s, run);
+    matc_document_free(document);
+}
+
 GrowthRun growth_run(const GrowthRow *row, int count)
 {
     char words[128];
@@ -183,17 +226,10 @@ GrowthRun growth_run(const GrowthRow *row, int count)
     GrowthRun run = {0};
     char *text = growth_text(row, count, &run.read);
     double start = now();
-    MatcDocument *document = matc_read(s.json ? "growth.json" : "growth.yaml", text, run.read, &s.options);
-    run.written += strlen(matc_tree_text(document)) + (size_t)matc_depend_count(document);
-    run.written += strlen(matc_diagnostics(document, MATC_TEXT)) + strlen(matc_diagnostics(document, MATC_JSON));
-    run.errors += matc_error_count(document);
-    int materials = matc_material_count(document);
-    for (int i = s.all ? 0 : materials - 1; i >= 0 && i < materials; i++)
-        if (s.eval)
-            evaluate(document, i, &s, &run);
-        else
-            compile(document, i, &s, &run);
-    matc_document_free(document);
+    if (s.ir)
+        read_back(&s, text, &run);
+    else
+        compile_document(&s, text, &run);
     run.seconds = now() - start;
     free(text);
     return run;

@@ -3,6 +3,7 @@
 #define MATC_GROWTH_H
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum { GROWTH_FACTOR = 8 }; /* a row's longest document has so many times the parts of its shortest */
 
@@ -33,4 +34,24 @@ typedef struct {
 GrowthRun growth_run(const GrowthRow *row, int count);
 /* The quickest of several runs. */
 double growth_seconds(const GrowthRow *row, int count, int runs);
+/* A part of a row, with its number for $ and a reference to the part before it for @. */
+void growth_put_part(FILE *out, const char *part, int number);
+
+/* Documents side by side, for one `matc -d`; growth_batch.c. */
+typedef enum {
+    GROWTH_FRESH,     /* into a new folder */
+    GROWTH_UNCHANGED, /* again, with nothing changed */
+    GROWTH_CACHED,    /* into a new folder, all of them from a cache */
+    GROWTH_FEWER      /* where twice as many have been: half of the files go */
+} GrowthBefore;
+typedef struct {
+    const char *name, *options; /* of the command line */
+    int count;                  /* documents of the shorter batch */
+    GrowthBefore before;
+    const char *part; /* one document */
+} GrowthBatch;
+extern const GrowthBatch growth_batches[];
+extern const int growth_batch_count;
+/* CPU seconds of matc, the program of that name, with so many of a row's documents: the quickest of several runs. Infinite: it fails. */
+double growth_batch_seconds(const GrowthBatch *row, const char *matc, int count, int runs);
 #endif
