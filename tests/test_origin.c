@@ -51,7 +51,7 @@ static const char wall[] =
     "diffuse: *loam\n"
     "emissive: &glow\n"
     "  map: Blend\n"
-    "  blend: [{ value: 0.5, input: red }, { value: 0.7, input: *loam }]\n"
+    "  blend: [{ value: 0.5, input: red }, { value: 0.7, input: *loam }, { value: 0.9, input: blue }]\n"
     "  input: { map: Wood }\n";
 
 static void an_authors_words_are_the_names(void **state)

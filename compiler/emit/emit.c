@@ -107,11 +107,11 @@ static bool put_else_if(Scope *e, Text *out, const Arm *arm, int depth)
 
 static void put_assignment(Scope *e, Text *out, const Arm *arm, int depth)
 {
-    bool tail = is_tail(e, arm);
-    if (tail) {
+    bool tail = is_tail(e, arm), own = e->s.uses[arm->value] == 1 && e->s.block[arm->value] == arm->block;
+    if (own) /* the assignment is its statement */
         e->done[arm->value] = 1;
+    if (tail)
         e->names[arm->value] = arm->target;
-    }
     put_block(e, out, arm->block, depth);
     indent(out, depth);
     if (tail) {

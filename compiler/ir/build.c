@@ -23,6 +23,13 @@ Ref build_select_of(Ir *ir, const Ref x[3])
     return ir_make(ir, (IrNode){.op = OP_select, .type = ir_type(ir, x[1]), .count = 3}, x);
 }
 
+Ref build_guard_of(Ir *ir, const Ref x[2])
+{
+    const Type type = ir_type(ir, x[1]);
+    const Ref args[] = {x[0], x[1], build_all(ir, type, 0)};
+    return ir_make(ir, (IrNode){.op = OP_select, .type = type, .count = 3, .payload = 1}, args);
+}
+
 Ref build_linear(Ir *ir, const Ref *args, int count)
 {
     return ir_make(ir, (IrNode){.op = OP_linear, .type = ir_type(ir, args[0]), .count = count}, args);

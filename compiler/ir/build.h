@@ -100,6 +100,13 @@ Ref build_square(Ir *ir, Ref a);
 /* a where the condition holds, else b; both have one type. */
 #define build_select(ir, condition, a, b) build_select_of(ir, REFS(ir, condition, a, b))
 Ref build_select_of(Ir *ir, const Ref x[3]);
+/* A costly value where it shows; elsewhere 0, and nobody reads that. Where it is computed anyhow, opt_guard leaves the value. */
+#define build_guard(ir, shows, a) build_guard_of(ir, REFS(ir, shows, a))
+Ref build_guard_of(Ir *ir, const Ref x[2]);
+static inline bool build_is_guard(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_select) && ir_at(ir, ref)->payload;
+}
 /* A matrix by its columns, args[1] and on, times args[0]. */
 Ref build_linear(Ir *ir, const Ref *args, int count);
 

@@ -27,7 +27,7 @@ const char *op_text(Op op); /* in the text of the IR */
 
 /* What a node of an operation has beside its operands, in `payload`. */
 typedef enum {
-    PAYLOAD_none,
+    PAYLOAD_none,     /* but of a select, 1: it is a guard, whose last operand nobody reads; build_guard */
     PAYLOAD_numbers,  /* the first of its numbers */
     PAYLOAD_input,    /* an Input */
     PAYLOAD_uniform,  /* the graph's, by index */

@@ -4,13 +4,16 @@
  *     of the way from the second: (b + c) / 2. Below 0 it is a, from 1 on c.
  *     walk:    t < 0 ? a : t < .3 ? mix(a, b, ..) : t < 1 ? mix(b, c, ..) : c
  *     search:  t < .3 ? (t < 0 ? a : mix(a, b, ..)) : (t < 1 ? mix(b, c, ..) : c)
- *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7)) */
+ *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
+ *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what is made of it needs no branch
+ *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards whose values may be of any size */
 #include "compiler/lower/area.h"
 #include <math.h>
+#include <string.h>
 
 enum {
     CHEAP_ARMS = 40,      /* scalar operations of all items together up to which mixing beats branching */
-    MOST_MIXES = 8,       /* items up to which mixing beats searching */
+    MOST_MIXES = 8,       /* items up to which mixing, and a branch for each costly one, beat searching */
     MOST_AREA_ITEMS = 64, /* items up to which a blend is averaged over the pixel */
     ALIKE = 16,           /* how many times the least of alike items the greatest is at most */
     KNOWN_DEPTH = 6,      /* operations that are looked through for a value's bounds */
@@ -19,6 +22,12 @@ enum {
 typedef struct {
     Ref value, result, variance; /* of an item: where it lies on t, its answer and what that leaves out */
 } Stop;
+
+/* Items first..last of so many; as segments, each is what leads to its item, and segment `count` is what holds beyond the end. */
+typedef struct {
+    const Stop *stops;
+    int count, first, last;
+} Segments;
 
 /* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
 static Ref position(Lower *l, Ref t, Ref low, Ref high)
@@ -54,12 +63,6 @@ static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
     return result;
 }
 
-/* Segments first..last of so many stops; segment `count` is what holds beyond the end. */
-typedef struct {
-    const Stop *stops;
-    int count, first, last;
-} Segments;
-
 /* The same by halving, for values known to ascend. */
 static Ref blend_search(Lower *l, Ref t, Segments s)
 {
@@ -79,6 +82,8 @@ static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
     Ir *ir = l->ir;
     Ref result = stops[0].result, zero = build_float(ir, 0), one = build_float(ir, 1);
     for (int i = 1; i < count; i++) {
+        if (stops[i].result == stops[i - 1].result)
+            continue; /* there the result is that already */
         Ref at = position(l, t, stops[i - 1].value, stops[i].value);
         result = build_mix(ir, result, stops[i].result, build_clamp(ir, at, zero, one));
     }
@@ -102,6 +107,71 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     for (int i = 0; i < count && cost < CHEAP_ARMS; i++)
         cost += lower_cost_below(ir, stops[i].result, CHEAP_ARMS - cost);
     return cost < CHEAP_ARMS;
+}
+
+/* Where the items first..last of so many show: above the value before them and below the one behind. The edge of a pixel's box, which
+ * reaches half as far, may be none. 0: everywhere. */
+static Ref where_shown(Lower *l, Answer t, Ref edge, Segments s)
+{
+    Ir *ir = l->ir;
+    Ref above = 0, below = 0;
+    if (s.first > 0)
+        above = build_lt(ir, s.stops[s.first - 1].value, edge ? build_add(ir, t.value, edge) : t.value);
+    if (s.last < s.count - 1)
+        below = build_lt(ir, edge ? build_sub(ir, t.value, edge) : t.value, s.stops[s.last + 1].value);
+    return above && below ? build_and(ir, above, below) : above ? above : below;
+}
+
+/* The same of all items that answer what item i does; i is the first of them. */
+static Ref where_result(Lower *l, Answer t, Ref edge, Segments s)
+{
+    const Ref result = s.stops[s.first].result;
+    Ref shown = 0;
+    for (int i = s.first; i < s.count; i++) {
+        if (s.stops[i].result != result)
+            continue;
+        const int first = i;
+        while (i + 1 < s.count && s.stops[i + 1].result == result)
+            i++;
+        Ref here = where_shown(l, t, edge, (Segments){s.stops, s.count, first, i});
+        if (!here)
+            return 0;
+        shown = shown ? build_or(l->ir, shown, here) : here;
+    }
+    return shown;
+}
+
+/* The guard is called as what it guards. */
+static Ref guarded(Lower *l, Ref shown, Ref value)
+{
+    Ir *ir = l->ir;
+    Ref guard = build_guard(ir, shown, value);
+    ir->nodes[guard].origin = ir->nodes[value].origin;
+    ir->nodes[guard].head = ir->nodes[value].head;
+    return guard;
+}
+
+/* Items of which the costly ones are computed where they show alone; the items themselves where none is. Of a point only where what
+ * is made of them has no branches: a search has them already. */
+static const Stop *guarded_items(Lower *l, Answer t, Ref edge, const Stop *stops, int count)
+{
+    Stop *own = NULL;
+    if (!l->cheap || (!edge && (count > MOST_MIXES || !ascending(l->ir, stops, count, true))))
+        return stops;
+    for (int i = 0; i < count; i++) {
+        const Ref result = stops[i].result;
+        if (lower_cost_below(l->ir, result, CHEAP_ARMS) < CHEAP_ARMS || (own && own[i].result != result))
+            continue;
+        Ref shown = where_result(l, t, edge, (Segments){stops, count, i, count});
+        if (!shown)
+            continue;
+        own = own ? own : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops, sizeof *stops * (size_t)count);
+        Ref guard = guarded(l, shown, result);
+        for (int k = i; k < count; k++)
+            if (stops[k].result == result)
+                own[k].result = guard;
+    }
+    return own ? own : stops;
 }
 
 /* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT lines of ops.def; -1: it may be
@@ -161,9 +231,12 @@ static bool alike_arms(const Ir *ir, const Stop *stops, int count)
     return unit || alike_constants(ir, stops, count);
 }
 
-/* How much of a box of t has the step from a stop to the next behind it. */
+/* How much of a box of t has the step from a stop to the next behind it; no edge: of a point. */
 static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
 {
+    if (!edge)
+        return build_clamp(l->ir, position(l, t, stop[0].value, stop[1].value), build_float(l->ir, 0),
+                           build_float(l->ir, 1));
     return area_ramp(l, t, edge, stop[0].value, stop[1].value);
 }
 
@@ -179,7 +252,7 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* Of every item, how much of the box it is: exactly 0 where the box does not reach it. */
+/* Of every item, how much of the box it is, or of the point: exactly 0 where that does not reach it. */
 static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -222,7 +295,7 @@ static Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int coun
 /* At a point of t. */
 static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
 {
-    bool ordered = ascending(l->ir, stops, count, true);
+    const bool ordered = ascending(l->ir, stops, count, true);
     if (l->cheap && ordered && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
         alike_arms(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);
@@ -231,14 +304,22 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
     return blend_walk(l, t, stops, count);
 }
 
+/* Of guards, which want no branch around them. */
+static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
+{
+    return alike_arms(l->ir, stops, count) ? blend_mixes(l, t, stops, count) : blend_weights(l, t, 0, stops, count);
+}
+
 static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
 {
     if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
-    Answer blend = answer_of(!edge                             ? blend_point(l, t.value, stops, count)
-                             : alike_arms(l->ir, stops, count) ? blend_area(l, t.value, edge, stops, count)
-                                                               : blend_weights(l, t.value, edge, stops, count));
+    const Stop *own = guarded_items(l, t, edge, stops, count);
+    Answer blend = answer_of(!edge && own != stops           ? blend_guards(l, t.value, own, count)
+                             : !edge                         ? blend_point(l, t.value, stops, count)
+                             : alike_arms(l->ir, own, count) ? blend_area(l, t.value, edge, own, count)
+                                                             : blend_weights(l, t.value, edge, own, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
 }

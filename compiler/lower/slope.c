@@ -90,6 +90,8 @@ static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
     const Type type = ir_type(ir, ref);
     if (!slopes[1] && !slopes[2])
         return 0;
+    if (build_is_guard(ir, ref))
+        return build_guard(ir, ir_arg(ir, ref, 0), slopes[1]);
     return build_select(ir, ir_arg(ir, ref, 0), build_or_zero(ir, slopes[1], type), build_or_zero(ir, slopes[2], type));
 }
 

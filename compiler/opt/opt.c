@@ -23,15 +23,12 @@ static bool run(Session *session, Ir *ir, const OptPass *pass, bool *progress)
     return !fault;
 }
 
-/* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
- * and each gain may make room for another. Ranges and functions gain nothing new where nothing changed. */
-bool opt_run(Session *session, Ir *ir)
+/* Until nothing changes. Ranges and functions gain nothing new where nothing changed. */
+static bool run_rounds(Session *session, Ir *ir)
 {
     static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
-                         function = {"function", opt_function}, merge = {"merge", opt_merge};
-    bool changed = true, merged = false;
-    if (!run(session, ir, &merge, &merged))
-        return false;
+                         function = {"function", opt_function};
+    bool changed = true;
     for (int round = 0; round < MOST_ROUNDS; round++) {
         if (!run(session, ir, &polish, &changed))
             return false;
@@ -42,4 +39,15 @@ bool opt_run(Session *session, Ir *ir)
             return false;
     }
     return true;
+}
+
+/* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
+ * and each gain may make room for another. What is needed once more than a guard's branch is known when all else is done. */
+bool opt_run(Session *session, Ir *ir)
+{
+    static const OptPass merge = {"merge", opt_merge}, guard = {"guard", opt_guard};
+    bool merged = false, settled = false;
+    if (!run(session, ir, &merge, &merged) || !run_rounds(session, ir) || !run(session, ir, &guard, &settled))
+        return false;
+    return !settled || run_rounds(session, ir);
 }

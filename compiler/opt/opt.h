@@ -15,6 +15,7 @@ bool opt_range(Ir *ir);        /* bounds that cannot be reached, comparisons tha
 bool opt_function(Ir *ir);     /* functions that do not use their arguments, or not all */
 bool opt_merge(Ir *ir);        /* a value whose gradient is computed anyhow -> a lane of that */
 bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
+bool opt_guard(Ir *ir);        /* guards that spare nothing -> the value; the others are selects from then on */
 bool opt_polish(Ir *ir);       /* the local rules together, with what is known of uses */
 /* The local rules of fold, algebra, swizzle, select and power, until none applies: for nodes as they are made. */
 Ref opt_simplify(Ir *ir, Ref ref);

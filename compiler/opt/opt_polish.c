@@ -7,7 +7,7 @@ enum { MOST_REWRITES = 16 };
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
     static IrRewrite *const rules[] = {opt_rewrite_fold, opt_rewrite_algebra, opt_rewrite_swizzle, opt_rewrite_select,
-                                    opt_rewrite_power};
+                                       opt_rewrite_power};
     enum { RULE_COUNT = sizeof rules / sizeof *rules };
     if (!ir_at(ir, ref)->count)
         return ref; /* a leaf is as simple as can be */

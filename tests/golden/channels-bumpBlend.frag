@@ -78,14 +78,11 @@ void main() {
     // bumpBlend.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpBlend.yaml:7 Blend
-    bool blend = localPosition.x < 1.0;
-    bool blend_2 = localPosition.x < -1.0;
-    float blend_3 = (localPosition.x + 1.0) * 0.5;
+    float blend = clamp((localPosition.x + 1.0) * 0.5, 0.0, 1.0);
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
-    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y;
-    vec3 bumpMap_4 = cross((blend ? (blend_2 ? 0.0 : mix(0.0, bumpMap_2, blend_3)) : bumpMap_2) * 0.24 * bumpMap_1 + worldTangentU, worldTangentV);
-    vec3 bumpMap = bumpMap_4 + (blend ? (blend_2 ? 0.0 : mix(0.0, bumpMap_3, blend_3)) : bumpMap_3) * 0.24 * cross(worldTangentU, bumpMap_1);
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x * blend;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y * blend;
+    vec3 bumpMap = cross(bumpMap_2 * 0.24 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * 0.24 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -120,13 +120,9 @@ void main() {
     vec2 diffuse_checker_1 = fract(uv * vec2(6.0, 3.0));
     float diffuse_checker;
     if ((0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y)) {
-        // merge.yaml:5 VolumeTurbulence
-        float diffuse_volumeTurbulence = turbulence(localPosition * 6.0, 3, 2.0, 0.5) + 0.5;
-        diffuse_checker = diffuse_volumeTurbulence;
+        diffuse_checker = turbulence(localPosition * 6.0, 3, 2.0, 0.5) + 0.5;
     } else {
-        // merge.yaml:5 VolumeTurbulence
-        float diffuse_volumeTurbulence2 = turbulence(localPosition * 2.0, 11, 2.0, 0.5) * 0.3 + 0.5;
-        diffuse_checker = diffuse_volumeTurbulence2;
+        diffuse_checker = turbulence(localPosition * 2.0, 11, 2.0, 0.5) * 0.3 + 0.5;
     }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(diffuse_checker, 8);

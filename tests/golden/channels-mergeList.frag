@@ -120,13 +120,9 @@ void main() {
     vec2 diffuse_checker_1 = fract(uv * vec2(6.0, 3.0));
     float diffuse_checker;
     if ((0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y)) {
-        // mergeList.yaml:5 coarse
-        float coarse = turbulence(localPosition * 3.0, 4, 2.0, 0.5);
-        diffuse_checker = coarse;
+        diffuse_checker = turbulence(localPosition * 3.0, 4, 2.0, 0.5);
     } else {
-        // mergeList.yaml:5 VolumeTurbulence
-        float diffuse_volumeTurbulence = turbulence(localPosition * 9.0, 4, 2.0, 0.5) + 0.4;
-        diffuse_checker = diffuse_volumeTurbulence;
+        diffuse_checker = turbulence(localPosition * 9.0, 4, 2.0, 0.5) + 0.4;
     }
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(diffuse_checker, 8);

@@ -131,32 +131,44 @@ void main() {
     float sand = turbulence(localPosition * 22.0, 3, 2.0, 0.7);
     // brick.yaml:27 mortar
     vec3 mortar = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(sand + 0.5, 0.0, 1.0));
-    // brick.yaml:23 Gradient
-    float brick_gradient_1 = wall.z * 0.5;
-    float brick_gradient = floor(brick_gradient_1 + 0.5);
-    // brick.yaml:22 XYZTransform
-    vec3 brick_xyzTransform = vec3(brick_gradient) * vec3(4.3, 1.1, 2.9);
-    // brick.yaml:34 VolumeTurbulence
-    float clay_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5);
-    vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
-    // brick.yaml:12 along
-    float along_1 = 0.5 <= fract(brick_gradient_1) ? wall.x : wall.x + 0.5;
-    float along = fract(along_1) * 2.0 - 1.0;
-    // brick.yaml:20 Gradient
-    float brick_gradient2 = floor(along_1 * 0.5 + 0.5);
-    // brick.yaml:19 XYZTransform
-    vec3 brick_xyzTransform2 = vec3(brick_gradient2) * vec3(1.7, 3.1, 5.3);
-    // brick.yaml:33 VolumeTurbulence
-    float clay_volumeTurbulence2 = turbulence(mix(brick_xyzTransform2, brick_xyzTransform, 0.5), 1, 2.0, 1.0);
-    // brick.yaml:31 clay
-    float clay_1 = mix(clay_volumeTurbulence2, clay_volumeTurbulence, 0.4);
-    vec3 clay = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((clay_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(clay_1 * 2.0, 0.0, 1.0));
-    // brick.yaml:55 lengths
-    vec3 lengths_1 = along < -0.89 ? (along < -0.93 ? mortar : mix(mortar, clay, (along + 0.93) * 25.0)) : clay;
-    vec3 lengths = along < 0.89 ? lengths_1 : along < 0.93 ? mix(clay, mortar, (along - 0.89) * 25.0) : mortar;
     // brick.yaml:50 Blend
-    vec3 diffuse_blend_1 = up < -0.76 ? (up < -0.83 ? mortar : mix(mortar, lengths, (up + 0.83) * 14.285714)) : lengths;
-    vec3 diffuse_blend = up < 0.76 ? diffuse_blend_1 : up < 0.83 ? mix(lengths, mortar, (up - 0.76) * 14.285714) : mortar;
+    float diffuse_blend_1 = clamp((up + 0.83) * 14.285714, 0.0, 1.0);
+    float diffuse_blend_2 = clamp((up + 0.76) * 0.65789473, 0.0, 1.0);
+    float diffuse_blend_3 = clamp((up - 0.76) * 14.285714, 0.0, 1.0);
+    vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
+    // brick.yaml:55 lengths
+    vec3 lengths;
+    if (-0.83 < up && up < 0.83) {
+        // brick.yaml:23 Gradient
+        float brick_gradient_1 = wall.z * 0.5;
+        // brick.yaml:12 along
+        float along_1 = 0.5 <= fract(brick_gradient_1) ? wall.x : wall.x + 0.5;
+        float along = fract(along_1) * 2.0 - 1.0;
+        // brick.yaml:31 clay
+        vec3 clay;
+        if (-0.93 < along && along < 0.93) {
+            float brick_gradient = floor(brick_gradient_1 + 0.5);
+            // brick.yaml:22 XYZTransform
+            vec3 brick_xyzTransform = vec3(brick_gradient) * vec3(4.3, 1.1, 2.9);
+            // brick.yaml:34 VolumeTurbulence
+            float clay_volumeTurbulence = turbulence(localPosition * 5.0, 11, 2.0, 0.5);
+            // brick.yaml:20 Gradient
+            float brick_gradient2 = floor(along_1 * 0.5 + 0.5);
+            // brick.yaml:19 XYZTransform
+            vec3 brick_xyzTransform2 = vec3(brick_gradient2) * vec3(1.7, 3.1, 5.3);
+            // brick.yaml:16 brick
+            vec3 brick = brick_xyzTransform2 * 0.5 + brick_xyzTransform * 0.5;
+            float clay_1 = clay_volumeTurbulence * 0.4 + turbulence(brick, 1, 2.0, 1.0) * 0.6;
+            clay = mix(mix(vec3(0.15292615, 0.024157632, 0.011612245), vec3(0.3231432, 0.05612849, 0.02518686), clamp((clay_1 + 0.5) * 2.0, 0.0, 1.0)), vec3(0.50888133, 0.15592647, 0.064803265), clamp(clay_1 * 2.0, 0.0, 1.0));
+        } else {
+            clay = vec3(0.0);
+        }
+        lengths = mix(mix(mortar, clay, clamp((along + 0.93) * 25.0, 0.0, 1.0)), mortar, clamp((along - 0.89) * 25.0, 0.0, 1.0));
+    } else {
+        lengths = vec3(0.0);
+    }
+    vec3 diffuse_blend_4 = lengths * (diffuse_blend_2 - diffuse_blend_3) + (lengths * (diffuse_blend_1 - diffuse_blend_2) + (1.0 - diffuse_blend_1) * mortar);
+    vec3 diffuse_blend = diffuse_blend_4 + diffuse_blend_3 * mortar;
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 956301312u, 534788409u);
 }

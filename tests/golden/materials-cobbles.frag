@@ -83,6 +83,22 @@ vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRati
     return sum;
 }
 
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
 // Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
 // About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
 float lattice(vec3 cell, vec3 d) {
@@ -109,22 +125,6 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
         p *= frequencyRatio;
     }
     return sum;
-}
-
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -166,42 +166,45 @@ void main() {
     vec3 street = street_turbulence * vec3(3.4, 3.4, 4.0);
     // cobbles.yaml:17 along
     float along_1 = sin(street.z * 3.1415927);
-    float along = along_1 * along_1;
-    // cobbles.yaml:33 Gradient
-    float number_gradient = floor(street.z);
-    // cobbles.yaml:33 XYZTransform
-    vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
-    // cobbles.yaml:19 grain
-    float grain = turbulence(localPosition * 9.0, 4, 2.0, 0.6);
     vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
     // cobbles.yaml:16 across
     float across_1 = 0.5 <= fract(street.z * 0.5) ? street.x : street.x + 0.5;
     float across_2 = sin(across_1 * 3.1415927);
-    float across = across_2 * across_2;
-    // cobbles.yaml:32 Gradient
-    float number_gradient2 = floor(across_1);
-    // cobbles.yaml:32 XYZTransform
-    vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
-    // cobbles.yaml:35 tone
-    float tone = turbulence(mix(number_xyzTransform2, number_xyzTransform, 0.5), 1, 2.0, 1.0);
-    // cobbles.yaml:45 Blend
-    float diffuse_blend_1 = mix(tone, grain, 0.35);
-    vec3 diffuse_blend = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend_1 * 2.857143, 0.0, 1.0));
     // cobbles.yaml:39 Blend
-    float diffuse_blend2_1 = along < 1.0 ? (along < 0.0 ? 0.0 : mix(0.0, across, along)) : across;
+    float diffuse_blend_1 = across_2 * across_2 * clamp(along_1 * along_1, 0.0, 1.0);
+    // cobbles.yaml:42 Blend
     vec3 diffuse_blend2;
-    if (diffuse_blend2_1 < 0.07) {
+    if (diffuse_blend_1 < 0.07) {
         // cobbles.yaml:42 VolumeTurbulence
         float diffuse_volumeTurbulence = turbulence(localPosition * 2.0, 3, 2.0, 0.6);
-        // cobbles.yaml:42 Blend
-        vec3 diffuse_blend3 = mix(vec3(0.024157632, 0.020288562, 0.015208514), vec3(0.04231141, 0.052860647, 0.015996294), clamp((diffuse_volumeTurbulence + 0.1) * 2.2222223, 0.0, 1.0));
-        diffuse_blend2 = diffuse_blend2_1 < 0.02 ? diffuse_blend3 : mix(diffuse_blend3, diffuse_blend, (diffuse_blend2_1 - 0.02) * 20.0);
+        diffuse_blend2 = mix(vec3(0.024157632, 0.020288562, 0.015208514), vec3(0.04231141, 0.052860647, 0.015996294), clamp((diffuse_volumeTurbulence + 0.1) * 2.2222223, 0.0, 1.0));
     } else {
-        diffuse_blend2 = diffuse_blend;
+        diffuse_blend2 = vec3(0.0);
     }
-    uint surface_bits = rootBits(diffuse_blend2.x, 8) | rootBits(diffuse_blend2.y, 8) << 8 | rootBits(diffuse_blend2.z, 8) << 16;
+    // cobbles.yaml:45 Blend
+    vec3 diffuse_blend3;
+    if (0.02 < diffuse_blend_1) {
+        // cobbles.yaml:33 Gradient
+        float number_gradient = floor(street.z);
+        // cobbles.yaml:33 XYZTransform
+        vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
+        // cobbles.yaml:19 grain
+        float grain = turbulence(localPosition * 9.0, 4, 2.0, 0.6);
+        // cobbles.yaml:32 Gradient
+        float number_gradient2 = floor(across_1);
+        // cobbles.yaml:32 XYZTransform
+        vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
+        // cobbles.yaml:30 number
+        vec3 number = number_xyzTransform2 * 0.5 + number_xyzTransform * 0.5;
+        float diffuse_blend3_1 = grain * 0.35 + turbulence(number, 1, 2.0, 1.0) * 0.65;
+        diffuse_blend3 = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend3_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend3_1 * 2.857143, 0.0, 1.0));
+    } else {
+        diffuse_blend3 = vec3(0.0);
+    }
+    vec3 diffuse_blend = mix(diffuse_blend2, diffuse_blend3, clamp((diffuse_blend_1 - 0.02) * 20.0, 0.0, 1.0));
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // cobbles.yaml:49 Blend
-    float specular_blend = mix(0.02, 0.14, clamp((diffuse_blend2_1 - 0.2) * 2.0, 0.0, 1.0));
+    float specular_blend = mix(0.02, 0.14, clamp((diffuse_blend_1 - 0.2) * 2.0, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 8);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 696254464u);
     fragment0 = surface_bits2;

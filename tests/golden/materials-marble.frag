@@ -82,6 +82,26 @@ vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRati
     return sum;
 }
 
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
 // About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
 float lattice(vec3 cell, vec3 d) {
@@ -108,26 +128,6 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
         p *= frequencyRatio;
     }
     return sum;
-}
-
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -157,15 +157,21 @@ void main() {
     vec3 swirl = vectorTurbulence(localPosition, 6, 2.0, 0.5) * vec3(0.45) + localPosition;
     // marble.yaml:12 veins
     float veins = sin(fract(dot(swirl, vec3(1.1, 0.4, 1.3))) * 3.1415927) * 2.0 - 1.0;
-    // marble.yaml:23 clouds
-    vec3 clouds = mix(vec3(0.6239604, 0.59061885, 0.5271151), vec3(0.8631572, 0.7912979, 0.6653873), clamp(turbulence(swirl, 4, 2.0, 0.6) + 0.5, 0.0, 1.0));
     // marble.yaml:6 Blend
-    vec3 diffuse_blend = veins < -0.3 ? (veins < -0.85 ? vein : mix(vein, clouds, (veins + 0.85) * 1.8181819)) : clouds;
+    float diffuse_blend_1 = clamp((veins + 0.85) * 1.8181819, 0.0, 1.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // marble.yaml:17 Blend
     float specular_blend = mix(0.15, 0.4, clamp((veins + 0.9) * 1.4285715, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 8);
+    // marble.yaml:23 clouds
+    vec3 clouds;
+    if (-0.85 < veins) {
+        clouds = mix(vec3(0.6239604, 0.59061885, 0.5271151), vec3(0.8631572, 0.7912979, 0.6653873), clamp(turbulence(swirl, 4, 2.0, 0.6) + 0.5, 0.0, 1.0));
+    } else {
+        clouds = vec3(0.0);
+    }
+    vec3 diffuse_blend = clouds * diffuse_blend_1 + (1.0 - diffuse_blend_1) * vein;
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
     fragment0 = surface_bits2;
 }

@@ -90,6 +90,16 @@ float wood(vec3 p) {
     return greater * length(a / greater);
 }
 
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
 // Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
 // About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
 float lattice(vec3 cell, vec3 d) {
@@ -116,16 +126,6 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
         p *= frequencyRatio;
     }
     return sum;
-}
-
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -167,18 +167,18 @@ void main() {
     vec3 trunk = vectorTurbulence(trunk_xyzTransform, 3, 2.0, 0.6) * vec3(0.04, 0.04, 0.02) + trunk_xyzTransform;
     // oak.yaml:26 Wood
     float diffuse_wood = fract(rings * wood(trunk)) * 2.0 - 1.0;
-    // oak.yaml:21 Blend
-    vec3 diffuse_blend;
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    // oak.yaml:12 fibres
+    vec3 fibres;
     if (diffuse_wood < 1.0) {
         // oak.yaml:15 VolumeTurbulence
         float fibres_volumeTurbulence = turbulence(trunk * vec3(30.0, 30.0, 2.0), 3, 2.0, 0.6);
-        // oak.yaml:12 fibres
-        vec3 fibres = mix(vec3(0.3231432, 0.14412847, 0.046665087), vec3(0.58407843, 0.3231432, 0.12477182), clamp((fibres_volumeTurbulence + 1.0) * 0.71428573, 0.0, 1.0));
-        diffuse_blend = diffuse_wood < -0.3 ? fibres : mix(fibres, vec3(0.20155625, 0.070360094, 0.019382361), (diffuse_wood + 0.3) * 0.7692308);
+        fibres = mix(vec3(0.3231432, 0.14412847, 0.046665087), vec3(0.58407843, 0.3231432, 0.12477182), clamp((fibres_volumeTurbulence + 1.0) * 0.71428573, 0.0, 1.0));
     } else {
-        diffuse_blend = vec3(0.20155625, 0.070360094, 0.019382361);
+        fibres = vec3(0.0);
     }
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    // oak.yaml:21 Blend
+    vec3 diffuse_blend = mix(fibres, vec3(0.20155625, 0.070360094, 0.019382361), clamp((diffuse_wood + 0.3) * 0.7692308, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2147483648u, 1193312384u);
 }

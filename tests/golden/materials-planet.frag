@@ -161,20 +161,29 @@ void main() {
     // planet.yaml:9 ground
     float ground_1 = clamp((height + 0.02) * 50.0, 0.0, 1.0);
     // planet.yaml:28 Blend
-    vec3 diffuse_blend;
-    if (diffuse_volumeTurbulence < 0.75) {
-        vec3 ground_2 = mix(mix(mix(vec3(0.004024717, 0.027320892, 0.09084171), vec3(0.023153367, 0.21223076, 0.34191442), clamp((height + 0.5) * 2.0833333, 0.0, 1.0)), vec3(0.61049557, 0.45641103, 0.22696587), ground_1), vec3(0.070360094, 0.16202937, 0.039546236), clamp(height * 10.0, 0.0, 1.0));
-        vec3 ground = mix(mix(ground_2, vec3(0.20155625, 0.14412847, 0.06662594), clamp((height - 0.1) * 3.3333333, 0.0, 1.0)), vec3(0.9046612, 0.91309863, 0.9301109), clamp((height - 0.4) * 3.3333333, 0.0, 1.0));
-        // planet.yaml:19 surface
-        vec3 surface_1 = coast.z < -0.8 ? (coast.z < -0.86 ? vec3(0.9046612, 0.91309863, 0.9301109) : mix(vec3(0.9046612, 0.91309863, 0.9301109), ground, (coast.z + 0.86) * 16.666666)) : ground;
-        vec3 surface = coast.z < 0.8 ? surface_1 : coast.z < 0.86 ? mix(ground, vec3(0.9046612, 0.91309863, 0.9301109), (coast.z - 0.8) * 16.666666) : vec3(0.9046612, 0.91309863, 0.9301109);
-        diffuse_blend = diffuse_volumeTurbulence < 0.15 ? surface : mix(surface, vec3(0.9046612, 0.91309863, 0.9301109), (diffuse_volumeTurbulence - 0.15) * 1.6666666);
-    } else {
-        diffuse_blend = vec3(0.9046612, 0.91309863, 0.9301109);
-    }
+    float diffuse_blend_1 = clamp((diffuse_volumeTurbulence - 0.15) * 1.6666666, 0.0, 1.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface2_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uint specular_bits = rootBits(mix(0.35, 0.02, ground_1), 8);
+    // planet.yaml:19 surface
+    vec3 surface;
+    if (diffuse_volumeTurbulence < 0.75) {
+        float surface_1 = clamp((coast.z + 0.86) * 16.666666, 0.0, 1.0);
+        float surface_2 = clamp((coast.z + 0.8) * 0.625, 0.0, 1.0);
+        float surface_3 = clamp((coast.z - 0.8) * 16.666666, 0.0, 1.0);
+        vec3 ground;
+        if (-0.86 < coast.z && coast.z < 0.86) {
+            vec3 ground_2 = mix(mix(mix(vec3(0.004024717, 0.027320892, 0.09084171), vec3(0.023153367, 0.21223076, 0.34191442), clamp((height + 0.5) * 2.0833333, 0.0, 1.0)), vec3(0.61049557, 0.45641103, 0.22696587), ground_1), vec3(0.070360094, 0.16202937, 0.039546236), clamp(height * 10.0, 0.0, 1.0));
+            ground = mix(mix(ground_2, vec3(0.20155625, 0.14412847, 0.06662594), clamp((height - 0.1) * 3.3333333, 0.0, 1.0)), vec3(0.9046612, 0.91309863, 0.9301109), clamp((height - 0.4) * 3.3333333, 0.0, 1.0));
+        } else {
+            ground = vec3(0.0);
+        }
+        vec3 surface_4 = ground * (surface_2 - surface_3) + (ground * (surface_1 - surface_2) + (1.0 - surface_1) * vec3(0.9046612, 0.91309863, 0.9301109));
+        surface = surface_4 + surface_3 * vec3(0.9046612, 0.91309863, 0.9301109);
+    } else {
+        surface = vec3(0.0);
+    }
+    vec3 diffuse_blend = surface * (1.0 - diffuse_blend_1) + diffuse_blend_1 * vec3(0.9046612, 0.91309863, 0.9301109);
+    uint surface2_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uvec4 surface2_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface2_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
     fragment0 = surface2_bits2;
 }

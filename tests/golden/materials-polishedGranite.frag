@@ -118,18 +118,23 @@ void main() {
     vec3 mica_xyzTransform = localPosition * vec3(4.0) + vec3(3.1, 0.7, 5.3);
     // polishedGranite.yaml:18 mica
     float mica = granite(mica_xyzTransform);
-    // polishedGranite.yaml:16 Granite
-    float diffuse_granite = granite(localPosition * 1.5);
-    // polishedGranite.yaml:11 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.20507874, 0.06662594, 0.051269457), vec3(0.48514995, 0.24620132, 0.18447499), clamp((diffuse_granite + 0.5) * 2.0, 0.0, 1.0)), vec3(0.69387174, 0.61049557, 0.54572445), clamp(diffuse_granite * 2.5, 0.0, 1.0));
     // polishedGranite.yaml:6 Blend
-    float diffuse_blend2_1 = mica + 0.25;
-    vec3 diffuse_blend2 = mica < -0.15 ? (mica < -0.25 ? vec3(0.015996294, 0.015996294, 0.011612245) : mix(vec3(0.015996294, 0.015996294, 0.011612245), diffuse_blend, diffuse_blend2_1 * 10.0)) : diffuse_blend;
+    float diffuse_blend_1 = mica + 0.25;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits = rootBits(diffuse_blend2.x, 8) | rootBits(diffuse_blend2.y, 8) << 8 | rootBits(diffuse_blend2.z, 8) << 16;
     // polishedGranite.yaml:21 Blend
-    float specular_blend = mix(0.1, 0.35, clamp(diffuse_blend2_1 * 6.6666665, 0.0, 1.0));
+    float specular_blend = mix(0.1, 0.35, clamp(diffuse_blend_1 * 6.6666665, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 8);
+    // polishedGranite.yaml:11 Blend
+    vec3 diffuse_blend2;
+    if (-0.25 < mica) {
+        // polishedGranite.yaml:16 Granite
+        float diffuse_granite = granite(localPosition * 1.5);
+        diffuse_blend2 = mix(mix(vec3(0.20507874, 0.06662594, 0.051269457), vec3(0.48514995, 0.24620132, 0.18447499), clamp((diffuse_granite + 0.5) * 2.0, 0.0, 1.0)), vec3(0.69387174, 0.61049557, 0.54572445), clamp(diffuse_granite * 2.5, 0.0, 1.0));
+    } else {
+        diffuse_blend2 = vec3(0.0);
+    }
+    vec3 diffuse_blend = mix(vec3(0.015996294, 0.015996294, 0.011612245), diffuse_blend2, clamp(diffuse_blend_1 * 10.0, 0.0, 1.0));
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1319108608u);
     fragment0 = surface_bits2;
 }

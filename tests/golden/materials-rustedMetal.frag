@@ -75,19 +75,6 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
-// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
-float granite(vec3 p) {
-    vec3 q = 4.0 * p;
-    float strength = 1.0;
-    float sum = 0.0;
-    for (int k = 0; k < 6; k++) {
-        sum += strength * (abs(noise(q)) - 0.5);
-        strength *= 0.5;
-        q *= 2.0;
-    }
-    return sum;
-}
-
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -104,16 +91,6 @@ vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
 }
 
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
-}
-
 // Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
 // Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
 // -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
@@ -128,12 +105,35 @@ float phongExponent(float x) {
     return y > 0.0 ? exponent : 0.0;
 }
 
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
 // bits from 4 to 16.
 uint logarithmBits(float v, int bits) {
     int steps = (1 << bits) - 2;
     float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
     return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
+}
+
+// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
+float granite(vec3 p) {
+    vec3 q = 4.0 * p;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < 6; k++) {
+        sum += strength * (abs(noise(q)) - 0.5);
+        strength *= 0.5;
+        q *= 2.0;
+    }
+    return sum;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -161,20 +161,24 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // rustedMetal.yaml:6 mask
     float mask = rusting + turbulence(localPosition * 1.7, 6, 2.0, 0.6);
-    // rustedMetal.yaml:7 scale
-    float scale = granite(localPosition * 2.0);
-    // rustedMetal.yaml:9 rustTones
-    vec3 rustTones = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((scale + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((scale - 0.1) * 2.0, 0.0, 1.0));
     // rustedMetal.yaml:24 Blend
-    float diffuse_blend_1 = (mask + 0.05) * 6.6666665;
-    vec3 diffuse_blend = mask < 0.1 ? (mask < -0.05 ? vec3(0.08021982, 0.093058966, 0.10946171) : mix(vec3(0.08021982, 0.093058966, 0.10946171), rustTones, diffuse_blend_1)) : rustTones;
+    float diffuse_blend_1 = clamp((mask + 0.05) * 6.6666665, 0.0, 1.0);
     vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // rustedMetal.yaml:28 Blend
-    float specular_blend_1 = clamp(diffuse_blend_1, 0.0, 1.0);
-    vec3 specular_blend = mix(vec3(0.2663556, 0.28744084, 0.31854677), vec3(0.02), specular_blend_1);
-    float shininess = phongExponent(mix(0.75, 0.1, specular_blend_1));
-    uint surface_bits2 = rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
-    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | rootBits(specular_blend.x, 8) << 24, surface_bits2);
+    vec3 specular_blend = mix(vec3(0.2663556, 0.28744084, 0.31854677), vec3(0.02), diffuse_blend_1);
+    float shininess = phongExponent(mix(0.75, 0.1, diffuse_blend_1));
+    uint surface_bits = rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
+    // rustedMetal.yaml:9 rustTones
+    vec3 rustTones;
+    if (-0.05 < mask) {
+        // rustedMetal.yaml:7 scale
+        float scale = granite(localPosition * 2.0);
+        rustTones = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((scale + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((scale - 0.1) * 2.0, 0.0, 1.0));
+    } else {
+        rustTones = vec3(0.0);
+    }
+    vec3 diffuse_blend = mix(vec3(0.08021982, 0.093058966, 0.10946171), rustTones, diffuse_blend_1);
+    uint surface_bits2 = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular_blend.x, 8) << 24, surface_bits);
     fragment0 = surface_bits3;
 }

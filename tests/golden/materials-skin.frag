@@ -139,17 +139,6 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // skin.yaml:6 freckles
     float freckles = turbulence(localPosition * 24.0, 1, 2.0, 1.0);
-    // skin.yaml:11 Blend
-    vec3 diffuse_blend;
-    if (freckles < 0.95) {
-        // skin.yaml:4 blood
-        float blood = turbulence(localPosition * 1.3, 4, 2.0, 0.6);
-        // skin.yaml:7 flesh
-        vec3 flesh = mix(vec3(0.7912979, 0.50888133, 0.34670407), vec3(0.69387174, 0.33245152, 0.23074006), clamp((blood + 0.6) * 0.8333333, 0.0, 1.0));
-        diffuse_blend = freckles < 0.56 ? flesh : mix(flesh, vec3(0.48514995, 0.22322796, 0.116970666), (freckles - 0.56) * 2.5641026);
-    } else {
-        diffuse_blend = vec3(0.48514995, 0.22322796, 0.116970666);
-    }
     // skin.yaml:9 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // skin.yaml:5 pores
@@ -157,10 +146,21 @@ void main() {
     float bumpMap_2 = pores * 0.0018;
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
     // skin.yaml:16 Blend
     float specular_blend = mix(0.08, 0.22, clamp((pores + 0.6) * 1.25, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 5);
+    // skin.yaml:7 flesh
+    vec3 flesh;
+    if (freckles < 0.95) {
+        // skin.yaml:4 blood
+        float blood = turbulence(localPosition * 1.3, 4, 2.0, 0.6);
+        flesh = mix(vec3(0.7912979, 0.50888133, 0.34670407), vec3(0.69387174, 0.33245152, 0.23074006), clamp((blood + 0.6) * 0.8333333, 0.0, 1.0));
+    } else {
+        flesh = vec3(0.0);
+    }
+    // skin.yaml:11 Blend
+    vec3 diffuse_blend = mix(flesh, vec3(0.48514995, 0.22322796, 0.116970666), clamp((freckles - 0.56) * 2.5641026, 0.0, 1.0));
+    uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858435u, 289406976u, surface_bits | specular_bits << 18 | specular_bits << 23, specular_bits | 1378131968u);
     fragment0 = surface_bits2;
 }

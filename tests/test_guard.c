@@ -1,0 +1,113 @@
+/* A Blend's costly item is computed where it shows alone, wherever it stands; what is computed anyhow has no branch. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/matc.h"
+#include "compiler/opt/opt.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WORTH_A_BRANCH = 40 };
+
+/* A guard over so many additions; shared: an output needs its value, too. Whether it stays. */
+static bool stays(int cost, bool shared)
+{
+    Arena arena = {0};
+    MatcOptions options;
+    matc_options_init(&options);
+    Session session = {.options = &options, .arena = &arena};
+    Graph graph = {0};
+    Ir *ir = ir_new(&session, &graph);
+    Ref x = build_swizzle(ir, build_input(ir, INPUT_U), "x"), y = build_swizzle(ir, build_input(ir, INPUT_U), "y");
+    Ref value = x;
+    for (int i = 0; i < cost; i++)
+        value = build_add(ir, value, build_float(ir, i + 1.5));
+    Ref guard = build_guard(ir, build_lt(ir, y, build_float(ir, 0.5)), value);
+    Ref sum = build_add(ir, guard, y);
+    ir_output(ir, OUT_color, 0, shared ? build_vec(ir, TYPE_vec2, sum, value) : sum);
+    assert_true(opt_guard(ir));
+    assert_null(ir_check(ir));
+    bool found = false;
+    const uint8_t *live = ir_live(ir, &arena);
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        found |= live[ref] && ir_is(ir, ref, OP_select);
+        assert_false(live[ref] && build_is_guard(ir, ref));
+    }
+    ir_done(ir);
+    arena_free(&arena);
+    return found;
+}
+
+static void a_guard_stays_where_it_spares_something(void **state)
+{
+    (void)state;
+    assert_true(stays(WORTH_A_BRANCH, false));
+    assert_false(stays(WORTH_A_BRANCH - 1, false));
+    assert_false(stays(WORTH_A_BRANCH, true));
+    assert_true(stays(100 * WORTH_A_BRANCH, false));
+}
+
+/* The fewest braces around a call in main(); -1: there is none. */
+static int depth_of(const char *fragment, const char *call)
+{
+    int depth = 0, least = -1;
+    for (const char *at = strstr(fragment, "void main"); *at; at++) {
+        depth += (*at == '{') - (*at == '}');
+        if (!strncmp(at, call, strlen(call)) && (least < 0 || depth < least))
+            least = depth;
+    }
+    return least;
+}
+
+static int depth_in(const char *items, const char *rest, const char *aa)
+{
+    static char text[2048];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = true;
+    assert_true(matc_options_set(&options, "aa", aa));
+    snprintf(
+        text, sizeof text,
+        "material: Phong\ndiffuse: { map: Blend, input: { map: Gradient, direction: [0, 0, 1] }, blend: [%s] }\n%s",
+        items, rest);
+    MatcDocument *document = matc_read("blend.yaml", text, strlen(text), &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    if (!matc_ok(program))
+        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+    int depth = depth_of(matc_output(program, MATC_FRAGMENT, NULL), "granite(");
+    matc_program_free(program);
+    matc_document_free(document);
+    return depth;
+}
+
+static void an_item_branches_wherever_it_stands(void **state)
+{
+    static const char *const items[] = {
+        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: red }",                            /* first */
+        "{ value: 0, input: red }, { value: 0.5, input: &g { map: Granite } }",                            /* last */
+        "{ value: 0, input: red }, { value: 0.5, input: &g { map: Granite } }, { value: 1, input: blue }", /* middle */
+        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: { map: Wood, input: { map: Turbulence } } }",
+        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: red }, { value: 1, input: *g }", /* both ends */
+        "{ value: 0, input: red }, { value: 0.2, input: &g { map: Granite } }, { value: 0.6, input: *g }, { value: 1, "
+        "input: red }",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof items / sizeof *items; i++)
+        assert_int_equal(depth_in(items[i], "", "none"), 2);
+    for (size_t i = 0; i < sizeof items / sizeof *items; i++)
+        assert_int_equal(depth_in(items[i], "specular: *g\n", "none"), 1);
+    /* it shows everywhere */
+    assert_int_equal(depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "", "none"), 1);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_guard_stays_where_it_spares_something),
+        cmocka_unit_test(an_item_branches_wherever_it_stands),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
