@@ -247,6 +247,8 @@ MATC_API MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, con
  * "reflection"; NULL of others. The list of kinds. The page of one name. */
 MATC_API char *matc_schema(const char *of);
 MATC_API char *matc_list(void);
+/* One of its parts, "maps", "slots", "noise", ...; NULL of others. */
+MATC_API char *matc_list_of(const char *kind);
 /* NULL if there is nothing of that name. */
 MATC_API char *matc_explain(const char *name);
 

@@ -68,6 +68,33 @@ done
 
 check "no document is wrong usage" status 2 "$matc"
 check "an unknown option is wrong usage" status 2 "$matc" --frobnicate $example
+check "and is quoted" says "there is no option '--frobnicate'; see"
+check "a misspelt one" status 2 "$matc" --tarket=glsl330 $example
+check "is guessed" says "there is no option '--tarket'; did you mean '--target'?"
+check "a flag with a value" status 2 "$matc" --watch=yes $example
+check "is told" says '--watch takes no value'
+check "an option without its value" status 2 "$matc" $example --aa
+check "lists the values" says '--aa wants a value: auto, none, box, aniso'
+for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse diffuse" "--layout=compct compact" "--precision=exakt exact" \
+    "--noise=latice lattice" "--constants=unifrom uniform" "--aa=boxx box" "--emit=glls glsl" "--diagnostics=jsn json" "--schema=layot layout" \
+    "--gl=egll egl" "--list=map maps" "--explain=Cheker Checker" "--material=checkr checker" "--powers=sqaring squaring"; do
+    value=${wrong% *} value=${value#*=}
+    check "a misspelt value: ${wrong% *}" status "$([ "${wrong%%=*}" = --material ]; echo $((1 + ($? != 0))))" $fast "${wrong% *}" $example -o "$work/none.frag"
+    check "is quoted, and the right one guessed" says "'$value'.*; did you mean '${wrong#* }'"
+done
+check "and what there is is listed" status 2 $fast --target=hlsl $example
+check "by name" says "target: there is no 'hlsl', but glsl110, glsl330, glsl450, essl300, spirv"
+for wrong in -j0 --cache-limit=none --max-error=x --range=-1 --layout-error=2; do
+    check "a number: $wrong" status 2 $fast -d "$work/none" "$wrong" $example
+    check "is quoted" says ", not '[-x0none2]*1*'"
+done
+for kind in materials maps presets aliases waves colors channels slots targets passes layouts encodings choices warnings noise aa; do
+    check "--list=$kind" status 0 "$matc" --list=$kind
+done
+check "--list maps, too" status 0 "$matc" --list maps
+check "lists them" prints '^  Checker '
+check "and nothing else" test "$(grep -c -e Phong -e glsl330 "$work/stdout")" = 0
+check "the list of all" test "$("$matc" --list | wc -l)" -gt 150
 check "--layout" status 0 $fast --layout=compact $example
 check "writes words" prints 'out uvec4 fragment0'
 check "whole numbers are not for GLSL 1.10" status 1 $fast --layout=integer --target=glsl110 $example

@@ -27,6 +27,9 @@ void describe_layout(Text *out, const LayoutRow *layout);
 /* A diagnostic's format with "..." where it has arguments. */
 void describe_message(Text *out, const DiagRow *diag);
 
+/* The i-th kind that matc_list_of knows, NULL behind the last. describe_list.c */
+const char *describe_list_kind(const void *user, int i);
+
 extern const char *const severity_names[];
 /* Is the row the first of its preset? A preset has one row a parameter. */
 bool describe_is_preset_head(int row);

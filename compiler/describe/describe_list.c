@@ -12,15 +12,21 @@ static void put_line(Text *out, const char *name, const char *doc)
 
 static void put_heading(Text *out, const char *title) { text_format(out, out->size ? "\n%s\n" : "%s\n", title); }
 
-static void list_kinds(Text *out)
+static void list_kinds(Text *out, bool materials, bool maps)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++) {
         const SectionRow *section = &section_table[section_of((Kind)kind)];
+        const bool material = section_of((Kind)kind) == SECTION_material;
+        if (!(material ? materials : maps))
+            continue;
         if (section->first == kind)
             put_heading(out, section->title);
         put_line(out, kind_table[kind].name, kind_table[kind].doc);
     }
 }
+
+static void list_materials(Text *out) { list_kinds(out, true, false); }
+static void list_maps(Text *out) { list_kinds(out, false, true); }
 
 static void list_presets(Text *out)
 {
@@ -48,34 +54,87 @@ static void list_colors(Text *out)
 }
 
 /* Tables whose rows have a name and a doc. */
-#define LIST(out, title, table, count)                                                                                 \
-    do {                                                                                                               \
+#define LIST(function, title, table, count)                                                                            \
+    static void function(Text *out)                                                                                    \
+    {                                                                                                                  \
         put_heading(out, title);                                                                                       \
         for (int i = 0; i < (count); i++)                                                                              \
             put_line(out, (table)[i].name, (table)[i].doc);                                                            \
-    } while (0)
+    }
+LIST(list_plain_waves, "Waves (functions of a number v)", wave_table, WAVE_COUNT)
+LIST(list_channels, "Channels (what a map can be asked for)", channel_table, CHANNEL_COUNT)
+LIST(list_slots, "Slots (what a material tells about a point)", slot_table, SLOT_COUNT)
+LIST(list_targets, "Targets", target_table, TARGET_COUNT)
+LIST(list_passes, "Passes", pass_table, PASS_COUNT)
+LIST(list_layouts, "Layouts", layout_table, LAYOUT_COUNT)
+LIST(list_encodings, "Encodings", encoding_table, ENCODING_COUNT)
+
+static void list_waves(Text *out)
+{
+    list_plain_waves(out);
+    put_line(out, "Chain", CHAIN_DOC);
+}
+
+static void list_choices_of(Text *out, const AxisRow *axis)
+{
+    put_heading(out, axis->doc);
+    for (int i = 0; i < CHOICE_COUNT; i++)
+        if (&axis_table[choice_table[i].axis] == axis)
+            put_line(out, choice_table[i].name, choice_table[i].doc);
+}
+
+static void list_choices(Text *out)
+{
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        list_choices_of(out, &axis_table[axis]);
+}
+
+static void list_warnings(Text *out)
+{
+    put_heading(out, "Warnings (-Wno-NAME, -Werror=NAME)");
+    for (int i = 0; i < DIAG_COUNT; i++)
+        if (diag_table[i].severity == SEVERITY_warning)
+            put_line(out, diag_table[i].name, diag_table[i].doc);
+}
+
+static const struct {
+    const char *kind;
+    void (*put)(Text *out);
+} lists[] = {{"materials", list_materials}, {"maps", list_maps},        {"presets", list_presets},
+             {"aliases", list_aliases},     {"waves", list_waves},      {"colors", list_colors},
+             {"channels", list_channels},   {"slots", list_slots},      {"targets", list_targets},
+             {"passes", list_passes},       {"layouts", list_layouts},  {"encodings", list_encodings},
+             {"choices", list_choices},     {"warnings", list_warnings}};
+enum { LISTS = sizeof lists / sizeof *lists };
 
 char *matc_list(void)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
-    list_kinds(&out);
-    list_presets(&out);
-    list_aliases(&out);
-    LIST(&out, "Waves (functions of a number v)", wave_table, WAVE_COUNT);
-    put_line(&out, "Chain", CHAIN_DOC);
-    list_colors(&out);
-    LIST(&out, "Channels (what a map can be asked for)", channel_table, CHANNEL_COUNT);
-    LIST(&out, "Slots (what a material tells about a point)", slot_table, SLOT_COUNT);
-    LIST(&out, "Targets", target_table, TARGET_COUNT);
-    LIST(&out, "Passes", pass_table, PASS_COUNT);
-    LIST(&out, "Layouts", layout_table, LAYOUT_COUNT);
-    LIST(&out, "Encodings", encoding_table, ENCODING_COUNT);
-    for (int i = 0; i < CHOICE_COUNT; i++) {
-        const AxisRow *axis = &axis_table[choice_table[i].axis];
-        if (axis->first == i)
-            put_heading(&out, axis->doc);
-        put_line(&out, choice_table[i].name, choice_table[i].doc);
-    }
+    for (int i = 0; i < LISTS; i++)
+        lists[i].put(&out);
     return describe_finish(&out);
+}
+
+/* The list of that kind, or the choices of that axis. */
+char *matc_list_of(const char *kind)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    for (int i = 0; i < LISTS; i++)
+        if (!strcmp(lists[i].kind, kind))
+            lists[i].put(&out);
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        if (!strcmp(axis_table[axis].name, kind))
+            list_choices_of(&out, &axis_table[axis]);
+    if (out.size)
+        return describe_finish(&out);
+    arena_free(&arena);
+    return NULL;
+}
+
+const char *describe_list_kind(const void *user, int i)
+{
+    (void)user;
+    return i < LISTS ? lists[i].kind : i < LISTS + AXIS_COUNT ? axis_table[i - LISTS].name : NULL;
 }

@@ -4,7 +4,7 @@
 #include "compiler/base/diag.h"
 #include "compiler/base/file.h"
 #include "compiler/tool/layout_option.h"
-#include "compiler/tool/options.h"
+#include "compiler/tool/options_fault.h"
 #include "runtime/measure/pareto.h"
 #include "compiler/tool/single.h"
 #include "compiler/base/watch.h"
@@ -164,13 +164,23 @@ static void complain_of_several(const CommandLine *line, const MatcDocument *doc
         fprintf(stderr, "  %s\n", matc_material_name(document, i));
 }
 
+static const char *material_name(const void *document, int i) { return matc_material_name(document, i); }
+
+static void complain_of_material(const CommandLine *line, const MatcDocument *document)
+{
+    Arena arena = {0};
+    const NameChoice names = {material_name, document, matc_material_count(document)};
+    complain(line, NULL, options_fault_value(&arena, "--material", line->material, &names));
+    arena_free(&arena);
+}
+
 /* The material that is meant, or -1: a fault, reported. */
 static int choose_material(const CommandLine *line, const MatcDocument *document)
 {
     if (line->material) {
         int found = matc_material_find(document, line->material);
         if (found < 0)
-            complain(line, line->material, "no such material in the document");
+            complain_of_material(line, document);
         return found;
     }
     if (matc_material_count(document) == 1)
@@ -349,6 +359,13 @@ static int answer(const CommandLine *line, char *text, const char *otherwise)
     return FINE;
 }
 
+/* All kinds of names, or one: "--list=maps", "--list maps". */
+static int print_list(CommandLine *line)
+{
+    const char *kind = *line->list ? line->list : line->input_count ? line->inputs[0] : "";
+    return answer(line, *kind ? matc_list_of(kind) : matc_list(), options_fault_list(&line->words, kind));
+}
+
 static int print_cache(const CommandLine *line)
 {
     if (!line->cache)
@@ -361,12 +378,24 @@ static int print_cache(const CommandLine *line)
     return FINE;
 }
 
-static int check_usage(const CommandLine *line)
+static const char *gl_name(const void *user, int i)
 {
-    char room[CHECK_ROOM];
-    const char *fault = options_check(line, room);
+    (void)user;
+    return i ? "egl" : "osmesa";
+}
+
+static const char *schema_name(const void *user, int i)
+{
+    static const char *const names[] = {"document", "layout", "manifest", "reflection"};
+    (void)user;
+    return names[i];
+}
+
+static int check_usage(CommandLine *line)
+{
+    const char *fault = options_check(line);
     if (!fault && line->gl && !gl_kind_find(line->gl, &(GlKind){0}))
-        fault = "--gl: osmesa or egl";
+        fault = options_fault_value(&line->words, "--gl", line->gl, &(NameChoice){gl_name, NULL, 2});
     return fault ? usage(line, fault) : FINE;
 }
 
@@ -453,13 +482,14 @@ int main(int argc, char **argv)
     else if (line.version)
         puts("matc " MATC_VERSION);
     else if (line.schema)
-        status = answer(&line, matc_schema(line.schema), "--schema: document, layout, manifest or reflection");
+        status = answer(&line, matc_schema(line.schema),
+                        options_fault_value(&line.words, "--schema", line.schema, &(NameChoice){schema_name, NULL, 4}));
     else if (line.list)
-        status = answer(&line, matc_list(), "");
+        status = print_list(&line);
     else if (line.explain && layout_is_file(line.explain))
         status = explain_layout(&line);
     else if (line.explain)
-        status = answer(&line, matc_explain(line.explain), "nothing has that name; see --list");
+        status = answer(&line, matc_explain(line.explain), options_fault_explain(&line.words, line.explain));
     else if (line.cache_stats)
         status = print_cache(&line);
     else if ((status = check_usage(&line)) == FINE)

@@ -1,5 +1,5 @@
 /* The command line: one table of options. */
-#include "compiler/tool/options.h"
+#include "compiler/tool/options_fault.h"
 #include "compiler/choice.h"
 #include "compiler/base/file.h"
 #include "compiler/base/queue.h"
@@ -35,15 +35,16 @@ typedef struct {
     const char *name;
     Takes takes;
     size_t member;
+    const char *otherwise; /* of what may have a value: the one it has without */
 } Option;
 
 #define TEXT(name, member)                                                                                             \
     {                                                                                                                  \
-        name, TAKES_text, offsetof(CommandLine, member)                                                                \
+        name, TAKES_text, offsetof(CommandLine, member), NULL                                                          \
     }
 #define FLAG(name, member)                                                                                             \
     {                                                                                                                  \
-        name, TAKES_flag, offsetof(CommandLine, member)                                                                \
+        name, TAKES_flag, offsetof(CommandLine, member), NULL                                                          \
     }
 static const Option options[] = {
     TEXT("-o", output),
@@ -55,18 +56,18 @@ static const Option options[] = {
     FLAG("-MD", depend),
     TEXT("-MF", depfile),
     TEXT("-MT", target),
-    {"--target", TAKES_compile, 0},
-    {"--pass", TAKES_compile, 0},
-    {"--slot", TAKES_compile, 0},
-    {"--layout", TAKES_compile, 0},
-    {"--precision", TAKES_compile, 0},
-    {"--constants", TAKES_compile, 0},
-    {"--noise", TAKES_compile, 0},
-    {"--aa", TAKES_compile, 0},
-    {"--derivatives", TAKES_compile, 0},
-    {"--coordinates", TAKES_compile, 0},
-    {"--powers", TAKES_compile, 0},
-    {"--trigonometry", TAKES_compile, 0},
+    {"--target", TAKES_compile, 0, NULL},
+    {"--pass", TAKES_compile, 0, NULL},
+    {"--slot", TAKES_compile, 0, NULL},
+    {"--layout", TAKES_compile, 0, NULL},
+    {"--precision", TAKES_compile, 0, NULL},
+    {"--constants", TAKES_compile, 0, NULL},
+    {"--noise", TAKES_compile, 0, NULL},
+    {"--aa", TAKES_compile, 0, NULL},
+    {"--derivatives", TAKES_compile, 0, NULL},
+    {"--coordinates", TAKES_compile, 0, NULL},
+    {"--powers", TAKES_compile, 0, NULL},
+    {"--trigonometry", TAKES_compile, 0, NULL},
     TEXT("--layout-error", layout_error),
     TEXT("--material", material),
     TEXT("--eval", eval),
@@ -76,13 +77,13 @@ static const Option options[] = {
     TEXT("--range", range),
     TEXT("--gl", gl),
     FLAG("--pareto", pareto),
-    {"--emit", TAKES_emit, 0},
-    {"--diagnostics", TAKES_form, 0},
-    {"--no-validate", TAKES_novalidate, 0},
-    {"-W", TAKES_warning, 0},
+    {"--emit", TAKES_emit, 0, NULL},
+    {"--diagnostics", TAKES_form, 0, NULL},
+    {"--no-validate", TAKES_novalidate, 0, NULL},
+    {"-W", TAKES_warning, 0, NULL},
     FLAG("--check", compile.check),
-    FLAG("--list", list),
-    {"--schema", TAKES_maybe, offsetof(CommandLine, schema)},
+    {"--list", TAKES_maybe, offsetof(CommandLine, list), ""},
+    {"--schema", TAKES_maybe, offsetof(CommandLine, schema), "document"},
     FLAG("--stats", stats),
     FLAG("--watch", watch),
     FLAG("--help", help),
@@ -90,6 +91,24 @@ static const Option options[] = {
     FLAG("--version", version),
 };
 enum { OPTION_COUNT = sizeof options / sizeof *options };
+
+static const char *emit_name(const void *user, int i)
+{
+    (void)user;
+    return emit_table[i].name;
+}
+
+static const char *form_name(const void *user, int i)
+{
+    (void)user;
+    return i ? "json" : "text";
+}
+
+static const char *option_name(const void *user, int i)
+{
+    (void)user;
+    return options[i].name;
+}
 
 static bool read_emit(CommandLine *line, const char *list, const char **fault)
 {
@@ -100,7 +119,8 @@ static bool read_emit(CommandLine *line, const char *list, const char **fault)
         while (i < EMIT_COUNT && (strlen(emit_table[i].name) != size || strncmp(emit_table[i].name, list, size) != 0))
             i++;
         if (i == EMIT_COUNT) {
-            *fault = "--emit: tree, ir, glsl, vertex, unpack, reflect, spirv, dot or layout";
+            const char *word = arena_string(&line->words, list, size);
+            *fault = options_fault_value(&line->words, "--emit", word, &(NameChoice){emit_name, NULL, EMIT_COUNT});
             return false;
         }
         line->emit[i] = true;
@@ -135,7 +155,7 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
         *(const char **)(void *)member = value;
         return true;
     case TAKES_maybe:
-        *(const char **)(void *)member = value ? value : "document";
+        *(const char **)(void *)member = value ? value : option->otherwise;
         return true;
     case TAKES_compile:
         return matc_options_set(&line->compile, option->name + 2, value);
@@ -151,7 +171,7 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
         return add_warning(line, value, fault);
     case TAKES_form:
         line->diagnostics = !strcmp(value, "json") ? MATC_JSON : MATC_TEXT;
-        *fault = "--diagnostics: text or json";
+        *fault = options_fault_value(&line->words, "--diagnostics", value, &(NameChoice){form_name, NULL, 2});
         return !strcmp(value, "json") || !strcmp(value, "text");
     }
     return false;
@@ -161,6 +181,29 @@ static bool takes_value(const Option *option)
 {
     return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
            option->takes == TAKES_form || option->takes == TAKES_maybe || option->takes == TAKES_warning;
+}
+
+static const char *lacks_value(CommandLine *line, const Option *option)
+{
+    Text out = text_new(&line->words);
+    NameChoice values;
+    text_format(&out, "%s wants a value", option->name);
+    if (option->takes == TAKES_compile && options_fault_values(option->name + 2, &values))
+        text_format(&out, ": %s", suggest_list(&line->words, &values));
+    return out.at;
+}
+
+static const char *unknown_option(CommandLine *line, const char *arg)
+{
+    const char *name = arena_string(&line->words, arg, strcspn(arg, "="));
+    Text out = text_new(&line->words);
+    for (int i = 0; i < OPTION_COUNT; i++)
+        if (!strcmp(options[i].name, name)) {
+            text_format(&out, "%s takes no value", name);
+            return out.at;
+        }
+    text_format(&out, "there is no option '%s'%s", name, suggest(&line->words, name, option_name, NULL, OPTION_COUNT));
+    return out.at;
 }
 
 /* "--name value", "--name=value", and "-oFILE" as compilers have it. */
@@ -177,7 +220,7 @@ static bool read_option(CommandLine *line, char **argv, int *i, const char **fau
         if (!takes_value(option))
             continue;
         if (!arg[size] && !argv[*i + 1]) {
-            *fault = "an option lacks its value";
+            *fault = lacks_value(line, option);
             return false;
         }
         if (!arg[size])
@@ -187,7 +230,7 @@ static bool read_option(CommandLine *line, char **argv, int *i, const char **fau
         if (size == 2)
             return set_option(line, option, arg + size, fault);
     }
-    *fault = "no such option";
+    *fault = unknown_option(line, arg);
     return false;
 }
 
@@ -265,12 +308,15 @@ static bool read_counts(CommandLine *line, const char **fault)
 {
     const long most_mib = 1l << 40;
     long threads = 0;
-    *fault = "-j wants a number of threads, from 1 on";
-    if (!read_count(line->jobs, MOST_THREADS, &threads))
+    if (!read_count(line->jobs, MOST_THREADS, &threads)) {
+        *fault = options_fault_number(&line->words, "-j wants a number of threads, from 1 on", line->jobs);
         return false;
+    }
     line->threads = (int)threads;
-    *fault = "--cache-limit wants a number of MiB, from 1 on";
-    return read_count(line->cache_size, most_mib, &line->cache_limit);
+    if (read_count(line->cache_size, most_mib, &line->cache_limit))
+        return true;
+    *fault = options_fault_number(&line->words, "--cache-limit wants a number of MiB, from 1 on", line->cache_size);
+    return false;
 }
 
 /* "gbuffer,shadow" */

@@ -27,7 +27,7 @@ extern const EmitRow emit_table[EMIT_COUNT];
 
 typedef struct {
     MatcOptions compile;
-    Arena words; /* texts that were made of arguments, and what is said of them */
+    Arena words;         /* texts that were made of arguments, and what is said of them */
     const char **inputs; /* of the arguments, and of the lists among them */
     int input_count;
     const char **lists; /* files of inputs, "@list.txt" */
@@ -56,7 +56,8 @@ typedef struct {
     const char *range;        /* --range */
     const char *gl;           /* --gl */
     const char *layout_error; /* --layout-error */
-    bool pareto, list, stats, watch, help, version;
+    bool pareto, stats, watch, help, version;
+    const char *list;          /* --list: of which kind, "" for all; NULL */
     const char *schema;        /* --schema: of which file; NULL */
     struct WatchList *watched; /* with --watch: files that a run read or wanted */
     MatcForm diagnostics;
@@ -65,9 +66,8 @@ typedef struct {
 /* Reads the arguments; the lists it makes are from malloc. False: *fault says what is wrong. */
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
 void options_free(CommandLine *line);
-/* NULL, or what does not go together; `room` is for words that must be made. options_check.c */
-enum { CHECK_ROOM = 256 };
-const char *options_check(const CommandLine *line, char room[CHECK_ROOM]);
+/* NULL, or what does not go together. options_check.c */
+const char *options_check(CommandLine *line);
 /* The output behind an --emit: SPIR-V where GLSL would be written, for a target of SPIR-V. */
 MatcOutput options_emit_output(const MatcOptions *options, int emit);
 const char *options_emit_suffix(const MatcOptions *options, int emit);

@@ -1,22 +1,24 @@
 /* What goes together on a command line. */
+#include "compiler/base/text.h"
 #include "compiler/tool/layout_option.h"
-#include <stdio.h>
+#include "compiler/tool/options_fault.h"
 #include <stdlib.h>
 #include <string.h>
 
 enum { LONGEST_FOLDER = 2048 };
 
 /* NULL, or what is wrong. */
-static const char *check_measuring(const CommandLine *line)
+static const char *check_measuring(CommandLine *line)
 {
     char *end = NULL;
+    Arena *words = &line->words;
     if (line->max_error && (!(strtod(line->max_error, &end) > 0) || *end))
-        return "--max-error wants a number above 0";
+        return options_fault_number(words, "--max-error wants a number above 0", line->max_error);
     if (line->range && (!(strtod(line->range, &end) > 0) || *end || strtod(line->range, &end) > 1e30))
-        return "--range wants a number above 0";
+        return options_fault_number(words, "--range wants a number above 0", line->range);
     if (line->layout_error &&
         (!(strtod(line->layout_error, &end) > 0) || *end || strtod(line->layout_error, &end) > 0.5))
-        return "--layout-error wants a number above 0, of at most 0.5";
+        return options_fault_number(words, "--layout-error wants a number above 0, of at most 0.5", line->layout_error);
     if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
         return "--max-error is of the pass gbuffer";
     if ((line->pareto || line->max_error) && layout_is_custom(line->compile.layout))
@@ -56,26 +58,47 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
-/* The options of every pass name what exists. */
-static const char *check_names(const CommandLine *line, char room[CHECK_ROOM])
+/* What an option of the library was given; NULL: it is none of these. */
+static const char *value_of(const MatcOptions *options, const char *name)
 {
-    const char *fault = NULL;
-    for (int i = 0; i < line->pass_count && !fault; i++) {
+    const struct {
+        const char *name, *value;
+    } given[] = {
+        {"target", options->target}, {"pass", options->pass},           {"slot", options->slot},
+        {"layout", options->layout}, {"precision", options->precision}, {"constants", options->constants},
+#define AXIS(axis, chunks, doc) {#axis, options->axis},
+#include "grammar/variants.def"
+    };
+    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
+        if (!strcmp(given[i].name, name))
+            return given[i].value;
+    return NULL;
+}
+
+/* The options of every pass name what exists. */
+static const char *check_names(CommandLine *line)
+{
+    for (int i = 0; i < line->pass_count; i++) {
         MatcOptions options = line->compile;
+        NameChoice values;
         options.pass = line->passes[i];
         if (layout_is_custom(options.layout))
             options.layout = NULL; /* layout_open looks at it */
-        fault = matc_options_fault(&options);
+        const char *name = matc_options_fault(&options), *value = name ? value_of(&options, name) : NULL;
+        if (!name)
+            continue;
+        Text option = text_new(&line->words);
+        text_format(&option, "--%s", name);
+        return value && options_fault_values(name, &values)
+                   ? options_fault_value(&line->words, option.at, value, &values)
+                   : option.at;
     }
-    if (!fault)
-        return NULL;
-    snprintf(room, CHECK_ROOM, "--%s names what does not exist", fault);
-    return room;
+    return NULL;
 }
 
-const char *options_check(const CommandLine *line, char room[CHECK_ROOM])
+const char *options_check(CommandLine *line)
 {
-    const char *fault = check_names(line, room);
+    const char *fault = check_names(line);
     if (!fault && !line->input_count)
         fault = "no document";
     if (!fault)

@@ -49,7 +49,7 @@ static const char after_layout[] =
     "  --gl=KIND            measure on osmesa (default), or on egl: a GPU where there is one\n"
     "questions\n"
     "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
-    "  --list               materials, maps, waves, channels, slots\n"
+    "  --list[=KIND]        materials, maps, waves, channels, slots ...; one kind of them\n"
     "  --explain NAME       one of them\n"
     "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
     "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"

@@ -33,6 +33,17 @@ static int count_instructions(const uint32_t *words, size_t count)
     return instructions;
 }
 
+/* Without it there is nothing to count. */
+static bool has_spirv_opt(void)
+{
+    if (!system("spirv-opt --version >/dev/null 2>&1"))
+        return true;
+    fputs(
+        "matbench: spirv-opt is not installed (Debian: spirv-tools), and it is what instructions are counted behind\n",
+        stderr);
+    return false;
+}
+
 /* Through spirv-opt -O; -1 when that is not to be had. */
 static int optimised_count(const void *spirv, size_t size)
 {
@@ -111,6 +122,8 @@ int bench_instructions(int argc, char **argv)
 {
     (void)argc, (void)argv;
     int status = 0;
+    if (!has_spirv_opt())
+        return 1;
     printf("material        by hand     matc    ratio\n");
     for (int i = 0; i < NAME_COUNT; i++) {
         int hand = by_hand(names[i]), mine = ours(names[i]);
