@@ -74,6 +74,12 @@ check "--param" status 0 $draw --param=tint=#2040c0 --param gloss=0.7 "$work/bef
 check "is the same as in the document" same param after
 check "a list" status 0 $draw --param='tint=[0.12549019607843137, 0.25098039215686274, 0.7529411764705882]' --param=gloss=0.7 "$work/before.yaml" -o "$work/param.png"
 check "is that colour" same param after
+{ echo 'colors: srgb' && cat "$work/before.yaml"; } >"$work/before_srgb.yaml"
+{ echo 'colors: srgb' && cat "$work/after.yaml"; } >"$work/after_srgb.yaml"
+check "where colours are sRGB" status 0 $draw --param=tint=#2040c0 --param=gloss=0.7 "$work/before_srgb.yaml" -o "$work/param.png"
+check "in the document" status 0 $draw "$work/after_srgb.yaml" -o "$work/srgb.png"
+check "they are so in --param" same param srgb
+check "and others than linear ones" differ srgb after
 check "one number for a colour" status 0 $draw --param=tint=0.3 "$work/before.yaml" -o "$work/grey.png"
 check "of a param that is not there" status 1 $draw --param=hue=1 "$work/before.yaml" -o "$work/none.png"
 check "names those that are" says "no param 'hue'; it has tint, gloss"

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* What the compiler made of "{ param: name, default: VALUE }". */
-static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param)
+static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param, int colors)
 {
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, options);
     const MatcUniform *uniform = matc_ok(program) && matc_uniform_count(program) == 1 ? matc_uniform(program, 0) : NULL;
@@ -13,26 +13,27 @@ static bool take_uniform(const MatcDocument *document, const MatcOptions *option
     if (found) {
         param->lanes = uniform->lanes;
         for (int lane = 0; lane < uniform->lanes; lane++)
-            param->values[lane] = (float)uniform->initial[lane];
+            param->values[colors][lane] = (float)uniform->initial[lane];
     }
     matc_program_free(program);
     return found;
 }
 
-static const char *read_value(const char *value, Param *param, char room[PARAM_ROOM])
+static const char *read_value(const char *value, Param *param, int colors, char room[PARAM_ROOM])
 {
+    static const char *const names[] = {"linear", "srgb"};
     MatcOptions options;
     matc_options_init(&options);
     options.validate = false;
     options.pass = "value";
     options.slot = "emissive";
     const char *quote = *value == '#' ? "\"" : ""; /* bare, a # begins a comment */
-    int size = snprintf(room, PARAM_ROOM, "material: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n", param->name,
-                        quote, value, quote);
+    int size = snprintf(room, PARAM_ROOM, "colors: %s\nmaterial: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n",
+                        names[colors], param->name, quote, value, quote);
     if (size >= PARAM_ROOM)
         return "--param: the value is too long";
     MatcDocument *document = matc_read("--param", room, (size_t)size, &options);
-    bool fine = matc_material_count(document) == 1 && take_uniform(document, &options, param);
+    bool fine = matc_material_count(document) == 1 && take_uniform(document, &options, param, colors);
     if (!fine)
         snprintf(room, PARAM_ROOM, "--param: '%s' is no value of a param:\n%s", value,
                  matc_diagnostics(document, MATC_TEXT));
@@ -50,18 +51,30 @@ const char *param_read(const char *text, Param *param, char room[PARAM_ROOM])
         return "--param: the name is too long";
     *param = (Param){0};
     memcpy(param->name, text, size);
-    return read_value(equal + 1, param, room);
+    const char *fault = read_value(equal + 1, param, 0, room);
+    return fault ? fault : read_value(equal + 1, param, 1, room);
+}
+
+/* The key stands alone in a line of the document as it was read, whichever way it was written. */
+int param_colors(MatcDocument *document)
+{
+    static const char key[] = "\ncolors: srgb\n";
+    const char *tree = matc_tree_text(document);
+    return tree && (!strncmp(tree, key + 1, strlen(key + 1)) || strstr(tree, key));
 }
 
 bool param_fit(Param *param, int lanes)
 {
-    if (param->lanes == 3 && lanes == 4)
-        param->values[3] = 1;
-    else if (param->lanes == 1)
-        for (int lane = 1; lane < lanes; lane++)
-            param->values[lane] = param->values[0];
-    else if (param->lanes != lanes)
-        return false;
+    for (int colors = 0; colors < 2; colors++) {
+        float *values = param->values[colors];
+        if (param->lanes == 3 && lanes == 4)
+            values[3] = 1;
+        else if (param->lanes == 1)
+            for (int lane = 1; lane < lanes; lane++)
+                values[lane] = values[0];
+        else if (param->lanes != lanes)
+            return false;
+    }
     param->lanes = lanes;
     return true;
 }

@@ -49,46 +49,46 @@ static bool fail_unknown(const MatcProgram *program, const char *name, char *err
     return false;
 }
 
-/* Params as values of the program's uniforms; `fitted` keeps their numbers. */
-static bool fit_params(const PictureOptions *options, const MatcProgram *program, Param *fitted, MaterialValue *values,
-                       Picture *picture)
+/* Params as values of a program's uniforms. */
+typedef struct {
+    int colors; /* param_colors */
+    Param params[PARAM_LIMIT];
+    MaterialValue values[PARAM_LIMIT];
+} Fitted;
+
+static bool fit_params(const PictureOptions *options, const MatcProgram *program, Fitted *fitted, Picture *picture)
 {
     const size_t room = sizeof picture->error;
     for (int i = 0; i < options->param_count; i++) {
         const MatcUniform *uniform = find_uniform(program, options->params[i].name);
+        Param *param = &fitted->params[i];
         if (!uniform)
             return fail_unknown(program, options->params[i].name, picture->error, room);
-        fitted[i] = options->params[i];
-        if (!param_fit(&fitted[i], uniform->lanes))
+        *param = options->params[i];
+        if (!param_fit(param, uniform->lanes))
             return message_fail(picture->error, room, "--param: '%s' takes %d numbers, not %d", uniform->param,
-                                uniform->lanes, fitted[i].lanes);
-        values[i] = (MaterialValue){uniform->name, uniform->lanes, fitted[i].values};
+                                uniform->lanes, param->lanes);
+        fitted->values[i] = (MaterialValue){uniform->name, uniform->lanes, param->values[fitted->colors]};
     }
     return true;
 }
 
-static bool render(const PictureOptions *options, ViewOptions *view, MatcProgram *program, Picture *picture)
-{
-    Param fitted[PARAM_LIMIT];
-    MaterialValue values[PARAM_LIMIT];
-    view->values = values;
-    view->value_count = options->param_count;
-    return fit_params(options, program, fitted, values, picture) &&
-           view_render(view, program, picture->rgb, picture->error, sizeof picture->error);
-}
-
-bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, Picture *picture)
+bool picture_draw(MatcDocument *document, int material, const PictureOptions *options, Picture *picture)
 {
     ViewOptions view = options->view;
+    Fitted fitted = {.colors = param_colors(document)};
     const unsigned unpack = view.sky ? 0 : MATC_UNPACK;
     *picture->error = 0;
+    view.values = fitted.values;
+    view.value_count = options->param_count;
     MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT | MATC_VERTEX | unpack, &options->compile);
     bool done = matc_ok(program);
     picture->diagnostics = strdup(matc_program_diagnostics(program, MATC_TEXT));
     if (done && view.sky)
         view.azimuth = find_azimuth(document, material, &options->compile);
     if (done)
-        done = render(options, &view, program, picture);
+        done = fit_params(options, program, &fitted, picture) &&
+               view_render(&view, program, picture->rgb, picture->error, sizeof picture->error);
     matc_program_free(program);
     return done;
 }

@@ -19,5 +19,5 @@ typedef struct {
 } Picture;
 
 /* Draws a material into picture->rgb. False: see the diagnostics, then the error, which stays empty when they tell it. */
-bool picture_draw(const MatcDocument *document, int material, const PictureOptions *options, Picture *picture);
+bool picture_draw(MatcDocument *document, int material, const PictureOptions *options, Picture *picture);
 #endif
