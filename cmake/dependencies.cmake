@@ -3,10 +3,10 @@
 set(matc_missing)
 find_package(PkgConfig QUIET)
 if(PKG_CONFIG_FOUND)
-  pkg_check_modules(matc_needs QUIET IMPORTED_TARGET GLOBAL yaml-0.1 libcjson libpng)
+  pkg_check_modules(matc_needs QUIET IMPORTED_TARGET GLOBAL yaml-0.1 libcjson libpng libjpeg)
 endif()
 if(NOT TARGET PkgConfig::matc_needs)
-  list(APPEND matc_missing "yaml-0.1, libcjson or libpng (by pkg-config)")
+  list(APPEND matc_missing "yaml-0.1, libcjson, libpng or libjpeg (by pkg-config)")
 endif()
 
 # Debian's glslang.pc names neither SPIR-V nor the resource limits; its CMake package wants SPIRV-Tools' development files.

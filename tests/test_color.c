@@ -251,12 +251,47 @@ static void targets_have_their_textures(void **state)
     matc_document_free(document);
 }
 
+/* Words where the target has textures of them, else halves; decoded if they are sRGB, as no texture of 16 bits does it. */
+static void pictures_of_16_bits_keep_them(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *target, *format, *document;
+    } rows[] = {
+        {"glsl110", "RGBA16", "material: Phong\nemissive: { map: ImageMap, image: words.png }"},
+        {"glsl330", "RGBA16", "material: Phong\nemissive: { map: ImageMap, image: words.png }"},
+        {"essl300", "RGBA16F", "material: Phong\nemissive: { map: ImageMap, image: words.png }"},
+        {"glsl330", "RGBA16", "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: words.png }"},
+        {"essl300", "RGBA16F", "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: words.png }"},
+    };
+    const int first = 10292, decoded = 1393; /* red of the lower left texel, 0.15705; of sRGB 0.02126 */
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        MatcOptions options;
+        matc_options_init(&options);
+        options.pixels = true;
+        options.target = rows[i].target;
+        MatcDocument *document =
+            matc_read(SOURCE_FOLDER "/examples/a.yaml", rows[i].document, strlen(rows[i].document), &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+        assert_true(matc_ok(program));
+        const MatcTexture *texture = matc_texture(program, 0);
+        const bool srgb = strstr(rows[i].document, "srgb");
+        assert_string_equal(texture->format, rows[i].format);
+        if (texture->words)
+            assert_true(texture->words[0] == (srgb ? decoded : first));
+        else
+            assert_true(fabs(texture->floats[0] - (srgb ? 0.02126 : 0.15705)) < 1e-5);
+        matc_program_free(program);
+        matc_document_free(document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_function_is_the_standards), cmocka_unit_test(every_file_says_what_its_colours_are),
         cmocka_unit_test(alpha_is_not_converted),        cmocka_unit_test(a_picture_is_srgb_where_it_feeds_a_colour),
-        cmocka_unit_test(targets_have_their_textures),
+        cmocka_unit_test(targets_have_their_textures),   cmocka_unit_test(pictures_of_16_bits_keep_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -267,7 +267,7 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
 }
 
 /* Pictures come through the driver's sampler, whose weights and results have eight bits: two codes, and as much more as a Blend along
- * them is steep. Slopes of them, which a BumpMap takes, are test_filtered_picture's. */
+ * them is steep, or an exponent: -2 / ln(s (2 - s)) grows by a tenth from s = 0.80 to 0.81. Slopes of them, which a BumpMap takes, are test_filtered_picture's. */
 static const double sampler_bound = 2. / 255, sampler_blend_bound = 10. / 255;
 
 static bool is_sampled(const Variant *variant, const Subjects *subjects)
@@ -278,9 +278,8 @@ static bool is_sampled(const Variant *variant, const Subjects *subjects)
 static double bound_of(const Variant *variant, const Subjects *subjects, int governing)
 {
     const double bound = bound_table[governing].bound;
-    return !is_sampled(variant, subjects)
-               ? bound
-               : fmax(bound, subjects->has[KIND_Blend] ? sampler_blend_bound : sampler_bound);
+    const bool steep = subjects->has[KIND_Blend] || subjects->has[SUBJECT_SLOTS + (int)SLOT_shininess];
+    return !is_sampled(variant, subjects) ? bound : fmax(bound, steep ? sampler_blend_bound : sampler_bound);
 }
 
 /* The worst lane of all points against the oracle; one fault a draw. */
@@ -433,6 +432,15 @@ static bool matters(Choice choice, const Subjects *subjects)
     return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap];
 }
 
+/* Of pictures of 16 bits a target without such textures keeps 11 bits, which drivers may cut off: 2^-11 of the value. */
+static double half_bound(const Document *document, Target target)
+{
+    for (int i = 0; i < document->graph->image_count && !target_table[target].word_textures; i++)
+        if (document->graph->images[i]->bits == 16)
+            return 0x1p-11;
+    return 0;
+}
+
 static void check_material(Worker *w, Document *document, int material, bool changed)
 {
     Subject subject = {.document = document, .material = material};
@@ -443,7 +451,9 @@ static void check_material(Worker *w, Document *document, int material, bool cha
         for (int i = 0; i < VARIANTS; i++)
             if (matters(variants[i].choice, &subjects))
                 check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], &subjects, governing,
-                                         bound_of(&variants[i], &subjects, governing), changed});
+                                         fmax(half_bound(document, variants[i].target),
+                                              bound_of(&variants[i], &subjects, governing)),
+                                         changed});
     }
     forget(&subject);
 }

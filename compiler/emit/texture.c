@@ -41,7 +41,7 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
         texture.lanes = 4;
-        texture.bytes = texels_table[t->texels].bits == 8 ? t->image->bytes : NULL;
+        texture.bytes = texels_table[t->texels].bits == 8 ? image_bytes(t->image) : NULL;
         texture.mipmaps = averaged || t->sampled;
         texture.anisotropy = t->sampled ? SAMPLER_ANISOTROPY : 1;
     }
@@ -120,7 +120,8 @@ static const unsigned char *xor_table(Session *session)
 /* A lane as the texture holds it: decoded, where the texture does not do so. */
 static double texel_lane(const IrTexture *texture, size_t number)
 {
-    const double value = texture->image->bytes[number] / 255.;
+    const Image *image = texture->image;
+    const double value = image->bits == 8 ? image_bytes(image)[number] / 255. : image_words(image)[number] / 65535.;
     return texture->srgb && number % 4 < 3 ? srgb_decode(value) : value;
 }
 
@@ -131,6 +132,24 @@ static const unsigned short *decoded_words(Session *session, const IrTexture *te
     for (size_t i = 0; i < count; i++)
         words[i] = (unsigned short)(texel_lane(texture, i) * 65535 + .5);
     return words;
+}
+
+static const float *decoded_floats(Session *session, const IrTexture *texture)
+{
+    const size_t count = (size_t)texture->width * (size_t)texture->height * 4;
+    float *floats = arena_alloc(session->arena, count * sizeof *floats);
+    for (size_t i = 0; i < count; i++)
+        floats[i] = (float)texel_lane(texture, i);
+    return floats;
+}
+
+/* Where the pictures were read. */
+static void fill_picture(Session *session, const IrTexture *picture, MatcTexture *texture)
+{
+    if (picture->image->texels && texels_table[picture->texels].bits == 16)
+        texture->words = decoded_words(session, picture);
+    else if (picture->image->texels)
+        texture->floats = decoded_floats(session, picture);
 }
 
 void texture_fill(Session *session, const Ir *ir, MatcTexture *texture, int made_by)
@@ -145,6 +164,6 @@ void texture_fill(Session *session, const Ir *ir, MatcTexture *texture, int made
         texture->bytes = xor_table(session);
     else if (ir->textures[made_by].kind == TEXTURE_carpenter)
         texture->floats = relief(session, ir->textures[made_by].node);
-    else if (texels_table[ir->textures[made_by].texels].bits == 16 && ir->textures[made_by].image->bytes)
-        texture->words = decoded_words(session, &ir->textures[made_by]);
+    else
+        fill_picture(session, &ir->textures[made_by], texture);
 }

@@ -33,9 +33,10 @@ typedef struct {
 typedef struct {
     const char *path; /* as written, joined to the document's folder */
     int width, height;
-    const uint8_t *bytes; /* RGBA, row 0 is the bottom row */
-    bool opaque;          /* the file has no alpha: it is 1 everywhere */
-    int index;            /* in the document's list of images */
+    int bits;     /* of a lane: 8 or 16, over the greatest number */
+    void *texels; /* RGBA, uint8_t or uint16_t, row 0 is the bottom row; NULL: not read */
+    bool opaque;  /* the file has no alpha: it is 1 everywhere */
+    int index;    /* in the document's list of images */
 } Image;
 
 typedef struct Value {
@@ -60,8 +61,8 @@ struct Node {
     int index; /* in the document's list of nodes: dense, inputs before users */
     Span span;
     const Value *params;
-    int depth;   /* of the graph below it, 0 for a node without inputs; bounded */
-    int filters; /* most filters on a way down from here, this one included; bounded */
+    int depth;         /* of the graph below it, 0 for a node without inputs; bounded */
+    int filters;       /* most filters on a way down from here, this one included; bounded */
     const char *name;  /* the author's: its key under `defs:`, or its anchor; NULL: none */
     const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
 };
@@ -111,6 +112,16 @@ typedef struct {
     const Image *const *images;
     int image_count;
 } Graph;
+
+/* The texels as what they are made of; NULL: they are made of something else. */
+static inline const uint8_t *image_bytes(const Image *image)
+{
+    return image->bits == 8 ? (const uint8_t *)image->texels : NULL;
+}
+static inline const uint16_t *image_words(const Image *image)
+{
+    return image->bits == 16 ? (const uint16_t *)image->texels : NULL;
+}
 
 /* The parameter that P_<kind>_<name> of tables.h names. */
 static inline const Value *node_param(const Node *node, int param)

@@ -213,7 +213,7 @@ static bool resolve_items(Resolver *r, Tree *tree, Value *value)
 static bool resolve_image(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
 {
     if (tree->kind != TREE_scalar) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "the name of a PNG file",
+        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "the name of a picture file",
                  tree_describe(r->session, tree));
         return false;
     }

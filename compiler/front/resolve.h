@@ -69,6 +69,6 @@ bool resolve_is_name(const char *name);
 void resolve_picture(Resolver *r, const Node *node, Value *params);
 void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int count);
 
-/* Loads a PNG file; NULL and a diagnostic when it cannot. Equal paths are one image. */
+/* Loads a picture file; NULL and a diagnostic when it cannot. Equal paths are one image. */
 const Image *image_load(Resolver *r, const char *path, Span span);
 #endif

@@ -209,12 +209,15 @@ static const char *channel_lane(const Node *node)
     return value->kind == VALUE_number ? lanes[(int)value->number[0] - WORD_Channel_r] : NULL;
 }
 
-/* Where the target has no texture that decodes, the texels are decoded to 16 bits when the texture is filled. */
-static Texels texels_of(const Lower *l, bool srgb)
+/* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are halves where it has none of them. */
+static Texels texels_of(const Lower *l, const Image *image, bool srgb)
 {
-    if (!srgb)
+    const TargetRow *target = &target_table[l->job->target];
+    if (image->bits == 8 && !srgb)
         return TEXELS_RGBA8;
-    return target_table[l->job->target].srgb_textures ? TEXELS_SRGB8_ALPHA8 : TEXELS_RGBA16;
+    if (image->bits == 8 && target->srgb_textures)
+        return TEXELS_SRGB8_ALPHA8;
+    return target->word_textures ? TEXELS_RGBA16 : TEXELS_RGBA16F;
 }
 
 Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
@@ -239,7 +242,7 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
                     .height = picture->height,
                     .sampled = function == FN_imageSampled || function == FN_imageSampledOver,
                     .srgb = srgb,
-                    .texels = texels_of(l, srgb)},
+                    .texels = texels_of(l, picture, srgb)},
         .function = function,
         .lane = channel_lane(node),
     };

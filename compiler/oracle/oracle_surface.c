@@ -107,7 +107,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
 {
     const Value *value = node_param(node, P_ImageMap_image);
     const Image *image = value->kind == VALUE_image ? value->image : NULL;
-    if (!image || !image->bytes)
+    if (!image || !image->texels)
         return no_picture(channel);
     Picture picture = {
         .environment = environment,
@@ -115,7 +115,8 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
         .texture = {.width = image->width,
                     .height = image->height,
                     .lanes = 4,
-                    .bytes = image->bytes,
+                    .bytes = image_bytes(image),
+                    .words = image_words(image),
                     .srgb = word_of(node, P_ImageMap_colorspace) == WORD_ColorSpace_srgb},
         .gray = word_of(node, P_ImageMap_channel) != NO_WORD,
         .channel = word_of(node, P_ImageMap_channel) - WORD_Channel_r,

@@ -26,7 +26,9 @@ static void texel(const ReferenceTexture *texture, double column, double row, do
         if (lane >= texture->lanes)
             result[lane] = lane == LANES - 1;
         else
-            result[lane] = texture->bytes ? texture->bytes[number] / 255. : (double)texture->floats[number];
+            result[lane] = texture->bytes   ? texture->bytes[number] / 255.
+                           : texture->words ? texture->words[number] / 65535.
+                                            : (double)texture->floats[number];
         if (texture->srgb && lane < 3)
             result[lane] = srgb_decode(result[lane]);
     }

@@ -19,7 +19,8 @@ typedef struct {
     int lanes;            /* 1 or 4 */
     const uint8_t *bytes; /* lanes a texel, a byte over 255 is the value; NULL when floats are set */
     const float *floats;
-    bool srgb; /* bytes: the first three lanes are decoded */
+    const uint16_t *words; /* a word over 65535 is the value; NULL when bytes or floats are set */
+    bool srgb;             /* the first three lanes are decoded */
 } ReferenceTexture;
 
 /* Which lattice noise stands below every noise-like function. */

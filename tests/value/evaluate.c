@@ -26,7 +26,8 @@ bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVA
         textures[i] = (ReferenceTexture){.width = t->width, .height = t->height, .lanes = 1};
         if (t->kind == TEXTURE_image) {
             textures[i].lanes = 4;
-            textures[i].bytes = t->image->bytes;
+            textures[i].bytes = image_bytes(t->image);
+            textures[i].words = image_words(t->image);
             textures[i].srgb = t->srgb;
         } else {
             textures[i].floats = bake(arena, t);

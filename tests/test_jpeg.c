@@ -1,0 +1,334 @@
+/* JPEG files that are written here byte by byte, by ITU-T T.81 and with nothing of a library's, so that their texels are known: blocks
+ * without any but their mean, 128 + DC / 8 where the table of quantities is of ones. Then files that are broken or ask for too much. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/document.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FILE_ROOM = 1 << 16, BASELINE = 0xC0, EXTENDED = 0xC1, PROGRESSIVE = 0xC2, LOSSLESS = 0xC3, ARITHMETIC = 0xC9 };
+
+typedef struct {
+    uint8_t bytes[FILE_ROOM];
+    size_t size;
+    unsigned bits, bit_count; /* of the scan, that do not make a byte yet */
+} File;
+
+static void put_byte(File *file, int byte)
+{
+    assert_true(file->size < FILE_ROOM);
+    file->bytes[file->size++] = (uint8_t)byte;
+}
+
+static void put_two(File *file, int number)
+{
+    put_byte(file, number >> 8 & 255);
+    put_byte(file, number & 255);
+}
+
+static void put_segment(File *file, int marker, const char *bytes, size_t size)
+{
+    put_byte(file, 0xFF);
+    put_byte(file, marker);
+    put_two(file, (int)size + 2);
+    for (size_t i = 0; i < size; i++)
+        put_byte(file, (uint8_t)bytes[i]);
+}
+
+/* A byte of ones has a zero behind it. */
+static void put_bits(File *file, unsigned bits, unsigned count)
+{
+    while (count--) {
+        file->bits = file->bits << 1 | (bits >> count & 1);
+        if (++file->bit_count < 8)
+            continue;
+        put_byte(file, (int)(file->bits & 255));
+        if ((file->bits & 255) == 255)
+            put_byte(file, 0);
+        file->bit_count = 0;
+    }
+}
+
+static void end_scan(File *file)
+{
+    while (file->bit_count)
+        put_bits(file, 1, 1);
+}
+
+/* A DC coefficient that is `more` than the one before it, of -255 to 255 and not below 128 in size: category 8, of code 0; then the end
+ * of the block, of code 0. */
+static void put_block(File *file, int more)
+{
+    put_bits(file, 0, 1);
+    put_bits(file, (unsigned)(more < 0 ? more + 255 : more), 8);
+    put_bits(file, 0, 1);
+}
+
+typedef struct {
+    int frame, width, height, components, precision;
+} Header;
+
+/* All up to the scan's header: tables of ones and of one code each. */
+static void put_tables(File *file, const Header *header)
+{
+    static const char one_code[16] = {1};
+    char ones[65], codes[18];
+    memset(ones, 1, sizeof ones);
+    ones[0] = 0;
+    *file = (File){.size = 0};
+    put_two(file, 0xFFD8);
+    put_segment(file, 0xDB, ones, sizeof ones);
+    memcpy(codes + 1, one_code, sizeof one_code);
+    codes[0] = 0x00, codes[17] = 8; /* DC: category 8 */
+    put_segment(file, 0xC4, codes, sizeof codes);
+    codes[0] = 0x10, codes[17] = 0; /* AC: end of block */
+    put_segment(file, 0xC4, codes, sizeof codes);
+    put_two(file, 0xFF00 | header->frame);
+    put_two(file, 8 + 3 * header->components);
+    put_byte(file, header->precision);
+    put_two(file, header->height);
+    put_two(file, header->width);
+    put_byte(file, header->components);
+    for (int i = 0; i < header->components; i++) {
+        put_byte(file, i + 1);
+        put_byte(file, 0x11);
+        put_byte(file, 0);
+    }
+}
+
+/* The band from `low` to `high`, from bit `from` (0: from the beginning) down to bit `to`. */
+static void begin_scan(File *file, int components, const int band[4])
+{
+    put_two(file, 0xFFDA);
+    put_two(file, 6 + 2 * components);
+    put_byte(file, components);
+    for (int i = 0; i < components; i++) {
+        put_byte(file, i + 1);
+        put_byte(file, 0);
+    }
+    put_byte(file, band[0]);
+    put_byte(file, band[1]);
+    put_byte(file, band[2] << 4 | band[3]);
+}
+
+static const int whole_band[4] = {0, 63, 0, 0};
+
+static void put_header(File *file, const Header *header)
+{
+    put_tables(file, header);
+    begin_scan(file, header->components, whole_band);
+}
+
+static void put_end(File *file)
+{
+    end_scan(file);
+    put_two(file, 0xFFD9);
+}
+
+static char *give_file(void *user, const char *path, size_t *size, const char **why)
+{
+    const File *file = user;
+    (void)path, (void)why;
+    char *copy = malloc(file->size + 1);
+    memcpy(copy, file->bytes, file->size);
+    copy[file->size] = 0;
+    *size = file->size;
+    return copy;
+}
+
+static MatcDocument *read_with(File *file, bool pixels)
+{
+    static const char text[] = "material: Phong\ndiffuse: { map: ImageMap, image: a.jpg }\n";
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = pixels;
+    options.read_file = give_file;
+    options.user = file;
+    return matc_read("a.yaml", text, sizeof text - 1, &options);
+}
+
+static const uint8_t *texel_at(MatcDocument *document, int column, int row)
+{
+    if (!document->graph)
+        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+    const Image *image = document->graph->images[0];
+    assert_true(image->bits == 8 && image->opaque && image->texels);
+    return image_bytes(image) + 4 * (row * image->width + column);
+}
+
+static void is_texel(MatcDocument *document, int column, int row, const int rgb[3])
+{
+    const uint8_t *texel = texel_at(document, column, row);
+    for (int lane = 0; lane < 3; lane++)
+        assert_int_equal(texel[lane], rgb[lane]);
+    assert_int_equal(texel[3], 255);
+}
+
+/* Two blocks beside each other and two below: 128 + 200 / 8, 128; 128 - 240 / 8, 128 - 80 / 8. The bottom row comes first. */
+static void grey_blocks(void **state)
+{
+    (void)state;
+    File file;
+    put_header(&file, &(Header){BASELINE, 13, 16, 1, 8});
+    put_block(&file, 200);
+    put_block(&file, -200);
+    put_block(&file, -240);
+    put_block(&file, 160);
+    put_end(&file);
+    MatcDocument *document = read_with(&file, true);
+    is_texel(document, 0, 15, (int[]){153, 153, 153});
+    is_texel(document, 7, 8, (int[]){153, 153, 153});
+    is_texel(document, 12, 15, (int[]){128, 128, 128});
+    is_texel(document, 0, 0, (int[]){98, 98, 98});
+    is_texel(document, 8, 0, (int[]){118, 118, 118});
+    assert_int_equal(document->graph->images[0]->width, 13);
+    assert_int_equal(document->graph->images[0]->height, 16);
+    matc_document_free(document);
+    document = read_with(&file, false); /* a program needs no more than the size */
+    assert_true(document->graph && document->graph->images[0]->width == 13 && !document->graph->images[0]->texels);
+    matc_document_free(document);
+}
+
+/* Y 153, Cb 148, Cr 98 by JFIF: R = Y + 1.402 (Cr - 128), G = Y - 0.344136 (Cb - 128) - 0.714136 (Cr - 128), B = Y + 1.772 (Cb - 128). */
+static void put_color(File *file)
+{
+    put_header(file, &(Header){BASELINE, 8, 8, 3, 8});
+    put_block(file, 200);
+    put_block(file, 160);
+    put_block(file, -240);
+    put_end(file);
+}
+
+static void colors(void **state)
+{
+    (void)state;
+    File file;
+    put_color(&file);
+    MatcDocument *document = read_with(&file, true);
+    is_texel(document, 3, 3, (int[]){111, 168, 188});
+    matc_document_free(document);
+}
+
+/* A progressive file may stop after its first scan. */
+static void progressive(void **state)
+{
+    (void)state;
+    File file;
+    put_tables(&file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
+    begin_scan(&file, 1, (int[]){0, 0, 0, 0});
+    put_bits(&file, 0, 1);
+    put_bits(&file, 200, 8);
+    put_end(&file);
+    MatcDocument *document = read_with(&file, true);
+    is_texel(document, 5, 2, (int[]){153, 153, 153});
+    matc_document_free(document);
+}
+
+static void check_refused(File *file, bool pixels, const char *why)
+{
+    MatcDocument *document = read_with(file, pixels);
+    const char *said = matc_diagnostics(document, MATC_TEXT);
+    if (document->graph || matc_error_count(document) != 1 || !strstr(said, why) || !strstr(said, "a.yaml:2:34"))
+        fail_msg("'%s' is wanted, not '%s'", why, said);
+    matc_document_free(document);
+}
+
+static void kinds_that_are_refused(void **state)
+{
+    (void)state;
+    static const struct {
+        Header header;
+        const char *why;
+    } rows[] = {
+        {{BASELINE, 8, 8, 4, 8}, "its colours are CMYK; save it as RGB"},
+        {{BASELINE, 8, 8, 2, 8}, "it is neither grey nor RGB"},
+        {{BASELINE, 8, 8, 5, 8}, ""},
+        {{BASELINE, 8, 8, 0, 8}, ""},
+        {{BASELINE, 8, 8, 255, 8}, ""},
+        {{ARITHMETIC, 8, 8, 1, 8}, "it is coded arithmetically"},
+        {{EXTENDED, 8, 8, 1, 12}, ""},
+        {{LOSSLESS, 8, 8, 1, 8}, ""},
+        {{BASELINE, 0, 8, 1, 8}, ""},
+        {{BASELINE, 8, 0, 1, 8}, ""},
+        {{BASELINE, LIMIT_IMAGE_SIDE + 1, 1, 1, 8}, "it is too large"},
+        {{BASELINE, 65535, 65535, 3, 8}, ""},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int pixels = 0; pixels < 2; pixels++) {
+            File file;
+            put_header(&file, &rows[i].header);
+            for (int block = 0; block < 8; block++)
+                put_block(&file, 200);
+            put_end(&file);
+            check_refused(&file, pixels, rows[i].why);
+        }
+}
+
+/* A header speaks of much: nothing is allocated for what cannot be there. */
+static void large(void **state)
+{
+    (void)state;
+    File file;
+    for (int frame = BASELINE; frame <= PROGRESSIVE; frame += PROGRESSIVE - BASELINE) {
+        put_header(&file, &(Header){frame, LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 3, 8});
+        put_block(&file, 200);
+        put_end(&file);
+        check_refused(&file, true, "it ends too soon");
+        MatcDocument *document = read_with(&file, false);
+        assert_non_null(document->graph);
+        matc_document_free(document);
+    }
+}
+
+/* Each coefficient alone, in three steps of its bits: 189 scans after the first, none of which says anything. */
+static void many_scans(void **state)
+{
+    (void)state;
+    File file;
+    put_tables(&file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
+    begin_scan(&file, 1, (int[]){0, 0, 0, 0});
+    put_bits(&file, 0, 1);
+    put_bits(&file, 200, 8);
+    end_scan(&file);
+    for (int bit = 2; bit >= 0; bit--)
+        for (int k = 1; k < 64; k++) {
+            begin_scan(&file, 1, (int[]){k, k, bit < 2 ? bit + 1 : 0, bit});
+            put_bits(&file, 0, 1);
+            end_scan(&file);
+        }
+    put_end(&file);
+    check_refused(&file, true, "it has too many scans");
+}
+
+/* Every length of a file that is cut off, and every byte another one: an error, or another picture, in no memory. */
+static void broken(void **state)
+{
+    (void)state;
+    File file;
+    put_color(&file);
+    const size_t whole = file.size;
+    for (file.size = 0; file.size < whole - 2; file.size++) /* the last two say that it ends */
+        check_refused(&file, true, "cannot read the picture 'a.jpg'");
+    file.size = whole;
+    for (size_t i = 0; i < whole; i++)
+        for (int bit = 0; bit < 8; bit++) {
+            file.bytes[i] ^= (uint8_t)(1 << bit);
+            matc_document_free(read_with(&file, true));
+            file.bytes[i] ^= (uint8_t)(1 << bit);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(grey_blocks), cmocka_unit_test(colors),
+        cmocka_unit_test(progressive), cmocka_unit_test(kinds_that_are_refused),
+        cmocka_unit_test(large),       cmocka_unit_test(many_scans),
+        cmocka_unit_test(broken),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
