@@ -103,11 +103,52 @@ static void an_item_branches_wherever_it_stands(void **state)
     assert_int_equal(depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "", "none"), 1);
 }
 
+/* What the reflection says of the transparency of a blend of these items. */
+static void expect_opacity(const char *items, const char *aa, const char *wanted, bool stored)
+{
+    char text[2048];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.validate = true;
+    assert_true(matc_options_set(&options, "aa", aa));
+    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Blend, input: { map: Granite }, blend: [%s] }\n",
+             items);
+    MatcDocument *document = matc_read("examples/blend.yaml", text, strlen(text), &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    if (!matc_ok(program))
+        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+    assert_string_equal(matc_opacity(program), wanted);
+    if (!!strstr(matc_output(program, MATC_FRAGMENT, NULL), " transparency = ") != stored)
+        fail_msg("%s", matc_output(program, MATC_FRAGMENT, NULL));
+    matc_program_free(program);
+    matc_document_free(document);
+}
+
+static void opaque_items_are_opaque_together(void **state)
+{
+    static const char *const ways[] = {"none", "auto", "box"};
+    static const char picture[] = "{ value: 0, input: { map: ImageMap, image: tiles.png } }";
+    char items[512];
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        snprintf(items, sizeof items, "%s, { value: 1, input: red }", picture);
+        expect_opacity(items, ways[i], "opaque", false);
+        snprintf(items, sizeof items,
+                 "{ value: -1, input: '#ff0000ff' }, %s, { value: 1, input: { map: Blend, blend: [%s, { value: 2, "
+                 "input: { map: Granite } }] } }",
+                 picture, picture);
+        expect_opacity(items, ways[i], "opaque", false);
+        snprintf(items, sizeof items, "%s, { value: 1, input: '#ff0000fe' }", picture);
+        expect_opacity(items, ways[i], "varying", true);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_guard_stays_where_it_spares_something),
         cmocka_unit_test(an_item_branches_wherever_it_stands),
+        cmocka_unit_test(opaque_items_are_opaque_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -310,7 +310,7 @@ static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
     return alike_arms(l->ir, stops, count) ? blend_mixes(l, t, stops, count) : blend_weights(l, t, 0, stops, count);
 }
 
-static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
+static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
 {
     if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
@@ -322,6 +322,39 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
                                                              : blend_weights(l, t.value, edge, own, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
+}
+
+/* The alpha that all items have, a number; 0: they differ, or it is none. */
+static Ref common_alpha(Lower *l, const Stop *stops, int count)
+{
+    Ref alpha = 0;
+    for (int i = 0; l->cheap && i < count; i++) {
+        if (ir_lanes(l->ir, stops[i].result) < 4)
+            return 0;
+        Ref own = build_swizzle(l->ir, stops[i].result, "w");
+        if (!ir_is(l->ir, own, OP_const) || (alpha && own != alpha))
+            return 0;
+        alpha = own;
+    }
+    return alpha;
+}
+
+/* An alpha that all items have is the blend's, too: a picture without one and a colour are opaque together. */
+static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
+{
+    Ir *ir = l->ir;
+    Ref alpha = common_alpha(l, stops, count);
+    if (!alpha)
+        return blend_lanes(l, t, stops, count);
+    Stop *color = ARENA_ARRAY(l->session->arena, Stop, count);
+    for (int i = 0; i < count; i++)
+        color[i] = (Stop){stops[i].value, build_swizzle(ir, stops[i].result, "xyz"),
+                          stops[i].variance ? build_swizzle(ir, stops[i].variance, "xyz") : 0};
+    Answer blend = blend_lanes(l, t, color, count);
+    Answer whole = answer_of(build_vec(ir, TYPE_vec4, blend.value, alpha));
+    if (blend.variance)
+        whole.variance = build_vec(ir, TYPE_vec4, blend.variance, build_float(ir, 0));
+    return whole;
 }
 
 /* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */

@@ -24,6 +24,7 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define high(x)                range_at(&site, x).high
 #define within(x, least, most) lies_within(&site, x, least, most)
 #define truth(x)               build_truth(ir, x)
+#define spread(x)              build_splat(ir, x, (Type)node.type)
 
 /* The BOUND rows of rules.def. */
 static Ref decide(Ir *ir, Ref ref, const void *user)

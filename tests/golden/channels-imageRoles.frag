@@ -95,19 +95,18 @@ void main() {
     // imageRoles.yaml:8 ImageMap
     vec2 diffuse_image = pictureSize(imageTexture0);
     // imageRoles.yaml:6 Blend
-    float diffuse_blend_1 = imageSampled(imageTexture0, uv * vec2(3.0, 1.0), diffuse_image).x;
+    float diffuse_blend = imageSampled(imageTexture0, uv * vec2(3.0, 1.0), diffuse_image).x;
     // imageRoles.yaml:7 ImageMap
-    vec4 diffuse_image2 = vec4(imageSampled(imageTexture1, uv, pictureSize(imageTexture1)).xyz, 1.0);
-    vec4 diffuse_blend = diffuse_blend_1 < 1.0 ? (diffuse_blend_1 < 0.0 ? vec4(0.014443844, 0.029556835, 0.051269457, 1.0) : mix(vec4(0.014443844, 0.029556835, 0.051269457, 1.0), diffuse_image2, diffuse_blend_1)) : diffuse_image2;
-    vec3 transparency = vec3(1.0) - diffuse_blend.www;
+    vec3 diffuse_image2 = imageSampled(imageTexture1, uv, pictureSize(imageTexture1)).xyz;
+    vec3 diffuse = diffuse_blend < 1.0 ? (diffuse_blend < 0.0 ? vec3(0.014443844, 0.029556835, 0.051269457) : mix(vec3(0.014443844, 0.029556835, 0.051269457), diffuse_image2, diffuse_blend)) : diffuse_image2;
     // imageRoles.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
     float shininess_1 = imageSampled(imageTexture0, uv, diffuse_image).x;
     float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).x - shininess_1) * diffuse_image.x * 0.04;
     float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).x - shininess_1) * diffuse_image.y * 0.04;
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 14 | rootBits(transparency.x, 6) << 24, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 21);
     fragment0 = surface_bits2;
 }

@@ -156,7 +156,7 @@ void main() {
     vec3 diffuse_blend = mix(vec3(0.023529412, 0.023529412, 0.03137255), vec3(0.58431375, 0.4862745, 0.39607844), clamp((grain - 0.1) * 1.4285715, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // sharedAcrossSlots.yaml:7 Blend
-    vec3 emissive_blend = mix(vec3(0.0), vec3(0.4, 0.2, 0.1), clamp((grain - 0.7) * 5.0, 0.0, 1.0));
+    vec3 emissive_blend = clamp((grain - 0.7) * 5.0, 0.0, 1.0) * vec3(0.4, 0.2, 0.1);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uint specular_bits = rootBits(grain, 8);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(grain), 10) << 21);

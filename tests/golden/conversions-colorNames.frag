@@ -48,11 +48,8 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // colorNames.yaml:3 Blend
-    vec4 diffuse_blend = mix(mix(vec4(1.0, 0.78431374, 0.0, 1.0), vec4(0.13333334, 0.53333336, 0.2, 1.0), clamp((localPosition.x + 0.8) * 1.25, 0.0, 1.0)), vec4(0.101960786, 0.16862746, 0.23529412, 1.0), clamp(localPosition.x * 1.25, 0.0, 1.0));
-    vec3 transparency = vec3(1.0) - diffuse_blend.www;
+    vec3 diffuse = mix(mix(vec3(1.0, 0.78431374, 0.0), vec3(0.13333334, 0.53333336, 0.2), clamp((localPosition.x + 0.8) * 1.25, 0.0, 1.0)), vec3(0.101960786, 0.16862746, 0.23529412), clamp(localPosition.x * 1.25, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | 1224736768u, rootBits(transparency.x, 6) << 24 | 5055689u, rootBits(transparency.y, 6) | rootBits(transparency.z, 6) << 6);
-    fragment0 = surface_bits2;
+    uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2466250752u, 645960595u);
 }
