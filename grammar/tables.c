@@ -80,6 +80,7 @@ const KindRow kind_table[KIND_COUNT] = {
 #define FORMULA(kind, channels, text)            [KIND_##kind].answers = channels, [KIND_##kind].formula = text,
 #define FILTER(kind, how, by, rest)                                                                                    \
     [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by, [KIND_##kind].variance = FN_##rest,
+#define EXAMPLE(kind, document) [KIND_##kind].example = document,
 #define MOVES(kind, which) [KIND_##kind].moves = MOVES_##which,
 #include "materials.def"
 #include "maps.def"

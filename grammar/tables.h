@@ -130,6 +130,7 @@ typedef struct {
     const char *doc;
     const char *answers; /* which channels or slots it gives, and what it does with others */
     const char *formula; /* what it computes: lines of plain text */
+    const char *example; /* a document that shows it; NULL: the map with its defaults does */
     FilterKind filter;
     int mean, variance; /* the filter's Functions, or FN_none */
     unsigned moves;     /* Moved: coordinates that it answers with others than its input's */

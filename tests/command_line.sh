@@ -238,8 +238,13 @@ check "writes nothing" test ! -e "$work/none.frag"
 check "old GLSL gets what it can" status 0 "$matc" --target=glsl110 --max-error=0.1 $example -o "$work/old.frag"
 check "--max-error of nothing" status 2 $fast --max-error=0 $example
 check "--pareto" status 0 "$matc" --pareto --noise=lattice --precision=fast --aa=none --derivatives=finite $example -o "$work/pareto"
+check "says nothing of its progress in a pipe" test ! -s "$work/stderr"
 check "prints a table" prints 'ns/pixel'
 check "writes a CSV and a plot" test -s "$work/pareto.csv" -a -s "$work/pareto.svg"
+if command -v script >/dev/null; then
+    script -qec "$matc --pareto --noise=lattice --precision=fast --aa=none --derivatives=finite $example" /dev/null >"$work/stdout" </dev/null
+    check "its progress, on a terminal" prints 'of [0-9]* programs measured'
+fi
 check "--pareto of two documents" status 2 "$matc" --pareto $example $example
 check "an unknown kind of GL" status 2 "$matc" --pareto --gl=vga $example
 layout=examples/layouts/lambert.yaml

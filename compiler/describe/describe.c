@@ -76,6 +76,10 @@ void describe_example(Text *out, Kind kind, const char *name)
     const KindRow *row = &kind_table[kind];
     bool material = row->lowering == LOWERING_MATERIAL;
     const char *indent = material ? "" : "  ";
+    if (row->example) {
+        text_put(out, row->example);
+        return;
+    }
     text_format(out, material ? "material: %s\n" : "material: Phong\n", name);
     if (!material)
         text_format(out, "%s:\n  map: %s\n", section_of(kind) == SECTION_normal ? "input" : "diffuse", name);

@@ -3,6 +3,7 @@
 #include "compiler/tool/cache.h"
 #include "compiler/base/diag.h"
 #include "compiler/base/file.h"
+#include "compiler/base/progress.h"
 #include "compiler/tool/layout_option.h"
 #include "compiler/tool/options_fault.h"
 #include "runtime/measure/pareto.h"
@@ -24,6 +25,13 @@ enum {
     LONGEST_MESSAGE = 8192,
     PROGRESS_STEP = 16
 };
+
+static double milliseconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
+}
 
 static void print_complaint(const CommandLine *line, Severity severity, const char *what, const char *why)
 {
@@ -68,11 +76,29 @@ static unsigned wanted_outputs(const CommandLine *line)
     return outputs;
 }
 
-/* What is measured; check_usage has seen the numbers. */
-static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material)
+/* What stands on the terminal's last line. */
+typedef struct {
+    double last;
+} Shown;
+
+static void show_measuring(void *user, int done, int total)
 {
-    ParetoSubject subject = {document, material, GL_KIND_osmesa,
-                             line->range ? strtod(line->range, NULL) : measure_range, line->output};
+    Shown *shown = user;
+    char what[64];
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    snprintf(what, sizeof what, "%d of %d programs measured", done, total);
+    fputs(progress_line(&text, what, milliseconds_now() / 1e3, &shown->last), stderr);
+    arena_free(&arena);
+}
+
+/* What is measured; check_usage has seen the numbers. */
+static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material, Shown *shown)
+{
+    ParetoSubject subject = {document,       material,
+                             GL_KIND_osmesa, line->range ? strtod(line->range, NULL) : measure_range,
+                             line->output,   isatty(STDERR_FILENO) ? show_measuring : NULL,
+                             shown};
     if (line->gl)
         gl_kind_find(line->gl, &subject.gl);
     return subject;
@@ -100,8 +126,11 @@ static int choose_options(const CommandLine *line, const MatcDocument *document,
         return FINE;
     if (is_refused(line, document, material))
         return FAULT;
-    ParetoSubject subject = subject_of(line, document, material);
-    if (!pareto_choose(&subject, strtod(line->max_error, NULL), options, &answer))
+    Shown shown = {0};
+    ParetoSubject subject = subject_of(line, document, material, &shown);
+    bool chosen = pareto_choose(&subject, strtod(line->max_error, NULL), options, &answer);
+    fputs(progress_erase(&shown.last), stderr);
+    if (!chosen)
         return complain(line, "--max-error", answer.error);
     if (line->stats)
         fputs(answer.text, stderr);
@@ -114,8 +143,11 @@ static int print_pareto(const CommandLine *line, const MatcDocument *document, i
     ParetoAnswer answer;
     if (is_refused(line, document, material))
         return FAULT;
-    ParetoSubject subject = subject_of(line, document, material);
-    if (!pareto_measure(&subject, &line->compile, &answer))
+    Shown shown = {0};
+    ParetoSubject subject = subject_of(line, document, material, &shown);
+    bool measured = pareto_measure(&subject, &line->compile, &answer);
+    fputs(progress_erase(&shown.last), stderr);
+    if (!measured)
         return complain(line, "--pareto", answer.error);
     fputs(answer.text, stdout);
     free(answer.text);
@@ -410,13 +442,6 @@ static bool read_command_line(CommandLine *line, int argc, char **argv, const ch
 }
 
 /* -- watching */
-
-static double milliseconds_now(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec * 1e3 + (double)now.tv_nsec * 1e-6;
-}
 
 static void run_and_tell(CommandLine *line, Watch *watch)
 {

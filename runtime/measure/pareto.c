@@ -104,6 +104,8 @@ bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, Pa
                                     .options = options,
                                     .open = variant_open(options),
                                     .range = subject->range,
+                                    .progress = subject->progress,
+                                    .user = subject->user,
                                     .seconds = pareto_seconds,
                                     .aliasing = true};
     bool done = measure_variants(meter, &request, &list) ||
@@ -207,6 +209,8 @@ bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *optio
                                     .options = options,
                                     .open = open_for_choice(options),
                                     .range = subject->range,
+                                    .progress = subject->progress,
+                                    .user = subject->user,
                                     .seconds = choose_seconds};
     bool done = measure_variants(meter, &request, &list) ||
                 message_fail(answer->error, sizeof answer->error, "%s", meter->error);

@@ -9,6 +9,8 @@ typedef struct {
     GlKind gl;
     double range;         /* coordinates that count are in [-range, range] */
     const char *basename; /* of the files to be written, or NULL */
+    void (*progress)(void *user, int done, int total); /* programs that errors were measured of; NULL: nobody asks */
+    void *user;
 } ParetoSubject;
 
 typedef struct {

@@ -1,0 +1,109 @@
+/* The example of every map and material that --explain shows: nothing is said of it, and its picture is worth looking at: neither black
+ * nor flat. A small sphere is drawn, and judged in its middle, where light alone makes little difference. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "grammar/tables.h"
+#include "runtime/view/picture.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char view_text_screen[], view_text_light[];
+
+enum { SIDE = 48, FROM = 12, TO = 36 };
+
+/* Of the middle's pixels, as shares of white. */
+typedef struct {
+    double mean, deviation;
+} Look;
+
+/* What stands below "Example", without its indentation. From malloc. */
+static char *example_of(const char *name)
+{
+    char *page = matc_explain(name), *text = NULL;
+    size_t size;
+    assert_non_null(page);
+    const char *at = strstr(page, "\nExample\n  ");
+    assert_non_null(at);
+    FILE *out = open_memstream(&text, &size);
+    for (at += strlen("\nExample\n"); !strncmp(at, "  ", 2); at += strcspn(at, "\n") + 1)
+        fprintf(out, "%.*s\n", (int)strcspn(at + 2, "\n"), at + 2);
+    fclose(out);
+    free(page);
+    return text;
+}
+
+static Look look_at(const unsigned char *rgb)
+{
+    Look look = {0, 0};
+    double squares = 0;
+    const int count = (TO - FROM) * (TO - FROM) * 3;
+    for (int y = FROM; y < TO; y++)
+        for (int x = FROM * 3; x < TO * 3; x++) {
+            double value = rgb[y * SIDE * 3 + x] / 255.0;
+            look.mean += value / count;
+            squares += value * value / count;
+        }
+    look.deviation = sqrt(fmax(0, squares - look.mean * look.mean));
+    return look;
+}
+
+static Look draw(const char *text, bool sky)
+{
+    static unsigned char rgb[SIDE * SIDE * 3];
+    PictureOptions options = {.view = {.shape = SHAPE_sphere,
+                                       .width = SIDE,
+                                       .height = SIDE,
+                                       .supersampling = 1,
+                                       .screen_text = view_text_screen,
+                                       .light_text = view_text_light}};
+    Picture picture = {.rgb = rgb};
+    matc_options_init(&options.compile);
+    options.compile.pixels = true;
+    options.compile.pass = sky ? "sky" : NULL;
+    options.view.sky = sky;
+    options.view.azimuth = M_PI / 2; /* where the sun of the defaults is */
+    MatcDocument *document = matc_read("example.yaml", text, strlen(text), &options.compile);
+    assert_string_equal(matc_diagnostics(document, MATC_TEXT), "");
+    bool done = picture_draw(document, 0, &options, &picture);
+    if (!done)
+        fprintf(stderr, "%s%s", picture.diagnostics ? picture.diagnostics : "", picture.error);
+    assert_true(done);
+    assert_string_equal(picture.diagnostics, "");
+    free(picture.diagnostics);
+    matc_document_free(document);
+    return look_at(rgb);
+}
+
+static void examples_show_something(void **state)
+{
+    static const double black = 8 / 255.0, flat = 8 / 255.0;
+    (void)state;
+    for (int kind = 0; kind < KIND_COUNT; kind++) {
+        char *text = example_of(kind_table[kind].name);
+        const Look look = draw(text, !strcmp(kind_table[kind].name, "SunSkyLight"));
+        print_message("%-16s mean %.3f deviation %.3f\n", kind_table[kind].name, look.mean, look.deviation);
+        assert_true(look.mean > black);
+        assert_true(look.deviation > flat);
+        free(text);
+    }
+}
+
+/* The judge sees black. What is flat under the light is told by its warning: a transformer alone. */
+static void nothing_is_seen(void **state)
+{
+    (void)state;
+    const Look none = draw("material: Phong\ndiffuse: 0\n", false), grey = draw("material: Phong\n", false);
+    assert_true(none.mean < 8 / 255.0 && none.deviation < 8 / 255.0);
+    assert_true(grey.mean > 0.3);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(examples_show_something), cmocka_unit_test(nothing_is_seen)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
