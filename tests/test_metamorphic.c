@@ -35,6 +35,8 @@ static void side_open(Side *s, const char *text, Slot slot)
     *s = (Side){0};
     matc_options_init(&s->options);
     s->options.pixels = true;
+    s->options.aa =
+        "none"; /* what is averaged goes by what a program costs, and documents that mean the same may differ in that */
     s->options.read_file = generate_file;
     s->session = (Session){.options = &s->options, .arena = &s->arena, .check = true};
     Source source = {"same.yaml", text, strlen(text)};

@@ -423,8 +423,8 @@ static void check_variant(Worker *w, const Case *c)
 /* Whether a choice can change what the subjects make. */
 static bool matters(Choice choice, const Subjects *subjects)
 {
-    if (choice == CHOICE_aa_auto)
-        return subjects->has[KIND_ImageMap];
+    if (choice == CHOICE_aa_auto) /* means are aa=box's */
+        return subjects->has[KIND_ImageMap] || subjects->has[KIND_Checker] || subjects->has[KIND_Gradient];
     if (axis_table[choice_table[choice].axis].first == (int)choice)
         return true;
     if (choice_table[choice].axis == AXIS_noise)

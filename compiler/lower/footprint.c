@@ -8,10 +8,20 @@
 static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */
 static const double LEAST_DIVISOR = 1e-37; /* a float that is no denormal */
 
+bool footprint_may_average(Kind kind)
+{
+    const KindRow *row = &kind_table[kind];
+    if (row->lowering == LOWERING_VOLUME)
+        return row->filter == FILTER_box || row->filter == FILTER_point;
+    return kind == KIND_Checker || kind == KIND_VolumeChecker || kind == KIND_Gradient;
+}
+
 bool footprint_is_filtered(const Lower *l)
 {
     const Choice aa = l->job->choice[AXIS_aa];
-    return (aa == CHOICE_aa_box || aa == CHOICE_aa_aniso) && !l->filters;
+    if (aa == CHOICE_aa_auto)
+        return l->map && l->map->index < l->averaged_below && footprint_may_average(l->map->kind) && !l->filters;
+    return aa != CHOICE_aa_none && !l->filters;
 }
 
 /* The edge of one box that stands for two, one after the other. Of a number, whose box is all that is known: their variances add. Of

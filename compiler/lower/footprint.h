@@ -14,6 +14,8 @@ typedef struct {
     Ref middle, edges;
 } Tap;
 
+/* A kind whose mean over the pixel is a closed form, which --aa=auto may take. */
+bool footprint_may_average(Kind kind);
 /* Whether maps are averaged over the pixel. What Smooth3D and Laplace3D evaluate many times is not: they sample it themselves. */
 bool footprint_is_filtered(const Lower *l);
 /* The boxes that stand for the pixel's footprint on a coordinate, of equal weight: one, or MOST_TAPS along the longer side with

@@ -130,8 +130,13 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         return answer_of(env->root[group]);
     }
     uint32_t origin = l->ir->origin;
+    const Node *above = l->map;
     l->ir->origin = ir_origin(l->ir, map);
+    l->map = map;
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind))
+        ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.room, map);
     Answer answer = lower_map[map->kind](l, map, group, env);
+    l->map = above;
     lower_mark_head(l->ir, answer.value, l->ir->origin);
     l->ir->origin = origin;
     memo = memo_find(l, key); /* the table may have moved */

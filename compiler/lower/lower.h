@@ -47,6 +47,12 @@ typedef struct {
     Slopes column[2];      /* of several: what becomes of (1, 0) and of (0, 1) */
 } Turn;
 
+/* Maps that --aa=auto may average, as lowering met them. */
+typedef struct {
+    const Node **at;
+    size_t count, room;
+} MapList;
+
 typedef struct {
     Session *session;
     Ir *ir;
@@ -56,6 +62,9 @@ typedef struct {
     const Job *job;
     Simplify *simplify;             /* the local rules; NULL in the IR at -O0 */
     int filters;                    /* under way: Smooth3D, Laplace3D */
+    const Node *map;                /* under way */
+    MapList averageable;            /* with --aa=auto; budget.c */
+    int averaged_below;             /* of these, maps of a lower index are averaged */
     int arms;                       /* under way: maps of a choice that is likely to become a branch */
     bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
@@ -75,6 +84,17 @@ typedef struct {
 Env lower_surface_env(Lower *l);
 /* What a job's program computes of a material. NULL: see the diagnostics. */
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify);
+
+/* What lower() is given. */
+typedef struct {
+    Session *session;
+    const Graph *graph;
+    const Node *material;
+    const Job *job;
+    Simplify *simplify;
+} LowerRequest;
+/* The same where --aa=auto averages the maps below an index alone; those that it could average, if wanted. lower_pass.c */
+Ir *lower_averaging(const LowerRequest *what, int below, MapList *seen);
 
 /* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float, the rest are vec3. */
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);

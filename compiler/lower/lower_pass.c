@@ -209,10 +209,14 @@ static void write_on_stack(void *user)
     write_pass(writing->l, writing->material);
 }
 
-Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify)
+Ir *lower_averaging(const LowerRequest *what, int below, MapList *seen)
 {
-    Lower l = start(session, graph, job, simplify, session->optimize);
+    const Node *material = what->material;
+    Lower l = start(what->session, what->graph, what->job, what->simplify, what->session->optimize);
+    l.averaged_below = below;
     stack_run(material ? material->depth : 0, write_on_stack, &(Writing){&l, material});
+    if (seen)
+        *seen = l.averageable;
     if (l.failed)
         return NULL;
     lower_doubt_crossings(&l);

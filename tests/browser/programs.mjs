@@ -20,7 +20,7 @@ const uniforms = [
 
 const product = (...lists) => lists.reduce((rows, list) => rows.flatMap(row => list.map(more => [...row, ...more])), [[]]);
 const choice = (name, values) => values.map(value => [`--${name}=${value}`]);
-const noises = choice('noise', ['lattice', 'groimp', 'simplex']), filters = choice('aa', ['none', 'box', 'aniso']);
+const noises = choice('noise', ['lattice', 'groimp', 'simplex']), filters = choice('aa', ['auto', 'none', 'box', 'aniso']);
 const layouts = choice('layout', ['compact', 'thin', 'thesis', 'radix', 'integer']);
 const precisions = [...choice('precision', ['fast', 'balanced', 'exact']), ['--constants=uniform'], ['--constants=baked', '-O0']];
 const packing = choice('pass', ['gbuffer', 'plane']), others = choice('pass', ['sky', 'shadow', 'depth', 'value']);

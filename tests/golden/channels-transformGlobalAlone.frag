@@ -16,6 +16,23 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
+// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
+// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
+// upper side.
+vec3 stripesNear3(vec3 q, vec3 edges) {
+    vec3 side = 1.0 - 2.0 * step(0.5, q);
+    vec3 distance = min(min(q, 1.0 - q), abs(q - 0.5));
+    return side * max(min(2.0 * distance / max(edges, 1.0e-6), 1.0), step(edges, vec3(1.0e-6)));
+}
+
+// Mean over boxes of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. For a box of 1/2 and more from the
+// antiderivative. Error 2e-7.
+vec3 stripes3(vec3 q, vec3 edges) {
+    vec3 low = abs(fract(q - 0.5 * edges) - 0.5);
+    vec3 high = abs(fract(q + 0.5 * edges) - 0.5);
+    return mix(stripesNear3(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
+}
+
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
@@ -49,10 +66,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // transformGlobalAlone.yaml:4 VolumeChecker
-    vec3 diffuse_volumeChecker_1 = fract(localPosition * 0.5);
-    float diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? worldPosition.x : localPosition.x;
+    vec3 localPositionByX = dFdx(localPosition);
+    vec3 localPositionByY = dFdy(localPosition);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    // transformGlobalAlone.yaml:4 VolumeChecker
+    vec3 diffuse_volumeChecker_1 = stripes3(fract(localPosition * 0.5), max(abs(localPositionByY * 0.5), abs(localPositionByX * 0.5)));
+    float diffuse_volumeChecker = mix(localPosition.x, worldPosition.x, 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5);
     uint diffuse_bits = rootBits(diffuse_volumeChecker, 8);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
     fragment0 = surface_bits;

@@ -1,0 +1,78 @@
+/* --aa=auto: which maps are averaged over the pixel. Those whose means are closed forms, as long as the program costs at most a tenth
+ * more than without any, by the costs of grammar/. It is measured on IR that is lowered for that alone and always simplified, so that
+ * all levels of -O average the same maps.
+ *
+ *     wood with a sine: 109 operations without a mean, 174 with that of the sine. A GPU takes as long for the one as for the other, and
+ *     for a constant (docs/accuracy-gpu.md), since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
+ *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
+ *
+ * Where not all fit, those do that come first in the document: as many as are found by halving. */
+#include "compiler/lower/lower.h"
+#include <stdlib.h>
+
+enum { FREE_COST = 200 }; /* operations that a pixel has the time for anyway: 234 were measured to take none */
+static const double most_growth = 1.1;
+
+static int by_index(const void *a, const void *b)
+{
+    const Node *const *x = a, *const *y = b;
+    return ((*x)->index > (*y)->index) - ((*x)->index < (*y)->index);
+}
+
+/* One more than the index of each, ascending, equal ones once. */
+static int *ends_of(Arena *arena, const MapList *maps, int *count)
+{
+    int *ends = ARENA_ARRAY(arena, int, maps->count);
+    *count = 0;
+    qsort(maps->at, maps->count, sizeof(const Node *), by_index);
+    for (size_t i = 0; i < maps->count; i++)
+        if (!i || maps->at[i] != maps->at[i - 1])
+            ends[(*count)++] = maps->at[i]->index + 1;
+    return ends;
+}
+
+/* Diagnostics and memory of a trial are dropped. Negative: it failed. */
+static int trial_cost(const LowerRequest *what, int below, MapList *seen)
+{
+    int nodes, cost = -1;
+    Ir *ir = lower_averaging(what, below, seen);
+    if (!ir)
+        return cost;
+    ir_measure(ir, &nodes, &cost);
+    ir_done(ir);
+    return cost;
+}
+
+/* Below which index maps are averaged. */
+static int affordable(const LowerRequest *what)
+{
+    MapList maps;
+    int count, plain = trial_cost(what, 0, &maps);
+    if (plain < 0 || !maps.count)
+        return 0;
+    const int *ends = ends_of(what->session->arena, &maps, &count);
+    const double most = most_growth * (plain > FREE_COST ? plain : FREE_COST);
+    int fits = 0, beyond = count + 1; /* so many fit, so many do not */
+    for (int next = count; fits + 1 < beyond; next = fits + (beyond - fits) / 2) {
+        int cost = trial_cost(what, ends[next - 1], NULL);
+        if (cost >= 0 && cost <= most)
+            fits = next;
+        else
+            beyond = next;
+    }
+    return fits ? ends[fits - 1] : 0;
+}
+
+Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify)
+{
+    const LowerRequest what = {session, graph, material, job, simplify};
+    if (job->choice[AXIS_aa] != CHOICE_aa_auto)
+        return lower_averaging(&what, 0, NULL);
+    Arena arena = {0};
+    Session trial = *session;
+    trial.arena = &arena;
+    trial.optimize = 1;
+    const int below = affordable(&(LowerRequest){&trial, graph, material, job, simplify});
+    arena_free(&arena);
+    return lower_averaging(&what, below, NULL);
+}

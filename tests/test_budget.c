@@ -1,0 +1,122 @@
+/* --aa=auto: what it averages costs at most a tenth of the program, which is told by programs of every example, and it averages what
+ * the documents below say. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/value/documents.h"
+#include "compiler/layout/layout.h"
+#include <math.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+/* Operations of a material in a pass; negative: it has faults. */
+static int cost_of(Document *d, int material, const char *aa, Pass pass)
+{
+    Job job;
+    MatcOptions options;
+    int nodes, cost;
+    matc_options_init(&options);
+    options.aa = aa;
+    options.pass = pass_table[pass].name;
+    assert_null(choice_job(&options, &job));
+    Ir *ir = compile_ir(&d->session, d->graph, d->graph->materials[material].node, &job);
+    if (!ir)
+        return -1;
+    ir_measure(ir, &nodes, &cost);
+    return cost;
+}
+
+/* As lowering measures, before the optimiser's passes: those may save a little of one and not of the other. */
+static void means_cost_a_tenth(void **state)
+{
+    (void)state;
+    static const Pass passes[] = {PASS_gbuffer, PASS_value,
+                                  PASS_shadow}; /* on a plane, gradients of pictures cost more */
+    const double free_cost = 200, growth = 1.1, passes_save = 1.05;
+    DocumentList list = documents_list(SOURCE_FOLDER);
+    int programs = 0, averaged = 0;
+    for (int i = 0; i < list.count; i++) {
+        Document d;
+        if (!document_open(&d, list.paths[i])) {
+            assert_true(document_is_library(&d));
+            document_close(&d);
+            continue;
+        }
+        for (int material = 0; material < d.graph->material_count; material++)
+            for (size_t k = 0; k < sizeof passes / sizeof *passes; k++) {
+                int plain = cost_of(&d, material, "none", passes[k]), mean = cost_of(&d, material, "auto", passes[k]);
+                programs++;
+                averaged += mean > plain;
+                if (mean > growth * passes_save * fmax(plain, free_cost))
+                    fail_msg("%s, pass %s: %d operations, %d without means", document_name(&d),
+                             pass_table[passes[k]].name, mean, plain);
+            }
+        document_close(&d);
+    }
+    documents_free(&list);
+    print_message("%d programs, %d with means\n", programs, averaged);
+    assert_true(averaged > programs / 20 && averaged < programs);
+}
+
+#define CHECKER "{ map: Checker, color1: 0.2, color2: 0.7, input: { map: UVTransform, scaleU: 8 } }"
+
+static const struct {
+    const char *text;
+    bool box, none; /* the program is that of aa=box, of aa=none */
+} documents[] = {
+    {"material: Phong\ndiffuse: " CHECKER "\n", true, false},
+    {"material: Phong\ndiffuse: { map: Leopard, waveForm: Sin01, input: { map: XYZTransform, transform: { scale: 9 } } "
+     "}\n",
+     true, false},
+    {"material: Phong\ndiffuse: { map: Granite }\n", false, true},
+    {"material: Phong\ndiffuse: { map: VolumeTurbulence, waveForm: Sin }\n", false, true},
+    {"material: Phong\ndiffuse: { map: Granite, input: { map: Turbulence } }\nspecular: " CHECKER "\n", false, false},
+};
+
+/* The text behind the comment that names the choices. */
+static bool same_program(Document *d, const char *a, const char *b)
+{
+    const char *const aa[] = {a, b};
+    MatcProgram *program[2];
+    const char *text[2];
+    MatcOptions options = d->options;
+    for (int i = 0; i < 2; i++) {
+        options.aa = aa[i];
+        options.validate = false;
+        program[i] = matc_compile(d->document, 0, MATC_FRAGMENT, &options);
+        assert_true(matc_ok(program[i]));
+        text[i] = strstr(matc_output(program[i], MATC_FRAGMENT, NULL), "\n\n");
+    }
+    const bool same = !strcmp(text[0], text[1]);
+    matc_program_free(program[0]);
+    matc_program_free(program[1]);
+    return same;
+}
+
+static void checkers_and_waves_are_averaged(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
+        Document d;
+        if (!document_open_text(&d, documents[i].text))
+            fail_msg("%s", document_fault(&d));
+        print_message("%s", documents[i].text);
+        assert_int_equal(same_program(&d, "auto", "box"), documents[i].box);
+        assert_int_equal(same_program(&d, "auto", "none"), documents[i].none);
+        document_close(&d);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(means_cost_a_tenth),
+        cmocka_unit_test(checkers_and_waves_are_averaged),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
