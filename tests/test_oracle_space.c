@@ -208,9 +208,9 @@ static void test_laplace(void **state)
 /* Two by two texels: bottom row (0, 51, 102, 255) (255, 0, 0, 0), top row (102, ...) (204, ...). */
 static Node *build_image(Builder *b, Image *image, bool bilinear)
 {
-    static const uint8_t bytes[] = {0, 51, 102, 255, 255, 0, 0, 0, 102, 0, 0, 0, 204, 0, 0, 0};
+    static uint8_t bytes[] = {0, 51, 102, 255, 255, 0, 0, 0, 102, 0, 0, 0, 204, 0, 0, 0};
     Node *map = build_node(b, KIND_ImageMap);
-    *image = (Image){.path = "", .width = 2, .height = 2, .bytes = bytes};
+    *image = (Image){.path = "", .width = 2, .height = 2, .bits = 8, .texels = bytes};
     *build_param(map, P_ImageMap_image) = (Value){.kind = VALUE_image, .image = image};
     build_set(map, P_ImageMap_bilinearFiltering, bilinear);
     return map;

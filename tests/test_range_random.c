@@ -234,7 +234,7 @@ static void functions_have_values_within_their_intervals(void **state)
 {
     (void)state;
     static const uint8_t texels[TEXELS * TEXELS * 4] = {0, 255, 3, 128, 7, 200, 255, 0, 90};
-    const ReferenceTexture texture = {TEXELS, TEXELS, 4, texels, NULL, false};
+    const ReferenceTexture texture = {.width = TEXELS, .height = TEXELS, .lanes = 4, .bytes = texels};
     const ReferenceContext context = {REFERENCE_LATTICE, &texture};
     int bounded = 0;
     Choices choices;

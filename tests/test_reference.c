@@ -332,7 +332,8 @@ static void pictures(void **state)
     (void)state;
     static const uint8_t bytes[2 * 2 * 4] = {0, 51, 102, 255, 255, 51, 102, 255, 51, 51, 102, 255, 102, 51, 102, 255};
     static const float floats[4] = {0, 1, .25F, .5F};
-    const ReferenceTexture textures[] = {{2, 2, 4, bytes, NULL, false}, {2, 2, 1, NULL, floats, false}};
+    const ReferenceTexture textures[] = {{.width = 2, .height = 2, .lanes = 4, .bytes = bytes},
+                                         {.width = 2, .height = 2, .lanes = 1, .floats = floats}};
     const ReferenceContext context = {.textures = textures};
     /* u, v, nearest, bilinear: red of texels (0,0) (1,0) (0,1) (1,1) is 0 1 .2 .4 */
     static const double rows[][4] = {
