@@ -447,13 +447,14 @@ static void check_material(Worker *w, Document *document, int material, bool cha
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         Subjects subjects;
         subjects_of(document->graph->materials[material].node, (Slot)slot, &subjects);
-        int governing = subject_governing(&subjects);
-        for (int i = 0; i < VARIANTS; i++)
+        for (int i = 0; i < VARIANTS; i++) {
+            int governing = subject_governing(&subjects, variants[i].choice);
             if (matters(variants[i].choice, &subjects))
                 check_variant(w, &(Case){&subject, (Slot)slot, &variants[i], &subjects, governing,
                                          fmax(half_bound(document, variants[i].target),
                                               bound_of(&variants[i], &subjects, governing)),
                                          changed});
+        }
     }
     forget(&subject);
 }

@@ -69,8 +69,8 @@ export class Reference {
 
 // The rows of a table of bounds that a document is made of: a map's, a wave's or a slot's name stands in one of its files.
 export function readBounds(file) {
-  const rows = [...fs.readFileSync(file, 'utf8').matchAll(/^BOUND\((?:(\w+)\((\w+)\)|DEFAULT), ([\d.e-]+)/gm)];
-  return rows.map(([, kind, name, bound]) => ({kind, name, bound: Number(bound)}));
+  const rows = [...fs.readFileSync(file, 'utf8').matchAll(/^(BOUND|DRIVERS)\((?:(\w+)\((\w+)\)|DEFAULT), ([\d.e-]+)/gm)];
+  return rows.map(([, row, kind, name, bound]) => ({drivers: row === 'DRIVERS', kind, name, bound: Number(bound)}));
 }
 // SwiftShader's sine and cosine err by 1.9e-4 in [-pi, pi] (Vulkan allows 4.9e-4), and values by as much; twice that.
 const DRIVERS_SINES = {name: "the driver's sines", bound: 4e-4};
@@ -78,7 +78,8 @@ const usesDriversSines = ({reflected, job}) => reflected.choices.trigonometry ==
 function boundOf(bounds, draw, slot, root) {
   const documents = draw.reflected.sources.filter(file => /\.(yaml|json)$/.test(file));
   const text = documents.map(file => fs.readFileSync(path.resolve(root, file), 'utf8')).join('\n');
-  const takesPart = ({kind, name}) => !kind || (kind === 'SLOT' ? slot === name : new RegExp(`\\b${name}\\b`).test(text));
+  const isOurs = draw.reflected.choices.trigonometry !== 'native';
+  const takesPart = ({drivers, kind, name}) => drivers && isOurs ? false : !kind || (kind === 'SLOT' ? slot === name : new RegExp(`\\b${name}\\b`).test(text));
   return [...bounds.filter(takesPart), ...usesDriversSines(draw) ? [DRIVERS_SINES] : []].reduce((most, row) => row.bound > most.bound ? row : most);
 }
 

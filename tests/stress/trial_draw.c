@@ -224,11 +224,18 @@ static bool draw(Drawing *d, const Variant *v, bool half, int targets)
     return fine;
 }
 
+static Choice trigonometry_of(const Trial *t)
+{
+    Job job;
+    choice_job(&t->options, &job);
+    return (Choice)job.choice[AXIS_trigonometry];
+}
+
 static bool draw_slot(Drawing *d)
 {
     Subjects subjects;
     subjects_of(d->trial->material, d->slot, &subjects);
-    d->bound = bound_table[subject_governing(&subjects)].bound;
+    d->bound = bound_table[subject_governing(&subjects, trigonometry_of(d->trial))].bound;
     bool fine = drawing_open(d);
     for (int i = 0; i < VARIANTS && fine; i++)
         fine = draw(d, &variants[i], false, 1) && compare(d, &variants[i]);

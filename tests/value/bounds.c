@@ -3,12 +3,13 @@
 #include <string.h>
 
 const Bound bound_table[SUBJECT_COUNT] = {
-#define KIND(name)                 KIND_##name
-#define WAVE(name)                 SUBJECT_WAVES + (int)WAVE_##name
-#define SLOT(name)                 SUBJECT_SLOTS + (int)SLOT_##name
-#define WORD_OF(list, name)        SUBJECT_WORDS + (int)WORD_##list##_##name
-#define DEFAULT                    SUBJECT_DEFAULT
-#define BOUND(subject, bound, why) [subject] = {bound, why},
+#define KIND(name)                   KIND_##name
+#define WAVE(name)                   SUBJECT_WAVES + (int)WAVE_##name
+#define SLOT(name)                   SUBJECT_SLOTS + (int)SLOT_##name
+#define WORD_OF(list, name)          SUBJECT_WORDS + (int)WORD_##list##_##name
+#define DEFAULT                      SUBJECT_DEFAULT
+#define BOUND(subject, bound, why)   [subject] = {bound, false, why},
+#define DRIVERS(subject, bound, why) [subject] = {bound, true, why},
 #include "tests/bounds.def"
 #undef KIND
 #undef WAVE
@@ -16,6 +17,7 @@ const Bound bound_table[SUBJECT_COUNT] = {
 #undef WORD_OF
 #undef DEFAULT
 #undef BOUND
+#undef DRIVERS
 };
 
 const char *subject_name(int subject)
@@ -104,11 +106,12 @@ void subjects_of(const Node *material, Slot slot, Subjects *subjects)
     walk_material(material, slot, subjects);
 }
 
-int subject_governing(const Subjects *subjects)
+int subject_governing(const Subjects *subjects, Choice trigonometry)
 {
+    const bool own = trigonometry == CHOICE_trigonometry_bounded;
     int best = SUBJECT_DEFAULT;
     for (int i = 0; i < SUBJECT_COUNT; i++)
-        if (subjects->has[i] && bound_table[i].bound > bound_table[best].bound)
+        if (subjects->has[i] && !(own && bound_table[i].drivers) && bound_table[i].bound > bound_table[best].bound)
             best = i;
     return best;
 }

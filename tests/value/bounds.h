@@ -15,6 +15,7 @@ enum {
 
 typedef struct {
     double bound; /* in units of max(1, |oracle|), outside of the hull */
+    bool drivers; /* it is of the driver's own functions */
     const char *why;
 } Bound;
 extern const Bound bound_table[SUBJECT_COUNT]; /* bound 0: no row */
@@ -26,8 +27,8 @@ typedef struct {
 const char *subject_name(int subject);
 /* What the value of a slot is made of. */
 void subjects_of(const Node *material, Slot slot, Subjects *subjects);
-/* The subject whose bound counts: the one with the greatest. */
-int subject_governing(const Subjects *subjects);
+/* The subject whose bound counts with that choice of functions: the one with the greatest. */
+int subject_governing(const Subjects *subjects, Choice trigonometry);
 /* Whether lattice noise is among them. */
 bool subjects_noise(const Subjects *subjects);
 #endif
