@@ -318,12 +318,32 @@ static void a_footprint_is_constant_whatever_is_rewritten(void **state)
     document_close(&d);
 }
 
+/* Of it all that is left is the footprint. */
+static void no_mark_of_a_footprint_is_left(void **state)
+{
+    (void)state;
+    Document d;
+    open_text(&d, "no mark", "diffuse: { map: Checker, input: { map: UVTransform, scaleU: 3 } }");
+    for (int level = 0; level <= 2; level += 2) {
+        Attempt w;
+        attempt_open(&w, &d, level);
+        w.job.slot = SLOT_diffuse;
+        const Ir *ir = compile_ir(&w.session, d.graph, d.graph->materials[0].node, &w.job);
+        assert_non_null(ir);
+        for (Ref ref = 1; ref < ir->count; ref++)
+            assert_false(ir_is(ir, ref, OP_detach));
+        arena_free(&w.arena);
+    }
+    document_close(&d);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(variance_is_what_a_mean_leaves_out),
         cmocka_unit_test(what_is_no_line_is_asked_of_both),
         cmocka_unit_test(a_footprint_is_constant_whatever_is_rewritten),
+        cmocka_unit_test(no_mark_of_a_footprint_is_left),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

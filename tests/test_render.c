@@ -143,7 +143,7 @@ static void uniforms_are_a_materials_own(void **state)
 {
     (void)state;
     static const char text[] = "{ material: Phong, diffuse: { param: tint, default: [0.25, 0.5, 0.75] } }";
-    static const float red[3] = {1, 0, 0};
+    static const float red[3] = {1, 0, 0}, black[3] = {0, 0, 0};
     Fixture f = open_fixture(true);
     Compiled compiled = compile(text, "glsl330", NULL);
     Material one = make(&f, compiled.program, core_version), two = make(&f, compiled.program, core_version);
@@ -152,6 +152,9 @@ static void uniforms_are_a_materials_own(void **state)
     assert_true(material_set(&two, &(MaterialValue){"tint", 3, red}));
     assert_draws(&f, &two, 1, 0, 0);
     assert_draws(&f, &one, 0.25f, 0.5f, 0.75f);
+    assert_draws(&f, &two, 1, 0, 0);
+    assert_true(material_set(&one, &(MaterialValue){"tint", 3, black})); /* also what GL begins with */
+    assert_draws(&f, &one, 0, 0, 0);
     assert_draws(&f, &two, 1, 0, 0);
     assert_false(material_set(&two, &(MaterialValue){"tint", 4, red}));
     assert_false(material_set_number(&two, "absent", 1));
