@@ -175,7 +175,7 @@ static void choice_keeps_the_promise(void **state)
     (void)state;
     ParetoAnswer answer = {0};
     MatcDocument *document = read_document("material: Phong\ndiffuse: 0.3\nemissive: 0.5\n");
-    const ParetoSubject subject = {document, 0, GL_KIND_osmesa, measure_range, NULL};
+    const ParetoSubject subject = {.document = document, .gl = GL_KIND_osmesa, .range = measure_range};
     MatcOptions options = defaults();
     assert_true(pareto_choose(&subject, 0.1, &options, &answer));
     assert_non_null(strstr(answer.text, "chosen: "));
