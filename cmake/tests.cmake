@@ -83,6 +83,7 @@ matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
 matc_test(order sh tests/order.sh)
 matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
+matc_test(locale sh tests/locale.sh)
 matc_test(exports sh tests/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
 matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
 add_executable(tree_json tests/suites/tree.c)
@@ -134,7 +135,7 @@ if(TEST add)
 endif()
 
 # ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers exports test_affine test_bounded test_defaults test_exact test_exact_material
+set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_defaults test_exact test_exact_material
   test_filtered_pass test_ir_check test_journal_damage test_journal_forgery test_journal_undoing test_json test_json_write test_key test_ktx
   test_layout_cases test_layout_file test_names test_oracle test_oracle_material test_oracle_space test_pack test_picture test_png
   test_range test_rules test_sheet test_tables test_thesis)

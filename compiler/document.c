@@ -11,7 +11,6 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
     MatcDocument *d = calloc(1, sizeof *d);
     if (!d)
         abort();
-    Locale locale = locale_enter();
     d->options = choice_whole_options(options);
     d->session = session_open(&d->options, &d->arena);
     d->session.measure = d->options.measure;
@@ -20,7 +19,6 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
     ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
     session_depend_on(&d->session, source.name);
     d->graph = compile_front(&d->session, 0, &d->tree);
-    locale_leave(locale);
     return d;
 }
 

@@ -52,7 +52,6 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     SlotValues values;
     Arena arena = {0};
     Text out = text_new(&arena);
-    Locale locale = locale_enter();
     const MatcOptions whole = choice_whole_options(options);
     oracle_surface_default(&surface);
     *fault = choice_job(&whole, &job) ? "no such option" : read_point(&surface, point);
@@ -71,7 +70,6 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
         }
     }
     char *result = *fault ? NULL : strdup(out.at);
-    locale_leave(locale);
     arena_free(&arena);
     return result;
 }

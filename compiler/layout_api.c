@@ -23,7 +23,6 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     MatcLayout *layout = calloc(1, sizeof *layout);
     if (!layout)
         abort();
-    Locale locale = locale_enter();
     layout->options = choice_whole_options(options);
     Session *session = &layout->session;
     *session = (Session){.options = &layout->options, .arena = &layout->arena};
@@ -34,7 +33,6 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     layout->row = session->diags.errors ? NULL : row;
     if (layout->row)
         finish(layout);
-    locale_leave(locale);
     return layout;
 }
 
@@ -43,7 +41,6 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
     MatcLayout *layout = calloc(1, sizeof *layout);
     if (!layout)
         abort();
-    Locale locale = locale_enter();
     layout->options = choice_whole_options(options);
     layout->session = (Session){.options = &layout->options, .arena = &layout->arena};
     if (ranges->materials) {
@@ -55,7 +52,6 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
     } else {
         diag_add(&layout->session, NO_SPAN, DIAG_layout_of_none);
     }
-    locale_leave(locale);
     return layout;
 }
 
@@ -66,7 +62,6 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     Arena arena = {0};
     MatcRanges one;
     MatcOptions own = choice_whole_options(options);
-    Locale locale = locale_enter();
     own.layout = own.pass = own.constants = NULL;
     own.member_count = 0;
     own.custom = NULL;
@@ -88,7 +83,6 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
         matc_ranges_join(ranges, &one);
     else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material or option")))
         abort();
-    locale_leave(locale);
     arena_free(&arena);
     return fine;
 }

@@ -6,6 +6,7 @@
 #include "compiler/layout/layout_read.h"
 #include "compiler/emit/texture.h"
 #include "compiler/emit/validate.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,10 +75,15 @@ const char *matc_opacity(MatcProgram *p)
         [OPACITY_opaque] = "opaque", [OPACITY_transparent] = "transparent", [OPACITY_varying] = "varying"};
     if (!p->ir)
         return NULL;
-    Locale locale = locale_enter();
     p->ir->opacity = find_opacity(p);
-    locale_leave(locale);
     return names[p->ir->opacity];
+}
+
+/* In microseconds. */
+static void put_time(Text *out, const char *name, double seconds)
+{
+    const long tenths = lround(seconds * 1e7);
+    text_format(out, "%-10s %10ld.%ld", name, tenths / 10, tenths % 10);
 }
 
 static void print_stats(Text *out, const Session *session, const char *heading)
@@ -87,10 +93,11 @@ static void print_stats(Text *out, const Session *session, const char *heading)
     for (size_t i = 0; i < session->stat_count; i++) {
         const StageStats *s = &session->stats[i];
         total += s->seconds;
-        text_format(out, "%-10s %12.1f", s->name, s->seconds * 1e6);
+        put_time(out, s->name, s->seconds);
         text_format(out, s->nodes ? " %8d %13d\n" : "\n", s->nodes, s->cost);
     }
-    text_format(out, "%-10s %12.1f   memory %zu KiB\n", "total", total * 1e6, session->arena->used / 1024);
+    put_time(out, "total", total);
+    text_format(out, "   memory %zu KiB\n", session->arena->used / 1024);
 }
 
 static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *job)
@@ -226,7 +233,6 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     MatcProgram *p = calloc(1, sizeof *p);
     if (!p)
         abort();
-    Locale locale = locale_enter();
     p->options = choice_whole_options(options);
     p->document = d;
     p->material = material;
@@ -236,15 +242,12 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->session.stage_start = session_now();
     p->ok = d->graph && material >= 0 && material < d->graph->material_count && !choice_job(&p->options, &p->job) &&
             compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->session.diags.errors;
-    locale_leave(locale);
     return p;
 }
 
 bool matc_emit(MatcProgram *p, unsigned outputs)
 {
-    Locale locale = locale_enter();
     p->ok = p->ok && write_program(p, outputs) && !p->session.diags.errors;
-    locale_leave(locale);
     return p->ok;
 }
 

@@ -1,6 +1,5 @@
 /* The rows of grammar/ as const arrays. */
 #include "tables.h"
-#include <ctype.h>
 #include <math.h>
 #include <stddef.h>
 

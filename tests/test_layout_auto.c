@@ -191,6 +191,18 @@ static void smaller_errors_take_more_bits(void **state)
     }
 }
 
+/* A normal of three equal lanes is not one gray number: no encoding of directions takes that. */
+static void a_direction_is_one_whatever_its_lanes(void **state)
+{
+    (void)state;
+    static const char *const alike[] = {"examples/conversions/floatToNormal.yaml"};
+    Set set;
+    set_open(&set, alike, 1, 0);
+    assert_true(matc_layout_ok(set.layout));
+    assert_non_null(strstr(matc_layout_text(set.layout), "octahedral"));
+    set_close(&set);
+}
+
 /* Any order, any split over threads: the same ranges, the same layout. */
 static void joining_has_no_order(void **state)
 {
@@ -470,6 +482,7 @@ int main(void)
         cmocka_unit_test(ranges_make_fields),
         cmocka_unit_test(ends_and_lanes_are_kept),
         cmocka_unit_test(smaller_errors_take_more_bits),
+        cmocka_unit_test(a_direction_is_one_whatever_its_lanes),
         cmocka_unit_test(joining_has_no_order),
         cmocka_unit_test(mixed_sets_have_cases),
         cmocka_unit_test(none_is_without_a_case),

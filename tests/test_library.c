@@ -7,7 +7,6 @@
 #include "compiler/matc.h"
 #include "grammar/tables.h"
 #include <cjson/cJSON.h>
-#include <locale.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -320,23 +319,6 @@ static void no_diagnostics_are_no_text(void **state)
     matc_document_free(document);
 }
 
-static void output_is_the_same_in_any_locale(void **state)
-{
-    (void)state;
-    MatcOptions options = quick();
-    char *before = compile_text(checker, MATC_FRAGMENT, &options);
-    const char *locales[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "C.UTF-8"};
-    for (size_t i = 0; i < sizeof locales / sizeof *locales; i++) {
-        if (!setlocale(LC_ALL, locales[i]))
-            continue;
-        char *after = compile_text(checker, MATC_FRAGMENT, &options);
-        assert_string_equal(before, after);
-        free(after);
-    }
-    setlocale(LC_ALL, "C");
-    free(before);
-}
-
 typedef struct {
     const MatcDocument *document;
     const char *expected;
@@ -446,7 +428,6 @@ int main(void)
         cmocka_unit_test(cut_documents_are_refused),
         cmocka_unit_test(evaluation_reads_back),
         cmocka_unit_test(no_diagnostics_are_no_text),
-        cmocka_unit_test(output_is_the_same_in_any_locale),
         cmocka_unit_test(threads_share_a_document),
         cmocka_unit_test(deep_chains_are_bounded),
         cmocka_unit_test(long_blends_are_searched),

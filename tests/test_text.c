@@ -1,4 +1,4 @@
-/* Texts: numbers are the shortest decimals that read back, and formats of any length fit. */
+/* Texts: numbers are the shortest decimals that read back, and are read to nearest; formats of any length fit. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -87,6 +87,54 @@ static void numbers_are_short_and_read_back(void **state)
     arena_free(&arena);
 }
 
+static void check_read(const char *text)
+{
+    double value = -1, wanted = strtod(text, NULL);
+    if (!text_number(text, strlen(text), &value) || memcmp(&value, &wanted, sizeof value) != 0)
+        fail_msg("%s is read as %.17g, not %.17g", text, value, wanted);
+}
+
+/* By the C library's reader, which rounds to nearest: up to 15 digits, and beyond, take two ways. */
+static void numbers_are_read_to_nearest(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {"0",
+                                        "-0",
+                                        "-0.0",
+                                        "+1.5",
+                                        "5.",
+                                        ".5",
+                                        "-.5",
+                                        "000000000000000000001",
+                                        "0.000000000000000000001",
+                                        "999999999999999",
+                                        "9999999999999999",
+                                        "0.999999999999999",
+                                        "0.9999999999999999",
+                                        "9007199254740993",
+                                        "1e22",
+                                        "1e23",
+                                        "1e999",
+                                        "4.9e-324",
+                                        "2.4703282292062328e-324"};
+    static const char *const none[] = {"",    "-",   ".",  "-.", "1.2.3", "1,5", "0x10",
+                                       "inf", "nan", "1e", "1 ", " 1",    "--1", "1-"};
+    uint64_t seed = 88172645463325252u;
+    double value;
+    char text[64];
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        check_read(texts[i]);
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        assert_false(text_number(none[i], strlen(none[i]), &value));
+    for (int i = 0; i < ROUNDS; i++) {
+        const int digits = 1 + (int)(draw(&seed) % 18), places = (int)(draw(&seed) % 19);
+        snprintf(text, sizeof text, "%.*f", places, (double)(draw(&seed) >> 11) * pow(10, -(int)(draw(&seed) % 16)));
+        check_read(text);
+        snprintf(text, sizeof text, "-0.%0*llu", digits, (unsigned long long)(draw(&seed) % 1000000000000000000u));
+        check_read(text);
+    }
+}
+
 static void formats_of_any_length_fit(void **state)
 {
     (void)state;
@@ -157,6 +205,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_short_and_read_back),
+        cmocka_unit_test(numbers_are_read_to_nearest),
         cmocka_unit_test(formats_of_any_length_fit),
         cmocka_unit_test(only_unicode_is_utf8),
     };

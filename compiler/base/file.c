@@ -1,6 +1,7 @@
 /* Reading whole files. */
 #include "compiler/base/file.h"
 #include "compiler/base/session.h"
+#include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
@@ -47,7 +48,7 @@ char *file_read_from(int descriptor, size_t *size, const char **why)
             continue;
         }
         if (got < 0 || used > most) {
-            *why = got < 0 ? strerror(errno) : "it is too large";
+            *why = got < 0 ? text_error(errno) : "it is too large";
             free(text);
             return NULL;
         }
@@ -67,10 +68,10 @@ static const char *no_file(int descriptor)
 {
     struct stat info;
     if (fstat(descriptor, &info))
-        return strerror(errno);
+        return text_error(errno);
     if (S_ISREG(info.st_mode))
         return NULL;
-    return S_ISDIR(info.st_mode) ? strerror(EISDIR) : S_ISFIFO(info.st_mode) ? "it is a pipe" : "it is a device";
+    return S_ISDIR(info.st_mode) ? text_error(EISDIR) : S_ISFIFO(info.st_mode) ? "it is a pipe" : "it is a device";
 }
 
 /* An open file, -1: *why. Without waiting: a pipe's other end may never be opened. */
@@ -78,7 +79,7 @@ static int open_at_once(const char *path, const char **why)
 {
     int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
     if (descriptor < 0)
-        *why = strerror(errno);
+        *why = text_error(errno);
     return descriptor;
 }
 

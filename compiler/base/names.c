@@ -2,7 +2,6 @@
  * another. */
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
-#include <ctype.h>
 #include <string.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -49,7 +48,7 @@ static const char *numbered(Arena *arena, const char *name, int number)
 {
     Text text = text_new(arena);
     text_put(&text, name);
-    if (isdigit((unsigned char)name[strlen(name) - 1]))
+    if (text_is_digit(name[strlen(name) - 1]))
         text_char(&text, '_');
     text_int(&text, number);
     return text.at;

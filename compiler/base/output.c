@@ -1,5 +1,6 @@
 /* Writing files, whole or not at all, and what they hold. */
 #include "compiler/base/output.h"
+#include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
@@ -12,8 +13,8 @@
 static const char *write_to(FILE *file, const void *bytes, size_t size)
 {
     if (fwrite(bytes, 1, size, file) != size)
-        return strerror(errno ? errno : EIO);
-    return fflush(file) ? strerror(errno) : NULL;
+        return text_error(errno ? errno : EIO);
+    return fflush(file) ? text_error(errno) : NULL;
 }
 
 /* It cannot be renamed over, or it must not: as root one could put a file where /dev/stdout was. */
@@ -33,13 +34,13 @@ static const char *write_directly(const char *path, const void *bytes, size_t si
 {
     int number = open(path, O_WRONLY | O_TRUNC | O_NOCTTY | O_CLOEXEC);
     if (number < 0)
-        return strerror(errno);
+        return text_error(errno);
     FILE *file = fdopen(number, "wb");
     if (!file)
         abort();
     const char *why = write_to(file, bytes, size);
     if (fclose(file) && !why)
-        why = strerror(errno);
+        why = text_error(errno);
     return why;
 }
 

@@ -1,24 +1,8 @@
-/* The session: files, statistics, the locale. */
+/* The session: files, statistics. */
 #include "compiler/base/session.h"
 #include "compiler/base/file.h"
 #include <string.h>
 #include <time.h>
-
-Locale locale_enter(void)
-{
-    Locale l = {newlocale(LC_ALL_MASK, "C", (locale_t)0), (locale_t)0};
-    if (l.ours)
-        l.before = uselocale(l.ours);
-    return l;
-}
-
-void locale_leave(Locale l)
-{
-    if (!l.ours)
-        return;
-    uselocale(l.before);
-    freelocale(l.ours);
-}
 
 Session session_open(const MatcOptions *options, Arena *arena)
 {

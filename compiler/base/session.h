@@ -8,7 +8,6 @@
 #include "compiler/base/names.h"
 #include "compiler/base/source.h"
 #include "compiler/base/suggest.h"
-#include <locale.h>
 #include <stdbool.h>
 
 /* Every limit of the compiler. */
@@ -83,12 +82,6 @@ void session_depend_on(Session *session, const char *path);
 /* `path` as seen from the file `from`: relative paths are relative to its folder. */
 const char *session_path_beside(Session *session, const char *from, const char *path);
 
-/* Numbers are read and written the same in every locale; the caller's is put back. */
-typedef struct {
-    locale_t ours, before;
-} Locale;
-Locale locale_enter(void);
-void locale_leave(Locale locale);
 /* A session by these options, which outlive it. */
 Session session_open(const MatcOptions *options, Arena *arena);
 #endif

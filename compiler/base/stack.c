@@ -1,7 +1,6 @@
 /* A thread as a stack: nothing runs beside it. */
 #include "compiler/base/stack.h"
 #include "compiler/base/session.h"
-#include <locale.h>
 #include <pthread.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -11,13 +10,11 @@ enum { LEAST_KIB = 256 }; /* for what does not recurse */
 typedef struct {
     void (*run)(void *user);
     void *user;
-    locale_t locale;
 } Call;
 
 static void *run_call(void *user)
 {
     const Call *call = user;
-    uselocale(call->locale);
     call->run(call->user);
     return NULL;
 }
@@ -38,7 +35,7 @@ void stack_run(int depth, void (*run)(void *user), void *user)
         run(user);
         return;
     }
-    Call call = {run, user, uselocale((locale_t)0)};
+    Call call = {run, user};
     pthread_t thread;
     sigset_t all, before;
     sigfillset(&all);

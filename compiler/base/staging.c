@@ -4,6 +4,7 @@
 #include "compiler/base/staging.h"
 #include "compiler/base/sets.h"
 #include "compiler/base/staging_journal.h"
+#include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
@@ -42,7 +43,7 @@ Staging *staging_open(const char *path, unsigned how, const char **why)
     struct stat info = {0};
     bool made = how & STAGING_new_folder && !mkdir(path, 0777);
     int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    *why = folder < 0 || fstat(folder, &info) ? strerror(errno) : steps_recover(folder);
+    *why = folder < 0 || fstat(folder, &info) ? text_error(errno) : steps_recover(folder);
     if (*why) {
         if (folder >= 0)
             close(folder);
@@ -100,13 +101,13 @@ char *staging_read(const Staging *s, const char *name, const char **why)
     struct stat info;
     bool special = !fstatat(s->folder, name, &info, 0) && !S_ISREG(info.st_mode); /* or a link to such a file */
     int file = special ? -1 : open_regular(s, name, &size);
-    *why = special ? "it is no regular file" : file < 0 && errno != ENOENT ? strerror(errno) : NULL;
+    *why = special ? "it is no regular file" : file < 0 && errno != ENOENT ? text_error(errno) : NULL;
     if (file < 0)
         return NULL;
     char *bytes = sets_resize(NULL, size + 1);
     bool whole = read_all(file, bytes, size) == size;
     bytes[size] = 0;
-    *why = whole ? NULL : strerror(EIO);
+    *why = whole ? NULL : text_error(EIO);
     close(file);
     if (whole)
         return bytes;
@@ -121,7 +122,7 @@ static const char *look(const Staging *s, const char *name, const void *bytes, s
     int file = open_regular(s, name, &old_size);
     *equal = false;
     if (file < 0)
-        return errno == EISDIR ? strerror(EISDIR) : NULL; /* what cannot be read can be replaced */
+        return errno == EISDIR ? text_error(EISDIR) : NULL; /* what cannot be read can be replaced */
     char *old = old_size == size && !(s->how & STAGING_renew) ? malloc(size + 1) : NULL;
     *equal = old && read_all(file, old, size) == size && !memcmp(old, bytes, size);
     free(old);
@@ -234,7 +235,7 @@ const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
     *stays = error == EINVAL || (!error && !key_equal(now, hash));
     if (!error && !*stays)
         string_set_add(&s->removed, name, NULL);
-    return error && error != EINVAL && error != ENOENT ? strerror(error) : NULL;
+    return error && error != EINVAL && error != ENOENT ? text_error(error) : NULL;
 }
 
 /* The index last, and removals before it. */
@@ -261,9 +262,9 @@ static const char *move_one(const Staging *s)
     char file[NUMBER_NAME];
     const Step *step = s->steps.at;
     if (step->kind == STEP_remove)
-        return unlinkat(s->folder, step->name, 0) && errno != ENOENT ? strerror(errno) : NULL;
+        return unlinkat(s->folder, step->name, 0) && errno != ENOENT ? text_error(errno) : NULL;
     step_file(file, step->number);
-    return renameat(s->waiting.at, file, s->folder, step->name) ? strerror(errno) : NULL;
+    return renameat(s->waiting.at, file, s->folder, step->name) ? text_error(errno) : NULL;
 }
 
 static const char *begin_and_do(Staging *s)

@@ -1,5 +1,6 @@
 /* Folders where files wait: made, taken over, removed. All is opened below a folder that is open, and no link is followed. */
 #include "compiler/base/staging_folder.h"
+#include "compiler/base/text.h"
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -108,7 +109,7 @@ const char *waiting_make(Waiting *w, int folder)
         if (error != EEXIST && error != ENOENT && error != EWOULDBLOCK) /* else somebody was faster */
             break;
     }
-    return error ? strerror(error) : NULL;
+    return error ? text_error(error) : NULL;
 }
 
 /* 0, or errno. */
@@ -204,7 +205,7 @@ const char *waiting_put(int file, const void *bytes, size_t size)
         if (got < 0 && errno == EINTR)
             continue;
         if (got <= 0)
-            return strerror(got ? errno : ENOSPC);
+            return text_error(got ? errno : ENOSPC);
         at += got;
         size -= (size_t)got;
     }
@@ -219,10 +220,10 @@ const char *waiting_write(const Waiting *w, const char *name, const void *bytes,
         !unlinkat(w->at, name, 0)) /* another thread's, of the same name: the later one stays */
         file = openat(w->at, name, how, READABLE);
     if (file < 0)
-        return strerror(errno);
+        return text_error(errno);
     const char *why = waiting_put(file, bytes, size);
     if (close(file) && !why)
-        why = strerror(errno);
+        why = text_error(errno);
     if (why)
         unlinkat(w->at, name, 0);
     return why;

@@ -15,6 +15,7 @@
 #include "compiler/base/staging_journal.h"
 #include "compiler/base/bytes.h"
 #include "compiler/base/sets.h"
+#include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -75,7 +76,7 @@ static const char *journal_write(const Waiting *w, const Steps *steps)
     bytes_add(&bytes, &hash, sizeof hash);
     const char *why = bytes.size > LARGEST_JOURNAL ? "too many files" : waiting_put(w->journal, bytes.at, bytes.size);
     if (!why && index_of(steps) && fdatasync(w->journal) && errno != EINVAL) /* where that is unknown, we go on */
-        why = strerror(errno);
+        why = text_error(errno);
     bytes_free(&bytes);
     return why;
 }
@@ -190,10 +191,10 @@ const char *steps_do(const Waiting *w, const Steps *steps)
     bool fine = !index || steps->count == 1 || put_aside(w, index);
     for (int i = 0; i < steps->count && fine; i++)
         fine = steps->at[i].kind == STEP_remove ? put_aside(w, &steps->at[i]) : put(w, &steps->at[i]);
-    return fine ? NULL : strerror(errno);
+    return fine ? NULL : text_error(errno);
 }
 
-const char *steps_end(const Waiting *w) { return waiting_finish(w) ? NULL : strerror(errno); }
+const char *steps_end(const Waiting *w) { return waiting_finish(w) ? NULL : text_error(errno); }
 
 /* One at a time. */
 const char *steps_begin(Waiting *w, const Steps *steps)
@@ -201,7 +202,7 @@ const char *steps_begin(Waiting *w, const Steps *steps)
     const char *why = journal_write(w, steps);
     for (int i = 0; !why && !waiting_rename(w, waiting_commit); i++) {
         if (errno != EEXIST && errno != ENOTEMPTY && errno != ENOTDIR)
-            return strerror(errno);
+            return text_error(errno);
         why = i < MOST_WAITS ? steps_recover(w->folder) : "another process writes there and does not end";
         nanosleep(&(struct timespec){0, WAIT_NS}, NULL);
     }
@@ -273,7 +274,7 @@ const char *steps_recover(int folder)
         return taken == TAKEN_strange ? strange : NULL; /* who is at it ends soon */
     const char *why = journal_read(&w, &bytes, &steps);
     if (!why && !(steps_undo(&w, &steps) && waiting_finish(&w)))
-        why = strerror(errno);
+        why = text_error(errno);
     free(steps.at);
     free(bytes);
     if (!why)

@@ -3,15 +3,13 @@
  *     Cheker -> Checker: a letter is missing, 1.  Wodo -> Wood: two letters are swapped, 1.  Cheker has 6 letters, so 3 are forgiven. */
 #include "compiler/base/suggest.h"
 #include "compiler/base/text.h"
-#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 enum { LONGEST = 64 };
 
 static int least(int a, int b) { return a < b ? a : b; }
-static bool same(char a, char b) { return tolower((unsigned char)a) == tolower((unsigned char)b); }
+static bool same(char a, char b) { return text_lower(a) == text_lower(b); }
 
 /* More than `most` where that is seen at once. */
 static int distance(const char *a, const char *b, int most)
@@ -51,7 +49,7 @@ const char *suggest(Arena *arena, const char *name, SuggestName *names, const vo
     if (!best)
         return "";
     Text text = text_new(arena);
-    text_format(&text, "; did you mean '%s'?%s", best, strcasecmp(name, best) ? "" : " Names are case-sensitive");
+    text_format(&text, "; did you mean '%s'?%s", best, !text_same(name, best) ? "" : " Names are case-sensitive");
     return text.at;
 }
 

@@ -1,13 +1,34 @@
-/* Growing texts and locale-free numbers. The caller has the "C" locale in force (compile.c sees to it). */
+/* Growing texts, and numbers in them, free of the locale: what the C library does by it is done here, in the "C" locale. */
 #include "compiler/base/text.h"
 #include <float.h>
+#include <locale.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MOST_PLACES = 11 };
+enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MOST_PLACES = 11, SIMPLE_DIGITS = 15 };
+
+/* The thread has the "C" locale between these two; then its own again. */
+typedef struct {
+    locale_t plain, before;
+} Locale;
+
+static Locale enter(void)
+{
+    Locale locale = {newlocale(LC_ALL_MASK, "C", (locale_t)0), (locale_t)0};
+    if (!locale.plain)
+        abort();
+    locale.before = uselocale(locale.plain);
+    return locale;
+}
+
+static void leave(Locale locale)
+{
+    uselocale(locale.before);
+    freelocale(locale.plain);
+}
 
 Text text_new(Arena *arena) { return (Text){arena, NULL, 0, 0}; }
 
@@ -147,11 +168,13 @@ static void shortest(Text *text, double value, int least, bool is_float)
 {
     char digits[NUMBER_ROOM];
     const int most = is_float ? FLT_DECIMAL_DIG : DBL_DECIMAL_DIG;
+    const Locale locale = enter();
     for (int precision = least; precision <= most; precision++) {
         snprintf(digits, sizeof digits, "%.*g", precision, value);
         if (is_float ? strtof(digits, NULL) == (float)value : strtod(digits, NULL) == value)
             break;
     }
+    leave(locale);
     text_put(text, digits);
     if (!strpbrk(digits, ".en"))
         text_put(text, ".0");
@@ -172,6 +195,31 @@ void text_double(Text *text, double value)
         shortest(text, value, fabs(value) < DBL_MIN || fabs(value) >= 1e6 ? 1 : DBL_DIG, false);
 }
 
+void text_rounded(Text *text, double value, int digits)
+{
+    const Locale locale = enter();
+    text_format(text, "%.*g", digits, value);
+    leave(locale);
+}
+
+const char *text_error(int error)
+{
+    const Locale locale = enter();
+    const char *said = strerror(error);
+    leave(locale);
+    return said;
+}
+
+bool text_same_start(const char *a, const char *b, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        if (text_lower(a[i]) != text_lower(b[i]) || !a[i])
+            return a[i] == b[i];
+    return true;
+}
+
+bool text_same(const char *a, const char *b) { return text_same_start(a, b, SIZE_MAX); }
+
 bool text_is_control(const char *at, int size)
 {
     const unsigned char first = (unsigned char)at[0];
@@ -180,15 +228,43 @@ bool text_is_control(const char *at, int size)
     return size == 2 && first == 0xC2 && (unsigned char)at[1] < 0xA0;
 }
 
+/* Numbers of up to 15 digits without an exponent, which most are: the digits and the power of ten are doubles as they stand, so their
+ * quotient is rounded once, and is the nearest (Clinger, 1990). "-12.50" is -(1250 / 10^2). False: it is another, or none. */
+static bool simple_number(const char *string, size_t size, double *value)
+{
+    static const double power[SIMPLE_DIGITS + 1] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                    1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const char *at = string, *end = string + size, *point = NULL;
+    uint64_t whole = 0;
+    int digits = 0;
+    for (at += *at == '-'; at < end; at++) {
+        if (*at == '.' && !point)
+            point = at + 1;
+        else if (text_is_digit(*at) && ++digits <= SIMPLE_DIGITS)
+            whole = 10 * whole + (uint64_t)(*at - '0');
+        else
+            return false;
+    }
+    if (!digits)
+        return false;
+    const double magnitude = (double)whole / power[point ? end - point : 0];
+    *value = *string == '-' ? -magnitude : magnitude;
+    return true;
+}
+
 bool text_number(const char *string, size_t size, double *value)
 {
     char *end;
+    if (size && simple_number(string, size, value))
+        return true;
     if (!size || !strchr("+-.0123456789", string[0]))
         return false;
     for (size_t i = 0; i < size; i++)
         if (!strchr("+-.eE0123456789", string[i]) || !string[i])
             return false; /* no hexadecimal, no "inf" */
+    const Locale locale = enter();
     *value = strtod(string, &end);
+    leave(locale);
     return end == string + size;
 }
 

@@ -1,4 +1,5 @@
-/* A text that grows, and numbers as text: shortest form that reads back exactly, the same in every locale. */
+/* A text that grows, and numbers as text: the shortest form that reads back exactly. All of this is the same in every locale, and no
+ * other file of the library asks for the locale: neither printf of fractions, nor strtod, ctype.h or strerror (tests/locale.sh). */
 #ifndef MATC_TEXT_H
 #define MATC_TEXT_H
 #include "compiler/base/arena.h"
@@ -16,13 +17,15 @@ void text_add(Text *text, const char *bytes, size_t size);
 void text_put(Text *text, const char *string);
 void text_char(Text *text, char c);
 void text_int(Text *text, long value);
-/* printf of whole numbers and strings; numbers with a fraction go through text_float and text_double. */
+/* printf of whole numbers and strings; numbers with a fraction go through the functions below. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void text_format_list(Text *text, const char *format, va_list args);
 /* A float literal of GLSL: always with a point or an exponent; a number beyond a float is taken to the greatest. */
 void text_float(Text *text, double value);
 /* A double that reads back exactly. */
 void text_double(Text *text, double value);
+/* So many digits as are asked for, as %.*g has them: "0.0977", "1e+06", "12". */
+void text_rounded(Text *text, double value, int digits);
 /* Reads a decimal number that takes up all of the string, rounded to nearest; one that is too large is infinite. What stands behind
  * the string's end does not continue a number: a zero, a space. */
 bool text_number(const char *string, size_t size, double *value);
@@ -34,4 +37,24 @@ bool text_is_control(const char *at, int size);
 void text_visible(Text *text, const char *string, size_t size);
 /* A whole number without a point: "0.5", "12", "1000000". */
 void text_plain(Text *out, double value);
+
+/* What the system says of an errno, in English. */
+const char *text_error(int error);
+
+/* Of ASCII. */
+static inline bool text_is_digit(char c) { return c >= '0' && c <= '9'; }
+static inline bool text_is_lower(char c) { return c >= 'a' && c <= 'z'; }
+static inline bool text_is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+static inline bool text_is_letter(char c) { return text_is_lower(c) || text_is_upper(c); }
+static inline bool text_is_alphanumeric(char c) { return text_is_letter(c) || text_is_digit(c); }
+static inline char text_lower(char c) { return text_is_upper(c) ? (char)(c - 'A' + 'a') : c; }
+/* Whether two strings are the same but for the case of letters; their first bytes, if they have so many. */
+bool text_same(const char *a, const char *b);
+bool text_same_start(const char *a, const char *b, size_t size);
+/* The value of a hexadecimal digit, or -1. */
+static inline int text_hex_digit(char c)
+{
+    const char letter = text_lower(c);
+    return text_is_digit(c) ? c - '0' : letter >= 'a' && letter <= 'f' ? letter - 'a' + 10 : -1;
+}
 #endif

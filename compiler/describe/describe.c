@@ -138,7 +138,7 @@ void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece)
 }
 
 /* To a figure that is easily read: three digits. */
-static void put_rounded(Text *out, double value) { text_format(out, "%.3g", value); }
+static void put_rounded(Text *out, double value) { text_rounded(out, value, 3); }
 
 void describe_error(Text *out, const FieldRow *field)
 {

@@ -29,7 +29,8 @@ static void put_constants(Text *out, const LayoutRow *layout)
         const FixedRow *fixed = &layout->fixed[i];
         text_format(out, "%s  %-9s  %-42s ", i ? "" : "\n", "constant", slot_table[fixed->slot].name);
         for (int lane = 0; lane < type_table[slot_table[fixed->slot].type].lanes; lane++) {
-            text_format(out, " %.6g", fixed->value[lane]);
+            text_char(out, ' ');
+            text_rounded(out, fixed->value[lane], 6);
         }
         text_char(out, '\n');
     }

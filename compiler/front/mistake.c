@@ -1,9 +1,8 @@
 /* What people write who know another format better, and what they are told. */
 #include "compiler/front/mistake.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 /* "45deg": 45, and *unit is "deg"; NULL: it is no number with letters, a percent or a degree sign behind it. */
 static const char *unit_of(const Session *session, const char *text, double *number)
@@ -11,9 +10,9 @@ static const char *unit_of(const Session *session, const char *text, double *num
     const size_t digits = strspn(text, "+-.0123456789");
     const char *unit = text + digits + strspn(text + digits, " ");
     for (const char *c = unit; *c; c++)
-        if (!isalpha((unsigned char)*c) && *c != '%' && !((unsigned char)*c & 0x80))
+        if (!text_is_letter(*c) && *c != '%' && !((unsigned char)*c & 0x80))
             return NULL;
-    if (!*unit || !strcasecmp(unit, "e"))
+    if (!*unit || text_same(unit, "e"))
         return NULL;
     const char *alone = arena_string(session->arena, text, digits); /* text_number reads what stands behind, too */
     return text_number(alone, digits, number) ? unit : NULL;
@@ -26,7 +25,7 @@ static bool say_unit(Resolver *r, const Tree *tree)
     if (!unit)
         return false;
     Text meant = text_new(r->session->arena);
-    const bool degrees = !strncasecmp(unit, "deg", 3) || !strcmp(unit, "°"), percent = !strcmp(unit, "%");
+    const bool degrees = text_same_start(unit, "deg", 3) || !strcmp(unit, "°"), percent = !strcmp(unit, "%");
     if (degrees)
         text_put(&meant, "; angles are in radians: ");
     else
@@ -64,10 +63,10 @@ bool mistake_hex(Resolver *r, const Tree *tree, const char *text)
 static const char *map_name(const char *name)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++)
-        if (kind_table[kind].lowering != LOWERING_MATERIAL && !strcasecmp(kind_table[kind].name, name))
+        if (kind_table[kind].lowering != LOWERING_MATERIAL && text_same(kind_table[kind].name, name))
             return kind_table[kind].name;
     for (int i = 0; i < preset_count; i++)
-        if (!strcasecmp(preset_table[i].name, name))
+        if (text_same(preset_table[i].name, name))
             return preset_table[i].name;
     return NULL;
 }
@@ -90,7 +89,7 @@ static bool is_color(const char *name)
 
 bool mistake_map(Resolver *r, const Tree *tree)
 {
-    if (tree->kind != TREE_scalar || !isalpha((unsigned char)tree->text[0]) || is_color(tree->text))
+    if (tree->kind != TREE_scalar || !text_is_letter(tree->text[0]) || is_color(tree->text))
         return false;
     const char *map = map_name(tree->text);
     if (is_def(r, tree->text))
@@ -107,7 +106,7 @@ bool mistake_map(Resolver *r, const Tree *tree)
 const Member *mistake_case(const Tree *object, const char *key)
 {
     for (uint32_t i = 0; i < object->count; i++)
-        if (!strcasecmp(object->members[i].key, key))
+        if (text_same(object->members[i].key, key))
             return &object->members[i];
     return NULL;
 }

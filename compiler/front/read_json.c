@@ -1,7 +1,7 @@
 /* JSON -> Tree, by RFC 8259 to the letter, with the position of every value and of the first byte that is wrong. The reader goes
  * down the grammar, one function a rule; a text is looked through first, which gives its size, and then written. */
 #include "compiler/front/read.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <string.h>
 
 typedef struct {
@@ -20,7 +20,7 @@ static Span span_of(const Json *j, const char *from, const char *to)
 static const char *token_end(const Json *j, const char *at)
 {
     const char *from = at;
-    while (at < j->end && (isalnum((unsigned char)*at) || (*at && strchr("_+-.", *at))))
+    while (at < j->end && (text_is_alphanumeric(*at) || (*at && strchr("_+-.", *at))))
         at++;
     return at > from || at == j->end ? at
                                      : at + text_utf8_length((const unsigned char *)at, (const unsigned char *)j->end);
@@ -89,9 +89,10 @@ static int32_t hex_code(const Json *j, const char *at)
 {
     int32_t code = 0;
     for (int i = 0; i < 4; i++, at++) {
-        if (at >= j->end || !isxdigit((unsigned char)*at))
+        const int digit = at < j->end ? text_hex_digit(*at) : -1;
+        if (digit < 0)
             return -1;
-        code = code * 16 + (isdigit((unsigned char)*at) ? *at - '0' : (*at | 0x20) - 'a' + 10);
+        code = code * 16 + digit;
     }
     return code;
 }

@@ -4,7 +4,7 @@
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
 #include "runtime/library/chunk.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <string.h>
 
 /* Keywords of every target and words that one of them keeps for the future, but types that is_type knows. */
@@ -85,7 +85,7 @@ static bool is_number_type(const char *name)
 
 static bool is_type(const char *name) { return is_opaque_type(name) || is_number_type(name); }
 
-static bool is_letter(char c) { return isalnum((unsigned char)c) || c == '_'; }
+static bool is_letter(char c) { return text_is_alphanumeric(c) || c == '_'; }
 
 /* Whether a text calls or defines a function of that name. */
 static bool calls(const char *text, const char *name)

@@ -1,7 +1,6 @@
 /* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
  * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
 #include "compiler/front/mistake.h"
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
  * srgb(...) and linear(...) for one colour. What a file says holds for what is written in that file, wherever it is used. */
 #include "compiler/front/mistake.h"
 #include "runtime/library/srgb.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <string.h>
 
 static const char *const space_names[] = {"linear", "srgb"};
@@ -33,8 +33,6 @@ static const char *color_name(const void *user, int i)
     return color_table[i].name;
 }
 
-static int hex_digit(char c) { return isdigit((unsigned char)c) ? c - '0' : tolower((unsigned char)c) - 'a' + 10; }
-
 /* #rgb, #rrggbb, #rrggbbaa */
 static bool hex_color(const char *text, Value *value)
 {
@@ -44,7 +42,7 @@ static bool hex_color(const char *text, Value *value)
     int lanes = size == 8 ? 4 : 3, digits = size == 3 ? 1 : 2;
     for (int i = 0; i < lanes; i++) {
         const char *at = text + 1 + i * digits;
-        value->number[i] = (hex_digit(at[0]) * 16 + hex_digit(at[digits - 1])) / 255.0;
+        value->number[i] = (text_hex_digit(at[0]) * 16 + text_hex_digit(at[digits - 1])) / 255.0;
     }
     value->type = lanes == 4 ? TYPE_vec4 : TYPE_vec3;
     return true;

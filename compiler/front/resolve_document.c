@@ -1,17 +1,17 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
 #include "compiler/front/doubt.h"
 #include "compiler/front/mistake.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <stdlib.h>
 #include <string.h>
 
 bool resolve_is_name(const char *name)
 {
     size_t size = strlen(name);
-    if (!isalpha((unsigned char)name[0]) || size > LIMIT_NAME)
+    if (!text_is_letter(name[0]) || size > LIMIT_NAME)
         return false;
     for (; *name; name++)
-        if (!isalnum((unsigned char)*name) && !strchr("_-.", *name))
+        if (!text_is_alphanumeric(*name) && !strchr("_-.", *name))
             return false;
     return true;
 }

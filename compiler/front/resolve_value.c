@@ -1,7 +1,7 @@
 /* Values of parameters: numbers, params, waves, transformations, items. */
 #include "compiler/front/mistake.h"
 #include "compiler/front/reserved.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -45,10 +45,10 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCou
 
 static bool is_identifier(const char *name)
 {
-    if (!isalpha((unsigned char)name[0]))
+    if (!text_is_letter(name[0]))
         return false;
     for (; *name; name++)
-        if (!isalnum((unsigned char)*name) && *name != '_')
+        if (!text_is_alphanumeric(*name) && *name != '_')
             return false;
     return true;
 }

@@ -6,7 +6,7 @@
  *     defs: { "Lehm, naß": { map: Blend } }                      Lehm_na */
 #include "compiler/ir/ir.h"
 #include "compiler/front/reserved.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <string.h>
 
 enum { LONGEST_WORD = 32 }; /* of an author's word, in a name or a comment */
@@ -17,7 +17,7 @@ static void put_identifier(Text *name, const char *word)
     const size_t before = name->size;
     bool gap = false;
     for (; *word && name->size - before < LONGEST_WORD; word++) {
-        bool fits = isalnum((unsigned char)*word);
+        bool fits = text_is_alphanumeric(*word);
         if (fits && gap && name->size > before)
             text_char(name, '_');
         if (fits)
@@ -26,7 +26,7 @@ static void put_identifier(Text *name, const char *word)
     }
 }
 
-static bool is_usable(const char *name) { return isalpha((unsigned char)name[0]) && !reserved_is_word(name); }
+static bool is_usable(const char *name) { return text_is_letter(name[0]) && !reserved_is_word(name); }
 
 /* Owner, kind and own word, joined: those that are not NULL. */
 static const char *join_words(Arena *arena, const char *owner, const char *kind, const char *word)

@@ -141,7 +141,8 @@ Plan auto_plan_slot(Slot slot, const MatcSlotRange *of, double scale)
     if (row->kind == CLASS_color && plan.kind == CLASS_color)
         plan.high = fmin(plan.high, 1);
     plan.fate = FATE_field;
-    plan.field = best_field(&(Wish){&plan, lanes > 1 && range->alike == range->counted, lanes});
+    const bool gray = lanes > 1 && range->alike == range->counted && class_table[plan.kind].unit != CLASS_UNIT_degrees;
+    plan.field = best_field(&(Wish){&plan, gray, lanes}); /* a direction is encoded as one, whatever its lanes are */
     plan.error = class_error(&plan, &plan.field);
     return plan;
 }

@@ -4,27 +4,23 @@
 static void put_range(Text *out, double low, double high)
 {
     if (low == high) {
-        text_format(out, "%.6g", low);
+        text_rounded(out, low, 6);
         return;
     }
-    text_format(out, "%.4g to %.4g", low, high);
+    text_rounded(out, low, 4);
+    text_put(out, " to ");
+    text_rounded(out, high, 4);
 }
 
 static void put_error(Text *out, const Plan *plan)
 {
-    switch (class_table[plan->kind].unit) {
-    case CLASS_UNIT_display:
-        text_format(out, "%.3g of its square root", plan->error);
-        break;
-    case CLASS_UNIT_relative:
-        text_format(out, "%.3g %%", 100 * plan->error);
-        break;
-    case CLASS_UNIT_degrees:
-        text_format(out, "%.3g degrees", plan->error);
-        break;
-    case CLASS_UNIT_absolute:
-        text_format(out, "%.3g", plan->error);
-    }
+    static const char *const units[] = {[CLASS_UNIT_display] = " of its square root",
+                                        [CLASS_UNIT_relative] = " %",
+                                        [CLASS_UNIT_degrees] = " degrees",
+                                        [CLASS_UNIT_absolute] = ""};
+    const ClassUnit unit = class_table[plan->kind].unit;
+    text_rounded(out, unit == CLASS_UNIT_relative ? 100 * plan->error : plan->error, 3);
+    text_put(out, units[unit]);
 }
 
 /* Why a slot has no field. */

@@ -174,5 +174,7 @@ void layout_put_encoding(Text *out, const FieldRow *field)
 
 void layout_put_range(Text *out, const FieldRow *field)
 {
-    text_format(out, "%.6g to %.6g", field_low(field), field_high(field));
+    text_rounded(out, field_low(field), 6);
+    text_put(out, " to ");
+    text_rounded(out, field_high(field), 6);
 }

@@ -1,6 +1,7 @@
 /* The cache's entries: found, read and checked, written and renamed. */
 #define XXH_INLINE_ALL
 #include "compiler/tool/cache_folder.h"
+#include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <stdatomic.h>
@@ -78,7 +79,7 @@ Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
 {
     int folder = make_folders(path) ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (folder < 0) {
-        *why = strerror(errno);
+        *why = text_error(errno);
         return NULL;
     }
     Cache *cache = calloc(1, sizeof *cache);
@@ -278,7 +279,7 @@ void cache_keep(Cache *cache, Key key, const void *bytes, size_t size)
 const char *cache_trouble(const Cache *cache)
 {
     int error = cache ? cache->trouble : 0;
-    return error ? strerror(error) : NULL;
+    return error ? text_error(error) : NULL;
 }
 
 void cache_close(Cache *cache)

@@ -3,7 +3,7 @@
  * and `$` is there twice: `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja takes
  * `\;` for two characters, and ends the name at a bare `;`. tests/depfile.sh asks both for every character. */
 #include "compiler/tool/depfile.h"
-#include <ctype.h>
+#include "compiler/base/text.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ static const char others[] = "!#$%()+,-./:=@\\]_{}~ ";
 
 const char depfile_why[] = "make and ninja cannot both read this name in a depfile";
 
-static bool is_readable_byte(unsigned char c) { return c >= 0x80 || isalnum(c) || (c && strchr(others, c)); }
+static bool is_readable_byte(char c) { return c & 0x80 || text_is_alphanumeric(c) || (c && strchr(others, c)); }
 
 /* Without what make drops before it looks at a name. */
 static const char *without_here(const char *name)
@@ -28,8 +28,7 @@ static bool is_readable(const char *name)
 {
     size_t size = strlen(name);
     for (size_t i = 0; i < size; i++)
-        if (!is_readable_byte((unsigned char)name[i]) ||
-            (name[i] == '\\' && name[i + 1] && strchr("#$:=", name[i + 1])))
+        if (!is_readable_byte(name[i]) || (name[i] == '\\' && name[i + 1] && strchr("#$:=", name[i + 1])))
             return false;
     if (!size || strchr(" :\\", name[size - 1]))
         return false;
@@ -41,7 +40,7 @@ static bool is_readable(const char *name)
 static bool can_be_target(const char *name)
 {
     const char *start = without_here(name);
-    return is_readable(name) && !strpbrk(name, "=%") && !(start[0] == '.' && isupper((unsigned char)start[1]));
+    return is_readable(name) && !strpbrk(name, "=%") && !(start[0] == '.' && text_is_upper(start[1]));
 }
 
 /* `out: a=b` and `out: a =b` set a variable. */
@@ -52,7 +51,7 @@ static bool can_be_first(const char *name) { return !strchr(name, '='); }
 /* Whether the name could be a word of make's, such as `define`. */
 static bool is_word(const char *name)
 {
-    while (islower((unsigned char)*name))
+    while (text_is_lower(*name))
         name++;
     return !*name;
 }

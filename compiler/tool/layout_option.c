@@ -67,7 +67,7 @@ static bool add_document(MatcRanges *ranges, const CommandLine *line, const char
     return !*fault;
 }
 
-double layout_error(const CommandLine *line) { return line->layout_error ? strtod(line->layout_error, NULL) : 0; }
+double layout_error(const CommandLine *line) { return options_number(line->layout_error, 0); }
 
 static MatcLayout *make_auto(const CommandLine *line, char **fault)
 {

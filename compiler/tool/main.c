@@ -1,4 +1,5 @@
 /* matc's command line: reads files, calls the library, writes what it made. The only file that prints or exits. */
+#include "compiler/base/text.h"
 #include "compiler/tool/batch.h"
 #include "compiler/tool/cache.h"
 #include "compiler/base/diag.h"
@@ -10,6 +11,7 @@
 #include "compiler/tool/single.h"
 #include "compiler/base/watch.h"
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -96,7 +98,7 @@ static void show_measuring(void *user, int done, int total)
 static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material, Shown *shown)
 {
     ParetoSubject subject = {document,       material,
-                             GL_KIND_osmesa, line->range ? strtod(line->range, NULL) : measure_range,
+                             GL_KIND_osmesa, options_number(line->range, measure_range),
                              line->output,   isatty(STDERR_FILENO) ? show_measuring : NULL,
                              shown};
     if (line->gl)
@@ -128,7 +130,7 @@ static int choose_options(const CommandLine *line, const MatcDocument *document,
         return FAULT;
     Shown shown = {0};
     ParetoSubject subject = subject_of(line, document, material, &shown);
-    bool chosen = pareto_choose(&subject, strtod(line->max_error, NULL), options, &answer);
+    bool chosen = pareto_choose(&subject, options_number(line->max_error, 0), options, &answer);
     fputs(progress_erase(&shown.last), stderr);
     if (!chosen)
         return complain(line, "--max-error", answer.error);
@@ -404,7 +406,7 @@ static int print_cache(const CommandLine *line)
         return usage(line, "--cache-stats wants --cache or MATC_CACHE");
     char *text = cache_statistics(line->cache);
     if (!text)
-        return complain(line, line->cache, strerror(errno));
+        return complain(line, line->cache, text_error(errno));
     fputs(text, stdout);
     free(text);
     return FINE;
@@ -454,15 +456,15 @@ static void run_and_tell(CommandLine *line, Watch *watch)
         watch_list_add(&files, line->compile.layout);
     line->watched = &files;
     int status = run(line, &result);
-    double took = milliseconds_now() - start;
+    const long took = lround(milliseconds_now() - start);
     watch_set(watch, (const char *const *)files.at, files.count);
     if (status != FINE)
         fprintf(stderr, "matc: nothing written; watching %d files\n", files.count);
     else if (line->folder)
-        fprintf(stderr, "matc: %d files written for %d materials in %.0f ms; watching %d files\n", result.written,
+        fprintf(stderr, "matc: %d files written for %d materials in %ld ms; watching %d files\n", result.written,
                 result.materials, took, files.count);
     else
-        fprintf(stderr, "matc: %s in %.0f ms; watching %d files\n", line->output, took, files.count);
+        fprintf(stderr, "matc: %s in %ld ms; watching %d files\n", line->output, took, files.count);
     watch_list_free(&files);
 }
 
@@ -521,6 +523,6 @@ int main(int argc, char **argv)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
     if (fflush(stdout) || ferror(stdout))
-        status |= complain(&line, "standard output", strerror(errno));
+        status |= complain(&line, "standard output", text_error(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;
 }

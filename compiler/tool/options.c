@@ -5,7 +5,9 @@
 #include "compiler/base/queue.h"
 #include "compiler/base/suggest.h"
 #include "compiler/base/warnings.h"
+#include "compiler/base/text.h"
 #include <stddef.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -290,6 +292,12 @@ static bool read_list(CommandLine *line, const char *path, const char **fault)
             add_input(line, at);
     }
     return true;
+}
+
+double options_number(const char *text, double otherwise)
+{
+    double number;
+    return !text ? otherwise : text_number(text, strlen(text), &number) ? number : NAN;
 }
 
 /* A whole number from 1 to the most; NULL is none. */

@@ -68,6 +68,8 @@ bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
 void options_free(CommandLine *line);
 /* NULL, or what does not go together. options_check.c */
 const char *options_check(CommandLine *line);
+/* The number of an option; another, where the option is NULL; NaN: it is no number. */
+double options_number(const char *text, double otherwise);
 /* The output behind an --emit: SPIR-V where GLSL would be written, for a target of SPIR-V. */
 MatcOutput options_emit_output(const MatcOptions *options, int emit);
 const char *options_emit_suffix(const MatcOptions *options, int emit);

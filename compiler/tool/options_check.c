@@ -6,18 +6,19 @@
 #include <string.h>
 
 enum { LONGEST_FOLDER = 2048 };
+static const double LARGEST_RANGE = 1e30, LARGEST_ERROR = 0.5;
+
+static bool is_within(double number, double largest) { return number > 0 && number <= largest; }
 
 /* NULL, or what is wrong. */
 static const char *check_measuring(CommandLine *line)
 {
-    char *end = NULL;
     Arena *words = &line->words;
-    if (line->max_error && (!(strtod(line->max_error, &end) > 0) || *end))
+    if (!(options_number(line->max_error, 1) > 0))
         return options_fault_number(words, "--max-error wants a number above 0", line->max_error);
-    if (line->range && (!(strtod(line->range, &end) > 0) || *end || strtod(line->range, &end) > 1e30))
+    if (!is_within(options_number(line->range, 1), LARGEST_RANGE))
         return options_fault_number(words, "--range wants a number above 0", line->range);
-    if (line->layout_error &&
-        (!(strtod(line->layout_error, &end) > 0) || *end || strtod(line->layout_error, &end) > 0.5))
+    if (!is_within(options_number(line->layout_error, LARGEST_ERROR), LARGEST_ERROR))
         return options_fault_number(words, "--layout-error wants a number above 0, of at most 0.5", line->layout_error);
     if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
         return "--max-error is of the pass gbuffer";

@@ -3,7 +3,6 @@
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "runtime/library/reference.h"
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,8 +44,8 @@ static void write_file(const char *folder, const char *name, const Text *text)
 static void camel(const char *name, char *out)
 {
     for (bool start = true; *name; name++, out++) {
-        *out = start ? (char)tolower((unsigned char)*name) : *name;
-        start = start && isupper((unsigned char)name[1]) && !islower((unsigned char)name[2]);
+        *out = start ? text_lower(*name) : *name;
+        start = start && text_is_upper(name[1]) && !text_is_lower(name[2]);
         out[1] = 0;
     }
 }
@@ -66,7 +65,7 @@ static char *find_example(Kind kind, const char *name, char *stem, char *path)
         char *text = length < LONGEST_PATH ? read_file_text(path) : NULL;
         if (text)
             return text;
-        while (size && !isupper((unsigned char)stem[size]))
+        while (size && !text_is_upper(stem[size]))
             size--;
     }
     fail(name, "has no example");
@@ -201,10 +200,10 @@ static void put_waves(Text *out)
         text_format(out, "\n| `%s` |", wave_table[kind].name);
         put_cell(out, wave_table[kind].doc);
         for (int i = 0; i < POINT_COUNT; i++) {
-            char number[32];
+            Text number = text_new(out->arena);
             double value = wave_value((WaveKind)kind, points[i]);
-            snprintf(number, sizeof number, "%.4g", fabs(value) < 1e-9 ? 0 : value);
-            put_cell(out, number);
+            text_rounded(&number, fabs(value) < 1e-9 ? 0 : value, 4);
+            put_cell(out, number.at);
         }
     }
     text_char(out, '\n');
@@ -260,7 +259,7 @@ static void put_contents(Text *out)
         const SectionRow *section = &section_table[section_of((Kind)kind)];
         char anchor[LONGEST_PATH] = "";
         for (size_t i = 0; kind_table[kind].name[i]; i++)
-            anchor[i] = (char)tolower((unsigned char)kind_table[kind].name[i]), anchor[i + 1] = 0;
+            anchor[i] = text_lower(kind_table[kind].name[i]), anchor[i + 1] = 0;
         if (section->first == kind)
             text_format(out, "\n- %s: ", section->title);
         text_format(out, section->first == kind ? "[%s](#%s)" : ", [%s](#%s)", kind_table[kind].name, anchor);

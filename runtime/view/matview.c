@@ -228,7 +228,7 @@ static int run(Command *command)
 {
     char error[LONGEST_MESSAGE] = "";
     if (command->folder && mkdir(command->folder, 0777) && errno != EEXIST)
-        return complain(command->folder, strerror(errno));
+        return complain(command->folder, text_error(errno));
     command->picture.view.gl = gl_open(command->gl, true, error, sizeof error);
     if (!command->picture.view.gl)
         return complain(gl_kind_name(command->gl), error);

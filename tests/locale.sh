@@ -1,0 +1,12 @@
+#!/bin/sh
+# Only compiler/base/text.c goes by the locale: no other file of the library and of the program reads a number by the C library, formats
+# one with a fraction, asks ctype.h for a letter or the system for its words. Run from the project's root.
+set -eu
+found=$(grep -nE '\b(strto(d|f|ld)(_l)?|atof|sscanf|strerror(_r|_l)?|perror|setlocale|newlocale|uselocale|localeconv|is(alpha|alnum|digit|xdigit|lower|upper|space|punct|print|graph|cntrl)|to(lower|upper)|str(n?casecmp|coll|xfrm))\(|%[-+ #0-9.*]*[aefgAEFG]\b|<(ctype|locale)\.h>' \
+    compiler/*.[ch] compiler/*/*.[ch] runtime/library/*.[ch] runtime/library/maps/*.c grammar/*.[ch] |
+    grep -vE '^compiler/base/text\.[ch]:' || true)
+[ -z "$found" ] || {
+    echo "$found"
+    echo "these go by the locale: compiler/base/text.h has words for them"
+    exit 1
+}
