@@ -156,7 +156,7 @@ static Ref guarded(Lower *l, Ref shown, Ref value)
 static const Stop *guarded_items(Lower *l, Answer t, Ref edge, const Stop *stops, int count)
 {
     Stop *own = NULL;
-    if (!l->cheap || (!edge && (count > MOST_MIXES || !ascending(l->ir, stops, count, true))))
+    if (!l->cheap || edge || count > MOST_MIXES || !ascending(l->ir, stops, count, true))
         return stops;
     for (int i = 0; i < count; i++) {
         const Ref result = stops[i].result;
@@ -347,9 +347,11 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
     if (!alpha)
         return blend_lanes(l, t, stops, count);
     Stop *color = ARENA_ARRAY(l->session->arena, Stop, count);
-    for (int i = 0; i < count; i++)
-        color[i] = (Stop){stops[i].value, build_swizzle(ir, stops[i].result, "xyz"),
-                          stops[i].variance ? build_swizzle(ir, stops[i].variance, "xyz") : 0};
+    for (int i = 0; i < count; i++) {
+        Ref result = build_swizzle(ir, stops[i].result, "xyz");
+        Ref variance = stops[i].variance ? build_swizzle(ir, stops[i].variance, "xyz") : 0;
+        color[i] = (Stop){stops[i].value, result, variance};
+    }
     Answer blend = blend_lanes(l, t, color, count);
     Answer whole = answer_of(build_vec(ir, TYPE_vec4, blend.value, alpha));
     if (blend.variance)
