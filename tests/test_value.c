@@ -38,8 +38,6 @@ static const Variant variants[] = {
     {TARGET_glsl110, 2, CHOICE_noise_groimp, false},
     {TARGET_glsl330, 2, CHOICE_noise_simplex, false},
     {TARGET_glsl110, 2, CHOICE_noise_simplex, false},
-    {TARGET_glsl330, 2, CHOICE_derivatives_finite, false},
-    {TARGET_glsl110, 2, CHOICE_derivatives_finite, false},
     {TARGET_glsl330, 2, CHOICE_derivatives_analytic, false},
     {TARGET_glsl110, 2, CHOICE_derivatives_analytic, false},
     {TARGET_glsl330, 2, CHOICE_aa_box, false},
@@ -106,7 +104,7 @@ typedef struct {
     Document *document;
     int material;
     Oracle *oracles[NOISES];
-    Hull *hulls[NOISES][CHOICE_COUNT][2]; /* by noise, derivatives and side */
+    Hull *hulls[NOISES][2][2]; /* by noise, exact derivatives and side */
 } Subject;
 
 static Fault *fault_of(Run *run, const char *slot)
@@ -150,9 +148,9 @@ static void turn_hulls(const Hull *front, Hull *back)
         }
 }
 
-static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice derivatives, bool front)
+static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool exact, bool front)
 {
-    Hull **hulls = &s->hulls[noise][derivatives][front];
+    Hull **hulls = &s->hulls[noise][exact][front];
     if (*hulls)
         return *hulls;
     if (!s->oracles[noise])
@@ -163,10 +161,10 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice 
     Subjects subjects;
     subjects_of(s->document->graph->materials[s->material].node, SLOT_normal, &subjects);
     if (!front && !subjects.has[KIND_SideSwitch]) {
-        turn_hulls(hulls_of(w, s, noise, derivatives, true), *hulls);
+        turn_hulls(hulls_of(w, s, noise, exact, true), *hulls);
         return *hulls;
     }
-    oracle_derivatives(s->oracles[noise], derivatives);
+    oracle_exact_derivatives(s->oracles[noise], exact);
     const bool steep = noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT;
     const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float};
     points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points, *hulls);
@@ -177,7 +175,7 @@ static void forget(Subject *s)
 {
     for (int noise = 0; noise < NOISES; noise++) {
         oracle_close(s->oracles[noise]);
-        for (int i = 0; i < 2 * CHOICE_COUNT; i++)
+        for (int i = 0; i < 4; i++)
             free(s->hulls[noise][i / 2][i % 2]);
     }
 }
@@ -290,18 +288,16 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice choice = c->variant->choice;
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = job_noise(basis, c->variant->target);
-    Choice derivatives = choice_table[choice].axis == AXIS_derivatives ? choice : CHOICE_derivatives_auto;
-    bool exact = derivatives != CHOICE_derivatives_finite, steep = choice == CHOICE_noise_simplex;
+    bool exact = choice == CHOICE_derivatives_analytic, steep = choice == CHOICE_noise_simplex;
     bool sampled = is_sampled(c->variant, c->subjects), bumped = c->subjects->has[KIND_BumpMap];
-    const Hull *hulls = hulls_of(w, c->subject, noise, derivatives, front);
+    const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++)
         for (int k = 0; k < lanes; k++) {
             double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
             bool far = point_is_extreme(&w->run->points[i]) ||
-                       (exact && c->slot == SLOT_normal && c->subjects->has[KIND_BumpMap] &&
-                        point_is_far(&w->run->points[i], far_for_slopes)) ||
+                       (exact && point_is_far(&w->run->points[i], far_for_slopes)) ||
                        (choice == CHOICE_trigonometry_bounded && point_is_far(&w->run->points[i], far_for_sines)) ||
                        (sampled && (bumped || point_is_far(&w->run->points[i], far_for_samplers))) ||
                        (steep && point_on_edges(&w->run->points[i]));

@@ -97,7 +97,7 @@ Answer answer_either(Lower *l, Ref by, Answer a, Answer b)
     a = answer_widened(l, a, type);
     b = answer_widened(l, b, type);
     Answer either = answer_of(answer_mean(l, by, a.value, b.value));
-    if (!footprint_is_filtered(l) && !l->relief)
+    if (!footprint_is_filtered(l))
         return either;
     Split *split = ARENA_NEW(l->session->arena, Split);
     *split = (Split){by, a, b};

@@ -407,8 +407,5 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         l->failed = true;
         return answer_of(stops[0].result);
     }
-    Answer answer = blend_split(l, x, stops, count, MOST_SPLITS);
-    if (l->relief) /* a Blend in a displacement is no more one of two: another one along it goes by its slope */
-        answer.split = NULL;
-    return answer;
+    return blend_split(l, x, stops, count, MOST_SPLITS);
 }

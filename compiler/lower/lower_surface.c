@@ -1,6 +1,5 @@
 /* Constants, checkers and pictures. */
 #include "compiler/lower/area.h"
-#include "compiler/lower/relief.h"
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -79,7 +78,7 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
 {
     Ir *ir = l->ir;
     const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
-    const double step = kind_table[KIND_Checker].step;
+    const double step = 0.05;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
     Ref a = build_convert(ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
@@ -89,45 +88,25 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
     return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
-/* How much of the pixel lies where the sum of the lanes of floor(2 q) is odd; or a bool: whether the point does. */
-static Ref odd_at(Lower *l, const void *map, Answer q)
-{
-    (void)map;
-    Ref share = area_odd_share(l, q);
-    return share ? share : odd_sum(l, q.value);
-}
-
-/* Either colour, by squares or cubes of edge 1/2. */
-static Answer odd_or_even(Lower *l, Answer q, double step, const Answer color[2])
-{
-    Ref odd = odd_at(l, NULL, q);
-    Stepped map = {.at = odd_at, .q = q, .repeats = true};
-    for (int i = 0; i < ir_lanes(l->ir, q.value); i++)
-        map.step[i] = step;
-    relief_step(l, odd, &map);
-    return answer_either(l, odd, color[0], color[1]);
-}
-
 Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
     Answer uv = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
         return answer_of(checker_slope(l, node, uv.value, group, env));
-    Answer color[2];
-    color[0] = lower_arm(l, color1, group, env);
-    color[1] = lower_arm(l, color2, group, env);
-    return odd_or_even(l, uv, kind_table[KIND_Checker].step, color);
+    Answer a = lower_arm(l, color1, group, env), b = lower_arm(l, color2, group, env);
+    Ref share = area_odd_share(l, uv);
+    return answer_either(l, share ? share : odd_square(l, uv.value, 0, 0), a, b);
 }
 
 Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    Answer color[2];
-    color[0] = lower_arm(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
-    color[1] = lower_arm(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
+    Answer a = lower_arm(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
+    Answer b = lower_arm(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
     p = answer_scaled(l, p, build_float(l->ir, 0.5));
-    return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, color);
+    Ref share = area_odd_share(l, p);
+    return answer_either(l, share ? share : odd_sum(l, p.value), a, b);
 }
 
 /* The same picture, or reliefs of the same parameters. */
@@ -211,13 +190,8 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
 {
     Ref sampler = build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
     const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler)};
-    if (is_derivative(group))
-        return lower_as_group(l, sampled_slope(l, sampled, &picture, uv, group == GROUP_DV), group);
-    Ref value = lanes_of(l, sampled, area_picture(l, &picture, uv));
-    if (l->relief) {
-        Ref by_u = sampled_slope(l, sampled, &picture, uv, false), by_v = sampled_slope(l, sampled, &picture, uv, true);
-        relief_rise(l, value, uv, REFS(l->ir, by_u, by_v, 0));
-    }
+    Ref value = is_derivative(group) ? sampled_slope(l, sampled, &picture, uv, group == GROUP_DV)
+                                     : lanes_of(l, sampled, area_picture(l, &picture, uv));
     return lower_as_group(l, value, group);
 }
 
@@ -280,6 +254,7 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
 
 Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
 {
+    const double step = 0.005;
     const KindRow *row = &kind_table[KIND_Carpenter];
     for (int i = 1; i < row->count; i++)
         lower_reject_uniform(l, &node->params[i], param_table[row->first + i].name,
@@ -293,5 +268,5 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
-    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, row->step, NULL}, uv, group));
+    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, NULL}, uv, group));
 }
