@@ -69,8 +69,10 @@ check "are replaced" test -z "$(find "$work/entries" -type p)"
 
 # -- what comes out of a pipe
 
-$fast $example >"$work/wanted"
-same() { cmp -s "$work/wanted" "$work/stdout"; }
+# Comments name the file that a map stands in
+text() { sed 's,// .*,,'; }
+$fast $example | text >"$work/wanted"
+same() { text <"$work/stdout" | cmp -s "$work/wanted" -; }
 $fast - <$example >"$work/stdout"
 check "standard input" same
 cat $example | $fast - >"$work/stdout"

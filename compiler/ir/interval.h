@@ -53,10 +53,17 @@ static inline Interval quotient(Interval a, Interval b)
 }
 
 /* Beyond the ends of [0, 1] too: a (1 - t) + b t. */
+static inline Interval mixed_at(Interval a, Interval b, double t)
+{
+    return sum(times(a, (Interval){1 - t, 1 - t}), times(b, (Interval){t, t}));
+}
+/* For any a and b it is linear in t, so it lies between what it is at both ends. */
 static inline Interval mixed(Interval a, Interval b, Interval t)
 {
     if (t.low >= 0 && t.high <= 1)
         return hull(a, b);
+    if (isfinite(t.low) && isfinite(t.high))
+        return hull(mixed_at(a, b, t.low), mixed_at(a, b, t.high));
     return sum(times(a, sum((Interval){1, 1}, negative(t))), times(b, t));
 }
 

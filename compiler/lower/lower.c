@@ -159,9 +159,11 @@ static int map_cost_below(const Node *map, int limit)
     return cost;
 }
 
+bool lower_wants_branch(const Node *map) { return map_cost_below(map, LEAST_ARM) >= LEAST_ARM; }
+
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 {
-    const bool branches = map_cost_below(map, LEAST_ARM) >= LEAST_ARM;
+    const bool branches = lower_wants_branch(map);
     l->arms += branches;
     Answer answer = lower_answer(l, map, group, env);
     l->arms -= branches;

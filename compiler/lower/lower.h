@@ -101,6 +101,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
 /* Its value. */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
 /* The same of a map that is one of several to choose from: its evaluation may become a branch's. */
+bool lower_wants_branch(const Node *map); /* it costs enough to be computed only where it shows */
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
 /* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */

@@ -88,6 +88,13 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
     return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
+/* How much of the footprint is odd squares; 0: the one or the other shows. --aa=auto leaves costly colours their branch. */
+static Ref odd_share(Lower *l, const Node *color1, const Node *color2, Answer p)
+{
+    const bool frugal = l->job->choice[AXIS_aa] == CHOICE_aa_auto;
+    return frugal && (lower_wants_branch(color1) || lower_wants_branch(color2)) ? 0 : area_odd_share(l, p);
+}
+
 Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
@@ -95,17 +102,18 @@ Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
     if (is_derivative(group))
         return answer_of(checker_slope(l, node, uv.value, group, env));
     Answer a = lower_arm(l, color1, group, env), b = lower_arm(l, color2, group, env);
-    Ref share = area_odd_share(l, uv);
+    Ref share = odd_share(l, color1, color2, uv);
     return answer_either(l, share ? share : odd_square(l, uv.value, 0, 0), a, b);
 }
 
 Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    Answer a = lower_arm(l, lower_param_node(node, P_VolumeChecker_color1), group, env);
-    Answer b = lower_arm(l, lower_param_node(node, P_VolumeChecker_color2), group, env);
+    const Node *color1 = lower_param_node(node, P_VolumeChecker_color1);
+    const Node *color2 = lower_param_node(node, P_VolumeChecker_color2);
+    Answer a = lower_arm(l, color1, group, env), b = lower_arm(l, color2, group, env);
     p = answer_scaled(l, p, build_float(l->ir, 0.5));
-    Ref share = area_odd_share(l, p);
+    Ref share = odd_share(l, color1, color2, p);
     return answer_either(l, share ? share : odd_sum(l, p.value), a, b);
 }
 

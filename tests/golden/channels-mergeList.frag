@@ -83,23 +83,6 @@ vec3 safeNormalize(vec3 v) {
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
 }
 
-// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
-// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
-// upper side.
-vec2 stripesNear2(vec2 q, vec2 edges) {
-    vec2 side = 1.0 - 2.0 * step(0.5, q);
-    vec2 distance = min(min(q, 1.0 - q), abs(q - 0.5));
-    return side * max(min(2.0 * distance / max(edges, 1.0e-6), 1.0), step(edges, vec2(1.0e-6)));
-}
-
-// Mean over boxes of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. For a box of 1/2 and more from the
-// antiderivative. Error 2e-7.
-vec2 stripes2(vec2 q, vec2 edges) {
-    vec2 low = abs(fract(q - 0.5 * edges) - 0.5);
-    vec2 high = abs(fract(q + 0.5 * edges) - 0.5);
-    return mix(stripesNear2(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
-}
-
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
@@ -133,16 +116,15 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    vec2 uvByX = dFdx(uv);
-    vec2 uvByY = dFdy(uv);
-    // mergeList.yaml:5 coarse
-    float coarse = turbulence(localPosition * 3.0, 4, 2.0, 0.5);
-    // mergeList.yaml:5 VolumeTurbulence
-    float diffuse_volumeTurbulence = turbulence(localPosition * 9.0, 4, 2.0, 0.5) + 0.4;
-    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // mergeList.yaml:4 Checker
-    vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(6.0, 3.0)), max(abs(uvByY * vec2(6.0, 3.0)), abs(uvByX * vec2(6.0, 3.0))));
-    float diffuse_checker = mix(diffuse_volumeTurbulence, coarse, 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    vec2 diffuse_checker_1 = fract(uv * vec2(6.0, 3.0));
+    float diffuse_checker;
+    if ((0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y)) {
+        diffuse_checker = turbulence(localPosition * 3.0, 4, 2.0, 0.5);
+    } else {
+        diffuse_checker = turbulence(localPosition * 9.0, 4, 2.0, 0.5) + 0.4;
+    }
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(diffuse_checker, 8);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16, 645922816u);
     fragment0 = surface_bits;

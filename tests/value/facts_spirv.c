@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAGIC = 0x07230203, BOUND = 3, HEADER = 5, MEMBERS = 64, VECTOR_BYTES = 16 };
+enum { MAGIC = 0x07230203, BOUND = 3, HEADER = 5, MEMBERS = 128, VECTOR_BYTES = 16 };
 enum {
     OP_NAME = 5,
     OP_MEMBER_NAME = 6,
