@@ -12,7 +12,7 @@ enum {
 typedef struct {
     char name[PARAM_NAME];
     int lanes;           /* 1 to 4 */
-    float values[2][16]; /* of which the lanes are set: as documents have it whose colours are linear, and sRGB */
+    float values[2][16]; /* the first lanes are set: first for documents whose colours are linear, then for sRGB */
 } Param;
 
 /* Reads "tint=#c04020", "gloss=0.7", "offset=[0, 1, 0]": behind the name stands what a document may give as a param's default. NULL, or what
