@@ -109,21 +109,20 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < CHEAP_ARMS;
 }
 
-/* Where the items first..last of so many show: above the value before them and below the one behind. The edge of a pixel's box, which
- * reaches half as far, may be none. 0: everywhere. */
-static Ref where_shown(Lower *l, Answer t, Ref edge, Segments s)
+/* Where the items first..last of so many show: above the value before them and below the one behind. 0: everywhere. */
+static Ref where_shown(Lower *l, Answer t, Segments s)
 {
     Ir *ir = l->ir;
     Ref above = 0, below = 0;
     if (s.first > 0)
-        above = build_lt(ir, s.stops[s.first - 1].value, edge ? build_add(ir, t.value, edge) : t.value);
+        above = build_lt(ir, s.stops[s.first - 1].value, t.value);
     if (s.last < s.count - 1)
-        below = build_lt(ir, edge ? build_sub(ir, t.value, edge) : t.value, s.stops[s.last + 1].value);
+        below = build_lt(ir, t.value, s.stops[s.last + 1].value);
     return above && below ? build_and(ir, above, below) : above ? above : below;
 }
 
 /* The same of all items that answer what item i does; i is the first of them. */
-static Ref where_result(Lower *l, Answer t, Ref edge, Segments s)
+static Ref where_result(Lower *l, Answer t, Segments s)
 {
     const Ref result = s.stops[s.first].result;
     Ref shown = 0;
@@ -133,7 +132,7 @@ static Ref where_result(Lower *l, Answer t, Ref edge, Segments s)
         const int first = i;
         while (i + 1 < s.count && s.stops[i + 1].result == result)
             i++;
-        Ref here = where_shown(l, t, edge, (Segments){s.stops, s.count, first, i});
+        Ref here = where_shown(l, t, (Segments){s.stops, s.count, first, i});
         if (!here)
             return 0;
         shown = shown ? build_or(l->ir, shown, here) : here;
@@ -151,18 +150,18 @@ static Ref guarded(Lower *l, Ref shown, Ref value)
     return guard;
 }
 
-/* Items of which the costly ones are computed where they show alone; the items themselves where none is. Of a point only where what
- * is made of them has no branches: a search has them already. */
-static const Stop *guarded_items(Lower *l, Answer t, Ref edge, const Stop *stops, int count)
+/* The items, each costly one behind a guard, so that it is computed only where it shows; the items themselves where none is costly, and
+ * where a search follows, which has branches already. */
+static const Stop *guarded_items(Lower *l, Answer t, const Stop *stops, int count)
 {
     Stop *own = NULL;
-    if (!l->cheap || edge || count > MOST_MIXES || !ascending(l->ir, stops, count, true))
+    if (!l->cheap || count > MOST_MIXES || !ascending(l->ir, stops, count, true))
         return stops;
     for (int i = 0; i < count; i++) {
         const Ref result = stops[i].result;
         if (lower_cost_below(l->ir, result, CHEAP_ARMS) < CHEAP_ARMS || (own && own[i].result != result))
             continue;
-        Ref shown = where_result(l, t, edge, (Segments){stops, count, i, count});
+        Ref shown = where_result(l, t, (Segments){stops, count, i, count});
         if (!shown)
             continue;
         own = own ? own : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops, sizeof *stops * (size_t)count);
@@ -315,11 +314,11 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
     if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
-    const Stop *own = guarded_items(l, t, edge, stops, count);
-    Answer blend = answer_of(!edge && own != stops           ? blend_guards(l, t.value, own, count)
-                             : !edge                         ? blend_point(l, t.value, stops, count)
-                             : alike_arms(l->ir, own, count) ? blend_area(l, t.value, edge, own, count)
-                                                             : blend_weights(l, t.value, edge, own, count));
+    const Stop *own = edge ? stops : guarded_items(l, t, stops, count);
+    Answer blend = answer_of(own != stops                      ? blend_guards(l, t.value, own, count)
+                             : !edge                           ? blend_point(l, t.value, stops, count)
+                             : alike_arms(l->ir, stops, count) ? blend_area(l, t.value, edge, stops, count)
+                                                               : blend_weights(l, t.value, edge, stops, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
 }
