@@ -253,7 +253,7 @@ materials:
   other: { material: Phong, diffuse: { map: Wood }, specular: 0.2 }
   holes: { material: Phong, diffuse: { map: Granite }, transparency: { map: Checker, color1: "#000000", color2: "#ffffff" } }
 EOF
-check "passes" status 0 $fast --aa=none -d "$work/passes" --pass=gbuffer,shadow,depth "$work/opacities.yaml"
+check "passes" status 0 $fast -d "$work/passes" --pass=gbuffer,shadow,depth "$work/opacities.yaml"
 check "an opaque shadow is the depth program, of all" only "$work/passes" holes.frag holes.shadow.frag manifest.json opaque.depth.frag opaque.frag other.frag
 check "of five uses" has '"fragment": "opaque.depth.frag", "materials": 5' "$work/passes/manifest.json"
 check "a Checker discards" has discard "$work/passes/holes.shadow.frag"

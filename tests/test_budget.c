@@ -67,24 +67,33 @@ static void means_cost_a_tenth(void **state)
 
 static const struct {
     const char *text;
-    bool box, none; /* the program is that of aa=box, of aa=none */
+    const char *pass; /* NULL: gbuffer */
+    bool box, none;   /* the program is that of aa=box, of aa=none */
 } documents[] = {
-    {"material: Phong\ndiffuse: " CHECKER "\n", true, false},
+    {"material: Phong\ndiffuse: " CHECKER "\n", NULL, true, false},
     {"material: Phong\ndiffuse: { map: Leopard, waveForm: Sin01, input: { map: XYZTransform, transform: { scale: 9 } } "
      "}\n",
+     NULL, true, false},
+    {"material: Phong\ndiffuse: { map: Granite }\n", NULL, false, true},
+    {"material: Phong\ndiffuse: { map: VolumeTurbulence, waveForm: Sin }\n", NULL, false, true},
+    {"material: Phong\ndiffuse: { map: Granite, input: { map: Turbulence } }\nspecular: " CHECKER "\n", NULL, false,
+     false},
+    {"material: Phong\ntransparency: " CHECKER "\n", NULL, true, false},
+    {"material: Phong\ntransparency: " CHECKER "\n", "shadow", false, true}, /* a threshold of points */
+    {"material: Phong\ntransparency: { map: Leopard, waveForm: Sin01 }\n", "shadow", false, true},
+    /* each pass by its own program: noise of another slot pays for no mean in this one, nor the other way round */
+    {"material: Phong\ntransparency: { map: Granite, input: { map: Turbulence } }\ndiffuse: " CHECKER "\n", "value",
      true, false},
-    {"material: Phong\ndiffuse: { map: Granite }\n", false, true},
-    {"material: Phong\ndiffuse: { map: VolumeTurbulence, waveForm: Sin }\n", false, true},
-    {"material: Phong\ndiffuse: { map: Granite, input: { map: Turbulence } }\nspecular: " CHECKER "\n", false, false},
 };
 
 /* The text behind the comment that names the choices. */
-static bool same_program(Document *d, const char *a, const char *b)
+static bool same_program(Document *d, const char *pass, const char *a, const char *b)
 {
     const char *const aa[] = {a, b};
     MatcProgram *program[2];
     const char *text[2];
     MatcOptions options = d->options;
+    options.pass = pass;
     for (int i = 0; i < 2; i++) {
         options.aa = aa[i];
         options.validate = false;
@@ -106,8 +115,8 @@ static void checkers_and_waves_are_averaged(void **state)
         if (!document_open_text(&d, documents[i].text))
             fail_msg("%s", document_fault(&d));
         print_message("%s", documents[i].text);
-        assert_int_equal(same_program(&d, "auto", "box"), documents[i].box);
-        assert_int_equal(same_program(&d, "auto", "none"), documents[i].none);
+        assert_int_equal(same_program(&d, documents[i].pass, "auto", "box"), documents[i].box);
+        assert_int_equal(same_program(&d, documents[i].pass, "auto", "none"), documents[i].none);
         document_close(&d);
     }
 }

@@ -340,6 +340,24 @@ static void only_what_is_transparent_is_discarded(void **state)
     }
 }
 
+/* Half of a checker lets light through, 0.7 of it, and half does not, 0.1. On a map whose texels cover many of its squares each, half of
+ * all texels have to be held, whatever the default of --aa: the mean, 0.4, would hold all. */
+static void holes_finer_than_a_texel_keep_their_share(void **state)
+{
+    Scene scene = open(RIG,
+                       "{ material: Phong, transparency: { map: Checker, color1: 0.1, color2: 0.7, "
+                       "input: { map: UVTransform, scaleU: 1013.3, scaleV: 987.1 } } }",
+                       &(SceneOptions){.pass = "shadow", .aa = "auto"});
+    Space space = space_flat();
+    int held = 0;
+    draw(RIG, &scene, &space, &RIG->plane, &RIG->depth);
+    for (int i = 0; i < PIXELS; i++)
+        held += RIG->z[i] != rig_cleared_depth;
+    scene_close(&scene);
+    print_message("%d of %d texels held\n", held, PIXELS);
+    assert_true(held > 0.4 * PIXELS && held < 0.6 * PIXELS);
+}
+
 enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 }; /* how a slot is kept: to a half float, to seven bits; a pixel */
 
 static void compare_slot(const Rig *s, const SlotValues *values, Slot slot, int lane, int how)
@@ -405,6 +423,7 @@ int main(void)
         cmocka_unit_test(every_attribute_arrives),
         cmocka_unit_test(a_sky_is_all_around),
         cmocka_unit_test(only_what_is_transparent_is_discarded),
+        cmocka_unit_test(holes_finer_than_a_texel_keep_their_share),
         cmocka_unit_test(a_surface_comes_back),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

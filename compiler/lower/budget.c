@@ -6,7 +6,12 @@
  *     for a constant (docs/accuracy-gpu.md), since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
  *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
- * Where not all fit, those do that come first in the document: as many as are found by halving. */
+ * Where not all fit, those do that come first in the document: as many as are found by halving.
+ *
+ * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
+ * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
+ *     at points: half of the texels are held, and the light's filter over the map makes a half shadow of that
+ *     of means:  0.4 everywhere, and all are held */
 #include "compiler/lower/lower.h"
 #include <stdlib.h>
 
@@ -63,10 +68,12 @@ static int affordable(const LowerRequest *what)
     return fits ? ends[fits - 1] : 0;
 }
 
+static bool may_average(const Job *job) { return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow; }
+
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify)
 {
     const LowerRequest what = {session, graph, material, job, simplify};
-    if (job->choice[AXIS_aa] != CHOICE_aa_auto)
+    if (!may_average(job))
         return lower_averaging(&what, 0, NULL);
     Arena arena = {0};
     Session trial = *session;
