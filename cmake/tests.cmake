@@ -46,7 +46,8 @@ endforeach()
 matc_test(test_valid_spirv test_valid spirv)
 matc_test(test_gl_egl test_gl egl)
 
-# The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file
+# The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file. Those that do not read
+# it are as before also where they look into its tables: ir.h declares these without a length.
 set(ADDED ${PROJECT_BINARY_DIR}/operation/grammar/ops.def)
 add_custom_command(OUTPUT ${ADDED} COMMAND sh -c "mkdir -p operation/grammar && awk -f $1 $2 >$3" - ${PROJECT_SOURCE_DIR}/tests/operation/add.awk
     ${PROJECT_SOURCE_DIR}/grammar/ops.def ${ADDED} WORKING_DIRECTORY ${PROJECT_BINARY_DIR}

@@ -22,7 +22,7 @@ typedef struct {
     TypeRule rule;
     const char *doc;
 } OpRow;
-extern const OpRow op_table[OP_COUNT];
+extern const OpRow op_table[]; /* OP_COUNT rows; no object but ir.c's needs to know how many */
 const char *op_text(Op op); /* in the text of the IR */
 
 /* What a node of an operation has beside its operands, in `payload`. */
@@ -38,7 +38,7 @@ typedef enum {
     PAYLOAD_library,  /* a Function */
     PAYLOAD_function  /* of the program, by index; ir_applies */
 } Payload;
-extern const uint8_t op_payload[OP_COUNT]; /* Payload */
+extern const uint8_t op_payload[]; /* Payload, of each operation */
 
 /* What a node is made for: the surface point that a pass starts from, a slot, or a map, by its number in Ir.maps. Names and comments
  * go by it, and nothing else: equal nodes are one node, which keeps the origin that it was made with. */
