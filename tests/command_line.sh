@@ -244,6 +244,12 @@ check "writes a CSV and a plot" test -s "$work/pareto.csv" -a -s "$work/pareto.s
 if command -v script >/dev/null; then
     script -qec "$matc --pareto --noise=lattice --precision=fast --aa=none --derivatives=finite $example" /dev/null >"$work/stdout" </dev/null
     check "its progress, on a terminal" prints 'of [0-9]* programs measured'
+    if [ -x "$(dirname "$matc")/matbench" ]; then
+        script -qec "$(dirname "$matc")/matbench layout --untimed" /dev/null >"$work/stdout" </dev/null
+        check "that of matbench" prints "$(printf '\033')\[KsharedExponent"
+        "$(dirname "$matc")/matbench" layout --untimed >/dev/null 2>"$work/stderr" </dev/null
+        check "and none of it where no terminal is" test ! -s "$work/stderr"
+    fi
 fi
 check "--pareto of two documents" status 2 "$matc" --pareto $example $example
 check "an unknown kind of GL" status 2 "$matc" --pareto --gl=vga $example

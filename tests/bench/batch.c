@@ -175,12 +175,14 @@ static bool run(const BatchFolder *folder, const Run *row, bool timed, BatchTime
         *times = untimed;
         return row != &runs[0] || run_list(folder, "m", &programs, &once);
     }
+    bench_show(row->what);
     for (int i = 0; i < most; i++) {
         if (!run_list(folder, "m", row, &once))
             return false;
         if (!i || once.seconds < times->seconds)
             *times = once;
     }
+    bench_show("");
     return true;
 }
 
@@ -191,10 +193,12 @@ static bool measure_validated(const BatchFolder *folder, int count, bool timed)
     Pairs pairs = {0};
     bool fine = run(folder, &runs[0], timed, &times) && read_pairs(folder, &pairs);
     BatchTimes one = untimed_alone, several = untimed_alone;
-    if (fine && timed)
+    if (fine && timed) {
+        bench_show("glslang alone");
         one = link_all(&pairs, 1);
-    if (fine && timed)
         several = link_all(&pairs, THREADS);
+        bench_show("");
+    }
     fine = fine && !pairs.failed;
     if (fine) {
         printf("%d different materials of %.0f bytes, %d programs of %.0f bytes, %d threads\n\n", count,

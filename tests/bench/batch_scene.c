@@ -101,8 +101,13 @@ static bool time_outputs(BatchOutput *outputs, GlKind gl, double *means)
     bool fine = meter && field_make(meter->gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &field);
     for (int i = 0; i < SETTINGS && fine; i++)
         fine = batch_output_targets(&outputs[i], meter, side, side);
-    for (int m = 0; m < MATERIALS && fine; m += EVERY)
+    for (int m = 0; m < MATERIALS && fine; m += EVERY) {
+        char what[64];
+        snprintf(what, sizeof what, "material %d of %d is timed", m, MATERIALS);
+        bench_show(what);
         fine = time_material(meter, outputs, m, &field, means);
+    }
+    bench_show("");
     for (int i = 0; i < SETTINGS; i++)
         means[i] /= MATERIALS / EVERY;
     if (!fine)

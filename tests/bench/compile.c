@@ -249,8 +249,10 @@ int bench_compile(int argc, char **argv)
 {
     const size_t size = sizeof peers_document - 1;
     bool timed = !bench_untimed(argc, argv);
+    bench_show("one document");
     double bare = compile_median(peers_document, size, false, timed ? RUNS : 0);
     double full = compile_median(peers_document, size, true, timed ? RUNS / 5 : 0);
+    bench_show("");
     printf("checker mixed with four octaves of noise (%zu bytes of YAML)\n", size);
     printf("  without validation %s ms; with validation %s ms; glslang's share %s %%\n\n", NUMBER(4, bare * 1e3),
            NUMBER(3, full * 1e3), NUMBER(1, 100 * (full - bare) / full));

@@ -70,9 +70,6 @@ bool error_material(ErrorBench *bench, const MatcDocument *document, const Varia
     return fine;
 }
 
-static void show(const char *what) { fprintf(stderr, "\r\033[K%s", what); }
-static void keep_quiet(const char *what) { (void)what; }
-
 typedef struct {
     bool quick;
     GlKind gl;
@@ -149,7 +146,7 @@ static void run_all(ErrorBench *bench)
     error_noise(bench);
     error_checker(bench);
     error_materials(bench);
-    bench->progress("");
+    bench_show("");
 }
 
 static void print_targets(const ErrorBench *bench)
@@ -204,7 +201,6 @@ int bench_error(int argc, char **argv)
         snprintf(bench->command + size, sizeof bench->command - size, i ? " %s" : "build/matbench %s", argv[i]);
     }
     bench->seconds = arguments.seconds > 0 ? arguments.seconds : arguments.quick ? quick_seconds : full_seconds;
-    bench->progress = isatty(STDERR_FILENO) ? show : keep_quiet;
     bench->meter = meter_open(arguments.gl, error, sizeof error);
     if (!bench->meter) {
         fprintf(stderr, "matbench: %s\n", error);

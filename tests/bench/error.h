@@ -41,7 +41,6 @@ typedef struct {
     int target_count;
     PlotPanel panels[PANELS_LIMIT];
     int panel_count;
-    void (*progress)(const char *what); /* never NULL */
 } ErrorBench;
 
 __attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what, bool reached,

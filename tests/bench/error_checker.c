@@ -1,5 +1,6 @@
 /* A checker on a plane up to its horizon: what filtering costs, and how far it is from 4096 samples a pixel. */
 #include "error.h"
+#include "matbench.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,7 +169,7 @@ void error_checker(ErrorBench *bench)
         abort();
     MatcDocument *document = error_document("checker", checker_document);
     c->bench = bench;
-    bench->progress("checker to the horizon");
+    bench_show("checker to the horizon");
     make_methods(c, document);
     Method *plain = find(c, "aa=none");
     bool done = plain && make_views(c);

@@ -1,6 +1,7 @@
 /* Every layout: whatever a slot reads back as is packed and read back once more, and must come back the same, so that no code
  * is lost between a shader, a render target and the next shader. */
 #include "error.h"
+#include "matbench.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -111,7 +112,7 @@ void error_codes(ErrorBench *bench)
         "| layout | codes of a lane of specular | codes read twice, all lanes | changed |\n| --- | --- | --- | --- |\n",
         bench->part[SECTION_PART_codes]);
     for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
-        bench->progress(layout_table[layout].name);
+        bench_show(layout_table[layout].name);
         *s = (Sweep){.bench = bench, .layout = (Layout)layout, .codes = codes};
         if (!sweep_layout(s, document))
             continue;

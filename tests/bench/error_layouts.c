@@ -196,7 +196,7 @@ void error_layouts(ErrorBench *bench)
     if (!s)
         abort();
     for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
-        bench->progress(layout_table[layout].name);
+        bench_show(layout_table[layout].name);
         s->bench = bench;
         s->layout = (Layout)layout;
         sample_points(s->points, 1);

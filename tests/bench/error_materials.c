@@ -1,5 +1,6 @@
 /* Materials from small to hostile, each in every combination of choices. */
 #include "error.h"
+#include "matbench.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -166,7 +167,7 @@ void error_materials(ErrorBench *bench)
     matc_options_init(&options);
     for (int i = 0; i < SUBJECTS; i++) {
         MeasuredList list;
-        bench->progress(subjects[i].name);
+        bench_show(subjects[i].name);
         MatcDocument *document = error_document(subjects[i].name, subjects[i].text);
         const MeasureRequest request = {.document = document,
                                         .options = &options,

@@ -1,5 +1,6 @@
 /* How fast noise is, and what fading its octaves brings at a distance. */
 #include "error.h"
+#include "matbench.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -194,9 +195,9 @@ static void measure_document(ErrorBench *bench, const char *text, Axis axis, dou
 
 void error_noise(ErrorBench *bench)
 {
-    bench->progress("speed of noise");
+    bench_show("speed of noise");
     measure_document(bench, noise_document, AXIS_noise, 1, NULL);
-    bench->progress("fading of octaves");
+    bench_show("fading of octaves");
     for (size_t i = 0; i < sizeof distances / sizeof *distances; i++)
         measure_document(bench, octaves_document, AXIS_aa, distances[i].cells * SIDE / 2, &distances[i]);
 }

@@ -1,5 +1,6 @@
 /* How far unit normals are from themselves after being stored. */
 #include "error.h"
+#include "matbench.h"
 #include "tests/value/normals.h"
 #include <math.h>
 
@@ -15,7 +16,7 @@ void error_normals(ErrorBench *bench)
           "| --- | --- | --- | --- | --- | --- |\n",
           out);
     for (int i = 0; i < normal_rows; i++) {
-        bench->progress(normal_table[i].name);
+        bench_show(normal_table[i].name);
         NormalAngles a = normals_measure(&normal_table[i], count);
         fprintf(out, "| %s | %.4g | %.4g | %.4g | %.4g | %.4g |\n", normal_table[i].name, a.mean, a.rms, a.maximum,
                 normal_table[i].mean, normal_table[i].maximum);

@@ -1,5 +1,6 @@
 /* x^32 by every choice of the axis powers: the error in units in the last place, and the time. */
 #include "error.h"
+#include "matbench.h"
 #include "compiler/evaluate.h"
 #include <math.h>
 #include <stdlib.h>
@@ -150,7 +151,7 @@ void error_powers(ErrorBench *bench)
     float(*rgba)[4] = calloc(POINTS, sizeof *rgba);
     if (!powers || !points || !rgba)
         abort();
-    bench->progress("powers");
+    bench_show("powers");
     MatcDocument *document = error_document("powers", document_text);
     int count = make_powers(bench, document, powers);
     bool done = count > 0;

@@ -60,6 +60,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
     char code[VALUE_ROOM], empty[TEXT_ROOM];
     Arena arena = {0};
     Text name = text_new(&arena), error = text_new(&arena);
+    bench_show(row->name);
     int bits = strchr(function_arguments(row->pack), 'i') ? field->bits : 0;
     int packed = row->words ? 1 : type_table[function_row(row->pack)->result].lanes;
     layout_put_encoding(&name, field);
@@ -84,6 +85,7 @@ static void put_row(Canvas *canvas, const FieldRow *field)
         snprintf(empty, sizeof empty, "vec4(%s%s)", code, packed == 2 ? ", 0.0, 0.0" : "");
         nothing = measure(canvas, "", empty, false);
     }
+    bench_show("");
     printf("%-20s %6d  %-14s %8s %8s %6d\n", name.at, field_size(field) * (row->words ? 1 : 16), error.at,
            NUMBER(2, beyond(pack, before)), NUMBER(2, beyond(unpack, nothing)), function_row(row->pack)->cost);
     arena_free(&arena);

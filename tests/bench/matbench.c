@@ -1,11 +1,13 @@
 /* matbench: measures what matc promises. Every figure in docs/ comes from one of its subcommands. */
 #include "matbench.h"
+#include "compiler/base/progress.h"
 #include "runtime/measure/meter.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 double bench_now(void) { return meter_now(); }
 double bench_median(double *values, int count) { return meter_median(values, count); }
@@ -17,6 +19,16 @@ const char *bench_number(char text[BENCH_NUMBER], int decimals, double value)
 }
 
 bool bench_untimed(int argc, char **argv) { return argc > 1 && !strcmp(argv[1], "--untimed"); }
+
+void bench_show(const char *what)
+{
+    Arena arena = {0};
+    Text line = text_new(&arena);
+    double none = 0; /* each line is worth its own time */
+    if (isatty(STDERR_FILENO))
+        fputs(progress_line(&line, what, bench_now(), &none), stderr);
+    arena_free(&arena);
+}
 
 long bench_peak_memory(void)
 {

@@ -19,6 +19,9 @@ const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);
 /* It is the subcommand's first option. */
 bool bench_untimed(int argc, char **argv);
 
+/* Says on a terminal what is measured now; "" takes it away, before a line is printed. Nothing where standard error is none. */
+void bench_show(const char *what);
+
 /* One subcommand each; the exit status. */
 /* --untimed, the program matc. */
 int bench_compile(int argc, char **argv);

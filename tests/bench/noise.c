@@ -93,7 +93,9 @@ static bool time_rows(Meter *m, double nanoseconds[ROW_COUNT])
                field_material(m->store, NULL, &(FieldText){TARGET_glsl330, text, NULL}, &materials[i]);
     for (int i = 0; i <= ROW_COUNT; i++)
         draws[i] = (MeterDraw){&materials[i], &field, &target};
+    bench_show("four octaves of each");
     done = done && meter_time(m, draws, ROW_COUNT + 1, ROUNDS, all);
+    bench_show("");
     for (int i = 0; i < ROW_COUNT && done; i++)
         nanoseconds[i] = fmax(all[i] - all[ROW_COUNT], 1e-6);
     if (!done)
