@@ -80,7 +80,7 @@ const KindRow kind_table[KIND_COUNT] = {
 #define FILTER(kind, how, by, rest)                                                                                    \
     [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by, [KIND_##kind].variance = FN_##rest,
 #define EXAMPLE(kind, document) [KIND_##kind].example = document,
-#define MOVES(kind, which) [KIND_##kind].moves = MOVES_##which,
+#define MOVES(kind, which)      [KIND_##kind].moves = MOVES_##which,
 #include "materials.def"
 #include "maps.def"
 };
@@ -293,9 +293,10 @@ static const FieldRow field_table[] = {
      false,                                                                                                            \
      0,                                                                                                                \
      0},
-#define PAIR(layout, encoding, bits, slot_a, lane_a, slot_b, lane_b)                                                   \
-    {ENCODING_##encoding, bits, 2, {{SLOT_##slot_a, lane_a}, {SLOT_##slot_b, lane_b}}, false, 0, 0},
+#define LANE(slot, lane)                   SLOT_##slot, lane
+#define PAIR(layout, encoding, bits, a, b) {ENCODING_##encoding, bits, 2, {{a}, {b}}, false, 0, 0},
 #include "layouts.def"
+#undef LANE
 };
 
 /* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. A row is told by its line. */
@@ -385,15 +386,15 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #include "variants.def"
 };
 
-#define LETTER_Float     "f"
-#define LETTER_Int       "i"
-#define LETTER_Vec3      "3"
-#define LETTER_Bool      ""
-#define LETTER_Map       ""
-#define LETTER_Wave      ""
-#define LETTER_Transform ""
-#define LETTER_Image     ""
-#define LETTER_Items     ""
+#define LETTER_Float      "f"
+#define LETTER_Int        "i"
+#define LETTER_Vec3       "3"
+#define LETTER_Bool       ""
+#define LETTER_Map        ""
+#define LETTER_Wave       ""
+#define LETTER_Transform  ""
+#define LETTER_Image      ""
+#define LETTER_Items      ""
 #define LETTER_ColorSpace ""
 #define LETTER_Channel    ""
 /* A volume map's function takes the position, then the PARAM lines. */
