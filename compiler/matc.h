@@ -154,7 +154,8 @@ MATC_API int matc_constant_bytes(const MatcProgram *program); /* of the block */
 /* Writes the block as a buffer holds it: matc_constant_bytes bytes. */
 MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 
-/* A texture that the program samples; owned by the program. Row 0 is at v = 0. */
+/* A texture that the program samples; owned by the program, but its texels by the document, which must still be there. Row 0 is at
+ * v = 0. */
 typedef struct {
     const char *name; /* of its sampler */
     const char *path; /* of the picture, or NULL for one that matc made */
@@ -168,7 +169,7 @@ typedef struct {
     int anisotropy;             /* of its sampler, at most, where the driver can; 1: none */
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
-/* Made on first request. */
+/* Made on first request, from the document. */
 MATC_API const MatcTexture *matc_texture(MatcProgram *program, int index);
 
 /* Render targets of the passes gbuffer and plane; none for other passes. The format is "RGBA16F", "RGBA32UI", ...;
@@ -176,7 +177,7 @@ MATC_API const MatcTexture *matc_texture(MatcProgram *program, int index);
 MATC_API int matc_target_count(const MatcProgram *program);
 MATC_API const char *matc_target_format(const MatcProgram *program, int index);
 
-/* A uniform that the document's `param` made; owned by the program. */
+/* A uniform that the document's `param` made; owned by the program, but its names by the document, which must still be there. */
 typedef struct {
     const char *name;  /* in the shader */
     const char *param; /* in the document */
