@@ -2,13 +2,8 @@
  *
  *     turbulence(p, 4, 2, 0.5) beside turbulenceGradient(p, none, 4, 2, 0.5, 0), as slopes.def says by "0r123w"
  *     becomes .w of the latter: one loop over the octaves where there were two */
+#include "compiler/base/hash_index.h"
 #include "compiler/opt/opt.h"
-
-/* The gradients that the outputs reach, by the arguments that they share with their value. */
-typedef struct {
-    Ref *table; /* open addressing; 0 is none */
-    uint32_t mask;
-} Gradients;
 
 /* Whether a call of a gradient has the arguments that slopes.def makes of the value's. */
 static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
@@ -40,49 +35,34 @@ static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_val
     return hash;
 }
 
+/* `user` has the gradients that the outputs reach, by the arguments that they share with their value. */
 static Ref merge(Ir *ir, Ref ref, const void *user)
 {
-    const Gradients *gradients = user;
     const SlopeRow *row = ir_is(ir, ref, OP_call) ? slope_row((int)ir_at(ir, ref)->payload) : NULL;
     if (!row || row->kind != SLOPE_gradient)
         return ref;
-    for (uint32_t at = hash_of(ir, row, ref, true); gradients->table[at & gradients->mask]; at++)
-        if (is_gradient_of(ir, gradients->table[at & gradients->mask], ref))
-            return build_swizzle(ir, gradients->table[at & gradients->mask], "w");
+    for (HashProbe probe = hash_probe(user, hash_of(ir, row, ref, true)); hash_probe_next(&probe);)
+        if (is_gradient_of(ir, probe.number, ref))
+            return build_swizzle(ir, probe.number, "w");
     return ref;
 }
 
 /* Under every row that it may be a gradient by. */
-static void keep(const Ir *ir, Gradients *gradients, Ref ref)
+static void keep(Ir *ir, HashIndex *gradients, Ref ref)
 {
     for (int function = 0; function < FUNCTION_COUNT; function++) {
         const SlopeRow *row = slope_row(function);
-        if (row->kind != SLOPE_gradient || row->by != (int)ir_at(ir, ref)->payload)
-            continue;
-        uint32_t at = hash_of(ir, row, ref, false);
-        while (gradients->table[at & gradients->mask])
-            at++;
-        gradients->table[at & gradients->mask] = ref;
+        if (row->kind == SLOPE_gradient && row->by == (int)ir_at(ir, ref)->payload)
+            hash_index_add(&ir->scratch, gradients, hash_of(ir, row, ref, false), ref);
     }
 }
 
 bool opt_merge(Ir *ir)
 {
-    enum { FIRST_TABLE = 16, MOST_ROWS = 4 }; /* rows of slopes.def that name one gradient */
-    Gradients gradients = {.mask = FIRST_TABLE - 1};
-    Ref *found = NULL;
-    size_t count = 0, room = 0;
-    for (Ref ref = 1; ref < ir->count; ref++)
-        if (ir_is(ir, ref, OP_call) && ir_type(ir, ref) == TYPE_vec4)
-            ARENA_PUSH(&ir->scratch, found, count, room, ref);
-    if (!count)
-        return false;
-    while (gradients.mask < 2 * MOST_ROWS * count)
-        gradients.mask = 2 * gradients.mask + 1;
-    gradients.table = ARENA_ARRAY(&ir->scratch, Ref, gradients.mask + 1);
+    HashIndex gradients = {0};
     const uint8_t *live = ir_live(ir, &ir->scratch);
-    for (size_t i = 0; i < count; i++)
-        if (live[found[i]])
-            keep(ir, &gradients, found[i]);
-    return ir_sweep(ir, merge, &gradients);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (live[ref] && ir_is(ir, ref, OP_call) && ir_type(ir, ref) == TYPE_vec4)
+            keep(ir, &gradients, ref);
+    return gradients.count && ir_sweep(ir, merge, &gradients);
 }
