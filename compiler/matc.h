@@ -166,7 +166,8 @@ typedef struct {
     bool mipmaps;               /* give it all mipmaps and filter linearly in and between them; else: nearest texels */
     const char *format;          /* of a texel, by OpenGL's name: "RGBA8", "SRGB8_ALPHA8", "RGBA16", "R32F", ... */
     const unsigned short *words; /* 16 bits a lane, over 65535; or NULL */
-    int anisotropy;             /* of its sampler, at most, where the driver can; 1: none */
+    int anisotropy;              /* of its sampler, at most, where the driver can; 1: none */
+    const char *wrap; /* of its sampler: "repeat", "mirrored_repeat", "clamp_to_edge", or "clamp_to_border", which is 0 in all lanes */
 } MatcTexture;
 MATC_API int matc_texture_count(const MatcProgram *program);
 /* Made on first request, from the document. */

@@ -397,6 +397,7 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define LETTER_Items      ""
 #define LETTER_ColorSpace ""
 #define LETTER_Channel    ""
+#define LETTER_Address    ""
 /* A volume map's function takes the position, then the PARAM lines. */
 static const char *const map_arguments[KIND_COUNT] = {
     [0] = "" /* materials have none */

@@ -30,6 +30,7 @@ static const Default defaults[] = {
     {"ImageMap", "bilinearFiltering", 1, {1}},
     {"ImageMap", "colorspace", 1, {WORD_ColorSpace_linear}},
     {"ImageMap", "channel", NONE, {0}},
+    {"ImageMap", "address", 1, {WORD_Address_repeat}},
     {"Carpenter", "input", NONE, {0}},
     {"Carpenter", "color", 1, {.5}},
     {"Carpenter", "noise", 1, {1}},

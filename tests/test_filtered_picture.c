@@ -13,12 +13,15 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_SIDE = 8, LEVELS = 4, LANES = 3 };
+enum { MOST_SIDE = 8, LEVELS = 4, LANES = 3, NOWHERE = -1 };
+typedef enum { REPEAT, MIRROR, CLAMP, BORDER, ADDRESS_COUNT } Address;
+static const char *const address_names[] = {"repeat", "mirror", "clamp", "border"};
 typedef float Pixels[SHEET_PIXELS][4];
 
 /* Of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the one below; row 0 is at v = 0. */
 typedef struct {
     int side;
+    Address address;
     double texel[LEVELS][MOST_SIDE][MOST_SIDE][LANES];
     char path[64];
 } Mipmaps;
@@ -31,6 +34,8 @@ static uint8_t byte_at(int column, int row, int lane)
 {
     return (uint8_t)(61 * column * column + 87 * row + 149 * column * row + 83 * lane + 17);
 }
+
+typedef double Want(const Mipmaps *m, double texels, const double u[2], int lane);
 
 static void fill_levels(Mipmaps *m)
 {
@@ -82,7 +87,18 @@ static int tear_down(void **state)
     return remove(small.path) || remove(large.path) || rmdir(folder);
 }
 
-static int wrapped(double place, int side) { return (int)(place - side * floor(place / side)); }
+/* The texel that a whole number stands for, by walking there from the picture's own; NOWHERE: none. */
+static int wrapped(Address address, double place, int side)
+{
+    int texel = (int)floor(place);
+    if (texel >= 0 && texel < side)
+        return texel;
+    if (address == REPEAT)
+        return wrapped(address, texel < 0 ? texel + side : texel - side, side);
+    if (address == MIRROR)
+        return wrapped(address, texel < 0 ? -1 - texel : 2 * side - 1 - texel, side);
+    return address == BORDER ? NOWHERE : texel < 0 ? 0 : side - 1;
+}
 
 /* The four texels around a place, of which whole numbers are the texels' own. */
 static double bilinear(const Mipmaps *m, int level, double x, double y, int lane)
@@ -91,8 +107,9 @@ static double bilinear(const Mipmaps *m, int level, double x, double y, int lane
     double sum = 0;
     for (int i = 0; i < 4; i++) {
         double column = floor(x) + i % 2, row = floor(y) + i / 2;
-        sum += (1 - fabs(x - column)) * (1 - fabs(y - row)) *
-               m->texel[level][wrapped(row, side)][wrapped(column, side)][lane];
+        int k = wrapped(m->address, column, side), l = wrapped(m->address, row, side);
+        if (k != NOWHERE && l != NOWHERE)
+            sum += (1 - fabs(x - column)) * (1 - fabs(y - row)) * m->texel[level][l][k][lane];
     }
     return sum;
 }
@@ -144,22 +161,61 @@ static double want_normal(const Mipmaps *m, double texels, const double u[2], in
     return n[lane] / sqrt(n[0] * n[0] + n[1] * n[1] + 1);
 }
 
-typedef double Want(const Mipmaps *m, double texels, const double u[2], int lane);
+/* How much of an interval `wide` around a place lies in 0 to `side`. */
+static double part_inside(double place, double wide, double side)
+{
+    return fmax(fmin(place + wide / 2, side) - fmax(place - wide / 2, 0), 0) / wide;
+}
+
+/* What the shader makes of a border: of the picture whose edge goes on, as much as the pixel has of the picture; of a texel where the pixel
+ * is smaller. */
+static double want_part(Want *want, const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    Mipmaps clamped = *m;
+    double wide = fmax(texels, 1), part = 1;
+    clamped.address = CLAMP;
+    for (int axis = 0; axis < 2; axis++)
+        part *= part_inside(u[axis] * m->side + .5, wide, m->side);
+    return part * want(&clamped, texels, u, lane);
+}
+
+static double want_part_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    return want_part(want_sampler, m, texels, u, lane);
+}
+
+static double want_part_mipmaps(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    return want_part(want_mipmaps, m, texels, u, lane);
+}
+
+/* In GLSL 1.10 all but what repeats: four places, on a grid that is turned. */
+static double want_points(const Mipmaps *m, double texels, const double u[2], int lane)
+{
+    static const double places[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
+    double sum = 0;
+    for (int i = 0; i < 4; i++)
+        sum += bilinear(m, 0, u[0] * m->side + places[i][0] * texels, u[1] * m->side + places[i][1] * texels, lane) / 4;
+    return sum;
+}
 
 /* A map of a picture, %s in `map`, and what it should show. */
 typedef struct {
     const char *map, *slot, *target, *aa;
     Want *want;
+    Address address;
 } Look;
 
 /* Greatest error of pixels that cover `texels` texels either way. */
-static double measure(const Mipmaps *m, double texels, const Look *look)
+static double measure(const Mipmaps *picture, double texels, const Look *look)
 {
     static Pixels rgba;
     char map[1024], image[128];
     double worst = 0;
     Sheet sheet;
-    snprintf(image, sizeof image, "map: ImageMap, image: %s", m->path);
+    Mipmaps addressed = *picture, *m = &addressed;
+    m->address = look->address;
+    snprintf(image, sizeof image, "map: ImageMap, address: %s, image: %s", address_names[look->address], m->path);
     snprintf(map, sizeof map, look->map, image, image);
     Filtered f = {.map = map, .slot = look->slot, .target = look->target, .aa = look->aa};
     if (!filtered_open(&f, &drawers))
@@ -186,8 +242,8 @@ static int judge(const Look *look, double texels, double most)
     int failures = 0;
     for (int k = 0; k < 2; k++) {
         double seen = measure(k ? &large : &small, texels, look);
-        print_message("%-7s %-4s %-8s %d x %d, %g texels a pixel: %.1e, at most %.1e\n", look->target, look->aa,
-                      look->slot, k ? 8 : 2, k ? 8 : 2, texels, seen, most);
+        print_message("%-7s %-4s %-8s %-6s %d x %d, %g texels a pixel: %.1e, at most %.1e\n", look->target, look->aa,
+                      look->slot, address_names[look->address], k ? 8 : 2, k ? 8 : 2, texels, seen, most);
         failures += !(seen <= most);
     }
     return failures;
@@ -205,7 +261,8 @@ static void pictures_show_their_mipmaps(void **state)
     int failures = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int target = 0; target < 3; target++) {
-            const Look look = {"{ %s }", "emissive", targets[target], "box", target == 2 ? want_samples : want_mipmaps};
+            const Look look = {"{ %s }", "emissive", targets[target], "box", target == 2 ? want_samples : want_mipmaps,
+                               REPEAT};
             failures += judge(&look, cases[i].texels, target == 2 ? 1e-5 : cases[i].most);
         }
     assert_int_equal(failures, 0);
@@ -223,11 +280,59 @@ static void samplers_show_pictures(void **state)
     for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
         for (int target = 0; target < 3; target++) {
             const Look looks[] = {
-                {"{ %s }", "emissive", targets[target], "auto", want_sampler},
-                {turbulent, "emissive", targets[target], "auto", want_sampler},
-                {"{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal}};
+                {"{ %s }", "emissive", targets[target], "auto", want_sampler, REPEAT},
+                {turbulent, "emissive", targets[target], "auto", want_sampler, REPEAT},
+                {"{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal, REPEAT}};
             for (size_t k = 0; k < sizeof looks / sizeof *looks; k++)
                 failures += judge(&looks[k], texels[i], k < 2 ? .015 : .006);
+        }
+    assert_int_equal(failures, 0);
+}
+
+/* What the sampler of a target does beyond the edges, and what the shader does where that has no border. */
+static void samplers_know_addresses(void **state)
+{
+    (void)state;
+    static const double texels[] = {.21, 1.5, 2, 4};
+    int failures = 0;
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
+        for (Address address = MIRROR; address < ADDRESS_COUNT; address++)
+            for (int target = 0; target < 3; target++) {
+                const bool by_shader = address == BORDER && target == 1;
+                const Look look = {
+                    "{ %s }", "emissive", targets[target], "auto", by_shader ? want_part_sampler : want_sampler,
+                    address};
+                failures += judge(&look, texels[i], .015);
+            }
+    assert_int_equal(failures, 0);
+}
+
+static void means_know_addresses(void **state)
+{
+    (void)state;
+    static const double texels[] = {.21, .9, 1.5, 4};
+    int failures = 0;
+    for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
+        for (Address address = MIRROR; address < ADDRESS_COUNT; address++)
+            for (int target = 0; target < 3; target++) {
+                Want *mipmaps = address == BORDER ? want_part_mipmaps : want_mipmaps;
+                const Look look = {"{ %s }", "emissive", targets[target], "box", target == 2 ? want_points : mipmaps,
+                                   address};
+                failures += judge(&look, texels[i], target == 2 || texels[i] < 1 ? 1e-5 : .015);
+            }
+    assert_int_equal(failures, 0);
+}
+
+/* The slope of what goes on for ever is 0; that of a mirrored picture turns round. */
+static void slopes_know_addresses(void **state)
+{
+    (void)state;
+    int failures = 0;
+    for (Address address = MIRROR; address < ADDRESS_COUNT; address++)
+        for (int target = 0; target < 3; target++) {
+            const Look look = {
+                "{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal, address};
+            failures += judge(&look, .21, .006);
         }
     assert_int_equal(failures, 0);
 }
@@ -235,8 +340,9 @@ static void samplers_show_pictures(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_show_their_mipmaps),
-        cmocka_unit_test(samplers_show_pictures),
+        cmocka_unit_test(pictures_show_their_mipmaps), cmocka_unit_test(samplers_show_pictures),
+        cmocka_unit_test(samplers_know_addresses),     cmocka_unit_test(means_know_addresses),
+        cmocka_unit_test(slopes_know_addresses),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }

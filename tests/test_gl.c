@@ -268,7 +268,7 @@ static void textures_keep_their_numbers(void **state)
     float found[4];
     look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats}, (float[]){5, 0.5f}, found);
     assert_true(found[0] == 1e6f); /* clamped */
-    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats, .repeat = true},
+    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats, .wrap = GL_REPEAT},
             (float[]){4.1f, 0.5f}, found);
     assert_true(found[0] == -2); /* repeated */
     look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes}, (float[]){0.5f, 0.25f}, found);

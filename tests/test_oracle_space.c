@@ -257,6 +257,40 @@ static void test_image_bilinear(void **state)
     build_free(&b);
 }
 
+/* Along u the bottom row's red is 0 and 1, a texel 1/2 wide: by hand. */
+static void test_image_address(void **state)
+{
+    (void)state;
+    static const struct {
+        Word address;
+        double u, smooth, nearest, alpha; /* alpha: of the four */
+    } rows[] = {
+        {WORD_Address_repeat, 1.25, .5, 0, .5},  {WORD_Address_repeat, -.25, .5, 1, .5},
+        {WORD_Address_mirror, .75, 1, 1, 0},     {WORD_Address_mirror, 1.25, .5, 1, .5},
+        {WORD_Address_mirror, 1.5, 0, 0, 1},     {WORD_Address_mirror, 1.75, 0, 0, 1},
+        {WORD_Address_mirror, -.25, 0, 0, 1},    {WORD_Address_mirror, -.75, .5, 1, .5},
+        {WORD_Address_mirror, -2.25, 0, 0, 1},   {WORD_Address_mirror, -1e6 - .25, 0, 0, 1},
+        {WORD_Address_clamp, .75, 1, 1, 0},      {WORD_Address_clamp, 7.3, 1, 1, 0},
+        {WORD_Address_clamp, -.25, 0, 0, 1},     {WORD_Address_clamp, -1e30, 0, 0, 1},
+        {WORD_Address_border, .25, .5, 0, .5},   {WORD_Address_border, .625, .75, 1, 0},
+        {WORD_Address_border, -.125, 0, 0, .75}, {WORD_Address_border, .875, .25, 1, 0},
+        {WORD_Address_border, 1.125, 0, 0, 0},   {WORD_Address_border, -.625, 0, 0, 0},
+        {WORD_Address_border, 1e30, 0, 0, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        Builder b = {0};
+        Image image;
+        Node *smooth = build_image(&b, &image, true), *nearest = build_image(&b, &image, false);
+        build_set(smooth, P_ImageMap_address, rows[i].address);
+        build_set(nearest, P_ImageMap_address, rows[i].address);
+        Surface s = at_uv(rows[i].u, 0);
+        expect(&b, smooth, R, &s, rows[i].smooth);
+        expect(&b, smooth, A, &s, rows[i].alpha);
+        expect(&b, nearest, R, &s, rows[i].nearest);
+        build_free(&b);
+    }
+}
+
 static void test_carpenter(void **state)
 {
     (void)state;
@@ -319,13 +353,13 @@ static void test_rough_slopes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_uv_transform),   cmocka_unit_test(test_uv_transform_chain),
-        cmocka_unit_test(test_xyz_transform),  cmocka_unit_test(test_xyz_components),
-        cmocka_unit_test(test_bump),           cmocka_unit_test(test_wave_map),
-        cmocka_unit_test(test_smooth),         cmocka_unit_test(test_smooth_uv),
-        cmocka_unit_test(test_laplace),        cmocka_unit_test(test_image_nearest),
-        cmocka_unit_test(test_image_bilinear), cmocka_unit_test(test_carpenter),
-        cmocka_unit_test(test_rough_slopes),
+        cmocka_unit_test(test_uv_transform),  cmocka_unit_test(test_uv_transform_chain),
+        cmocka_unit_test(test_xyz_transform), cmocka_unit_test(test_xyz_components),
+        cmocka_unit_test(test_bump),          cmocka_unit_test(test_wave_map),
+        cmocka_unit_test(test_smooth),        cmocka_unit_test(test_smooth_uv),
+        cmocka_unit_test(test_laplace),       cmocka_unit_test(test_image_nearest),
+        cmocka_unit_test(test_image_address), cmocka_unit_test(test_image_bilinear),
+        cmocka_unit_test(test_carpenter),     cmocka_unit_test(test_rough_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

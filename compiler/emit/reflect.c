@@ -153,7 +153,10 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
             json_next(out, "colorspace", "srgb");
         json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
         text_format(out, ", \"levels\": %d, \"anisotropy\": %d", t->mipmaps ? level_count(t) : 1, t->anisotropy);
-        text_put(out, ", \"wrap\": \"repeat\", \"origin\": \"bottom-left\", ");
+        json_next(out, "wrap", t->wrap);
+        if (!strcmp(t->wrap, "clamp_to_border"))
+            text_put(out, ", \"border\": [0, 0, 0, 0]");
+        text_put(out, ", \"origin\": \"bottom-left\", ");
         if (target_table[job->target].locations)
             text_format(out, "\"binding\": %d, ",
                         made_by[i] >= 0 ? emit_texture_binding(i) : emit_table_binding(ir, interface, t->name));

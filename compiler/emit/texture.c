@@ -32,12 +32,20 @@ static bool *averaged_textures(Session *session, const Ir *ir, const Interface *
     return averaged;
 }
 
+/* By an Address, in the order of words.def. */
+static const char *wrap_name(Word wrap)
+{
+    static const char *const names[] = {"repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border"};
+    return names[wrap - WORD_Address_repeat];
+}
+
 static MatcTexture of_document(Session *session, const Ir *ir, int i, bool averaged)
 {
     const IrTexture *t = &ir->textures[i];
     MatcTexture texture = {
         .name = emit_texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1, .anisotropy = 1};
     texture.format = texels_table[t->texels].name;
+    texture.wrap = wrap_name(t->wrap);
     if (t->kind == TEXTURE_image) {
         texture.path = t->image->path;
         texture.lanes = 4;
@@ -77,7 +85,8 @@ int texture_list(Session *session, const Ir *ir, const Interface *interface, Mat
                                              .height = tables[i].height,
                                              .lanes = tables[i].lanes,
                                              .format = texels_table[tables[i].texels].name,
-                                             .anisotropy = 1};
+                                             .anisotropy = 1,
+                                             .wrap = wrap_name(WORD_Address_repeat)};
         }
     return count;
 }

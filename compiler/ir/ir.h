@@ -80,6 +80,7 @@ typedef struct {
     bool sampled; /* by the sampler, with mipmaps; else texel by texel */
     bool srgb;     /* of an image: red, green and blue are decoded, by the sampler or before it has them */
     Texels texels; /* what the program's texture holds */
+    Word wrap;     /* what its sampler does beyond the edges: an Address of words.def */
 } IrTexture;
 
 /* A number that a program reads from a buffer, so that materials that differ in it share the program. constants.c */

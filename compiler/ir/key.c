@@ -82,7 +82,7 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
 static void put_texture(Walk *w, const IrTexture *texture)
 {
     put(w, (uint32_t)texture->kind << 2 | (uint32_t)texture->sampled << 1 | texture->srgb);
-    put(w, (uint32_t)texture->texels);
+    put(w, (uint32_t)texture->texels << 8 | (uint32_t)texture->wrap);
 }
 
 static void put_payload(Walk *w, const IrNode *node)

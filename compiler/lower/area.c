@@ -1,4 +1,5 @@
 /* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for noise, samples for the rest. */
+#include "compiler/lower/address.h"
 #include "compiler/lower/area.h"
 #include <math.h>
 
@@ -196,38 +197,90 @@ Function area_picture_function(const Lower *l, bool smooth)
     return told ? FN_imageSampledOver : FN_imageSampled;
 }
 
-static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point, Ref uv)
+static bool is_sampler(Function function) { return function == FN_imageSampled || function == FN_imageSampledOver; }
+
+static Addressed addressed(const Picture *p)
+{
+    return (Addressed){p->address, p->function != FN_imageNearest, p->size};
+}
+
+/* Where the function reads what stands at uv; the sampler is told uv. */
+static Ref place_of(Lower *l, const Picture *p, Ref uv)
+{
+    const Addressed a = addressed(p);
+    return is_sampler(p->function) ? uv : address_place(l->ir, &a, uv);
+}
+
+/* A border's share of it is black. */
+static Ref with_border(Lower *l, const Picture *p, Ref value, const Ref at[2])
+{
+    const Addressed a = addressed(p);
+    Ref share = address_share(l->ir, &a, at[0], at[1]);
+    return share ? build_mul(l->ir, value, build_splat(l->ir, share, TYPE_vec4)) : value;
+}
+
+typedef struct {
+    Ref right, up; /* by how much uv changes to the neighbouring pixels; 0: not at all */
+} Spread;
+
+static Spread spread_of(Lower *l, Ref uv)
+{
+    Ref right = slope_detached(l, uv, DIRECTION_right), up = slope_detached(l, uv, DIRECTION_up);
+    return (Spread){right, up};
+}
+
+static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point, Spread spread)
 {
     Ir *ir = l->ir;
-    Ref right = slope_detached(l, uv, DIRECTION_right), up = slope_detached(l, uv, DIRECTION_up);
-    right = build_or_zero(ir, right, TYPE_vec2);
-    up = build_or_zero(ir, up, TYPE_vec2);
+    Ref right = build_or_zero(ir, spread.right, TYPE_vec2), up = build_or_zero(ir, spread.up, TYPE_vec2);
     return build_call(ir, function, p->sampler, point, p->size, right, up);
+}
+
+/* The texels that a pixel covers, by lane; 0: it covers none, or no border has to know. */
+static Ref texels_across(Lower *l, const Picture *p, Spread spread)
+{
+    Ir *ir = l->ir;
+    if (p->address != WORD_Address_border || (!spread.right && !spread.up))
+        return 0;
+    Ref right = build_abs(ir, build_or_zero(ir, spread.right, TYPE_vec2));
+    Ref up = build_abs(ir, build_or_zero(ir, spread.up, TYPE_vec2));
+    return build_mul(ir, build_max(ir, right, up), p->size);
 }
 
 Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
 {
+    Ir *ir = l->ir;
+    Ref place = place_of(l, p, point), wide = 0, value;
+    if (is_sampler(p->function))
+        wide = texels_across(l, p, p->address == WORD_Address_border ? spread_of(l, uv) : (Spread){0, 0});
     if (p->function == FN_imageSampledOver)
-        return picture_over(l, p->function, p, point, uv);
-    return build_call(l->ir, p->function, p->sampler, point, p->size);
+        value = picture_over(l, p->function, p, place, spread_of(l, uv));
+    else
+        value = build_call(ir, p->function, p->sampler, place, p->size);
+    return with_border(l, p, value, (Ref[]){point, wide});
+}
+
+/* By mipmaps: the spread is that of the picture, which is turned round where it is mirrored. */
+static Ref picture_filtered(Lower *l, const Picture *p, Ref uv, Spread spread)
+{
+    const Addressed a = addressed(p);
+    Ref unfolded = address_unfolded(l->ir, &a, uv), wide = texels_across(l, p, spread);
+    Ref value = picture_over(l, FN_imageFiltered, p, place_of(l, p, uv), spread_of(l, unfolded));
+    return with_border(l, p, value, (Ref[]){uv, wide});
 }
 
 Ref area_picture(Lower *l, const Picture *p, Ref uv)
 {
-    Ir *ir = l->ir;
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
-    Ref right = slope_detached(l, uv, DIRECTION_right), up = slope_detached(l, uv, DIRECTION_up);
-    if (p->function == FN_imageSampled)
-        return build_call(ir, FN_imageSampled, p->sampler, uv, p->size);
-    if (p->function == FN_imageSampledOver)
-        return picture_over(l, FN_imageSampledOver, p, uv, uv);
-    if (!footprint_is_filtered(l) || (!right && !up))
-        return build_call(ir, p->function, p->sampler, uv, p->size);
-    if (p->function == FN_imageBilinear)
-        return picture_over(l, FN_imageFiltered, p, uv, uv);
+    const Spread spread = spread_of(l, uv);
+    const bool has_mipmaps = target_table[l->job->target].words || p->address == WORD_Address_repeat;
+    if (is_sampler(p->function) || !footprint_is_filtered(l) || (!spread.right && !spread.up))
+        return area_picture_near(l, p, uv, uv);
+    if (p->function == FN_imageBilinear && has_mipmaps)
+        return picture_filtered(l, p, uv, spread);
     int count = footprint_points(l, uv, points);
     for (int i = 0; i < count; i++)
-        values[i] = build_call(ir, p->function, p->sampler, points[i], p->size);
+        values[i] = area_picture_near(l, p, points[i], uv);
     return mean_of(l, values, count);
 }
 

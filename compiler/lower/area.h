@@ -15,6 +15,7 @@ Ref area_odd_share(Lower *l, Answer q);
 typedef struct {
     Function function;
     Ref sampler, size;
+    Word address; /* what the shader does beyond the edges; repeat: the function or the sampler does all */
 } Picture;
 /* Which function reads an ImageMap where it is asked now; `smooth`: texels are mixed. */
 Function area_picture_function(const Lower *l, bool smooth);

@@ -62,14 +62,19 @@ static Ref odd_sum(Lower *l, Ref q)
     return odd;
 }
 
-/* uv + step, whole turns dropped first: far from the origin the step would be lost. */
-static Ref stepped(Lower *l, Ref uv, Ref step) { return build_add(l->ir, build_fract(l->ir, uv), step); }
+/* uv + step, whole turns of `turn` dropped first: far from the origin the step would be lost. */
+static Ref stepped(Lower *l, Ref uv, Ref step, double turn)
+{
+    Ir *ir = l->ir;
+    Ref part = turn == 1 ? build_fract(ir, uv) : build_scale(ir, build_fract(ir, build_scale(ir, uv, 1 / turn)), turn);
+    return build_add(ir, part, step);
+}
 
 /* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
 static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 {
     if (step_u != 0 || step_v != 0)
-        uv = stepped(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}));
+        uv = stepped(l, uv, ir_const(l->ir, TYPE_vec2, (double[]){step_u, step_v}), 1);
     return odd_sum(l, uv);
 }
 
@@ -121,7 +126,8 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
-        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb && a->sampled == b->sampled;
+        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb && a->sampled == b->sampled &&
+               a->wrap == b->wrap;
     for (int i = 1; i < kind_table[KIND_Carpenter].count; i++) {
         double x[4], y[4];
         value_number(&a->node->params[i], TYPE_float, x);
@@ -162,6 +168,7 @@ typedef struct {
     Function function;
     double step;
     const char *lane; /* that alone, by its letter in GLSL; NULL: all */
+    Word address;     /* what is beyond the edges and no sampler's part */
 } Sampled;
 
 /* Of what a picture's function gave, its lanes. */
@@ -178,6 +185,15 @@ static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
     return ir_const(l->ir, TYPE_vec2, (double[]){texture->width, texture->height});
 }
 
+/* After how much of u and v all is the same again, exactly; 0: never. A relief is not on both sides of 0, and the sampler would take a
+ * dropped turn for a wide footprint. */
+static double turn_of(const Sampled *sampled)
+{
+    if (sampled->texture.kind != TEXTURE_image || sampled->texture.sampled)
+        return 0;
+    return sampled->address == WORD_Address_repeat ? 1 : sampled->address == WORD_Address_mirror ? 2 : 0;
+}
+
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
 static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
@@ -185,9 +201,8 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
     Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
     Ref h = sampled->step > 0 ? build_float(ir, sampled->step) : build_div(ir, build_float(ir, 1), lane);
     Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
-    /* They repeat exactly. A relief does not on both sides of 0, and the sampler would take a dropped turn for a wide footprint. */
-    const bool turns = sampled->texture.kind == TEXTURE_image && !sampled->texture.sampled;
-    Ref beyond = turns ? stepped(l, uv, step) : build_add(ir, uv, step);
+    const double turn = turn_of(sampled);
+    Ref beyond = turn > 0 ? stepped(l, uv, step, turn) : build_add(ir, uv, step);
     Ref here = lanes_of(l, sampled, area_picture_near(l, picture, uv, uv));
     Ref there = lanes_of(l, sampled, area_picture_near(l, picture, beyond, uv));
     Ref rise = build_sub(ir, there, here);
@@ -197,7 +212,7 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
 static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
 {
     Ref sampler = build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
-    const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler)};
+    const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler), sampled->address};
     Ref value = is_derivative(group) ? sampled_slope(l, sampled, &picture, uv, group == GROUP_DV)
                                      : lanes_of(l, sampled, area_picture(l, &picture, uv));
     return lower_as_group(l, value, group);
@@ -228,34 +243,56 @@ static Texels texels_of(const Lower *l, const Image *image, bool srgb)
     return target->word_textures ? TEXELS_RGBA16 : TEXELS_RGBA16F;
 }
 
+static bool is_sampled(Function function) { return function == FN_imageSampled || function == FN_imageSampledOver; }
+
+/* What the sampler does beyond the edges, as far as it can and the program lets it. Texels are fetched inside; one sampler will do. */
+static Word wrap_of(const Lower *l, Word address, bool sampled)
+{
+    const bool borders = sampled && target_table[l->job->target].borders;
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_none)
+        return WORD_Address_repeat;
+    return address == WORD_Address_border && !borders ? WORD_Address_clamp : address;
+}
+
+static Sampled sampled_image(Lower *l, const Node *node, const Image *picture)
+{
+    double bilinear[4];
+    value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
+    const Word address = (Word)node_param(node, P_ImageMap_address)->number[0];
+    const Function function = area_picture_function(l, bilinear[0] != 0);
+    const bool srgb = is_word(node, P_ImageMap_colorspace, WORD_ColorSpace_srgb) &&
+                      !is_word(node, P_ImageMap_channel, WORD_Channel_a);
+    const IrTexture texture = {
+        .kind = TEXTURE_image,
+        .image = picture,
+        .width = picture->width,
+        .height = picture->height,
+        .sampled = is_sampled(function),
+        .srgb = srgb,
+        .texels = texels_of(l, picture, srgb),
+        .wrap = wrap_of(l, address, is_sampled(function)),
+    };
+    return (Sampled){
+        .texture = texture,
+        .function = function,
+        .lane = channel_lane(node),
+        .address = is_sampled(function) && texture.wrap == address ? WORD_Address_repeat : address,
+    };
+}
+
 Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     const Value *image = node_param(node, P_ImageMap_image);
     if (image->kind != VALUE_image)
         return constant(l, build_float(ir, 0.5), group);
-    double bilinear[4];
-    value_number(node_param(node, P_ImageMap_bilinearFiltering), TYPE_float, bilinear);
     Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
-    const Image *picture = image->image;
-    const bool only_alpha = is_word(node, P_ImageMap_channel, WORD_Channel_a);
-    const bool srgb = is_word(node, P_ImageMap_colorspace, WORD_ColorSpace_srgb) && !only_alpha;
-    if (only_alpha && picture->opaque)
+    const bool opaque = image->image->opaque && !is_word(node, P_ImageMap_address, WORD_Address_border);
+    if (opaque && is_word(node, P_ImageMap_channel, WORD_Channel_a))
         return constant(l, build_float(ir, 1), group);
-    const Function function = area_picture_function(l, bilinear[0] != 0);
-    const Sampled sampled = {
-        .texture = {.kind = TEXTURE_image,
-                    .image = picture,
-                    .width = picture->width,
-                    .height = picture->height,
-                    .sampled = function == FN_imageSampled || function == FN_imageSampledOver,
-                    .srgb = srgb,
-                    .texels = texels_of(l, picture, srgb)},
-        .function = function,
-        .lane = channel_lane(node),
-    };
+    const Sampled sampled = sampled_image(l, node, image->image);
     Ref value = sample_group(l, &sampled, uv, group);
-    if (group == GROUP_R && picture->opaque && !sampled.lane)
+    if (group == GROUP_R && opaque && !sampled.lane)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
     return answer_of(value);
 }
@@ -273,8 +310,10 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     Ref uv = build_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     const IrTexture texture = {.kind = TEXTURE_carpenter,
                                .texels = TEXELS_R32F,
+                               .wrap = WORD_Address_repeat,
                                .node = node,
                                .width = (int)width[0],
                                .height = (int)height[0]};
-    return answer_of(sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, NULL}, uv, group));
+    return answer_of(
+        sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, NULL, WORD_Address_repeat}, uv, group));
 }

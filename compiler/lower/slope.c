@@ -5,6 +5,7 @@
  *     mul's line is PLUS(TIMES(b, da), TIMES(a, db)): TIMES of no change is no node, and PLUS of one is the other, so
  *     what is made is 3 cos(u), and nothing is left to be folded away */
 #include "compiler/lower/slope.h"
+#include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
 #include <string.h>
 
@@ -262,7 +263,9 @@ static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 
 static Ref differentiate(Lower *l, Ref ref, Direction direction)
 {
-    Ref slopes[UINT8_MAX];
+    Ref slopes[UINT8_MAX], texels = address_texels(l->ir, ref);
+    if (texels)
+        return slope_of(l, texels, direction);
     switch (ir_at(l->ir, ref)->op) {
 #define SLOPE_ALONG(name, function)                                                                                    \
     case OP_##name:                                                                                                    \
@@ -279,12 +282,18 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-/* What a value's derivative is made of: the operands', and where it runs a function the result's. */
-static int parts_of(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? 1 : ir_at(ir, ref)->count; }
-
-static Ref part_of(const Ir *ir, Ref ref, int i)
+/* What a value's derivative is made of: the operands', where it runs a function the result's, and of a sampler the texels'. */
+static int parts_of(Ir *ir, Ref ref)
 {
-    return ir_applies(ir, ref) ? ir->functions[ir_at(ir, ref)->payload].result : ir_arg(ir, ref, i);
+    return ir_applies(ir, ref) || address_texels(ir, ref) ? 1 : ir_at(ir, ref)->count;
+}
+
+static Ref part_of(Ir *ir, Ref ref, int i)
+{
+    if (ir_applies(ir, ref))
+        return ir->functions[ir_at(ir, ref)->payload].result;
+    Ref texels = address_texels(ir, ref);
+    return texels ? texels : ir_arg(ir, ref, i);
 }
 
 static void push_unknown(Lower *l, Ref ref, Direction direction)

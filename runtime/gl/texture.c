@@ -16,6 +16,21 @@ GLint texture_format(const char *name)
     return 0;
 }
 
+GLint texture_wrap(const char *name)
+{
+    static const struct {
+        const char *name;
+        GLint wrap;
+    } rows[] = {{"repeat", GL_REPEAT},
+                {"mirrored_repeat", GL_MIRRORED_REPEAT},
+                {"clamp_to_edge", GL_CLAMP_TO_EDGE},
+                {"clamp_to_border", GL_CLAMP_TO_BORDER}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (!strcmp(rows[i].name, name))
+            return rows[i].wrap;
+    return 0;
+}
+
 bool texture_check(GlContext *gl, const TextureSpec *spec)
 {
     if (spec->width < 1 || spec->height < 1)
@@ -33,7 +48,7 @@ bool texture_check(GlContext *gl, const TextureSpec *spec)
 static void set_parameters(const GlContext *gl, const TextureSpec *spec)
 {
     GLint filter = spec->linear ? GL_LINEAR : GL_NEAREST;
-    GLint wrap = spec->repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    GLint wrap = spec->wrap ? spec->wrap : GL_CLAMP_TO_EDGE;
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, spec->mipmaps ? GL_LINEAR_MIPMAP_LINEAR : filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, spec->mipmaps ? GL_LINEAR : filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);

@@ -11,7 +11,7 @@ typedef struct {
     const uint8_t *bytes;  /* a byte over 255 is the value: R8, RGBA8 */
     const float *floats;   /* R32F, RGBA32F */
     bool linear;           /* filter; false: nearest */
-    bool repeat;           /* wrap; false: clamp to the edge */
+    GLint wrap;            /* beyond the edges; a border is 0 in all lanes; 0: the texel at the edge */
     bool mipmaps;          /* make them, and filter linearly in and between them */
     int anisotropy;        /* samples along a footprint's longer side, at most; as many as the driver can, 0 or 1: one */
     const uint16_t *words; /* a word over 65535 is the value: RGBA16 */
@@ -20,6 +20,9 @@ typedef struct {
 
 /* OpenGL's number of a format's name; 0: unknown. */
 GLint texture_format(const char *name);
+
+/* Of "repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border"; 0: unknown. */
+GLint texture_wrap(const char *name);
 
 /* The spec can be one. */
 bool texture_check(GlContext *gl, const TextureSpec *spec);

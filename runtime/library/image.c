@@ -10,20 +10,43 @@ static const ReferenceTexture *texture_of(const void *context, double index)
     return &((const ReferenceContext *)context)->textures[(int)index];
 }
 
-/* A whole number as an index below size; a coordinate that is not finite has none, and 0 keeps the cast defined. */
-static int repeat(double whole, int size)
+enum { NOWHERE = -1 };
+
+static double rest(double whole, double divisor) { return whole - divisor * floor(whole / divisor); }
+
+/* A whole number as an index below size, or NOWHERE; a coordinate that is not finite has none, and 0 keeps the cast defined. */
+static int index_of(ReferenceWrap wrap, double whole, int size)
 {
-    double wrapped = whole - size * floor(whole / size);
-    return wrapped >= 0 && wrapped < size ? (int)wrapped : 0;
+    double index = whole;
+    if (wrap == REFERENCE_REPEAT)
+        index = rest(whole, size);
+    if (wrap == REFERENCE_MIRROR)
+        index = fmin(rest(whole, 2. * size), 2. * size - 1 - rest(whole, 2. * size));
+    if (wrap == REFERENCE_CLAMP)
+        index = clamp(whole, 0, size - 1);
+    if (wrap == REFERENCE_BORDER && (whole < 0 || whole >= size))
+        return NOWHERE;
+    return index >= 0 && index < size ? (int)index : 0;
+}
+
+/* A coordinate in texels. Whole turns go first: the product of a great one has no digits left for the weight. */
+static double in_texels(const ReferenceTexture *texture, double coordinate, int size)
+{
+    const double turn = texture->wrap == REFERENCE_REPEAT ? 1 : texture->wrap == REFERENCE_MIRROR ? 2 : 0;
+    return turn > 0 ? fraction(coordinate / turn) * turn * size : coordinate * size;
 }
 
 /* A texel as OpenGL reads it: the lanes that a texture of one lane lacks are 0, 0, 1. */
 static void texel(const ReferenceTexture *texture, double column, double row, double result[LANES])
 {
-    size_t at = (size_t)repeat(row, texture->height) * (size_t)texture->width + (size_t)repeat(column, texture->width);
+    const int x = index_of(texture->wrap, column, texture->width), y = index_of(texture->wrap, row, texture->height);
+    const bool there = x != NOWHERE && y != NOWHERE;
+    const size_t at = there ? (size_t)y * (size_t)texture->width + (size_t)x : 0;
     for (int lane = 0; lane < LANES; lane++) {
         size_t number = at * (size_t)texture->lanes + (size_t)lane;
-        if (lane >= texture->lanes)
+        if (!there)
+            result[lane] = 0;
+        else if (lane >= texture->lanes)
             result[lane] = lane == LANES - 1;
         else
             result[lane] = texture->bytes   ? texture->bytes[number] / 255.
@@ -50,16 +73,20 @@ static void mixed(const ReferenceTexture *texture, const double at[2], const dou
 REFERENCE(imageNearest)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    /* The fraction of a tiny negative number rounds to 1, which belongs to the last texel. */
-    double column = fmin(floor(fraction(args[1]) * texture->width), texture->width - 1);
-    double row = fmin(floor(fraction(args[2]) * texture->height), texture->height - 1);
+    double column = floor(in_texels(texture, args[1], texture->width));
+    double row = floor(in_texels(texture, args[2], texture->height));
+    if (texture->wrap == REFERENCE_REPEAT) {
+        /* The fraction of a tiny negative number rounds to 1, which belongs to the last texel. */
+        column = fmin(column, texture->width - 1);
+        row = fmin(row, texture->height - 1);
+    }
     texel(texture, column, row, result);
 }
 
 REFERENCE(imageBilinear)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    const double at[2] = {fraction(args[1]) * texture->width, fraction(args[2]) * texture->height};
+    const double at[2] = {in_texels(texture, args[1], texture->width), in_texels(texture, args[2], texture->height)};
     const double low[2] = {floor(at[0]), floor(at[1])};
     const double weight[2] = {at[0] - low[0], at[1] - low[1]};
     mixed(texture, low, weight, result);
@@ -104,7 +131,7 @@ static void mixed_along(const ReferenceTexture *texture, const double at[2], con
 REFERENCE(imageAlong)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    const double at[2] = {fraction(args[1]) * texture->width, fraction(args[2]) * texture->height};
+    const double at[2] = {in_texels(texture, args[1], texture->width), in_texels(texture, args[2], texture->height)};
     const double low[2] = {floor(at[0]), floor(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
     mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, result);
 }

@@ -13,6 +13,9 @@
 #define M_LN10 2.30258509299404568402
 #endif
 
+/* What stands beyond the edges of a texture: itself again; itself mirrored, then again; the texel at the edge; 0 in all lanes. */
+typedef enum { REFERENCE_REPEAT, REFERENCE_MIRROR, REFERENCE_CLAMP, REFERENCE_BORDER } ReferenceWrap;
+
 /* A texture as the reference sees it. Row 0 is the bottom row, v = 0. */
 typedef struct {
     int width, height;
@@ -21,6 +24,7 @@ typedef struct {
     const float *floats;
     const uint16_t *words; /* a word over 65535 is the value; NULL when bytes or floats are set */
     bool srgb;             /* the first three lanes are decoded */
+    ReferenceWrap wrap;    /* what stands beyond the edges */
 } ReferenceTexture;
 
 /* Which lattice noise stands below every noise-like function. */

@@ -73,7 +73,7 @@ static bool set_textures(Material *m, MatcProgram *program)
                                   .lanes = t->lanes,
                                   .bytes = t->bytes,
                                   .floats = t->floats,
-                                  .repeat = true,
+                                  .wrap = texture_wrap(t->wrap),
                                   .mipmaps = t->mipmaps,
                                   .anisotropy = t->anisotropy,
                                   .words = t->words,

@@ -150,8 +150,7 @@ static Key key_of_texture(const TextureSpec *spec)
 {
     const size_t lanes = (size_t)spec->width * (size_t)spec->height * (size_t)spec->lanes;
     const int numbers[] = {spec->width,  spec->height, spec->lanes,   spec->bytes != NULL, spec->words != NULL,
-                           spec->linear, spec->repeat, spec->mipmaps, spec->format,
-                           spec->anisotropy};
+                           spec->linear, spec->wrap,   spec->mipmaps, spec->format,        spec->anisotropy};
     const Key parts[] = {key_of_bytes(numbers, sizeof numbers),
                          spec->bytes   ? key_of_bytes(spec->bytes, lanes)
                          : spec->words ? key_of_bytes(spec->words, lanes * sizeof *spec->words)

@@ -93,7 +93,7 @@ static bool set_textures(Material *made, const cJSON *use)
     for (size_t i = 0; i < size; i++)
         bytes[i] = (uint8_t)(i * 2654435761u >> 24);
     const TextureSpec spec = {
-        .width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes, .repeat = true};
+        .width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes, .wrap = GL_REPEAT};
     cJSON_ArrayForEach(texture, cJSON_GetObjectItem(use, "textures")) fine =
         fine && material_set_texture(made, texture->string, &spec);
     free(bytes);

@@ -32,9 +32,9 @@ static bool set_tables(Material *material)
     }
     for (int i = 0; i < 4 * RANDOM_COUNT; i++)
         random[i] = reference_random_table()[(i / 4 + i % 4) % RANDOM_COUNT];
-    const TextureSpec specs[] = {{.width = SIDE, .height = SIDE, .lanes = 1, .floats = permutation, .repeat = true},
-                                 {.width = RANDOM_COUNT, .height = 1, .lanes = 4, .floats = random, .repeat = true},
-                                 {.width = SIDE, .height = SIDE, .lanes = 1, .bytes = xor, .repeat = true}};
+    const TextureSpec specs[] = {{.width = SIDE, .height = SIDE, .lanes = 1, .floats = permutation, .wrap = GL_REPEAT},
+                                 {.width = RANDOM_COUNT, .height = 1, .lanes = 4, .floats = random, .wrap = GL_REPEAT},
+                                 {.width = SIDE, .height = SIDE, .lanes = 1, .bytes = xor, .wrap = GL_REPEAT}};
     return material_set_texture(material, "matc_permutation", &specs[0]) &&
            material_set_texture(material, "matc_random", &specs[1]) &&
            material_set_texture(material, "matc_xor", &specs[2]);
@@ -54,7 +54,7 @@ static bool set_textures(Material *material, Tuple *tuples, int source, bool lin
                                                .lanes = t->lanes,
                                                .bytes = t->bytes,
                                                .floats = t->floats,
-                                               .repeat = true,
+                                               .wrap = GL_REPEAT,
                                                .linear = linear}) &&
            set_tables(material);
 }

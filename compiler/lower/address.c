@@ -1,0 +1,93 @@
+/* The addresses of pictures but for `repeat`, as a change of the coordinate. A texel's value stands at its lower corner, so the four that
+ * are mixed at u lie around the sampler's place u + 1/2 texel:
+ *
+ *     clamp     u' = clamp(u, 0, 1 - 1 texel): from the first texel to the last one, and no way round to the first
+ *     mirror    the sampler's place is folded into [0, 1], 1 - |1 - 2 fract(x / 2)|, then as clamp
+ *     border    as clamp, times how much of the box that is one texel wide, or as wide as the pixel, lies in the picture
+ *
+ * Of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the box from -.4 to .6 texels has .6 in
+ * the picture, so border is .6 of the first texel, as GL mixes it with its border. */
+#include "compiler/lower/address.h"
+#include "compiler/ir/build_words.h"
+
+/* So many texels, in u and v. */
+static Ref texels(Ir *ir, const Addressed *picture, double count)
+{
+    return build_div(ir, build_all(ir, TYPE_vec2, count), picture->size);
+}
+
+/* The middle of the texel at uv. */
+static Ref centred(Ir *ir, const Addressed *picture, Ref uv)
+{
+    Ref texel = build_floor(ir, build_mul(ir, uv, picture->size));
+    return build_div(ir, build_add(ir, texel, build_all(ir, TYPE_vec2, 0.5)), picture->size);
+}
+
+static Ref folded(Ir *ir, Ref place)
+{
+    Ref one = build_all(ir, TYPE_vec2, 1);
+    Ref turn = build_scale(ir, build_fract(ir, build_scale(ir, place, 0.5)), 2);
+    return build_sub(ir, one, build_abs(ir, build_sub(ir, one, turn)));
+}
+
+Ref address_unfolded(Ir *ir, const Addressed *picture, Ref uv)
+{
+    if (picture->address != WORD_Address_mirror)
+        return uv;
+    Ref half = picture->smooth ? texels(ir, picture, 0.5) : 0;
+    Ref place = folded(ir, half ? build_add(ir, uv, half) : uv);
+    return half ? build_sub(ir, place, half) : place;
+}
+
+Ref address_place(Ir *ir, const Addressed *picture, Ref uv)
+{
+    if (picture->address == WORD_Address_repeat)
+        return uv;
+    Ref place = address_unfolded(ir, picture, picture->smooth ? uv : centred(ir, picture, uv));
+    Ref least = picture->smooth ? build_all(ir, TYPE_vec2, 0) : texels(ir, picture, 0.5);
+    Ref most = build_sub(ir, build_all(ir, TYPE_vec2, 1), texels(ir, picture, picture->smooth ? 1 : 0.5));
+    return build_clamp(ir, place, least, most);
+}
+
+/* The part of a box that lies in the picture, over the box, by lane. One texel wide it begins at u, in texels; a wider one has the same
+ * middle. */
+static Ref overlap(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
+{
+    Ref zero = build_all(ir, TYPE_vec2, 0), one = build_all(ir, TYPE_vec2, 1);
+    Ref begin = build_mul(ir, uv, picture->size);
+    if (wide)
+        begin = build_sub(ir, begin, build_scale(ir, build_sub(ir, wide, one), 0.5));
+    Ref end = build_add(ir, begin, wide ? wide : one);
+    Ref part = build_sub(ir, build_min(ir, end, picture->size), build_max(ir, begin, zero));
+    Ref inside = build_max(ir, part, zero);
+    return wide ? build_div(ir, inside, wide) : inside;
+}
+
+static Ref is_inside(Ir *ir, Ref uv)
+{
+    Ref zero = build_all(ir, TYPE_vec2, 0), one = build_all(ir, TYPE_vec2, 1);
+    return build_sub(ir, build_step(ir, zero, uv), build_step(ir, one, uv));
+}
+
+Ref address_share(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
+{
+    if (picture->address != WORD_Address_border)
+        return 0;
+    Ref most = wide ? build_max(ir, build_all(ir, TYPE_vec2, 1), wide) : 0;
+    Ref share = picture->smooth ? overlap(ir, picture, uv, most) : is_inside(ir, uv);
+    return build_mul(ir, build_swizzle(ir, share, "x"), build_swizzle(ir, share, "y"));
+}
+
+Ref address_texels(Ir *ir, Ref call)
+{
+    const IrNode node = *ir_at(ir, call);
+    if (node.op != OP_call || (node.payload != FN_imageSampled && node.payload != FN_imageSampledOver))
+        return 0;
+    Ref sampler = ir_arg(ir, call, 0), uv = ir_arg(ir, call, 1);
+    const Addressed picture = {ir->textures[ir_at(ir, sampler)->payload].wrap, true, ir_arg(ir, call, 2)};
+    if (picture.address == WORD_Address_repeat)
+        return 0;
+    Ref share = address_share(ir, &picture, uv, 0);
+    Ref value = build_call(ir, FN_imageBilinear, sampler, address_place(ir, &picture, uv), picture.size);
+    return share ? build_mul(ir, value, build_splat(ir, share, TYPE_vec4)) : value;
+}
