@@ -304,6 +304,45 @@ static void many_scans(void **state)
     check_refused(&file, true, "it has too many scans");
 }
 
+/* Of what libjpeg fills in with grey, and only warns: blocks that are missing before the end, a code that is in no table, bands that do not
+ * go together. */
+static void damaged_scans(void **state)
+{
+    (void)state;
+    File file;
+    put_header(&file, &(Header){BASELINE, 16, 16, 1, 8}); /* four blocks, of which three are there */
+    for (int block = 0; block < 3; block++)
+        put_block(&file, 200);
+    put_end(&file);
+    check_refused(&file, true, "premature end of data segment");
+    put_header(&file, &(Header){BASELINE, 16, 16, 1, 8});
+    put_block(&file, 200);
+    for (int i = 0; i < 60; i++)
+        put_bits(&file, 1, 1); /* the tables' only code is 0 */
+    put_end(&file);
+    check_refused(&file, true, "bad Huffman code");
+    put_tables(&file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
+    begin_scan(&file, 1, (int[]){1, 63, 0, 0}); /* before any mean */
+    put_bits(&file, 0, 1);
+    put_end(&file);
+    check_refused(&file, true, "progression");
+}
+
+/* Bytes between segments that belong to none are common, and change nothing. */
+static void bytes_between_segments(void **state)
+{
+    (void)state;
+    File file, padded;
+    put_color(&file);
+    padded = file;
+    memmove(padded.bytes + 2 + 3, padded.bytes + 2, file.size - 2); /* behind the first marker */
+    memset(padded.bytes + 2, 0x55, 3);
+    padded.size += 3;
+    MatcDocument *document = read_with(&padded, true);
+    is_texel(document, 3, 3, (int[]){111, 168, 188});
+    matc_document_free(document);
+}
+
 /* Every length of a file that is cut off, and every byte another one: an error, or another picture, in no memory. */
 static void broken(void **state)
 {
@@ -325,10 +364,15 @@ static void broken(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(grey_blocks), cmocka_unit_test(colors),
-        cmocka_unit_test(progressive), cmocka_unit_test(kinds_that_are_refused),
-        cmocka_unit_test(large),       cmocka_unit_test(many_scans),
+        cmocka_unit_test(grey_blocks),
+        cmocka_unit_test(colors),
+        cmocka_unit_test(progressive),
+        cmocka_unit_test(kinds_that_are_refused),
+        cmocka_unit_test(large),
+        cmocka_unit_test(many_scans),
         cmocka_unit_test(broken),
+        cmocka_unit_test(damaged_scans),
+        cmocka_unit_test(bytes_between_segments),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
