@@ -4,7 +4,7 @@
 // run(job) gives {error}, or {pixels: [numbers of each target], offsets: {name: byte}, drawn: whether anything is}. With `keep`
 // the targets stay as textures key + number, for other jobs. Programs and textures are remembered. There is always a depth buffer.
 const gl = document.querySelector('canvas').getContext('webgl2', {antialias: false});
-const floats = gl.getExtension('EXT_color_buffer_float');
+const floats = gl.getExtension('EXT_color_buffer_float'), anisotropic = gl.getExtension('EXT_texture_filter_anisotropic');
 const programs = new Map(), textures = new Map(), mostPrograms = 200;
 const buffers = Array.from({length: 6}, () => gl && gl.createBuffer()); // of five attributes, and a block's
 
@@ -89,9 +89,11 @@ function offsetsOf(program) {
   return offsets;
 }
 
-function sampled(mipmaps) {
-  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+function sampled(mipmaps, wanted) {
+  gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, mipmaps ? gl.LINEAR : gl.NEAREST);
   gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, mipmaps ? gl.LINEAR_MIPMAP_LINEAR : gl.NEAREST);
+  if (wanted > 1 && anisotropic)
+    gl.texParameteri(gl.TEXTURE_2D, anisotropic.TEXTURE_MAX_ANISOTROPY_EXT, Math.min(wanted, gl.getParameter(anisotropic.MAX_TEXTURE_MAX_ANISOTROPY_EXT)));
   if (mipmaps) gl.generateMipmap(gl.TEXTURE_2D);
 }
 function newTexture(key) {
@@ -99,23 +101,21 @@ function newTexture(key) {
   textures.set(key, texture);
   gl.bindTexture(gl.TEXTURE_2D, texture);
 }
-// {key, png: base64} is decoded by the browser; {key, width, height, lanes, floats | bytes: base64} are texels.
-async function addTexture({key, png, width, height, lanes, floats, bytes, mipmaps}) {
+// {key, format, picture: base64} is decoded by the browser; {key, format, width, height, lanes, floats | bytes: base64} are texels.
+async function addTexture({key, format, picture, width, height, lanes, floats, bytes, mipmaps, anisotropy}) {
   const decode = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
   newTexture(key);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-  if (png) {
+  if (picture) {
     const exact = {imageOrientation: 'flipY', premultiplyAlpha: 'none', colorSpaceConversion: 'none'};
-    const picture = await createImageBitmap(new Blob([decode(png)], {type: 'image/png'}), exact);
+    const decoded = await createImageBitmap(new Blob([decode(picture)]), exact);
     gl.bindTexture(gl.TEXTURE_2D, textures.get(key));
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl[format], gl.RGBA, gl.UNSIGNED_BYTE, decoded);
   } else {
-    const four = lanes === 4, kind = floats ? gl.FLOAT : gl.UNSIGNED_BYTE;
-    const inside = floats ? (four ? gl.RGBA32F : gl.R32F) : four ? gl.RGBA8 : gl.R8;
     const data = floats ? new Float32Array(decode(floats).buffer) : decode(bytes);
-    gl.texImage2D(gl.TEXTURE_2D, 0, inside, width, height, 0, four ? gl.RGBA : gl.RED, kind, data);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl[format], width, height, 0, lanes === 4 ? gl.RGBA : gl.RED, floats ? gl.FLOAT : gl.UNSIGNED_BYTE, data);
   }
-  sampled(mipmaps);
+  sampled(mipmaps, anisotropy);
 }
 function setTextures(program, list) {
   list.forEach(({name, key}, i) => {
@@ -133,7 +133,7 @@ function makeTargets(job) {
     newTexture(job.keep ? job.keep + i : `target ${i}`);
     const texture = gl.getParameter(gl.TEXTURE_BINDING_2D);
     gl.texStorage2D(gl.TEXTURE_2D, 1, formats[name][0], job.width, job.height);
-    sampled(false);
+    sampled(false, 1);
     gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0 + i, gl.TEXTURE_2D, texture, 0);
     return texture;
   });

@@ -72,6 +72,8 @@ export function readBounds(file) {
   const rows = [...fs.readFileSync(file, 'utf8').matchAll(/^(BOUND|DRIVERS)\((?:(\w+)\((\w+)\)|DEFAULT), ([\d.e-]+)/gm)];
   return rows.map(([, row, kind, name, bound]) => ({drivers: row === 'DRIVERS', kind, name, bound: Number(bound)}));
 }
+// What SwiftShader errs by where it decodes sRGB, 7.4e-6 seen, twice that; what is lost of 16 bits in a half float, which may be cut off.
+const DRIVERS_TEXTURES = {SRGB8_ALPHA8: {name: "the driver's sRGB", bound: 1.5e-5}, RGBA16F: {name: 'half floats', bound: 2 ** -11}};
 // SwiftShader's sine and cosine err by 1.9e-4 in [-pi, pi] (Vulkan allows 4.9e-4), and values by as much; twice that.
 const DRIVERS_SINES = {name: "the driver's sines", bound: 4e-4};
 const usesDriversSines = ({reflected, job}) => reflected.choices.trigonometry === 'native' && /\b(sin|cos|tan|asin|acos|atan)\(/.test(job.fragment);
@@ -80,7 +82,8 @@ function boundOf(bounds, draw, slot, root) {
   const text = documents.map(file => fs.readFileSync(path.resolve(root, file), 'utf8')).join('\n');
   const isOurs = draw.reflected.choices.trigonometry !== 'native';
   const takesPart = ({drivers, kind, name}) => drivers && isOurs ? false : !kind || (kind === 'SLOT' ? slot === name : new RegExp(`\\b${name}\\b`).test(text));
-  return [...bounds.filter(takesPart), ...usesDriversSines(draw) ? [DRIVERS_SINES] : []].reduce((most, row) => row.bound > most.bound ? row : most);
+  const textures = draw.reflected.textures.map(({format}) => DRIVERS_TEXTURES[format]).filter(row => row);
+  return [...bounds.filter(takesPart), ...textures, ...usesDriversSines(draw) ? [DRIVERS_SINES] : []].reduce((most, row) => row.bound > most.bound ? row : most);
 }
 
 const miss = (drawn, low, high, value) => {
@@ -114,7 +117,7 @@ export async function compareValues({draw, slot, pixels, options, reference, bou
 // Sines and their inverses are as exact as the browser's driver likes, unless matc's own are taken. The first row is for all documents.
 const variants = [
   ['--trigonometry=bounded'], ['--trigonometry=native'], ['--trigonometry=bounded', '--noise=groimp'], ['--trigonometry=bounded', '--noise=simplex'],
-  ['--constants=baked', '--precision=exact'], ['--trigonometry=bounded', '--aa=box', '--derivatives=analytic']
+  ['--constants=baked', '--precision=exact'], ['--trigonometry=bounded', '--aa=box', '--derivatives=analytic'], ['--trigonometry=bounded', '--aa=none']
 ];
 const slots = ['normal', 'diffuse', 'alpha', 'specular', 'shininess', 'transparency', 'transparencyShininess', 'interpolatedTransparency',
                'diffuseTransparency', 'ambient', 'emissive', 'ior'];
