@@ -9,20 +9,71 @@
 /* What settled an axis. */
 typedef enum { CHOSEN_default, CHOSEN_by_name, CHOSEN_by_precision, CHOSEN_by_measuring } ChoiceSource;
 
-static const char *target_name(int i) { return target_table[i].name; }
-static const char *pass_name(int i) { return pass_table[i].name; }
-static const char *layout_name(int i) { return layout_table[i].name; }
-static const char *slot_name(int i) { return slot_table[i].name; }
-static const char *precision_name(int i) { return precision_table[i].name; }
-
-static int index_of(const char *name, const char *(*names)(int), int count, int otherwise)
+static const char *target_name(const void *user, int i)
 {
-    if (!name)
-        return otherwise;
-    for (int i = 0; i < count; i++)
-        if (!strcmp(names(i), name))
-            return i;
-    return -1;
+    (void)user;
+    return target_table[i].name;
+}
+
+static const char *pass_name(const void *user, int i)
+{
+    (void)user;
+    return pass_table[i].name;
+}
+
+static const char *layout_name(const void *user, int i)
+{
+    (void)user;
+    return layout_table[i].name;
+}
+
+static const char *slot_name(const void *user, int i)
+{
+    (void)user;
+    return slot_table[i].name;
+}
+
+static const char *precision_name(const void *user, int i)
+{
+    (void)user;
+    return precision_table[i].name;
+}
+
+static const char *constants_name(const void *user, int i)
+{
+    static const char *const names[] = {"auto", "baked", "uniform"};
+    (void)user;
+    return names[i];
+}
+
+static const char *choice_name_of(const void *axis, int i)
+{
+    return choice_table[((const AxisRow *)axis)->first + i].name;
+}
+
+bool choice_values(const char *option, NameChoice *values)
+{
+    static const struct {
+        const char *option;
+        NameChoice values;
+    } lists[] = {{"target", {target_name, NULL, TARGET_COUNT}},
+                 {"pass", {pass_name, NULL, PASS_COUNT}},
+                 {"slot", {slot_name, NULL, SLOT_COUNT}},
+                 {"layout", {layout_name, NULL, LAYOUT_COUNT}},
+                 {"precision", {precision_name, NULL, PRECISION_COUNT}},
+                 {"constants", {constants_name, NULL, 3}},
+                 {"warnings", {warnings_name, NULL, DIAG_COUNT}}};
+    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+        if (!strcmp(lists[i].option, option)) {
+            *values = lists[i].values;
+            return true;
+        }
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        if (!strcmp(axis_table[axis].name, option)) {
+            *values = (NameChoice){choice_name_of, &axis_table[axis], axis_choices(axis)};
+            return true;
+        }
+    return false;
 }
 
 typedef struct {
@@ -41,44 +92,81 @@ static const TextOption text_options[] = {
     TEXT_OPTION(precision), TEXT_OPTION(constants), TEXT_OPTION(warnings),
 };
 
-bool matc_options_set(MatcOptions *options, const char *name, const char *value)
+static const TextOption *text_option(const char *name)
 {
-    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
-        if (strcmp(text_options[i].name, name) != 0)
-            continue;
-        if (text_options[i].member + sizeof value > options->size)
-            return false; /* the caller was compiled without it */
-        memcpy((char *)options + text_options[i].member, &value, sizeof value);
-        return true;
-    }
-    return false;
+    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++)
+        if (!strcmp(text_options[i].name, name))
+            return &text_options[i];
+    return NULL;
 }
 
-/* The axes come first. */
-static const char *option_of(const MatcOptions *options, Axis axis)
+static const char *text_of(const MatcOptions *options, const TextOption *option)
 {
     const char *value;
-    memcpy(&value, (const char *)options + text_options[axis].member, sizeof value);
+    memcpy(&value, (const char *)options + option->member, sizeof value);
     return value;
 }
 
-/* A choice by its name, else the row's, else the axis' own default; -1: there is no such choice. */
-static int choose(const MatcOptions *o, Axis axis, int precision, ChoiceSource *source)
+const char *choice_value(const MatcOptions *options, const char *option)
 {
-    const char *name = option_of(o, axis);
-    int first = axis_table[axis].first, row = precision_table[precision].choice[axis];
+    return text_of(options, text_option(option));
+}
+
+bool choice_set(MatcOptions *options, const char *name, const char *value)
+{
+    const TextOption *option = text_option(name);
+    if (!option || option->member + sizeof value > options->size)
+        return false; /* there is none, or the caller was compiled without it */
+    memcpy((char *)options + option->member, &value, sizeof value);
+    return true;
+}
+
+/* -1: there is none of that name. */
+static int index_of(const char *value, const char *option)
+{
+    NameChoice values;
+    if (!choice_values(option, &values))
+        return -1;
+    for (int i = 0; i < values.count; i++)
+        if (!strcmp(values.name(values.user, i), value))
+            return i;
+    return -1;
+}
+
+static bool is_value(const char *option, const char *value)
+{
+    if (!value)
+        return true; /* its default */
+    return strcmp(option, "warnings") ? index_of(value, option) >= 0 : !warnings_fault(value, &(size_t){0});
+}
+
+bool matc_options_set(MatcOptions *options, const char *name, const char *value)
+{
+    return text_option(name) && is_value(name, value) && choice_set(options, name, value);
+}
+
+static int index_or(const MatcOptions *options, const char *option, int otherwise)
+{
+    const char *value = choice_value(options, option);
+    return value ? index_of(value, option) : otherwise;
+}
+
+static int precision_of(const MatcOptions *o) { return index_or(o, "precision", PRECISION_fast); }
+
+/* A choice by its name, else the row's, else the axis' own default. */
+static int choose(const MatcOptions *o, Axis axis, ChoiceSource *source)
+{
+    const char *name = choice_value(o, axis_table[axis].name);
+    int precision = precision_of(o), first = axis_table[axis].first, row = precision_table[precision].choice[axis];
     if (!name) {
         *source = o->precision && row >= 0 ? CHOSEN_by_precision : CHOSEN_default;
         return row >= 0 ? row : first;
     }
     *source = o->measured >> axis & 1 ? CHOSEN_by_measuring : CHOSEN_by_name;
-    for (int i = 0; i < axis_choices(axis); i++)
-        if (!strcmp(choice_table[first + i].name, name))
-            return first + i;
-    return -1;
+    return first + index_of(name, axis_table[axis].name);
 }
 
-static int target_of(const MatcOptions *o) { return index_of(o->target, target_name, TARGET_COUNT, TARGET_DEFAULT); }
+static int target_of(const MatcOptions *o) { return index_or(o, "target", TARGET_DEFAULT); }
 
 const TargetRow *choice_target(const MatcOptions *options)
 {
@@ -86,35 +174,50 @@ const TargetRow *choice_target(const MatcOptions *options)
     return target < 0 ? NULL : &target_table[target];
 }
 
-const char *choice_job(const MatcOptions *o, Job *job)
+/* The first option whose value does not exist; NULL: there is none. */
+static const char *fault_of(const MatcOptions *o)
 {
-    int target = target_of(o);
-    int pass = index_of(o->pass, pass_name, PASS_COUNT, PASS_gbuffer);
-    int layout =
-        index_of(o->custom ? NULL : o->layout, layout_name, LAYOUT_COUNT, target < 0 ? 0 : target_table[target].layout);
-    int slot = index_of(o->slot, slot_name, SLOT_COUNT, SLOT_diffuse);
-    int precision = index_of(o->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     if (o->custom && !o->custom->row)
         return "layout";
-    if (target < 0 || pass < 0 || layout < 0 || slot < 0 || precision < 0)
-        return target < 0 ? "target" : pass < 0 ? "pass" : layout < 0 ? "layout" : slot < 0 ? "slot" : "precision";
-    if (o->constants && strcmp(o->constants, "baked") != 0 && strcmp(o->constants, "uniform") != 0 &&
-        strcmp(o->constants, "auto") != 0)
-        return "constants";
-    if (warnings_fault(o->warnings, &(size_t){0}))
-        return "warnings";
-    *job = (Job){.target = (Target)target, .pass = (Pass)pass, .layout = &layout_table[layout], .slot = (Slot)slot};
-    if (o->custom)
-        job->layout = o->custom->row;
-    job->from_buffer = o->constants && !strcmp(o->constants, "uniform");
-    for (int axis = 0; axis < AXIS_COUNT; axis++) {
-        ChoiceSource source;
-        int choice = choose(o, (Axis)axis, precision, &source);
-        if (choice < 0)
-            return axis_table[axis].name;
-        job->choice[axis] = (Choice)choice;
+    for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
+        const char *name = text_options[i].name;
+        const bool counts = !o->custom || strcmp(name, "layout") != 0;
+        if (counts && !is_value(name, text_of(o, &text_options[i])))
+            return name;
     }
     return NULL;
+}
+
+const char *choice_job(const MatcOptions *o, Job *job)
+{
+    const char *fault = fault_of(o);
+    if (fault)
+        return fault;
+    const Target target = (Target)target_of(o);
+    *job = (Job){.target = target,
+                 .pass = (Pass)index_or(o, "pass", PASS_gbuffer),
+                 .slot = (Slot)index_or(o, "slot", SLOT_diffuse),
+                 .from_buffer = o->constants && !strcmp(o->constants, "uniform")};
+    job->layout = o->custom ? o->custom->row : &layout_table[index_or(o, "layout", target_table[target].layout)];
+    for (int axis = 0; axis < AXIS_COUNT; axis++)
+        job->choice[axis] = (Choice)choose(o, (Axis)axis, &(ChoiceSource){0});
+    return NULL;
+}
+
+const char *choice_fault(Arena *arena, const MatcOptions *options)
+{
+    const char *option = fault_of(options), *value = option ? choice_value(options, option) : NULL;
+    NameChoice values;
+    if (!option)
+        return NULL;
+    Text out = text_new(arena);
+    if (!value || !choice_values(option, &values)) {
+        text_format(&out, "%s: the one that was given has faults of its own", option);
+        return out.at;
+    }
+    text_format(&out, "%s: there is no '%s', but %s%s", option, value, suggest_list(arena, &values),
+                suggest(arena, value, values.name, values.user, values.count));
+    return out.at;
 }
 
 void matc_options_init_sized(MatcOptions *options, size_t size)
@@ -139,8 +242,7 @@ MatcOptions choice_whole_options(const MatcOptions *given)
 void choice_store_options(Bytes *to, const MatcOptions *options)
 {
     for (size_t i = 0; i < sizeof text_options / sizeof *text_options; i++) {
-        const char *value;
-        memcpy(&value, (const char *)options + text_options[i].member, sizeof value);
+        const char *value = text_of(options, &text_options[i]);
         bytes_number(to, value != NULL);
         bytes_text(to, value ? value : "");
     }
@@ -152,7 +254,7 @@ void choice_store_options(Bytes *to, const MatcOptions *options)
 const char *matc_options_fault(const MatcOptions *options)
 {
     const MatcOptions whole = choice_whole_options(options);
-    return choice_job(&whole, &(Job){0});
+    return fault_of(&whole);
 }
 
 static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }
@@ -163,7 +265,6 @@ void choice_explain(Text *out, const MatcOptions *options, const Job *job)
                                      [CHOSEN_by_name] = "by name",
                                      [CHOSEN_by_precision] = "--precision=",
                                      [CHOSEN_by_measuring] = "measured for --max-error"};
-    int precision = index_of(options->precision, precision_name, PRECISION_COUNT, PRECISION_fast);
     text_put(out, "choices\n");
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
         text_format(out, "  %-12s %-12s %s%s\n", "layout", job->layout->name,
@@ -173,7 +274,7 @@ void choice_explain(Text *out, const MatcOptions *options, const Job *job)
                     options->custom || options->layout ? "" : target_table[job->target].name);
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;
-        choose(options, (Axis)axis, precision, &source);
+        choose(options, (Axis)axis, &source);
         text_format(out, "  %-12s %-12s %s%s\n", axis_table[axis].name, choice_name(job, axis), by[source],
                     source == CHOSEN_by_precision ? options->precision : "");
     }

@@ -2,12 +2,21 @@
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
 #include "compiler/base/bytes.h"
+#include "compiler/base/suggest.h"
 #include "compiler/ir/job.h"
 #include "compiler/matc.h"
 #include "compiler/base/text.h"
 
 /* The row of the options' target: the default, where they name none; NULL where there is none of that name. */
 const TargetRow *choice_target(const MatcOptions *options);
+/* The values that an option has by name ("aa": auto, none, ...); false: there is no such option. */
+bool choice_values(const char *option, NameChoice *values);
+/* What an option was given, NULL: nothing. */
+const char *choice_value(const MatcOptions *options, const char *option);
+/* As matc_options_set, but any value: what is told apart later, such as "gbuffer,shadow" and the path of a layout. */
+bool choice_set(MatcOptions *options, const char *name, const char *value);
+/* "aa: there is no 'x', but auto, none, ..." of the first option whose value does not exist, in the arena; NULL: there is none. */
+const char *choice_fault(Arena *arena, const MatcOptions *options);
 /* All that decides what a program is, as bytes. */
 void choice_store_options(Bytes *to, const MatcOptions *options);
 /* The options of a caller that may know fewer members, or more: what it does not know has its default. */

@@ -54,7 +54,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     Text out = text_new(&arena);
     const MatcOptions whole = choice_whole_options(options);
     oracle_surface_default(&surface);
-    *fault = choice_job(&whole, &job) ? "no such option" : read_point(&surface, point);
+    *fault = choice_job(&whole, &job) ? "an option has no such value; see matc_options_fault" : read_point(&surface, point);
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault && !evaluate_material(d, material, &whole, (SurfacePoints){&surface, 1}, &values))

@@ -69,8 +69,10 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     Session session = session_open(&own, &arena);
     const Graph *graph = document->graph;
     document_lend(document, &session);
-    const char *wrong = choice_job(&own, &job);
-    bool fine = !wrong && graph && material >= 0 && material < graph->material_count;
+    const char *wrong = choice_fault(&arena, &own);
+    if (wrong)
+        diag_add(&session, NO_SPAN, DIAG_unknown_option, wrong);
+    bool fine = !choice_job(&own, &job) && graph && material >= 0 && material < graph->material_count;
     job.pass = PASS_value;
     job.all_slots = true;
     matc_ranges_init(&one);
@@ -81,7 +83,7 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     *fault = NULL;
     if (fine)
         matc_ranges_join(ranges, &one);
-    else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material or option")))
+    else if (!(*fault = strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material")))
         abort();
     arena_free(&arena);
     return fine;

@@ -52,7 +52,7 @@ typedef struct {
     const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
     const char *layout;       /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
     const char *precision;    /* "fast" (default), "balanced", "exact": sets those below that are NULL */
-    const char *noise;        /* "lattice" (default), "groimp" */
+    const char *noise;        /* "lattice" (default), "groimp", "simplex" */
     const char *aa;           /* "auto" (default), "none", "box", "aniso" */
     const char *derivatives;  /* "finite" (default), "analytic" */
     const char *coordinates;  /* "plain" (default), "long" */
@@ -82,9 +82,10 @@ MATC_API void matc_linked_free(MatcLinked *linked);
 /* Members beyond those that the caller knows of keep their defaults. */
 #define matc_options_init(options) matc_options_init_sized(options, sizeof(MatcOptions))
 MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);
-/* Sets a member by its name: "target", "noise", ...; false if it is none of those above `optimize`, nor "warnings". */
+/* Sets a member by its name: "target", "noise", ...; false, and nothing is set, if it is none of those above `optimize`, nor "warnings",
+ * or has no such value. NULL is the default. */
 MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
-/* NULL, or which option has a value that does not exist. */
+/* NULL, or which option has a value that does not exist; a program that is compiled with it says which values there are. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);
 
 /* Reads and resolves a document. Never NULL; faults are in its diagnostics, and it then has no materials; nor has one of

@@ -228,6 +228,15 @@ static bool write_program(MatcProgram *p, unsigned outputs)
     return !(outputs & MATC_SPIRV) || fill_spirv(p);
 }
 
+/* Options that mean nothing are a fault of the program's. */
+static bool open_job(MatcProgram *p)
+{
+    const char *fault = choice_fault(&p->arena, &p->options);
+    if (fault)
+        return diag_add(&p->session, NO_SPAN, DIAG_unknown_option, fault);
+    return !choice_job(&p->options, &p->job);
+}
+
 MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs, const MatcOptions *options)
 {
     MatcProgram *p = calloc(1, sizeof *p);
@@ -240,8 +249,8 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     p->session.measure = (outputs & MATC_STATS) != 0;
     document_lend(d, &p->session);
     p->session.stage_start = session_now();
-    p->ok = d->graph && material >= 0 && material < d->graph->material_count && !choice_job(&p->options, &p->job) &&
-            compile_program(p) && (outputs == MATC_KEY || write_program(p, outputs)) && !p->session.diags.errors;
+    p->ok = d->graph && material >= 0 && material < d->graph->material_count && open_job(p) && compile_program(p) &&
+            (outputs == MATC_KEY || write_program(p, outputs)) && !p->session.diags.errors;
     return p;
 }
 

@@ -83,7 +83,10 @@ static void only_warnings_have_settings(void **state)
     MatcOptions options;
     matc_options_init(&options);
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
-        assert_true(matc_options_set(&options, "warnings", faults[i]));
+        options.warnings = NULL;
+        assert_false(matc_options_set(&options, "warnings", faults[i]));
+        assert_null(options.warnings);
+        options.warnings = faults[i];
         assert_string_equal(matc_options_fault(&options), "warnings");
     }
     options.warnings = "no-unknown_map";

@@ -160,7 +160,7 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
         *(const char **)(void *)member = value ? value : option->otherwise;
         return true;
     case TAKES_compile:
-        return matc_options_set(&line->compile, option->name + 2, value);
+        return choice_set(&line->compile, option->name + 2, value); /* options_check looks at it */
     case TAKES_flag:
         *(bool *)member = true;
         return true;

@@ -1,5 +1,6 @@
 /* What goes together on a command line. */
 #include "compiler/base/text.h"
+#include "compiler/choice.h"
 #include "compiler/tool/layout_option.h"
 #include "compiler/tool/options_fault.h"
 #include <stdlib.h>
@@ -59,23 +60,6 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
-/* What an option of the library was given; NULL: it is none of these. */
-static const char *value_of(const MatcOptions *options, const char *name)
-{
-    const struct {
-        const char *name, *value;
-    } given[] = {
-        {"target", options->target}, {"pass", options->pass},           {"slot", options->slot},
-        {"layout", options->layout}, {"precision", options->precision}, {"constants", options->constants},
-#define AXIS(axis, chunks, doc) {#axis, options->axis},
-#include "grammar/variants.def"
-    };
-    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
-        if (!strcmp(given[i].name, name))
-            return given[i].value;
-    return NULL;
-}
-
 /* The options of every pass name what exists. */
 static const char *check_names(CommandLine *line)
 {
@@ -85,7 +69,7 @@ static const char *check_names(CommandLine *line)
         options.pass = line->passes[i];
         if (layout_is_custom(options.layout))
             options.layout = NULL; /* layout_open looks at it */
-        const char *name = matc_options_fault(&options), *value = name ? value_of(&options, name) : NULL;
+        const char *name = matc_options_fault(&options), *value = name ? choice_value(&options, name) : NULL;
         if (!name)
             continue;
         Text option = text_new(&line->words);

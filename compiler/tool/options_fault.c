@@ -1,26 +1,9 @@
 /* Faults of the command line, as good as those of documents. */
 #include "compiler/tool/options_fault.h"
 #include "compiler/base/text.h"
+#include "compiler/choice.h"
 #include "compiler/describe/describe.h"
 #include <string.h>
-
-static const char *target_name(const void *user, int i)
-{
-    (void)user;
-    return target_table[i].name;
-}
-
-static const char *pass_name(const void *user, int i)
-{
-    (void)user;
-    return pass_table[i].name;
-}
-
-static const char *slot_name(const void *user, int i)
-{
-    (void)user;
-    return slot_table[i].name;
-}
 
 static const char *layout_name(const void *user, int i)
 {
@@ -28,46 +11,12 @@ static const char *layout_name(const void *user, int i)
     return i == LAYOUT_COUNT ? "auto" : layout_table[i].name;
 }
 
-static const char *precision_name(const void *user, int i)
-{
-    (void)user;
-    return precision_table[i].name;
-}
-
-static const char *constants_name(const void *user, int i)
-{
-    static const char *const names[] = {"auto", "baked", "uniform"};
-    (void)user;
-    return names[i];
-}
-
-static const char *choice_name(const void *axis, int i)
-{
-    return choice_table[((const AxisRow *)axis)->first + i].name;
-}
-
 bool options_fault_values(const char *option, NameChoice *values)
 {
-    static const struct {
-        const char *option;
-        NameChoice values;
-    } lists[] = {{"target", {target_name, NULL, TARGET_COUNT}},
-                 {"pass", {pass_name, NULL, PASS_COUNT}},
-                 {"slot", {slot_name, NULL, SLOT_COUNT}},
-                 {"layout", {layout_name, NULL, LAYOUT_COUNT + 1}},
-                 {"precision", {precision_name, NULL, PRECISION_COUNT}},
-                 {"constants", {constants_name, NULL, 3}}};
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        if (!strcmp(lists[i].option, option)) {
-            *values = lists[i].values;
-            return true;
-        }
-    for (int axis = 0; axis < AXIS_COUNT; axis++)
-        if (!strcmp(axis_table[axis].name, option)) {
-            *values = (NameChoice){choice_name, &axis_table[axis], axis_choices(axis)};
-            return true;
-        }
-    return false;
+    if (strcmp(option, "layout") != 0)
+        return choice_values(option, values);
+    *values = (NameChoice){layout_name, NULL, LAYOUT_COUNT + 1};
+    return true;
 }
 
 const char *options_fault_value(Arena *arena, const char *option, const char *value, const NameChoice *values)

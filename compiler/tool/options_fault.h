@@ -6,7 +6,7 @@
 
 /* "--target=hlsl: there is glsl110, glsl330, ...; did you mean ...?"; in the arena. */
 const char *options_fault_value(Arena *arena, const char *option, const char *value, const NameChoice *values);
-/* The values of an option that matc_options_set takes; false: it takes any text. */
+/* The values of an option that matc_options_set takes, and what the program takes beyond; false: it is none of these. */
 bool options_fault_values(const char *option, NameChoice *values);
 /* Names that --explain knows, and kinds that --list knows. */
 const char *options_fault_explain(Arena *arena, const char *name);
