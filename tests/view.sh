@@ -28,6 +28,8 @@ for option in --shape=teapot --camera=behind --camera=0,0,5 --camera=1,2 --slot=
     check "which is said" says '^matview: '
     check "and draws nothing" test ! -e "$work/none.png"
 done
+check "a value that no option has" status 2 $draw --aa=sharp $example -o "$work/none.png"
+check "is told from those that are" says "^matview: --aa: there is no 'sharp', but auto, none, box, aniso; see"
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
 check "says so" says 'the layout does not store that slot'
 

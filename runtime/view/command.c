@@ -1,7 +1,9 @@
 /* From arguments to a Command. */
 #include "runtime/view/command.h"
+#include "compiler/choice.h"
 #include "runtime/view/slot.h"
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -95,8 +97,8 @@ static const char *set_option(Command *command, const char *name, const char *va
     else if (!strcmp(name, "--param"))
         return add_param(command, value);
     else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&
-             matc_options_set(&command->picture.compile, name + 2, value))
-        return NULL;
+             choice_set(&command->picture.compile, name + 2, value))
+        return NULL; /* command_check looks at it */
     else
         return set_view(command, name, value);
     return NULL;
@@ -176,12 +178,23 @@ static const char *check_view(Command *command)
     return NULL;
 }
 
+/* "--aa: there is no 'x', but auto, none, ..." */
+static const char *check_choices(Command *command)
+{
+    Arena arena = {0};
+    const char *fault = choice_fault(&arena, &command->picture.compile);
+    if (fault)
+        snprintf(command->message, sizeof command->message, "--%s", fault);
+    arena_free(&arena);
+    return fault ? command->message : NULL;
+}
+
 const char *command_check(Command *command)
 {
     command->picture.params = command->params;
-    if (matc_options_fault(&command->picture.compile))
-        return "an option names what does not exist";
-    const char *fault = check_view(command);
+    const char *fault = check_choices(command);
+    if (!fault)
+        fault = check_view(command);
     if (fault)
         return fault;
     if (!command->input_count)
