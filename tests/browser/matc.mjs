@@ -37,8 +37,11 @@ function unfilter(kind, row, above, step) {
   }
 }
 
-// A PNG of 16 bits, which a browser would decode to 8: its texels as floats, the lowest row first.
-function pngOfWords(bytes) {
+// A PNG of 16 bits, which a browser would decode to 8: its texels as floats, the lowest row first. No texture of 16 bits is sRGB: those
+// colours are decoded here.
+const linear = s => s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+function pngOfWords(bytes, colorspace) {
+  const decoded = colorspace === 'srgb' ? linear : value => value;
   const width = bytes.readUInt32BE(IHDR), height = bytes.readUInt32BE(IHDR + 4), lanes = COLOUR_LANES[bytes[IHDR + 9]];
   const packed = inflateSync(Buffer.concat([...pngChunks(bytes)].filter(({type}) => type === 'IDAT').map(({data}) => data)));
   const size = 2 * lanes * width, texels = new Float32Array(4 * width * height);
@@ -48,16 +51,16 @@ function pngOfWords(bytes) {
     unfilter(packed[start], row, above, 2 * lanes);
     for (let x = 0; x < width; x++) {
       const own = Array.from({length: lanes}, (_, lane) => word(x * lanes + lane)), alpha = lanes % 2 ? 1 : own.pop();
-      texels.set([own[0], own[own.length - 2] ?? own[0], own.at(-1), alpha], 4 * ((height - 1 - y) * width + x));
+      texels.set([...[own[0], own[own.length - 2] ?? own[0], own.at(-1)].map(decoded), alpha], 4 * ((height - 1 - y) * width + x));
     }
     above = row;
   }
   return {width, height, lanes: 4, floats: Buffer.from(texels.buffer).toString('base64')};
 }
 
-function texelsOf(file) {
+function texelsOf(file, colorspace) {
   const bytes = fs.readFileSync(file);
-  return file.endsWith('.ktx') ? ktx(bytes) : isPngOfWords(bytes) ? pngOfWords(bytes) : {picture: bytes.toString('base64')};
+  return file.endsWith('.ktx') ? ktx(bytes) : isPngOfWords(bytes) ? pngOfWords(bytes, colorspace) : {picture: bytes.toString('base64')};
 }
 
 export class Matc {
@@ -96,10 +99,10 @@ export class Matc {
   }
 
   // Pictures are decoded by the browser, but for those of 16 bits; what matc makes is read from its files.
-  texture(out, {name, file, filter, format, anisotropy}, used) {
-    const at = path.resolve(this.root, used ?? file ?? path.join(out, `${name}.ktx`)), key = [at, filter, format, anisotropy].join(' ');
+  texture(out, {name, file, filter, format, colorspace, anisotropy}, used) {
+    const at = path.resolve(this.root, used ?? file ?? path.join(out, `${name}.ktx`)), key = [at, filter, format, colorspace, anisotropy].join(' ');
     if (!this.textures.has(key)) {
-      this.textures.set(key, {key, mipmaps: filter === 'mipmaps', format, anisotropy, sent: false, ...texelsOf(at)});
+      this.textures.set(key, {key, mipmaps: filter === 'mipmaps', format, anisotropy, sent: false, ...texelsOf(at, colorspace)});
     }
     return key;
   }
