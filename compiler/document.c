@@ -1,12 +1,15 @@
 /* The library's surface: documents. */
 #include "compiler/choice.h"
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
+#include "compiler/front/resolve.h"
 #include <stdlib.h>
 #include <string.h>
 
 const char *matc_version(void) { return MATC_VERSION; }
 
-MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+/* With its text, and nothing made of it. */
+static MatcDocument *make(const char *name, const char *text, size_t size, const MatcOptions *options)
 {
     MatcDocument *d = calloc(1, sizeof *d);
     if (!d)
@@ -18,9 +21,24 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
     Source source = {arena_string(&d->arena, name, strlen(name)), arena_string(&d->arena, text, size), size};
     ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
     session_depend_on(&d->session, source.name);
+    return d;
+}
+
+MatcDocument *matc_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+{
+    MatcDocument *d = make(name, text, size, options);
     d->graph = compile_front(&d->session, 0, &d->tree);
     return d;
 }
+
+MatcDocument *document_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+{
+    MatcDocument *d = make(name, text, size, options);
+    d->tree = read_document(&d->session, 0);
+    return d;
+}
+
+void document_resolve(MatcDocument *d, Tree *tree) { d->graph = tree ? resolve(&d->session, tree) : NULL; }
 
 void document_lend(const MatcDocument *d, Session *session)
 {

@@ -1,7 +1,7 @@
-/* A document as the library's surface holds it. Private to document.c, evaluate.c, program.c, layout_api.c. */
+/* A document as the library's surface holds it. Private to it, and to runtime/scene, which reads more of a document than its materials. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
-#include "compiler/pipeline.h"
+#include "compiler/front/tree.h"
 
 struct MatcDocument {
     Arena arena;
@@ -11,6 +11,10 @@ struct MatcDocument {
     Graph *graph; /* NULL: faults */
 };
 
+/* Text -> Tree; no graph yet. */
+MatcDocument *document_read(const char *name, const char *text, size_t size, const MatcOptions *options);
+/* Tree -> Graph; the tree is the document's own, or its materials alone. NULL: there is none. */
+void document_resolve(MatcDocument *document, Tree *tree);
 /* Diagnostics of the session are about positions in the document. */
 void document_lend(const MatcDocument *document, Session *session);
 #endif

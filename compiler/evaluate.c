@@ -2,6 +2,7 @@
 #include "compiler/evaluate.h"
 #include "compiler/choice.h"
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

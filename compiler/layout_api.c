@@ -5,6 +5,7 @@
 #include "compiler/choice.h"
 #include "compiler/layout/custom.h"
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* Programs: a material's IR, what is written of it, and what it needs. */
 #include "compiler/choice.h"
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
 #include "compiler/ir/key.h"
 #include "compiler/layout/layout.h"
 #include "compiler/layout/layout_read.h"

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

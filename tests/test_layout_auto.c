@@ -8,6 +8,7 @@
 #include "compiler/layout/layout.h"
 #include "compiler/layout/custom.h"
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
 #include "tests/stress/generate.h"
 #include "tests/value/kept.h"
 #include <stdio.h>

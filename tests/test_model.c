@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/view/model.h"
+#include "runtime/scene/model.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

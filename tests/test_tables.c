@@ -62,6 +62,27 @@ static void defaults_are_in_range(void **state)
                         param_table[i].init[lane] <= param_table[i].high);
 }
 
+/* The same of scene.def. */
+static void scenes_are_sound(void **state)
+{
+    (void)state;
+    int next = 0;
+    for (int sort = 0; sort < SCENE_SORT_COUNT; sort++)
+        assert_true(is_sentence(scene_sort_table[sort].doc));
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
+        assert_true(is_sentence(scene_kind_table[kind].doc));
+        assert_int_equal(scene_kind_table[kind].first, next);
+        for (int i = 0; i < scene_kind_table[kind].count; i++, next++) {
+            const ParamRow *param = &scene_param_table[next].param;
+            assert_int_equal(scene_param_table[next].kind, kind);
+            assert_true(is_sentence(param->doc));
+            for (int lane = 0; lane < param->lanes; lane++)
+                assert_true(param->init[lane] >= param->low && param->init[lane] <= param->high);
+        }
+    }
+    assert_int_equal(next, SCENE_PARAM_COUNT);
+}
+
 static void maps_have_their_files(void **state)
 {
     (void)state;
@@ -192,6 +213,7 @@ int main(void)
         cmocka_unit_test(rows_are_documented),
         cmocka_unit_test(parameters_stand_under_their_kind),
         cmocka_unit_test(defaults_are_in_range),
+        cmocka_unit_test(scenes_are_sound),
         cmocka_unit_test(maps_have_their_files),
         cmocka_unit_test(every_parameter_is_tried),
         cmocka_unit_test(every_wave_is_known),

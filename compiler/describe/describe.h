@@ -24,6 +24,16 @@ void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece)
 void describe_error(Text *out, const FieldRow *field);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);
+/* What a parameter's value must be, as members of a JSON object of the schema of documents; the definition of a list of
+ * words.def there. describe_value.c */
+void describe_value(Text *out, const ParamRow *param);
+const char *describe_word_list(ParamKind list);
+/* The page of a scene's kind, and of a sort. describe_scene.c */
+void describe_scene_kind(Text *out, SceneKind kind);
+void describe_scene_sort(Text *out, SceneSort sort);
+/* Definitions of all of them in the schema of documents, and the keys of a document that are theirs, as further properties. */
+void describe_scene_definitions(Text *out);
+void describe_scene_keys(Text *out);
 /* A diagnostic's format with "..." where it has arguments. */
 void describe_message(Text *out, const DiagRow *diag);
 

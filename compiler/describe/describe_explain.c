@@ -128,6 +128,16 @@ static void explain_kinds(const Query *q)
             put_kind(q->out, preset_table[i].kind, preset_table[i].name);
 }
 
+static void explain_scenes(const Query *q)
+{
+    for (int sort = 0; sort < SCENE_SORT_COUNT; sort++)
+        if (begins(q, scene_sort_table[sort].name))
+            describe_scene_sort(q->out, (SceneSort)sort);
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++)
+        if (begins(q, scene_kind_table[kind].name))
+            describe_scene_kind(q->out, (SceneKind)kind);
+}
+
 static void explain_waves(const Query *q)
 {
     for (int i = 0; i < WAVE_COUNT; i++)
@@ -263,6 +273,7 @@ char *matc_explain(const char *name)
     Query query = {&out, name, strcmp};
     for (int round = 0; round < 2 && !out.size; round++) {
         explain_kinds(&query);
+        explain_scenes(&query);
         explain_waves(&query);
         explain_colors(&query);
         explain_color_spaces(&query);

@@ -75,6 +75,18 @@ static void list_waves(Text *out)
     put_line(out, "Chain", CHAIN_DOC);
 }
 
+static void list_scenes(Text *out)
+{
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
+        const SceneSort sort = scene_kind_table[kind].sort;
+        Text title = text_new(out->arena);
+        text_format(&title, "Of scenes: %s", scene_sort_table[sort].name);
+        if (!kind || scene_kind_table[kind - 1].sort != sort)
+            put_heading(out, title.at);
+        put_line(out, scene_kind_table[kind].name, scene_kind_table[kind].doc);
+    }
+}
+
 static void list_choices_of(Text *out, const AxisRow *axis)
 {
     put_heading(out, axis->doc);
@@ -100,11 +112,11 @@ static void list_warnings(Text *out)
 static const struct {
     const char *kind;
     void (*put)(Text *out);
-} lists[] = {{"materials", list_materials}, {"maps", list_maps},        {"presets", list_presets},
-             {"aliases", list_aliases},     {"waves", list_waves},      {"colors", list_colors},
-             {"channels", list_channels},   {"slots", list_slots},      {"targets", list_targets},
-             {"passes", list_passes},       {"layouts", list_layouts},  {"encodings", list_encodings},
-             {"choices", list_choices},     {"warnings", list_warnings}};
+} lists[] = {{"materials", list_materials}, {"maps", list_maps},       {"presets", list_presets},
+             {"aliases", list_aliases},     {"waves", list_waves},     {"colors", list_colors},
+             {"channels", list_channels},   {"slots", list_slots},     {"targets", list_targets},
+             {"passes", list_passes},       {"layouts", list_layouts}, {"encodings", list_encodings},
+             {"scenes", list_scenes},       {"choices", list_choices}, {"warnings", list_warnings}};
 enum { LISTS = sizeof lists / sizeof *lists };
 
 char *matc_list(void)

@@ -4,7 +4,6 @@
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"
-#include <math.h>
 #include <string.h>
 
 #define NUMBERS "{\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}"
@@ -129,11 +128,6 @@ static void put_color(Text *out)
     text_put(out, ")\\\\)$\"}\n      ]\n    },\n");
 }
 
-static const char *const word_list_names[PARAM_KIND_COUNT] = {
-#define WORDS(list) [PARAM_##list] = "word" #list,
-#include "grammar/words.def"
-};
-
 /* "wordChannel": { all names of the list, or null } */
 static void put_words(Text *out)
 {
@@ -141,7 +135,7 @@ static void put_words(Text *out)
         bool first = !i || word_table[i - 1].list != word_table[i].list;
         bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != word_table[i].list;
         if (first)
-            text_format(out, "    \"%s\": {\"enum\": [null", word_list_names[word_table[i].list]);
+            text_format(out, "    \"%s\": {\"enum\": [null", describe_word_list(word_table[i].list));
         text_format(out, ", \"%s\"%s", word_table[i].name, last ? "]},\n" : "");
     }
 }
@@ -188,40 +182,10 @@ static void put_kind_names(Text *out, Kind kind)
     text_char(out, '}');
 }
 
-static const char *definition_of(const ParamRow *param)
-{
-    static const char *const names[] = {
-        [PARAM_Map] = "map",     [PARAM_Material] = "anyMaterial", [PARAM_Float] = "number", [PARAM_Int] = "whole",
-        [PARAM_Bool] = "bool",   [PARAM_Vec3] = "vector",          [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
-        [PARAM_Items] = "items", [PARAM_Transform] = "transform",
-    };
-    return param_is_word(param)           ? word_list_names[param->type]
-           : param->kind == KIND_Constant ? "constantOrParam"
-                                          : names[param->type];
-}
-
-static void put_limits(Text *out, const ParamRow *param)
-{
-    text_put(out, ", \"minimum\": ");
-    text_plain(out, param->low);
-    text_put(out, ", \"maximum\": ");
-    text_plain(out, param->high);
-}
-
 static void put_param(Text *out, const ParamRow *param)
 {
-    text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s\"", param->name, definition_of(param));
-    if (isfinite(param->low)) {
-        put_limits(out, param);
-        text_put(out, ", \"properties\": {\"default\": {\"type\": \"number\"");
-        put_limits(out, param);
-        text_put(out, "}}");
-    }
-    if (param->lanes) {
-        text_put(out, param_is_word(param) ? ", \"default\": \"" : ", \"default\": ");
-        describe_default(out, param, NULL);
-        text_put(out, param_is_word(param) ? "\"" : "");
-    }
+    text_format(out, ",\n        \"%s\": {", param->name);
+    describe_value(out, param);
     text_put(out, ", \"description\": ");
     json_string(out, param->doc);
     text_char(out, '}');
@@ -289,7 +253,7 @@ static void put_top(Text *out)
 
 static void put_outermost(Text *out)
 {
-    text_format(
+    text_put(
         out,
         "    \"defs\": {\n"
         "      \"description\": \"Maps and materials to refer to by `ref:`.\",\n"
@@ -305,31 +269,33 @@ static void put_outermost(Text *out)
         "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
         "    },\n"
         "    \"definitions\": {\n"
-        "      \"description\": \"Definitions alone, for other documents to include.\",\n"
-        "      \"type\": \"object\", \"additionalProperties\": false,\n"
-        "      \"anyOf\": [{\"required\": [\"defs\"]}, {\"required\": [\"include\"]}],\n"
+        "      \"description\": \"Definitions alone, for other documents to include; or a scene.\",\n"
+        "      \"type\": \"object\", \"additionalProperties\": false, \"minProperties\": 1,\n"
+        "      \"not\": {\"required\": [\"colors\"], \"maxProperties\": 1},\n"
         "      \"properties\": {\n"
         "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
         "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
-        "        \"colors\": {\"$ref\": \"#/$defs/colors\"}\n"
-        "      }\n"
-        "    },\n"
-        "    \"materialsDocument\": {\n"
-        "      \"description\": \"Several materials in a file.\",\n"
-        "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
-        "      \"properties\": {\n"
-        "        \"materials\": {\n"
-        "          \"description\": \"A material a name.\",\n"
-        "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": {\"$ref\": "
-        "\"#/$defs/material\"},\n"
-        "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
-        "        },\n"
-        "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
-        "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
-        "        \"colors\": {\"$ref\": \"#/$defs/colors\"}\n"
-        "      }\n"
-        "    }\n",
-        LIMIT_NAME);
+        "        \"colors\": {\"$ref\": \"#/$defs/colors\"}");
+    describe_scene_keys(out);
+    text_format(out,
+                "\n      }\n"
+                "    },\n"
+                "    \"materialsDocument\": {\n"
+                "      \"description\": \"Several materials in a file.\",\n"
+                "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
+                "      \"properties\": {\n"
+                "        \"materials\": {\n"
+                "          \"description\": \"A material a name.\",\n"
+                "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": {\"$ref\": "
+                "\"#/$defs/material\"},\n"
+                "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
+                "        },\n"
+                "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+                "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
+                "        \"colors\": {\"$ref\": \"#/$defs/colors\"}",
+                LIMIT_NAME);
+    describe_scene_keys(out);
+    text_put(out, "\n      }\n    }\n");
 }
 
 static char *document_schema(void)
@@ -358,6 +324,7 @@ static char *document_schema(void)
     for (int kind = 0; kind < KIND_COUNT; kind++)
         if (kind_table[kind].lowering == LOWERING_MATERIAL)
             put_document(&out, (Kind)kind);
+    describe_scene_definitions(&out);
     put_outermost(&out);
     text_put(&out, "  }\n}\n");
     return describe_finish(&out);

@@ -36,6 +36,8 @@ Graph *resolve(Session *session, Tree *document);
 
 /* Keys of the outermost level that stand beside a material's own. */
 bool resolve_is_document_key(const char *key);
+/* It has keys that make it a scene: its `materials:` are compiled, the rest is runtime/scene's. */
+bool resolve_is_scene(const Tree *document);
 /* A map or a material, made once however often it is met; `outermost`: the document itself. resolve.c */
 const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault);
 /* A map: number, list, colour, param, reference or object. NULL for none and for a fault; *fault tells. */

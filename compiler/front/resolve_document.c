@@ -113,11 +113,29 @@ static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials
     return fine;
 }
 
+static bool is_scene_key(const char *key)
+{
+    const SceneKindRow *row = &scene_kind_table[SCENE_Scene];
+    for (int i = row->first; i < row->first + row->count; i++)
+        if (!strcmp(scene_param_table[i].param.name, key))
+            return true;
+    return false;
+}
+
+bool resolve_is_scene(const Tree *document)
+{
+    for (uint32_t i = 0; document->kind == TREE_object && i < document->count; i++)
+        if (is_scene_key(document->members[i].key))
+            return !tree_find(document, "material");
+    return false;
+}
+
+enum { OWN_KEYS = 5 };
 static const char *top_key(const void *user, int i)
 {
     (void)user;
-    static const char *const keys[] = {"material", "materials", "defs", "include", "colors"};
-    return keys[i];
+    static const char *const keys[OWN_KEYS] = {"material", "materials", "defs", "include", "colors"};
+    return i < OWN_KEYS ? keys[i] : scene_param_table[scene_kind_table[SCENE_Scene].first + i - OWN_KEYS].param.name;
 }
 
 static bool check_top(Resolver *r, const Tree *document, bool many)
@@ -125,10 +143,11 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     bool fine = true;
     for (uint32_t i = 0; many && i < document->count; i++) {
         const Member *member = &document->members[i];
-        if (resolve_is_document_key(member->key) || !strcmp(member->key, "materials"))
+        if (resolve_is_document_key(member->key) || is_scene_key(member->key) || !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material");
-        const char *near = diag_suggest(r->session, member->key, top_key, NULL, 5);
+        const char *near =
+            diag_suggest(r->session, member->key, top_key, NULL, OWN_KEYS + scene_kind_table[SCENE_Scene].count);
         diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
         fine = false;
     }
@@ -147,13 +166,13 @@ static void check_defs(Resolver *r)
         }
 }
 
-/* A palette: definitions for `include:`, and nothing to compile. */
+/* A palette: definitions for `include:`, and nothing to compile. Or a scene, whose materials stand where they are used. */
 static bool has_definitions_only(const Tree *document)
 {
     for (uint32_t i = 0; i < document->count; i++)
-        if (!resolve_is_document_key(document->members[i].key))
+        if (!resolve_is_document_key(document->members[i].key) && !is_scene_key(document->members[i].key))
             return false;
-    return tree_find(document, "defs") || tree_find(document, "include");
+    return tree_find(document, "defs") || tree_find(document, "include") || resolve_is_scene(document);
 }
 
 static void *say_no_material(Session *session, const Tree *document)

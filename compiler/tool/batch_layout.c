@@ -2,6 +2,7 @@
 #include "compiler/tool/batch_state.h"
 #include "compiler/choice.h"
 #include "compiler/document.h"
+#include "compiler/pipeline.h"
 #include "compiler/tool/layout_option.h"
 #include "compiler/layout/layout_read.h"
 #include <stdlib.h>

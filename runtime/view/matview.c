@@ -4,7 +4,7 @@
 #include "compiler/base/text.h"
 #include "compiler/base/watch.h"
 #include "runtime/view/command.h"
-#include "runtime/view/model.h"
+#include "runtime/scene/model.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* Meshes out of files, for the preview. */
+/* Meshes out of files. */
 #ifndef MATC_VIEW_MODEL_H
 #define MATC_VIEW_MODEL_H
 #include "runtime/gl/shape.h"
@@ -17,6 +17,10 @@ enum {
  * longitude and latitude; tangents are dP/du and dP/dv of the triangles, as on every shape. False: *error, and *made is empty. */
 bool model_read(const char *path, Shape *made, char *error, size_t room);
 
+/* The same where it stands, in its own size, for scenes. */
+bool model_read_in_place(const char *path, Shape *made, char *error, size_t room);
+
 /* The second half: checks what was read, and adds what is missing. NULL, or what is wrong. */
 const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates);
+const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates);
 #endif

@@ -1,7 +1,7 @@
 /* Assimp's scene as one list of triangles. */
-#include "runtime/view/model_import.h"
+#include "runtime/scene/model_import.h"
 #include "runtime/gl/message.h"
-#include "runtime/view/model.h"
+#include "runtime/scene/model.h"
 #include <stdlib.h>
 
 #ifndef MATC_ASSIMP

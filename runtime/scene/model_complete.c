@@ -1,5 +1,5 @@
 /* Checks what was read of a mesh, and adds what is missing: place and size, texture coordinates, normals, tangents. */
-#include "runtime/view/model.h"
+#include "runtime/scene/model.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,8 +47,8 @@ static bool normalize(float v[3])
     return true;
 }
 
-/* Into the unit sphere around the origin. False: all its points are one. */
-static bool fit(Shape *shape)
+/* Into the unit sphere around the origin; gives the factor that takes it back to its size. 0: all its points are one. */
+static float fit(Shape *shape)
 {
     float low[3], high[3];
     memcpy(low, shape->vertices[0].position, sizeof low);
@@ -64,7 +64,7 @@ static bool fit(Shape *shape)
     for (int i = 0; i < shape->vertex_count && half > 0; i++)
         for (int k = 0; k < 3; k++)
             shape->vertices[i].position[k] = (shape->vertices[i].position[k] - (low[k] / 2 + high[k] / 2)) / half;
-    return half > 0;
+    return half;
 }
 
 /* As on the sphere, seen from the middle. */
@@ -176,14 +176,15 @@ static bool are_finite(const Shape *shape)
     return true;
 }
 
-const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
+static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size)
 {
     const char *fault = find_fault(shape);
     if (fault)
         return fault;
     if (has_coordinates && !are_finite(shape))
         return "a texture coordinate is no number, or not below 1e9";
-    if (!fit(shape))
+    *size = fit(shape);
+    if (!(*size > 0))
         return "all its corners are one point";
     if (!has_coordinates)
         make_coordinates(shape);
@@ -191,4 +192,30 @@ const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
         make_normals(shape);
     mend_normals(shape);
     return make_tangents(shape) ? NULL : "out of memory";
+}
+
+const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
+{
+    float size;
+    return complete(shape, has_normals, has_coordinates, &size);
+}
+
+/* What is computed of a mesh is computed at the size of one: whether an area is small is then a question with an answer. */
+const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
+{
+    float size, (*kept)[3] = malloc((size_t)shape->vertex_count * sizeof *kept + 1);
+    if (!kept)
+        return "out of memory";
+    for (int i = 0; i < shape->vertex_count; i++)
+        memcpy(kept[i], shape->vertices[i].position, sizeof *kept);
+    const char *fault = complete(shape, has_normals, has_coordinates, &size);
+    for (int i = 0; !fault && i < shape->vertex_count; i++) {
+        memcpy(shape->vertices[i].position, kept[i], sizeof *kept);
+        for (int k = 0; k < 3; k++) {
+            shape->vertices[i].tangentU[k] *= size;
+            shape->vertices[i].tangentV[k] *= size;
+        }
+    }
+    free(kept);
+    return fault;
 }

@@ -1,8 +1,8 @@
 /* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process of its own, with an end to its time and
  * memory, and what comes back through a pipe is checked like the file itself. So a file that breaks the reader is a fault like others. */
-#include "runtime/view/model.h"
+#include "runtime/scene/model.h"
 #include "runtime/gl/message.h"
-#include "runtime/view/model_import.h"
+#include "runtime/scene/model_import.h"
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -165,7 +165,9 @@ static bool is_readable(const char *path, char *error, size_t room)
            message_fail(error, room, "larger than %d MiB", MODEL_FILE_MIB);
 }
 
-bool model_read(const char *path, Shape *made, char *error, size_t room)
+typedef const char *Complete(Shape *shape, bool has_normals, bool has_coordinates);
+
+static bool read_and_complete(const char *path, Complete *complete, Shape *made, char *error, size_t room)
 {
     Head head = {0};
     *made = (Shape){0};
@@ -174,10 +176,20 @@ bool model_read(const char *path, Shape *made, char *error, size_t room)
     bool done = import_apart(path, &head, made, error, room);
     if (done && endings[find_ending(path)].y_up)
         turn(made);
-    const char *fault = done ? model_complete(made, head.has_normals, head.has_coordinates) : NULL;
+    const char *fault = done ? complete(made, head.has_normals, head.has_coordinates) : NULL;
     if (fault)
         done = message_fail(error, room, "%s", fault);
     if (!done)
         shape_free(made);
     return done;
+}
+
+bool model_read(const char *path, Shape *made, char *error, size_t room)
+{
+    return read_and_complete(path, model_complete, made, error, room);
+}
+
+bool model_read_in_place(const char *path, Shape *made, char *error, size_t room)
+{
+    return read_and_complete(path, model_complete_in_place, made, error, room);
 }

@@ -1,0 +1,82 @@
+/* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all numbers in double, in the world's space. */
+#ifndef MATC_SCENE_H
+#define MATC_SCENE_H
+#include "compiler/matc.h"
+#include "grammar/tables.h"
+#include "runtime/gl/shape.h"
+
+enum {
+    SCENE_OBJECTS =
+        1 << 20, /* objects and groups that a scene may have, those that an alias repeats counted each time */
+    SCENE_NUMBERS = 6
+};
+
+/* By columns, as GL has them: m[4 * column + row]; the last row is 0, 0, 0, 1. */
+typedef struct {
+    double m[16];
+} SceneMatrix;
+
+/* One of a document's materials. */
+typedef struct {
+    MatcDocument *document;
+    int index;
+} SceneMaterial;
+
+/* A mesh out of a file; objects of one file share it. */
+typedef struct {
+    const char *path;
+    Shape shape;
+} SceneMesh;
+
+typedef struct {
+    SceneKind kind;                /* of the sort object, but for Group */
+    double numbers[SCENE_NUMBERS]; /* Sphere: radius; Box: size; Cylinder, Cone: radius, height; Parallelogram: u, v */
+    int mesh;                      /* of a Mesh: in Scene.meshes */
+    int material;                  /* in Scene.materials */
+    SceneMatrix world_from_local;
+} SceneObject;
+
+typedef struct {
+    SceneKind kind; /* of the sort light */
+    double position[3];
+    double direction[3];               /* in which it shines; unit length */
+    double light[3];                   /* intensity times color */
+    double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
+} SceneLight;
+
+typedef struct {
+    SceneKind kind; /* Perspective or Orthographic */
+    double position[3];
+    double right[3], up[3], back[3]; /* unit vectors at right angles: it looks along -back */
+    double half;  /* of the shorter side of the picture: as a tangent, or, orthographic, as a length */
+    double near;  /* Perspective: the nearest that is seen */
+    double depth; /* Orthographic: the farthest */
+} SceneCamera;
+
+typedef struct Scene {
+    int width, height; /* pixels */
+    SceneCamera camera;
+    SceneObject *objects;
+    int object_count;
+    SceneLight *lights;
+    int light_count;
+    SceneMaterial *materials; /* those in use, each once */
+    int material_count;
+    SceneMesh *meshes;
+    int mesh_count;
+    int sky;                  /* in materials, or -1 */
+    SceneKind tone;           /* of the sort toneMapping */
+    double exposure;          /* a factor */
+    MatcDocument **documents; /* further files of materials */
+    int document_count;
+} Scene;
+
+/* Reads a document as matc_read does. If it has keys of a scene, *scene is the scene, or NULL where there are faults; they are among the
+ * document's diagnostics. *scene is NULL for a document of materials alone. The scene goes before the document. */
+MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **scene);
+/* NULL is nothing. */
+void scene_free(Scene *scene);
+
+/* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has its own. */
+bool scene_solid(const SceneObject *object, Shape *made);
+#endif

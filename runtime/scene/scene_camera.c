@@ -1,0 +1,48 @@
+/* Where the picture is taken from. */
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_part.h"
+#include <math.h>
+#include <string.h>
+
+#define RADIANS (3.14159265358979323846 / 180)
+
+/* Axes of an eye that stands, looks and is upright as the thing says. */
+static void look(SceneReader *r, const SceneThing *thing, const int params[3], SceneCamera *camera)
+{
+    double target[3], up[3];
+    scene_thing_vector(thing, params[0], camera->position);
+    scene_thing_vector(thing, params[1], target);
+    scene_thing_vector(thing, params[2], up);
+    for (int i = 0; i < 3; i++)
+        camera->back[i] = camera->position[i] - target[i];
+    const bool looks = scene_vector_normalize(camera->back);
+    const bool upright = scene_vector_normalize(up);
+    scene_vector_cross(up, camera->back, camera->right);
+    const bool stands = scene_vector_dot(camera->right, camera->right) > 1e-18 && scene_vector_normalize(camera->right);
+    scene_vector_cross(camera->back, camera->right, camera->up);
+    if (!looks)
+        diag_add(r->session, scene_thing_span(thing, params[1]), DIAG_no_direction, "the way from position to target");
+    else if (!upright || !stands)
+        diag_add(r->session, scene_thing_span(thing, params[2]), DIAG_no_direction, "up, seen along the view,");
+    r->fine &= looks && upright && stands;
+}
+
+void scene_camera_read(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    SceneCamera *camera = &r->scene->camera;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_camera, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_camera, &thing))
+        return;
+    camera->kind = thing.kind;
+    if (thing.kind == SCENE_Perspective) {
+        look(r, &thing, (const int[]){S_Perspective_position, S_Perspective_target, S_Perspective_up}, camera);
+        camera->half = tan(scene_thing_number(&thing, S_Perspective_angle) / 2 * RADIANS);
+        camera->near = scene_thing_number(&thing, S_Perspective_near);
+    } else {
+        look(r, &thing, (const int[]){S_Orthographic_position, S_Orthographic_target, S_Orthographic_up}, camera);
+        camera->half = scene_thing_number(&thing, S_Orthographic_size) / 2;
+        camera->depth = scene_thing_number(&thing, S_Orthographic_depth);
+    }
+}

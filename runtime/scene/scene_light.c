@@ -1,0 +1,62 @@
+/* Lights. What a kind has is in its rows; which of them mean what is here. */
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_part.h"
+#include <math.h>
+
+#define RADIANS (3.14159265358979323846 / 180)
+
+/* Params of each kind; -1: it has none. */
+typedef struct {
+    int position, direction, color, intensity;
+} LightRow;
+
+static const LightRow rows[SCENE_KIND_COUNT] = {
+    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity},
+    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity},
+    [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity},
+    [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity},
+};
+
+static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light)
+{
+    const double inner = scene_thing_number(thing, S_Spot_innerAngle);
+    const double outer = scene_thing_number(thing, S_Spot_outerAngle);
+    light->inner_cosine = cos(inner * RADIANS);
+    light->outer_cosine = cos(outer * RADIANS);
+    if (inner <= outer)
+        return;
+    diag_add(r->session, scene_thing_span(thing, S_Spot_innerAngle), DIAG_scene_cone);
+    r->fine = false;
+}
+
+static void read_light(SceneReader *r, const SceneThing *thing)
+{
+    const LightRow *row = &rows[thing->kind];
+    Scene *scene = r->scene;
+    SceneLight light = {.kind = thing->kind, .direction = {0, 0, -1}};
+    scene_thing_vector(thing, row->color, light.light);
+    for (int i = 0; i < 3; i++)
+        light.light[i] *= scene_thing_number(thing, row->intensity);
+    if (row->position >= 0)
+        scene_thing_vector(thing, row->position, light.position);
+    if (row->direction >= 0) {
+        scene_thing_vector(thing, row->direction, light.direction);
+        if (!scene_vector_normalize(light.direction)) {
+            diag_add(r->session, scene_thing_span(thing, row->direction), DIAG_no_direction, "direction");
+            r->fine = false;
+        }
+    }
+    if (thing->kind == SCENE_Spot)
+        read_cone(r, thing, &light);
+    size_t count = (size_t)scene->light_count;
+    ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
+    scene->light_count = (int)count;
+}
+
+void scene_lights_read(SceneReader *r, const Tree *list)
+{
+    SceneThing thing;
+    for (uint32_t i = 0; i < list->count; i++)
+        if (scene_thing_read(r, list->items[i], SCENE_SORT_light, &thing))
+            read_light(r, &thing);
+}

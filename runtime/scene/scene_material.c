@@ -1,0 +1,184 @@
+/* Materials of a scene: a name of `materials:`; a material, where it stands; one of another file. Those of the document itself are resolved
+ * together, as a document's are: an inline one becomes a further member of `materials:`. */
+#include "compiler/document.h"
+#include "runtime/scene/scene_part.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int fail(SceneReader *r)
+{
+    r->fine = false;
+    return -1;
+}
+
+/* The place of a material among those in use. */
+static int use(SceneReader *r, MatcDocument *document, int index)
+{
+    Scene *scene = r->scene;
+    for (int i = 0; i < scene->material_count; i++)
+        if (scene->materials[i].document == document && scene->materials[i].index == index)
+            return i;
+    const SceneMaterial material = {document, index};
+    size_t count = (size_t)scene->material_count;
+    ARENA_PUSH(r->session->arena, scene->materials, count, r->used_room, material);
+    scene->material_count = (int)count;
+    return scene->material_count - 1;
+}
+
+static const char *member_name(const void *user, int i) { return ((const Member *)user)[i].key; }
+
+static int read_name(SceneReader *r, const Tree *tree)
+{
+    for (size_t i = 0; i < r->named_count; i++)
+        if (!strcmp(r->materials[i].key, tree->text))
+            return use(r, r->document, (int)i);
+    const NameChoice names = {member_name, r->materials, (int)r->named_count};
+    diag_add(r->session, tree->span, DIAG_no_such_material, tree->text,
+             diag_suggest_or_list(r->session, tree->text, &names, r->named_count ? "; there are " : NULL));
+    return fail(r);
+}
+
+/* As a further member, by a name that no other has; the same place, where an alias stands for it again. */
+static int read_inline(SceneReader *r, Tree *tree)
+{
+    char name[LIMIT_NAME];
+    Arena *arena = r->session->arena;
+    for (size_t i = 0; i < r->material_count; i++)
+        if (r->materials[i].value == tree)
+            return use(r, r->document, (int)i);
+    size_t number = r->material_count, i = 0;
+    do {
+        snprintf(name, sizeof name, "inline%zu", number++);
+        for (i = 0; i < r->named_count && strcmp(r->materials[i].key, name) != 0; i++) {
+        }
+    } while (i < r->named_count);
+    const Member member = {arena_string(arena, name, strlen(name)), tree, tree->span, (uint32_t)strlen(name)};
+    ARENA_PUSH(arena, r->materials, r->material_count, r->material_room, member);
+    return use(r, r->document, (int)r->material_count - 1);
+}
+
+/* The first line of what is said of a document, in the arena: what is wrong. */
+static const char *first_fault(SceneReader *r, MatcDocument *document)
+{
+    const char *all = matc_diagnostics(document, MATC_TEXT);
+    return arena_string(r->session->arena, all, strcspn(all, "\n"));
+}
+
+/* A document of that path, read once; NULL: told. */
+static MatcDocument *open_document(SceneReader *r, const Tree *tree)
+{
+    Scene *scene = r->scene;
+    size_t size = 0, count = (size_t)scene->document_count;
+    const char *why = "";
+    const char *path = session_path_beside(r->session, r->session->sources[tree->span.file].name, tree->text);
+    for (size_t i = 0; i < count; i++)
+        if (!strcmp(matc_depend(scene->documents[i], 0), path))
+            return scene->documents[i];
+    session_depend_on(r->session, path);
+    char *text = session_read_file(r->session, path, &size, &why);
+    if (!text)
+        return diag_add(r->session, tree->span, DIAG_cannot_read, tree->text, why);
+    MatcDocument *document = matc_read(path, text, size, r->session->options);
+    free(text);
+    for (int i = 1; i < matc_depend_count(document); i++)
+        session_depend_on(r->session, matc_depend(document, i));
+    ARENA_PUSH(r->session->arena, scene->documents, count, r->document_room, document);
+    scene->document_count = (int)count;
+    return document;
+}
+
+static const char *material_name(const void *user, int i) { return matc_material_name(user, i); }
+
+/* { file: path, material: name } */
+static int read_file(SceneReader *r, const Tree *tree)
+{
+    const Tree *path = tree_find(tree, "file")->value;
+    const Member *name = tree_find(tree, "material");
+    for (uint32_t i = 0; i < tree->count; i++)
+        if (strcmp(tree->members[i].key, "file") != 0 && strcmp(tree->members[i].key, "material") != 0) {
+            diag_add(r->session, tree->members[i].span, DIAG_material_file_keys, tree->members[i].key);
+            return fail(r);
+        }
+    const Tree *wrong = path->kind != TREE_scalar                  ? path
+                        : name && name->value->kind != TREE_scalar ? name->value
+                                                                   : NULL;
+    if (wrong) {
+        diag_add(r->session, wrong->span, DIAG_wrong_type, wrong == path ? "file" : "material", "a name",
+                 tree_describe(r->session, wrong));
+        return fail(r);
+    }
+    MatcDocument *document = open_document(r, path);
+    if (!document)
+        return fail(r);
+    if (matc_error_count(document)) {
+        diag_add(r->session, path->span, DIAG_cannot_read, path->text, first_fault(r, document));
+        return fail(r);
+    }
+    const int count = matc_material_count(document);
+    const int index = name ? matc_material_find(document, name->value->text) : count == 1 ? 0 : -1;
+    const NameChoice names = {material_name, document, count};
+    if (index < 0)
+        diag_add(r->session, name ? name->value->span : path->span, DIAG_no_such_material,
+                 name ? name->value->text : "",
+                 diag_suggest_or_list(r->session, name ? name->value->text : "", &names, "; there are "));
+    return index < 0 ? fail(r) : use(r, document, index);
+}
+
+int scene_material_read(SceneReader *r, Tree *tree)
+{
+    if (tree->kind == TREE_scalar)
+        return read_name(r, tree);
+    if (tree->kind == TREE_object && tree_find(tree, "file"))
+        return read_file(r, tree);
+    if (tree->kind == TREE_object)
+        return read_inline(r, tree);
+    diag_add(r->session, tree->span, DIAG_wrong_type, "material", "a name, a material, or `{ file: name }`",
+             tree_describe(r->session, tree));
+    return fail(r);
+}
+
+void scene_material_open(SceneReader *r, const Tree *document)
+{
+    const Member *materials = tree_find(document, "materials");
+    if (materials && materials->value->kind != TREE_object) {
+        diag_add(r->session, materials->value->span, DIAG_wrong_type, "materials", "an object",
+                 tree_describe(r->session, materials->value));
+        r->fine = false;
+    }
+    if (!materials || materials->value->kind != TREE_object)
+        return;
+    for (uint32_t i = 0; i < materials->value->count; i++)
+        ARENA_PUSH(r->session->arena, r->materials, r->material_count, r->material_room, materials->value->members[i]);
+    r->named_count = r->material_count;
+}
+
+/* The document without what is the scene's, and with all materials. */
+static Tree *only_materials(SceneReader *r, const Tree *document)
+{
+    Arena *arena = r->session->arena;
+    const Member *given = tree_find(document, "materials");
+    Tree *tree = ARENA_NEW(arena, Tree), *materials = ARENA_NEW(arena, Tree);
+    Member *members = ARENA_ARRAY(arena, Member, document->count + 1);
+    size_t count = 0;
+    for (uint32_t i = 0; i < document->count; i++)
+        if (resolve_is_document_key(document->members[i].key))
+            members[count++] = document->members[i];
+    *tree = (Tree){.kind = TREE_object, .span = document->span};
+    *materials = (Tree){.kind = TREE_object, .span = given ? given->value->span : document->span};
+    tree_set_members(r->session, materials, r->materials, r->material_count);
+    if (r->material_count || given)
+        members[count++] = (Member){"materials", given && !r->material_count ? given->value : materials,
+                                    given ? given->span : document->span, sizeof "materials" - 1};
+    tree_set_members(r->session, tree, members, count);
+    return tree;
+}
+
+void scene_material_resolve(SceneReader *r, const Tree *document)
+{
+    Tree *tree = only_materials(r, document);
+    if (!tree->count)
+        return; /* nothing that has a material */
+    document_resolve(r->document, tree);
+    r->fine &= r->document->graph != NULL;
+}

@@ -1,0 +1,101 @@
+/* Products, and the matrices that documents write. */
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <string.h>
+
+SceneMatrix scene_matrix_identity(void) { return (SceneMatrix){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; }
+
+SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b)
+{
+    SceneMatrix result;
+    for (int i = 0; i < 16; i++) {
+        result.m[i] = 0;
+        for (int k = 0; k < 4; k++)
+            result.m[i] += a->m[4 * k + i % 4] * b->m[i / 4 * 4 + k];
+    }
+    return result;
+}
+
+static SceneMatrix scaling(const double by[3])
+{
+    return (SceneMatrix){{by[0], 0, 0, 0, 0, by[1], 0, 0, 0, 0, by[2], 0, 0, 0, 0, 1}};
+}
+
+static SceneMatrix translation(const double by[3])
+{
+    SceneMatrix result = scene_matrix_identity();
+    memcpy(result.m + 12, by, 3 * sizeof *by);
+    return result;
+}
+
+/* Right-handed about an axis: about z, x goes toward y. */
+static SceneMatrix rotation(int axis, double angle)
+{
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    SceneMatrix result = scene_matrix_identity();
+    result.m[4 * i + i] = result.m[4 * j + j] = cos(angle);
+    result.m[4 * i + j] = sin(angle);
+    result.m[4 * j + i] = -sin(angle);
+    return result;
+}
+
+/* H: x gains shear.x y + shear.y z, y gains shear.z z. */
+static SceneMatrix shearing(const double by[3])
+{
+    SceneMatrix result = scene_matrix_identity();
+    result.m[4] = by[0];
+    result.m[8] = by[1];
+    result.m[9] = by[2];
+    return result;
+}
+
+/* M = T Rz Ry Rx S H (semantics of XYZTransform): what stands right is applied first. */
+static SceneMatrix of_components(const Transform *transform)
+{
+    double lanes[4][4];
+    value_number(&transform->translation, TYPE_vec3, lanes[0]);
+    value_number(&transform->rotation, TYPE_vec3, lanes[1]);
+    value_number(&transform->scale, TYPE_vec3, lanes[2]);
+    value_number(&transform->shear, TYPE_vec3, lanes[3]);
+    const SceneMatrix parts[] = {translation(lanes[0]),    rotation(2, lanes[1][2]), rotation(1, lanes[1][1]),
+                                 rotation(0, lanes[1][0]), scaling(lanes[2]),        shearing(lanes[3])};
+    SceneMatrix result = parts[0];
+    for (size_t i = 1; i < sizeof parts / sizeof *parts; i++)
+        result = scene_matrix_multiply(&result, &parts[i]);
+    return result;
+}
+
+SceneMatrix scene_matrix_of(const Transform *transform)
+{
+    if (transform->kind != TRANSFORM_matrix)
+        return of_components(transform); /* what is not said is as if it were not there */
+    SceneMatrix result;
+    for (int i = 0; i < 16; i++)
+        result.m[i] = transform->matrix[i % 4 * 4 + i / 4]; /* a document has it by rows */
+    return result;
+}
+
+double scene_matrix_determinant(const SceneMatrix *m)
+{
+    double cross[3];
+    scene_vector_cross(m->m + 4, m->m + 8, cross);
+    return scene_vector_dot(m->m, cross);
+}
+
+double scene_vector_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void scene_vector_cross(const double a[3], const double b[3], double result[3])
+{
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    memcpy(result, cross, sizeof cross);
+}
+
+bool scene_vector_normalize(double v[3])
+{
+    const double length = hypot(hypot(v[0], v[1]), v[2]);
+    if (!(length > 0) || !isfinite(length))
+        return false;
+    for (int i = 0; i < 3; i++)
+        v[i] /= length;
+    return true;
+}

@@ -1,0 +1,18 @@
+/* Affine matrices and vectors of a scene, in double. */
+#ifndef MATC_SCENE_MATRIX_H
+#define MATC_SCENE_MATRIX_H
+#include "compiler/front/graph.h"
+#include "runtime/scene/scene.h"
+
+SceneMatrix scene_matrix_identity(void);
+SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b); /* a b: b is applied first */
+/* What a document's transformation does; its values are numbers. */
+SceneMatrix scene_matrix_of(const Transform *transform);
+/* Of the upper left part. */
+double scene_matrix_determinant(const SceneMatrix *m);
+
+double scene_vector_dot(const double a[3], const double b[3]);
+void scene_vector_cross(const double a[3], const double b[3], double result[3]);
+/* False: it has no length, or none that is a number. */
+bool scene_vector_normalize(double v[3]);
+#endif

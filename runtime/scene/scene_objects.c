@@ -1,0 +1,149 @@
+/* The hierarchy of objects as a flat list: each with its matrix to the world, and its material. */
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_part.h"
+#include <math.h>
+#include <string.h>
+
+/* What a group gives to what is in it. */
+typedef struct {
+    SceneMatrix world_from_group;
+    int material; /* -1: none */
+} Around;
+
+/* Where the rows of a kind have what every object has, and its own numbers. */
+typedef struct {
+    int transform, material;
+    int numbers[2], lanes; /* params, of so many lanes each; -1: none */
+} ObjectRow;
+
+static const ObjectRow rows[SCENE_KIND_COUNT] = {
+    [SCENE_Group] = {S_Group_transform, S_Group_material, {-1, -1}, 0},
+    [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, {S_Sphere_radius, -1}, 1},
+    [SCENE_Box] = {S_Box_transform, S_Box_material, {S_Box_size, -1}, 3},
+    [SCENE_Cylinder] = {S_Cylinder_transform, S_Cylinder_material, {S_Cylinder_radius, S_Cylinder_height}, 1},
+    [SCENE_Cone] = {S_Cone_transform, S_Cone_material, {S_Cone_radius, S_Cone_height}, 1},
+    [SCENE_Parallelogram] = {S_Parallelogram_transform,
+                             S_Parallelogram_material,
+                             {S_Parallelogram_u, S_Parallelogram_v},
+                             3},
+    [SCENE_Plane] = {S_Plane_transform, S_Plane_material, {-1, -1}, 0},
+    [SCENE_Mesh] = {S_Mesh_transform, S_Mesh_material, {-1, -1}, 0},
+};
+
+static bool fault(SceneReader *r, Span span, DiagKind kind, const char *what)
+{
+    diag_add(r->session, span, kind, what);
+    return r->fine = false;
+}
+
+static void read_numbers(const SceneThing *thing, SceneObject *object)
+{
+    const ObjectRow *row = &rows[thing->kind];
+    for (int i = 0; i < 2 && row->numbers[i] >= 0; i++)
+        if (row->lanes == 3)
+            scene_thing_vector(thing, row->numbers[i], object->numbers + 3 * i);
+        else
+            object->numbers[i] = scene_thing_number(thing, row->numbers[i]);
+}
+
+/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to stay at a right angle. */
+static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneMatrix *m)
+{
+    const Span span = scene_thing_span(thing, rows[thing->kind].transform);
+    double x[3], y[3], z[3];
+    memcpy(x, m->m, sizeof x);
+    memcpy(y, m->m + 4, sizeof y);
+    memcpy(z, m->m + 8, sizeof z);
+    for (int i = 0; i < 16; i++)
+        if (!(fabs(m->m[i]) < 1e30))
+            return fault(r, span, DIAG_scene_flat, "the transformation leads too far away");
+    if (!scene_vector_normalize(x) || !scene_vector_normalize(y) || !scene_vector_normalize(z))
+        return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
+    const double axes[3][3] = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}};
+    double cross[3];
+    scene_vector_cross(axes[1], axes[2], cross);
+    if (fabs(scene_vector_dot(axes[0], cross)) < 1e-9)
+        return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
+    if (thing->kind == SCENE_Plane && fabs(scene_vector_dot(x, y)) > 1e-6)
+        return fault(r, span, DIAG_scene_flat, "the transformation leaves x and y of a plane at no right angle");
+    return true;
+}
+
+static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+{
+    double u[3], v[3], cross[3];
+    memcpy(u, object->numbers, sizeof u);
+    memcpy(v, object->numbers + 3, sizeof v);
+    bool fine = thing->kind != SCENE_Parallelogram;
+    if (!fine && scene_vector_normalize(u) && scene_vector_normalize(v)) {
+        scene_vector_cross(u, v, cross);
+        fine = scene_vector_dot(cross, cross) > 1e-12;
+    }
+    return fine || fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat, "u and v span nothing");
+}
+
+/* Its own, or that of what is around it. */
+static int material_of(SceneReader *r, const SceneThing *thing, int around)
+{
+    Tree *given = scene_thing_given(thing, rows[thing->kind].material);
+    return given ? scene_material_read(r, given) : around;
+}
+
+static void add_object(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    Scene *scene = r->scene;
+    SceneObject object = {.kind = thing->kind, .mesh = -1, .world_from_local = around->world_from_group};
+    read_numbers(thing, &object);
+    object.material = around->material;
+    if (!check_matrix(r, thing, &object.world_from_local) || !check_parallelogram(r, thing, &object))
+        return;
+    if (thing->kind == SCENE_Mesh) {
+        const Tree *file = scene_thing_given(thing, S_Mesh_file);
+        object.mesh = file ? scene_mesh_read(r, file) : -1;
+        if (!file) {
+            diag_add(r->session, thing->tree->span, DIAG_missing_key, "Mesh", "file");
+            r->fine = false;
+        }
+    }
+    if (object.material < 0 && !scene_thing_given(thing, rows[thing->kind].material)) {
+        diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name, "material");
+        r->fine = false;
+    }
+    size_t count = (size_t)scene->object_count;
+    ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
+    scene->object_count = (int)count;
+}
+
+static void read_list(SceneReader *r, const Tree *list, const Around *around);
+
+static void read_object(SceneReader *r, Tree *tree, const Around *around)
+{
+    SceneThing thing;
+    if (!scene_thing_read(r, tree, SCENE_SORT_object, &thing))
+        return;
+    const Transform *transform = scene_thing_transform(&thing, rows[thing.kind].transform);
+    const SceneMatrix own = transform ? scene_matrix_of(transform) : scene_matrix_identity();
+    const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
+                         .material = material_of(r, &thing, around->material)};
+    if (thing.kind != SCENE_Group)
+        add_object(r, &thing, &here);
+    else if (scene_thing_given(&thing, S_Group_objects))
+        read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
+}
+
+/* An alias may stand for a list any number of times, in lists that are aliases: what is met is counted. */
+static void read_list(SceneReader *r, const Tree *list, const Around *around)
+{
+    for (uint32_t i = 0; i < list->count && r->things <= SCENE_OBJECTS; i++)
+        if (++r->things <= SCENE_OBJECTS) {
+            read_object(r, list->items[i], around);
+        } else {
+            diag_add(r->session, list->items[i]->span, DIAG_too_many_objects, SCENE_OBJECTS);
+            r->fine = false;
+        }
+}
+
+void scene_objects_read(SceneReader *r, const Tree *list)
+{
+    read_list(r, list, &(Around){.world_from_group = scene_matrix_identity(), .material = -1});
+}

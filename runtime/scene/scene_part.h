@@ -1,0 +1,21 @@
+/* The parts of a scene, each from its thing into r->scene. Faults are told, and r->fine is false then. */
+#ifndef MATC_SCENE_PART_H
+#define MATC_SCENE_PART_H
+#include "runtime/scene/scene_thing.h"
+
+/* All objects of a list, groups in it too. scene_objects.c */
+void scene_objects_read(SceneReader *r, const Tree *list);
+/* scene_light.c */
+void scene_lights_read(SceneReader *r, const Tree *list);
+/* NULL: the default. scene_camera.c */
+void scene_camera_read(SceneReader *r, Tree *tree);
+
+/* Its place in scene->materials, or -1: it is told what is wrong. scene_material.c */
+int scene_material_read(SceneReader *r, Tree *tree);
+/* `materials:` of the document, before any is read. */
+void scene_material_open(SceneReader *r, const Tree *document);
+/* Resolves those of the document that were met or named, after all are read. */
+void scene_material_resolve(SceneReader *r, const Tree *document);
+/* The place in scene->meshes of a file, read when it is met first; or -1. scene_mesh.c */
+int scene_mesh_read(SceneReader *r, const Tree *path);
+#endif

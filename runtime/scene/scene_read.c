@@ -1,0 +1,96 @@
+/* Text -> Scene: the document's outermost level. */
+#include "compiler/document.h"
+#include "runtime/scene/scene_part.h"
+#include <math.h>
+#include <stdlib.h>
+
+static void read_image(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_image, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_image, &thing))
+        return;
+    r->scene->width = (int)scene_thing_number(&thing, S_Image_width);
+    r->scene->height = (int)scene_thing_number(&thing, S_Image_height);
+}
+
+static void read_tone(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_toneMapping, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_toneMapping, &thing))
+        return;
+    const int exposure = thing.kind == SCENE_Clamp ? S_Clamp_exposure : S_Filmic_exposure;
+    r->scene->tone = thing.kind;
+    r->scene->exposure = exp2(scene_thing_number(&thing, exposure));
+}
+
+/* A plane and a sky are seen along rays from one point. */
+static void check_rays(SceneReader *r, const SceneThing *document)
+{
+    const Scene *scene = r->scene;
+    bool rays = scene->sky >= 0;
+    for (int i = 0; i < scene->object_count; i++)
+        rays |= scene->objects[i].kind == SCENE_Plane;
+    if (!rays || scene->camera.kind == SCENE_Perspective || !r->fine)
+        return;
+    diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);
+    r->fine = false;
+}
+
+static void read_scene(SceneReader *r, Tree *document)
+{
+    SceneThing thing;
+    if (!resolve_color_space(&r->resolver, document)) {
+        r->fine = false;
+        return;
+    }
+    scene_thing_read_document(r, document, &thing);
+    scene_material_open(r, document);
+    read_image(r, scene_thing_given(&thing, S_Scene_image));
+    scene_camera_read(r, scene_thing_given(&thing, S_Scene_camera));
+    read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
+    if (scene_thing_given(&thing, S_Scene_objects))
+        scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
+    if (scene_thing_given(&thing, S_Scene_lights))
+        scene_lights_read(r, scene_thing_given(&thing, S_Scene_lights));
+    Tree *sky = scene_thing_given(&thing, S_Scene_sky);
+    r->scene->sky = sky ? scene_material_read(r, sky) : -1;
+    check_rays(r, &thing);
+    scene_material_resolve(r, document);
+}
+
+MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **made)
+{
+    MatcDocument *document = document_read(name, text, size, options);
+    Tree *tree = document->tree;
+    *made = NULL;
+    if (!tree || !resolve_is_scene(tree)) {
+        document_resolve(document, tree);
+        return document;
+    }
+    SceneReader r = {.session = &document->session, .document = document, .fine = true};
+    r.resolver.session = r.session;
+    r.scene = calloc(1, sizeof *r.scene);
+    if (!r.scene)
+        abort();
+    read_scene(&r, tree);
+    if (r.fine && !document->session.diags.errors)
+        *made = r.scene;
+    else
+        scene_free(r.scene);
+    return document;
+}
+
+void scene_free(Scene *scene)
+{
+    if (!scene)
+        return;
+    for (int i = 0; i < scene->mesh_count; i++)
+        shape_free(&scene->meshes[i].shape);
+    for (int i = 0; i < scene->document_count; i++)
+        matc_document_free(scene->documents[i]);
+    free(scene);
+}

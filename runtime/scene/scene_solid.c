@@ -1,0 +1,140 @@
+/* Objects as triangles. What preview shapes have is scaled: position and derivatives alike; the rest is made here. */
+#include "runtime/scene/scene.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+enum { AROUND = 192 }; /* steps of a circle: a chord within 0.14 pixels of one 2000 pixels across */
+
+static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
+
+/* A preview shape, whose half extents are 1, with others. Its normals stay: a sphere has one, a box and a parallelogram are flat. */
+static bool scaled(ShapeKind kind, const double by[3], Shape *made)
+{
+    if (!shape_make(kind, made))
+        return false;
+    for (int i = 0; i < made->vertex_count; i++)
+        for (int k = 0; k < 3; k++) {
+            ShapeVertex *vertex = &made->vertices[i];
+            vertex->position[k] = (float)(vertex->position[k] * by[k]);
+            vertex->tangentU[k] = (float)(vertex->tangentU[k] * by[k]);
+            vertex->tangentV[k] = (float)(vertex->tangentV[k] * by[k]);
+        }
+    return true;
+}
+
+/* P = s u + t v, (s, t) in the unit square. */
+static bool parallelogram(const double u[3], const double v[3], Shape *made)
+{
+    const double normal[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    if (!shape_make(SHAPE_plane, made))
+        return false;
+    for (int i = 0; i < made->vertex_count; i++) {
+        ShapeVertex *vertex = &made->vertices[i];
+        const double s = vertex->uv[0], t = vertex->uv[1];
+        put(vertex->position, s * u[0] + t * v[0], s * u[1] + t * v[1], s * u[2] + t * v[2]);
+        put(vertex->normal, normal[0] / length, normal[1] / length, normal[2] / length);
+        put(vertex->tangentU, u[0], u[1], u[2]);
+        put(vertex->tangentV, v[0], v[1], v[2]);
+    }
+    return true;
+}
+
+/* A side between two circles, and a lid wherever one has an extent: vertices in rows of AROUND + 1. */
+typedef struct {
+    double foot, top, height; /* radii */
+} Round;
+
+/* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal leans by the slope of the side. */
+static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
+{
+    const double r = o->foot + (o->top - o->foot) * t, fall = o->foot - o->top;
+    const double length = hypot(o->height, fall);
+    for (int i = 0; i <= AROUND; i++, next++) {
+        const double s = (double)i / AROUND, c = cos(2 * PI * s), d = sin(2 * PI * s);
+        put(next->position, r * c, r * d, o->height * t);
+        put(next->normal, o->height / length * c, o->height / length * d, fall / length);
+        put(next->tangentU, -2 * PI * r * d, 2 * PI * r * c, 0);
+        put(next->tangentV, -fall * c, -fall * d, o->height);
+        next->uv[0] = (float)s, next->uv[1] = (float)t;
+    }
+    return next;
+}
+
+/* A disc: its middle, then its rim; u and v are those of the square around it, turned over at the foot. */
+static ShapeVertex *lid(double r, double z, double facing, ShapeVertex *next)
+{
+    for (int i = -1; i <= AROUND; i++, next++) {
+        const double s = (double)i / AROUND, c = i < 0 ? 0 : cos(2 * PI * s), d = i < 0 ? 0 : sin(2 * PI * s);
+        put(next->position, r * c, r * d, z);
+        put(next->normal, 0, 0, facing);
+        put(next->tangentU, 2 * r, 0, 0);
+        put(next->tangentV, 0, facing * 2 * r, 0);
+        next->uv[0] = (float)(.5 + .5 * c), next->uv[1] = (float)(.5 + .5 * facing * d);
+    }
+    return next;
+}
+
+static uint32_t *add_triangle(uint32_t *next, uint32_t a, uint32_t b, uint32_t c)
+{
+    const uint32_t corners[3] = {a, b, c};
+    memcpy(next, corners, sizeof corners);
+    return next + 3;
+}
+
+static uint32_t *add_lid(uint32_t *next, uint32_t middle, bool up)
+{
+    for (uint32_t i = 0; i < AROUND; i++)
+        next = add_triangle(next, middle, middle + 1 + (up ? i : i + 1), middle + 1 + (up ? i + 1 : i));
+    return next;
+}
+
+/* A cone has a row more than it needs at its tip, where the side still has a normal all around. */
+static bool solid_round(const Round *o, Shape *made)
+{
+    const int row = AROUND + 1, lids = 1 + (o->top > 0);
+    made->vertex_count = 2 * row + lids * (row + 1);
+    made->index_count = (2 + lids) * AROUND * 3;
+    made->vertices = calloc((size_t)made->vertex_count, sizeof *made->vertices);
+    made->indices = calloc((size_t)made->index_count, sizeof *made->indices);
+    if (!made->vertices || !made->indices) {
+        shape_free(made);
+        return false;
+    }
+    ShapeVertex *vertex = side_row(o, 1, side_row(o, 0, made->vertices));
+    uint32_t *index = made->indices, foot = (uint32_t)(2 * row), top = foot + (uint32_t)row + 1;
+    for (uint32_t i = 0; i < AROUND; i++) {
+        index = add_triangle(index, i, i + 1, i + (uint32_t)row + 1);
+        index = add_triangle(index, i, i + (uint32_t)row + 1, i + (uint32_t)row);
+    }
+    vertex = lid(o->foot, 0, -1, vertex);
+    index = add_lid(index, foot, false);
+    if (lids > 1) {
+        lid(o->top, o->height, 1, vertex);
+        add_lid(index, top, true);
+    }
+    return true;
+}
+
+bool scene_solid(const SceneObject *object, Shape *made)
+{
+    const double *n = object->numbers;
+    *made = (Shape){0};
+    switch (object->kind) {
+    case SCENE_Sphere:
+        return scaled(SHAPE_sphere, (double[]){n[0], n[0], n[0]}, made);
+    case SCENE_Box:
+        return scaled(SHAPE_cube, (double[]){n[0] / 2, n[1] / 2, n[2] / 2}, made);
+    case SCENE_Parallelogram:
+        return parallelogram(n, n + 3, made);
+    case SCENE_Cylinder:
+        return solid_round(&(Round){n[0], n[0], n[1]}, made);
+    case SCENE_Cone:
+        return solid_round(&(Round){n[0], 0, n[1]}, made);
+    default:
+        return true; /* a Plane has no triangles, a Mesh its own */
+    }
+}

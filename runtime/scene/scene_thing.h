@@ -1,0 +1,42 @@
+/* One thing of a scene, by its rows of scene.def: its kind, and what its keys say. */
+#ifndef MATC_SCENE_THING_H
+#define MATC_SCENE_THING_H
+#include "compiler/front/resolve.h"
+#include "runtime/scene/scene.h"
+
+/* What reading a scene keeps at hand. */
+typedef struct {
+    Session *session;  /* of the document, as is all memory */
+    Resolver resolver; /* of the numbers */
+    MatcDocument *document;
+    Scene *scene;
+    Member *materials; /* of the document: its `materials:`, then those that stand inline */
+    size_t named_count, material_count, material_room;
+    size_t object_room, light_room, used_room, mesh_room, document_room;
+    int things; /* objects and groups so far */
+    bool fine;  /* no fault yet */
+} SceneReader;
+
+/* Params of scene_param_table are named by their place there: S_Sphere_radius. */
+typedef struct {
+    SceneKind kind;
+    const Tree *tree;                 /* NULL: it was not given, and all is default */
+    Value values[SCENE_KIND_PARAMS]; /* of the kind's run: those that are plain */
+    Tree *given[SCENE_KIND_PARAMS];  /* those that are not; NULL: not there */
+} SceneThing;
+
+/* A value of that sort. False: it has faults, which are told. */
+bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing);
+/* The document itself: as the kind Scene, but that it may have the keys of a document, too. */
+bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing);
+/* What is where nothing is given: the first kind of its sort. */
+void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing);
+
+double scene_thing_number(const SceneThing *thing, int param);
+void scene_thing_vector(const SceneThing *thing, int param, double vector[3]);
+/* NULL: not given. */
+const Transform *scene_thing_transform(const SceneThing *thing, int param);
+Tree *scene_thing_given(const SceneThing *thing, int param);
+/* Where a fault of a parameter is: at its value, or at the thing. */
+Span scene_thing_span(const SceneThing *thing, int param);
+#endif

@@ -1,0 +1,454 @@
+/* Scenes as they are read: what is refused, where and in which words; matrices, cameras and lights by closed forms; solids by their
+ * volume, and by what a step of u or v does to them. */
+#include "runtime/scene/scene.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+#include <cmocka.h>
+
+#define PI  3.14159265358979323846
+#define RED "materials: { red: { material: RGBA, r: 1 } }\n"
+
+/* The scene of a text; NULL: *said, from malloc. */
+static Scene *read_text(const char *text, MatcDocument **document)
+{
+    Scene *scene = NULL;
+    MatcOptions options;
+    matc_options_init(&options);
+    *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
+    return scene;
+}
+
+/* A scene that has to be one. */
+static Scene *read_fine(const char *text, MatcDocument **document)
+{
+    Scene *scene = read_text(text, document);
+    if (!scene)
+        print_message("%s", matc_diagnostics(*document, MATC_TEXT));
+    assert_non_null(scene);
+    assert_string_equal(matc_diagnostics(*document, MATC_TEXT), "");
+    return scene;
+}
+
+static void forget(Scene *scene, MatcDocument *document)
+{
+    scene_free(scene);
+    matc_document_free(document);
+}
+
+/* The first line that is said; what stands behind has the source. */
+static void faults(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *said;
+    } cases[] = {
+        {RED "objects: [{ object: Spere, material: red }]\n",
+         "2:21: error: no object is called 'Spere'; did you mean 'Sphere'?"},
+        {RED "objects: [{ object: Sphere, radios: 2, material: red }]\n",
+         "2:29: error: Sphere has no parameter 'radios'; did you mean 'radius'?"},
+        {RED "objects: [{ object: Sphere, radius: big, material: red }]\n",
+         "2:37: error: radius wants a number, not 'big'"},
+        {RED "objects: [{ object: Sphere, radius: .nan, material: red }]\n",
+         "2:37: error: '.nan' is not a number as matc reads them: decimal digits, a point, an exponent"},
+        {RED "objects: [{ object: Sphere, radius: 1e999, material: red }]\n", NULL},
+        {RED "objects: [{ object: Sphere, radius: -1, material: red }]\n",
+         "2:37: error: radius is -1.0; it must be from 0.000001 to 1e+09"},
+        {RED "objects: [{ object: Sphere, radius: { param: r, default: 1 }, material: red }]\n",
+         "2:37: error: radius cannot be a param: it is of a scene, and no uniform of a program"},
+        {RED "objects: [{ object: Sphere, material: blue }]\n",
+         "2:39: error: no material 'blue' in the document; there are red"},
+        {RED "objects: [{ object: Sphere, material: rde }]\n",
+         "2:39: error: no material 'rde' in the document; did you mean 'red'?"},
+        {RED "objects: [{ object: Sphere }]\n", "2:11: error: Sphere wants 'material'"},
+        {RED "objects: [{ object: Sphere, material: { material: Phnog } }]\n",
+         "2:51: error: no material is called 'Phnog'; did you mean 'Phong'?"},
+        {RED "objects: [{ object: Sphere, material: [red] }]\n",
+         "2:39: error: material wants a name, a material, or `{ file: name }`, not a list"},
+        {RED "objects: [{ object: Sphere, material: { file: nowhere.yaml } }]\n",
+         "2:47: error: cannot read 'nowhere.yaml': No such file or directory"},
+        {RED "objects: [{ object: Sphere, material: { file: x.yaml, materials: red } }]\n",
+         "2:55: error: a material of a file has 'file' and 'material', not 'materials'"},
+        {RED "objects: [{ object: Mesh, file: nowhere.obj, material: red }]\n",
+         "2:33: error: cannot read 'nowhere.obj': No such file or directory"},
+        {RED "objects: [{ object: Mesh, file: mesh.max, material: red }]\n",
+         "2:33: error: cannot read 'mesh.max': a mesh is a file .obj, .gltf, .glb or .ply"},
+        {RED "objects: [{ object: Mesh, material: red }]\n", "2:11: error: Mesh wants 'file'"},
+        {RED "objects: { object: Sphere }\n", "2:10: error: objects wants a list, not an object"},
+        {RED "objects: [Sphere]\n",
+         "2:11: error: this wants the key `object:`, and the object is one of Group, Sphere, "
+         "Box, Cylinder, Cone, Parallelogram, Plane, Mesh"},
+        {RED "objects: [{ Object: Sphere }]\n", "2:13: error: 'Object' is written 'object': names are case-sensitive"},
+        {RED "objects: [{ object: Sphere, material: red, transform: { scale: [1, 0, 1] } }]\n",
+         "2:55: error: the transformation makes it flat"},
+        {RED "objects: [{ object: Sphere, material: red, transform: { scale: 1e38 } }]\n",
+         "2:55: error: the transformation leads too far away"},
+        {RED "objects: [{ object: Sphere, material: red, transform: { size: 2 } }]\n",
+         "2:57: error: a transform has no parameter 'size'"},
+        {RED "objects: [{ object: Plane, material: red, transform: { shear: [1, 0, 0] } }]\n",
+         "2:54: error: the transformation leaves x and y of a plane at no right angle"},
+        {RED "objects: [{ object: Parallelogram, material: red, u: [1, 1, 0], v: [2, 2, 0] }]\n",
+         "2:68: error: u and v span nothing"},
+        {RED "lights: [{ light: Pont }]\n", "2:19: error: no light is called 'Pont'; did you mean 'Point'?"},
+        {RED "lights: [{ light: Directional, direction: [0, 0, 0] }]\n", "2:43: error: direction has no direction"},
+        {RED "lights: [{ light: Spot, innerAngle: 40 }]\n",
+         "2:37: error: the inner angle is greater than the outer one"},
+        {RED "camera: { camera: Perspective, target: [0, -5, 2] }\n",
+         "2:40: error: the way from position to target has no direction"},
+        {RED "camera: { camera: Perspective, position: [0, 0, 5] }\n",
+         "2:9: error: up, seen along the view, has no direction"},
+        {RED "camera: { camera: Fisheye }\n",
+         "2:19: error: no camera is called 'Fisheye'; there are Perspective, Orthographic"},
+        {RED "camera: { camera: Orthographic }\nobjects: [{ object: Plane, material: red }]\n",
+         "2:9: error: a plane and a sky want a camera of perspective"},
+        {RED "image: { width: 0 }\n", "2:17: error: width is 0; it must be from 1 to 16384"},
+        {RED "image: { width: 2.5 }\n", "2:17: error: width wants a whole number, not the number 2.5"},
+        {RED "toneMapping: { toneMapping: Gamma }\n",
+         "2:29: error: no toneMapping is called 'Gamma'; there are Clamp, Filmic"},
+        {RED "sky: blue\n", "2:6: error: no material 'blue' in the document; there are red"},
+        {RED "lights: []\nshadows: true\n", "3:1: error: a document has no 'shadows'"},
+        {RED "cammera: { camera: Perspective }\nlights: []\n",
+         "2:1: error: a document has no 'cammera'; did you mean 'camera'?"},
+        {"materials: [red]\nlights: []\n", "1:12: error: materials wants an object, not a list"},
+        {"materials: { red: { material: Phnog } }\nlights: []\n",
+         "1:31: error: no material is called 'Phnog'; did you mean 'Phong'?"},
+        {"colors: sRGB\nlights: []\n", NULL},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        MatcDocument *document;
+        assert_null(read_text(cases[i].text, &document));
+        const char *said = matc_diagnostics(document, MATC_TEXT);
+        char line[512];
+        snprintf(line, sizeof line, "%.*s", (int)strcspn(said, "\n"), said);
+        assert_int_not_equal(matc_error_count(document), 0);
+        if (cases[i].said)
+            assert_string_equal(line + strlen("scene.yaml:"), cases[i].said);
+        matc_document_free(document);
+    }
+}
+
+/* One run tells several faults, each once, though an alias stands for one of them twice. */
+static void several(void **state)
+{
+    (void)state;
+    MatcDocument *document;
+    assert_null(read_text(
+        "objects:\n- &a { object: Spere }\n- *a\n- *a\n- { object: Box, sice: 2 }\nlights: [{ light: Sun }]\n",
+        &document));
+    assert_int_equal(matc_error_count(document), 3);
+    matc_document_free(document);
+}
+
+/* Without a key of a scene a document is one of materials, as ever. */
+static void materials_alone(void **state)
+{
+    (void)state;
+    MatcDocument *document;
+    assert_null(read_text("material: Phong\n", &document));
+    assert_int_equal(matc_material_count(document), 1);
+    assert_int_equal(matc_error_count(document), 0);
+    matc_document_free(document);
+    assert_null(read_text("material: Phong\nlights: []\n", &document));
+    assert_int_equal(matc_error_count(document), 1);
+    matc_document_free(document);
+}
+
+/* Lists of lists by aliases would be 4^30 objects, or as many empty groups. */
+static void alias_bombs(void **state)
+{
+    (void)state;
+    static const char *const innermost[] = {"{ object: Box, material: red }", "{ object: Group }"};
+    for (int k = 0; k < 2; k++) {
+        char text[4096];
+        size_t size = (size_t)snprintf(text, sizeof text, RED "objects:\n- &a0 %s\n", innermost[k]);
+        for (int i = 1; i <= 30; i++)
+            size += (size_t)snprintf(text + size, sizeof text - size,
+                                     "- &a%d { object: Group, objects: [*a%d, *a%d, *a%d, *a%d] }\n", i, i - 1, i - 1,
+                                     i - 1, i - 1);
+        MatcDocument *document;
+        assert_null(read_text(text, &document));
+        assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "more than 1048576 objects and groups"));
+        matc_document_free(document);
+    }
+}
+
+static void apply(const SceneMatrix *m, const double p[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = m->m[i] * p[0] + m->m[4 + i] * p[1] + m->m[8 + i] * p[2] + m->m[12 + i];
+}
+
+static void assert_near(const double *a, const double *b, int count, double within)
+{
+    for (int i = 0; i < count; i++)
+        if (!(fabs(a[i] - b[i]) <= within)) {
+            print_message("lane %d: %.17g, not %.17g\n", i, a[i], b[i]);
+            fail();
+        }
+}
+
+/* Shear, scale, turn about x, y, z, shift: semantics of XYZTransform. Groups stand around. Numbers worked out by hand. */
+static void transformations(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *object;
+        double point[3], image[3];
+    } cases[] = {
+        {"{ object: Sphere, material: red }", {1, 2, 3}, {1, 2, 3}},
+        {"{ object: Sphere, material: red, transform: { scale: 2 } }", {1, 2, 3}, {2, 4, 6}},
+        {"{ object: Sphere, material: red, transform: { translation: [1, 0, -1] } }", {1, 2, 3}, {2, 2, 2}},
+        {"{ object: Sphere, material: red, transform: { rotation: [0, 0, 1.5707963267948966] } }",
+         {1, 2, 3},
+         {-2, 1, 3}},
+        {"{ object: Sphere, material: red, transform: { rotation: [1.5707963267948966, 0, 0] } }",
+         {1, 2, 3},
+         {1, -3, 2}},
+        {"{ object: Sphere, material: red, transform: { rotation: [0, 1.5707963267948966, 0] } }",
+         {1, 2, 3},
+         {3, 2, -1}},
+        /* about x, then about z */
+        {"{ object: Sphere, material: red, transform: { rotation: [1.5707963267948966, 0, 1.5707963267948966] } }",
+         {1, 2, 3},
+         {3, 1, 2}},
+        {"{ object: Sphere, material: red, transform: { shear: [10, 100, 1000], scale: [1, 2, 1] } }",
+         {1, 2, 3},
+         {321, 6004, 3}},
+        {"{ object: Sphere, material: red, transform: { matrix: [0, 1, 0, 7, 0, 0, 1, 8, 1, 0, 0, 9, 0, 0, 0, 1] } }",
+         {1, 2, 3},
+         {9, 11, 10}},
+        {"{ object: Group, transform: { translation: [10, 0, 0] }, objects: [{ object: Group, transform: { scale: 2 }, "
+         "objects: [{ object: Sphere, material: red, transform: { translation: [0, 1, 0] } }] }] }",
+         {1, 2, 3},
+         {12, 6, 6}},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        double image[3];
+        MatcDocument *document;
+        snprintf(text, sizeof text, RED "objects: [%s]\n", cases[i].object);
+        Scene *scene = read_fine(text, &document);
+        assert_int_equal(scene->object_count, 1);
+        apply(&scene->objects[0].world_from_local, cases[i].point, image);
+        assert_near(image, cases[i].image, 3, 1e-12 * 6004);
+        forget(scene, document);
+    }
+}
+
+/* A material is there once, whoever uses it: by name, by alias, from around; and what nobody uses is not. */
+static void materials(void **state)
+{
+    (void)state;
+    MatcDocument *document;
+    Scene *scene = read_fine(
+        "materials: { unused: { material: Phong }, red: { material: RGBA, r: 1 }, inline2: { material: RGBA } }\n"
+        "objects:\n"
+        "- { object: Sphere, material: red }\n"
+        "- { object: Sphere, material: &blue { material: RGBA, b: 1 } }\n"
+        "- { object: Box, material: *blue }\n"
+        "- object: Group\n"
+        "  material: red\n"
+        "  objects: [{ object: Box }, { object: Box, material: inline2 }]\n"
+        "sky: { material: RGBA, b: .5 }\n",
+        &document);
+    static const int expected[] = {0, 1, 1, 0, 2};
+    assert_int_equal(scene->object_count, 5);
+    for (int i = 0; i < 5; i++)
+        assert_int_equal(scene->objects[i].material, expected[i]);
+    assert_int_equal(scene->material_count, 4);
+    assert_int_equal(scene->sky, 3);
+    assert_string_equal(matc_material_name(scene->materials[0].document, scene->materials[0].index), "red");
+    assert_string_equal(matc_material_name(scene->materials[2].document, scene->materials[2].index), "inline2");
+    assert_int_equal(matc_material_count(document), 5);
+    forget(scene, document);
+}
+
+static void cameras_and_lights(void **state)
+{
+    (void)state;
+    MatcDocument *document;
+    Scene *scene = read_fine(
+        RED "camera: { camera: Perspective, position: [3, 0, 4], angle: 90, near: .5 }\n"
+            "image: { width: 64, height: 32 }\n"
+            "lights:\n"
+            "- { light: Spot, direction: [0, 3, 4], innerAngle: 0, outerAngle: 60, color: [1, .5, 0], intensity: 4 }\n"
+            "- { light: Point, position: [1, 2, 3], color: \"#ff0000\" }\n"
+            "toneMapping: { toneMapping: Filmic, exposure: -2 }\n",
+        &document);
+    assert_int_equal(scene->width, 64);
+    assert_int_equal(scene->height, 32);
+    assert_near(scene->camera.back, (double[]){.6, 0, .8}, 3, 1e-15);
+    assert_near(scene->camera.right, (double[]){0, 1, 0}, 3, 1e-15);
+    assert_near(scene->camera.up, (double[]){-.8, 0, .6}, 3, 1e-15);
+    assert_near(&scene->camera.half, (double[]){1}, 1, 1e-15);
+    assert_near(&scene->camera.near, (double[]){.5}, 1, 0);
+    assert_int_equal(scene->light_count, 2);
+    assert_near(scene->lights[0].direction, (double[]){0, .6, .8}, 3, 1e-15);
+    assert_near(scene->lights[0].light, (double[]){4, 2, 0}, 3, 0);
+    assert_near(&scene->lights[0].outer_cosine, (double[]){.5}, 1, 1e-15);
+    assert_near(&scene->lights[0].inner_cosine, (double[]){1}, 1, 0);
+    assert_near(scene->lights[1].light, (double[]){1, 0, 0}, 3, 0);
+    assert_int_equal(scene->tone, SCENE_Filmic);
+    assert_near(&scene->exposure, (double[]){.25}, 1, 0);
+    assert_int_equal(scene->sky, -1);
+    forget(scene, document);
+}
+
+static void subtract(const float *a, const float *b, double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = (double)a[i] - b[i];
+}
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+/* Sum over the triangles of a . (b x c) / 6: the volume, where all turn counterclockwise and none is missing. */
+static double volume_of(const Shape *shape)
+{
+    static const float origin[3];
+    double sum = 0, a[3], b[3], c[3], product[3];
+    for (int i = 0; i < shape->index_count; i += 3) {
+        subtract(shape->vertices[shape->indices[i]].position, origin, a);
+        subtract(shape->vertices[shape->indices[i + 1]].position, origin, b);
+        subtract(shape->vertices[shape->indices[i + 2]].position, origin, c);
+        cross(b, c, product);
+        sum += dot(a, product) / 6;
+    }
+    return sum;
+}
+
+/* Every triangle has its normals on its front; an edge is the step that dP/du and dP/dv promise, up to the square of its length. */
+static void check_triangles(const Shape *shape, double within)
+{
+    for (int i = 0; i < shape->index_count; i += 3) {
+        const ShapeVertex *v[3];
+        double edge[2][3], front[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = &shape->vertices[shape->indices[i + k]];
+        subtract(v[1]->position, v[0]->position, edge[0]);
+        subtract(v[2]->position, v[0]->position, edge[1]);
+        cross(edge[0], edge[1], front);
+        for (int k = 0; k < 3; k++) {
+            const double n[3] = {v[k]->normal[0], v[k]->normal[1], v[k]->normal[2]};
+            assert_true(fabs(dot(n, n) - 1) < 1e-6);
+            assert_true(dot(front, front) < 1e-18 || dot(front, n) > 0);
+        }
+        for (int k = 1; k < 3; k++)
+            for (int lane = 0; lane < 3; lane++) {
+                const double du = v[k]->uv[0] - v[0]->uv[0], dv = v[k]->uv[1] - v[0]->uv[1];
+                const double step = (v[0]->tangentU[lane] + v[k]->tangentU[lane]) / 2. * du +
+                                    (v[0]->tangentV[lane] + v[k]->tangentV[lane]) / 2. * dv;
+                assert_true(fabs(step - edge[k - 1][lane]) <= within);
+            }
+    }
+}
+
+static void solids(void **state)
+{
+    (void)state;
+    /* a circle of 192 steps has sin(2 pi / 192) 192 / 2 pi of its area */
+    const double part = sin(2 * PI / 192) * 192 / (2 * PI);
+    const struct {
+        SceneObject object;
+        double volume, within; /* of the volume, relative; */
+    } cases[] = {
+        {{.kind = SCENE_Sphere, .numbers = {2}}, 4 / 3. * PI * 8, 2e-3},
+        {{.kind = SCENE_Box, .numbers = {1, 2, 3}}, 6, 1e-6},
+        {{.kind = SCENE_Cylinder, .numbers = {.5, 3}}, PI * .25 * 3 * part, 1e-6},
+        {{.kind = SCENE_Cone, .numbers = {.5, 3}}, PI * .25 * part, 1e-6},
+        {{.kind = SCENE_Parallelogram, .numbers = {1, 0, 0, 1, 2, 0}}, 0, 1e-6},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Shape shape;
+        assert_true(scene_solid(&cases[i].object, &shape));
+        assert_true(fabs(volume_of(&shape) - cases[i].volume) <= cases[i].within * cases[i].volume + 1e-12);
+        check_triangles(&shape, 1e-3);
+        shape_free(&shape);
+    }
+}
+
+static char folder[] = "/tmp/matc_sceneXXXXXX";
+
+static const char *write_file(const char *name, const char *text)
+{
+    static char path[256];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+    return path;
+}
+
+/* A mesh stands where its file has it, y up turned to z up; objects share it. A material of a file, by its name. */
+static void files(void **state)
+{
+    (void)state;
+    char text[1024];
+    MatcDocument *document;
+    assert_non_null(mkdtemp(folder));
+    write_file("three.obj", "v 5 0 0\nv 7 0 0\nv 5 3 0\nf 1 2 3\n");
+    write_file("two.yaml", "materials: { a: { material: Phong }, b: { material: RGBA } }\n");
+    write_file("bad.yaml", "material: Phong\ndifuse: 1\n");
+    snprintf(text, sizeof text,
+             "objects:\n- { object: Mesh, file: %s/three.obj, material: &m { file: %s/two.yaml, material: b } }\n"
+             "- { object: Mesh, file: %s/three.obj, material: *m }\n",
+             folder, folder, folder);
+    Scene *scene = read_fine(text, &document);
+    assert_int_equal(scene->mesh_count, 1);
+    assert_int_equal(scene->material_count, 1);
+    assert_string_equal(matc_material_name(scene->materials[0].document, scene->materials[0].index), "b");
+    assert_int_equal(scene->meshes[0].shape.vertex_count, 3);
+    for (int i = 0; i < 3; i++) {
+        const float *p = scene->meshes[0].shape.vertices[i].position;
+        assert_true((p[0] == 5 || p[0] == 7) && p[1] == 0 && (p[2] == 0 || p[2] == 3));
+    }
+    assert_int_equal(matc_depend_count(document), 3);
+    forget(scene, document);
+    snprintf(text, sizeof text, "objects: [{ object: Box, material: { file: %s/bad.yaml } }]\n", folder);
+    assert_null(read_text(text, &document));
+    assert_non_null(
+        strstr(matc_diagnostics(document, MATC_TEXT), "bad.yaml:2:1: error: Phong has no parameter 'difuse'"));
+    matc_document_free(document);
+    snprintf(text, sizeof text, "objects: [{ object: Box, material: { file: %s/two.yaml, material: gold } }]\n",
+             folder);
+    assert_null(read_text(text, &document));
+    assert_non_null(
+        strstr(matc_diagnostics(document, MATC_TEXT), "no material 'gold' in the document; there are a, b"));
+    matc_document_free(document);
+}
+
+static int clean(void **state)
+{
+    (void)state;
+    char command[300];
+    snprintf(command, sizeof command, "rm -rf %s", folder);
+    return system(command);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(faults),
+        cmocka_unit_test(several),
+        cmocka_unit_test(materials_alone),
+        cmocka_unit_test(alias_bombs),
+        cmocka_unit_test(transformations),
+        cmocka_unit_test(materials),
+        cmocka_unit_test(cameras_and_lights),
+        cmocka_unit_test(solids),
+        cmocka_unit_test_teardown(files, clean),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
