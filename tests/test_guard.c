@@ -103,16 +103,15 @@ static void an_item_branches_wherever_it_stands(void **state)
     assert_int_equal(depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "", "none"), 1);
 }
 
-/* What the reflection says of the transparency of a blend of these items. */
-static void expect_opacity(const char *items, const char *aa, const char *wanted, bool stored)
+/* What the reflection says of the transparency of a map, and whether a program stores it. */
+static void expect_opacity(const char *map, const char *aa, const char *wanted, bool stored)
 {
     char text[2048];
     MatcOptions options;
     matc_options_init(&options);
     options.validate = true;
     assert_true(matc_options_set(&options, "aa", aa));
-    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Blend, input: { map: Granite }, blend: [%s] }\n",
-             items);
+    snprintf(text, sizeof text, "material: Phong\ndiffuse: %s\n", map);
     MatcDocument *document = matc_read("examples/blend.yaml", text, strlen(text), &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(program))
@@ -124,22 +123,56 @@ static void expect_opacity(const char *items, const char *aa, const char *wanted
     matc_document_free(document);
 }
 
+#define PICTURE "{ map: ImageMap, image: tiles.png }" /* it has no alpha */
+
+static void opaque_colors_of_checkers_are_opaque_together(void **state)
+{
+    static const char *const ways[] = {"none", "auto", "box", "aniso"};
+    static const struct {
+        const char *map;
+        bool opaque;
+    } maps[] = {
+        {"{ map: Checker, color1: " PICTURE ", color2: red }", true},
+        {"{ map: Checker, color1: '#ff0000ff', color2: " PICTURE " }", true},
+        {"{ map: Checker, color1: " PICTURE ", color2: '#ff0000fe' }", false},
+        {"{ map: VolumeChecker, color1: " PICTURE ", color2: { map: Granite } }", true},
+        {"{ map: Checker, color1: " PICTURE ", color2: { map: VolumeChecker, color1: '#ff0000ff', color2: { map: "
+         "Checker, color1: { map: Checker, color1: { map: Checker, color1: { map: Checker, color1: " PICTURE
+         ", color2: 0.3 } } } } } }",
+         true},
+        {"{ map: Blend, input: { map: Checker }, blend: [{ value: 0.2, input: " PICTURE
+         " }, { value: 0.8, input: { map: Checker, color1: " PICTURE " } }] }",
+         true},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
+        for (size_t k = 0; k < sizeof maps / sizeof *maps; k++)
+            expect_opacity(maps[k].map, ways[i], maps[k].opaque ? "opaque" : "varying", !maps[k].opaque);
+}
+
+static void expect_opacity_of_items(const char *items, const char *aa, const char *wanted, bool stored)
+{
+    char map[1024];
+    snprintf(map, sizeof map, "{ map: Blend, input: { map: Granite }, blend: [%s] }", items);
+    expect_opacity(map, aa, wanted, stored);
+}
+
 static void opaque_items_are_opaque_together(void **state)
 {
     static const char *const ways[] = {"none", "auto", "box"};
-    static const char picture[] = "{ value: 0, input: { map: ImageMap, image: tiles.png } }";
+    static const char picture[] = "{ value: 0, input: " PICTURE " }";
     char items[512];
     (void)state;
     for (int i = 0; i < 3; i++) {
         snprintf(items, sizeof items, "%s, { value: 1, input: red }", picture);
-        expect_opacity(items, ways[i], "opaque", false);
+        expect_opacity_of_items(items, ways[i], "opaque", false);
         snprintf(items, sizeof items,
                  "{ value: -1, input: '#ff0000ff' }, %s, { value: 1, input: { map: Blend, blend: [%s, { value: 2, "
                  "input: { map: Granite } }] } }",
                  picture, picture);
-        expect_opacity(items, ways[i], "opaque", false);
+        expect_opacity_of_items(items, ways[i], "opaque", false);
         snprintf(items, sizeof items, "%s, { value: 1, input: '#ff0000fe' }", picture);
-        expect_opacity(items, ways[i], "varying", true);
+        expect_opacity_of_items(items, ways[i], "varying", true);
     }
 }
 
@@ -149,6 +182,7 @@ int main(void)
         cmocka_unit_test(a_guard_stays_where_it_spares_something),
         cmocka_unit_test(an_item_branches_wherever_it_stands),
         cmocka_unit_test(opaque_items_are_opaque_together),
+        cmocka_unit_test(opaque_colors_of_checkers_are_opaque_together),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

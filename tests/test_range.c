@@ -250,6 +250,9 @@ static const Known known[] = {
     {"mix(1, 5, fract(x))", 1, 0, 1, 5},
     {"mix(1, 5, mul(fract(x), 2))", 1, 0, 1, 9},
     {"mix(5, 1, sub(fract(x), 1))", 1, 0, 5, 9},
+    {"mix(3, 3, fract(x))", 1, 0, 3, 3}, /* but for equal ones */
+    {"mix(vec2(x, 3), vec2(y, 3), z)", 4, 1, 3, 3},
+    {"mix(vec2(x, 3), vec2(y, 4), z)", 4, 1, -INFINITY, INFINITY},
     /* vectors: together, and lane by lane */
     {"vec2(fract(x), add(fract(y), 3))", 1, 0, 0, 4},
     {"vec2(fract(x), add(fract(y), 3))", 4, 0, 0, 1},

@@ -20,6 +20,9 @@ static inline Interval between(double low, double high) { return (Interval){low,
 
 static inline Interval hull(Interval a, Interval b) { return (Interval){fmin(a.low, b.low), fmax(a.high, b.high)}; }
 
+/* One number, and no other. */
+static inline bool is_point(Interval a) { return a.low == a.high && isfinite(a.low); }
+
 static inline double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 static inline Interval times(Interval a, Interval b)
@@ -60,7 +63,7 @@ static inline Interval mixed_at(Interval a, Interval b, double t)
 /* For any a and b it is linear in t, so it lies between what it is at both ends. */
 static inline Interval mixed(Interval a, Interval b, Interval t)
 {
-    if (t.low >= 0 && t.high <= 1)
+    if ((t.low >= 0 && t.high <= 1) || (is_point(a) && is_point(b) && a.low == b.low))
         return hull(a, b);
     if (isfinite(t.low) && isfinite(t.high))
         return hull(mixed_at(a, b, t.low), mixed_at(a, b, t.high));

@@ -1,15 +1,28 @@
-/* The BOUND rows of rules.def: a clamp that cannot bite is dropped, a comparison that is always the same is decided. The intervals
- * hold in floats: where an operation rounds, a bound is only believed with a little to spare. */
+/* The BOUND rows of rules.def: a clamp that cannot bite is dropped, a comparison that is always the same is decided. And a value that can be
+ * one number alone is that number. The intervals hold in floats: where an operation rounds, a bound is only believed with a little
+ * to spare. They are those of the lanes, one by one:
+ *     mix(vec4(a, 1), vec4(b, 1), t)    the last lane is 1 whatever t is
+ *     max(vec2(fract(x), 7), 1)         stays, since its first lane may be below 1 */
 #include "compiler/opt/opt.h"
 #include "compiler/ir/range.h"
 #include <math.h>
 
+enum { MOST_LANES = 4 };
+
+/* What the sweep goes by. */
+typedef struct {
+    Ranges ranges;
+    const bool *
+        steps; /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole step further */
+} Known;
+
 typedef struct {
     const Ir *ir;
     const Ranges *ranges;
+    int lane;
 } Site;
 
-static Interval range_at(const Site *s, Ref ref) { return range_of(s->ranges, s->ir, ref, 0); }
+static Interval range_at(const Site *s, Ref ref) { return range_of(s->ranges, s->ir, ref, s->lane); }
 
 /* Whether a value surely lies in [low, high]; where it came by arithmetic, a rounding's worth inside. */
 static bool lies_within(const Site *s, Ref ref, double low, double high)
@@ -26,28 +39,82 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define truth(x)               build_truth(ir, x)
 #define spread(x)              build_splat(ir, x, (Type)node.type)
 
+/* Of a node and its operands, the most. */
+static int lanes_at(const Ir *ir, Ref ref)
+{
+    int lanes = ir_lanes(ir, ref);
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
+        if (ir_lanes(ir, ir_arg(ir, ref, i)) > lanes)
+            lanes = ir_lanes(ir, ir_arg(ir, ref, i));
+    return lanes;
+}
+
+/* A value whose every lane can be one number alone is a constant. */
+static Ref only_value(Ir *ir, Ref ref, const Known *known)
+{
+    const Type type = ir_type(ir, ref);
+    double lanes[MOST_LANES] = {0};
+    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) || ref >= known->ranges.count ||
+        known->steps[ref])
+        return ref;
+    for (int i = 0; i < ir_lanes(ir, ref); i++) {
+        const Interval range = range_of(&known->ranges, ir, ref, i);
+        if (!is_point(range))
+            return ref;
+        lanes[i] = range.low;
+    }
+    return ir_const(ir, type, lanes);
+}
+
 /* The BOUND rows of rules.def. */
 static Ref decide(Ir *ir, Ref ref, const void *user)
 {
-    const Site site = {ir, user};
+    const Known *known = user;
+    Site site = {ir, &known->ranges, 0};
+    bool holds;
+    int lanes;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;
     Ref c = node.count > 2 ? ir_arg(ir, ref, 2) : 0, found;
     switch (node.op) {
 #define ON(op) case OP_##op:
 #define BOUND(condition, result, why)                                                                                  \
-    if ((condition) && ir_type(ir, found = (result)) == (Type)node.type)                                               \
+    for (holds = true, lanes = lanes_at(ir, ref), site.lane = 0; holds && site.lane < lanes; site.lane++)              \
+        holds = (condition);                                                                                           \
+    if (holds && ir_type(ir, found = (result)) == (Type)node.type)                                                     \
         return found;
 #define END break;
 #include "grammar/rules.def"
     default:
         break;
     }
-    return ref;
+    return only_value(ir, ref, known);
+}
+
+/* Results of functions come before their users, too. */
+static bool has_step(const Ir *ir, Ref ref, const bool *steps)
+{
+    const IrNode *node = ir_at(ir, ref);
+    if (node->op == OP_floor || node->op == OP_ceil || node->op == OP_sign)
+        return true;
+    if (ir_applies(ir, ref) && steps[ir->functions[node->payload].result])
+        return true;
+    for (int i = 0; i < node->count; i++)
+        if (steps[ir_arg(ir, ref, i)])
+            return true;
+    return false;
+}
+
+static const bool *find_steps(Ir *ir)
+{
+    bool *steps = ARENA_ARRAY(&ir->scratch, bool, ir->count);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        steps[ref] = has_step(ir, ref, steps);
+    return steps;
 }
 
 bool opt_range(Ir *ir)
 {
-    Ranges ranges = range_find(ir, &ir->scratch, 1);
-    return ir_sweep(ir, decide, &ranges);
+    const Known known = {range_find(ir, &ir->scratch, MOST_LANES), find_steps(ir)};
+    return ir_sweep(ir, decide, &known);
 }

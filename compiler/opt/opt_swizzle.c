@@ -56,6 +56,18 @@ static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
     return narrow && ir_at(ir, made)->type != node.type ? 0 : made;
 }
 
+static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value);
+
+/* Two are mixed, or one of them is chosen: the lane is the same number in both. */
+static bool known_alike(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
+{
+    const Op op = (Op)ir_at(ir, ref)->op;
+    const int first = op == OP_select;
+    double other;
+    return (op == OP_select || op == OP_mix) && known_lane(ir, ir_arg(ir, ref, first), lane, depth, value) &&
+           known_lane(ir, ir_arg(ir, ref, first + 1), lane, depth, &other) && *value == other;
+}
+
 /* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that lane, say. */
 static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
 {
@@ -72,6 +84,8 @@ static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *
         Ref part = part_of(ir, ref, lane, &inner);
         return depth && known_lane(ir, part, inner, depth - 1, value);
     }
+    if (depth && known_alike(ir, ref, lane, depth - 1, value))
+        return true;
     if (!depth || op_table[node->op].rule != RULE_widest)
         return false;
     int known = 0;
