@@ -91,12 +91,31 @@ static Ref either_variance(Lower *l, Ref by, const Answer *a, const Answer *b)
     return answer_mean(l, by, a->variance ? a->variance : none, b->variance ? b->variance : none);
 }
 
+Ref answer_alpha(Lower *l, Ref color)
+{
+    if (!l->cheap || ir_lanes(l->ir, color) < 4)
+        return 0;
+    Ref alpha = build_swizzle(l->ir, color, "w");
+    return ir_is(l->ir, alpha, OP_const) ? alpha : 0;
+}
+
+/* An alpha that both have is their mean's: a picture without one and a colour are opaque together, and three lanes are mixed. */
+static Ref mean_of_colors(Lower *l, Ref by, Ref a, Ref b)
+{
+    Ir *ir = l->ir;
+    Ref alpha = answer_alpha(l, a);
+    if (!alpha || answer_alpha(l, b) != alpha || (ir_is(ir, a, OP_const) && ir_is(ir, b, OP_const)))
+        return answer_mean(l, by, a, b);
+    Ref color = answer_mean(l, by, build_swizzle(ir, a, "xyz"), build_swizzle(ir, b, "xyz"));
+    return build_vec(ir, TYPE_vec4, color, alpha);
+}
+
 Answer answer_either(Lower *l, Ref by, Answer a, Answer b)
 {
     Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
     a = answer_widened(l, a, type);
     b = answer_widened(l, b, type);
-    Answer either = answer_of(answer_mean(l, by, a.value, b.value));
+    Answer either = answer_of(mean_of_colors(l, by, a.value, b.value));
     if (!footprint_is_filtered(l))
         return either;
     Split *split = ARENA_NEW(l->session->arena, Split);

@@ -19,6 +19,8 @@ Answer answer_moved(Lower *l, Answer a, Ref by);
 Answer answer_scaled(Lower *l, Answer a, Ref factor);
 /* Products by lane, added up. */
 Answer answer_dot(Lower *l, Answer a, Ref factors);
+/* The alpha that a colour has wherever it is asked, a number; 0: it varies, or the colour has none, or -O0 leaves it as written. */
+Ref answer_alpha(Lower *l, Ref color);
 /* Of two that vary independently. */
 Answer answer_sum(Lower *l, Answer a, Answer b);
 /* As much of the pixel as `by` says has a's value, the rest b's; or `by` is a bool, and all of it has a's or all b's. Both are

@@ -327,11 +327,9 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
 static Ref common_alpha(Lower *l, const Stop *stops, int count)
 {
     Ref alpha = 0;
-    for (int i = 0; l->cheap && i < count; i++) {
-        if (ir_lanes(l->ir, stops[i].result) < 4)
-            return 0;
-        Ref own = build_swizzle(l->ir, stops[i].result, "w");
-        if (!ir_is(l->ir, own, OP_const) || (alpha && own != alpha))
+    for (int i = 0; i < count; i++) {
+        Ref own = answer_alpha(l, stops[i].result);
+        if (!own || (alpha && own != alpha))
             return 0;
         alpha = own;
     }
