@@ -327,6 +327,15 @@ static const Case ranges[] = {
     {"clamp(fract(x), -2, 0.001)", NULL},
     {"clamp(fract(x), 0.001, 1)", NULL},
     {"clamp(x, 0, 1)", NULL},
+    /* lane by lane: of all of them */
+    {"max(vec2(fract(x), 7), [0, 7])", "vec2(fract(x), 7)"},
+    {"max(vec2(7, fract(x)), 0.5)", NULL},
+    {"max(vec2(fract(x), 7), 0.5)", NULL},
+    {"max(vec2(fract(x), 7), [1, 8])", "[1, 8]"},
+    /* one number alone, but where a rounding might make it another */
+    {"mix(vec2(x, 3), vec2(y, 3), z).y", "3"},
+    {"floor(add(mul(fract(x), 0.5), 0.25))", NULL},
+    {"add(floor(add(mul(fract(x), 0.5), 0.25)), 2)", NULL},
     {"clamp(sin(x), -1, 1)", "sin(x)"},
     {"clamp(sin(x), -1, 0.999)", NULL},
     {"clamp(noise(v), -1, 1)", "noise(v)"},

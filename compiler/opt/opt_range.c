@@ -2,7 +2,7 @@
  * one number alone is that number. The intervals hold in floats: where an operation rounds, a bound is only believed with a little
  * to spare. They are those of the lanes, one by one:
  *     mix(vec4(a, 1), vec4(b, 1), t)    the last lane is 1 whatever t is
- *     max(vec2(fract(x), 7), 1)         stays, since its first lane may be below 1 */
+ *     max(vec2(fract(x), 7), 0.5)       stays, since its first lane may be below 0.5 */
 #include "compiler/opt/opt.h"
 #include "compiler/ir/range.h"
 #include <math.h>
@@ -71,7 +71,7 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
     Site site = {ir, &known->ranges, 0};
-    bool holds;
+    bool holds; /* of all lanes */
     int lanes;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;
