@@ -2,7 +2,7 @@
  * are mixed at u lie around the sampler's place u + 1/2 texel:
  *
  *     clamp     u' = clamp(u, 0, 1 - 1 texel): from the first texel to the last one, and no way round to the first
- *     mirror    the sampler's place is folded into [0, 1], 1 - |1 - 2 fract(x / 2)|, then as clamp
+ *     mirror    the sampler's place is folded into [0, 1], 1 - |1 - x| of x mod 2, then as clamp
  *     border    as clamp, times how much of the box that is one texel wide, or as wide as the pixel, lies in the picture
  *
  * Of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the box from -.4 to .6 texels has .6 in
@@ -23,11 +23,14 @@ static Ref centred(Ir *ir, const Addressed *picture, Ref uv)
     return build_div(ir, build_add(ir, texel, build_all(ir, TYPE_vec2, 0.5)), picture->size);
 }
 
-static Ref folded(Ir *ir, Ref place)
+/* u + shift folded into [0, 1]. Two whole turns go before the shift is added, which would be lost far from the origin. Where the sum is
+ * above 2 it comes out below 0, and is kept at the edge like its mirror image. 0: no shift. */
+static Ref folded(Ir *ir, Ref u, Ref shift)
 {
     Ref one = build_all(ir, TYPE_vec2, 1);
-    Ref turn = build_scale(ir, build_fract(ir, build_scale(ir, place, 0.5)), 2);
-    return build_sub(ir, one, build_abs(ir, build_sub(ir, one, turn)));
+    Ref turn = build_scale(ir, build_fract(ir, build_scale(ir, u, 0.5)), 2);
+    Ref place = shift ? build_add(ir, turn, shift) : turn;
+    return build_sub(ir, one, build_abs(ir, build_sub(ir, one, place)));
 }
 
 Ref address_unfolded(Ir *ir, const Addressed *picture, Ref uv)
@@ -35,7 +38,7 @@ Ref address_unfolded(Ir *ir, const Addressed *picture, Ref uv)
     if (picture->address != WORD_Address_mirror)
         return uv;
     Ref half = picture->smooth ? texels(ir, picture, 0.5) : 0;
-    Ref place = folded(ir, half ? build_add(ir, uv, half) : uv);
+    Ref place = folded(ir, uv, half);
     return half ? build_sub(ir, place, half) : place;
 }
 
