@@ -102,7 +102,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot l
   matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})
   matc_test(install_make sh tests/install.sh ${PROJECT_BINARY_DIR} "Unix Makefiles")
   matc_test(subproject sh tests/subproject.sh)
-  matc_test(add sh tests/add.sh)
+  matc_test(add sh tests/add.sh ${PROJECT_BINARY_DIR})
   foreach(tool ninja make meson)
     matc_test(build_${tool} sh tests/build_tools.sh ${PROJECT_BINARY_DIR} ${tool})
   endforeach()
@@ -118,7 +118,7 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=300 add=60 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
+set(LONG test_value=300 add=20 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
   test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_layout_auto=20 test_text=20 schema=20
   install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15 pictures=15 view=10)
 foreach(pair ${LONG})
@@ -129,11 +129,6 @@ foreach(pair ${LONG})
     set_tests_properties(${name} PROPERTIES COST ${seconds})
   endif()
 endforeach()
-
-# It builds the project anew, about 45 s of one core: ctest -LE long leaves it out
-if(TEST add)
-  set_tests_properties(add PROPERTIES LABELS long)
-endif()
 
 # ctest -L quick: for the inner loop, a few seconds in all
 set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_defaults test_exact test_exact_material
