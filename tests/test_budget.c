@@ -7,7 +7,11 @@
 #include <cmocka.h>
 #include "tests/value/documents.h"
 #include "compiler/layout/layout.h"
+#include "compiler/lower/lower.h"
+#include "compiler/opt/opt.h"
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #ifndef SOURCE_FOLDER
@@ -121,11 +125,90 @@ static void checkers_and_waves_are_averaged(void **state)
     }
 }
 
+static long visits; /* nodes that lowering has made, or found again */
+
+static Ref count_visit(Ir *ir, Ref ref)
+{
+    visits++;
+    return opt_simplify(ir, ref);
+}
+
+static long visits_of(Document *d, int material, const char *aa)
+{
+    Job job;
+    MatcOptions options;
+    matc_options_init(&options);
+    options.aa = aa;
+    assert_null(choice_job(&options, &job));
+    visits = 0;
+    Ir *ir = lower(&d->session, d->graph, d->graph->materials[material].node, &job, count_visit);
+    if (ir)
+        ir_done(ir);
+    return visits;
+}
+
+/* A document is lowered once without means, once with all, by halving with as many as fit, and once for good. Means have more nodes than
+ * points; the examples have few maps, and take what the message says. */
+static void examples_take_few_lowerings(void **state)
+{
+    (void)state;
+    const double most = 7, most_of_all = 4;
+    DocumentList list = documents_list(SOURCE_FOLDER);
+    double worst = 0, all[2] = {0};
+    char where[200] = "";
+    for (int i = 0; i < list.count; i++) {
+        Document d;
+        if (document_open(&d, list.paths[i]))
+            for (int material = 0; material < d.graph->material_count; material++) {
+                const long plain = visits_of(&d, material, "none"), mean = visits_of(&d, material, "auto");
+                all[0] += (double)plain;
+                all[1] += (double)mean;
+                if ((double)mean > worst * (double)plain) {
+                    worst = (double)mean / (double)plain;
+                    snprintf(where, sizeof where, "%s", document_name(&d));
+                }
+            }
+        document_close(&d);
+    }
+    documents_free(&list);
+    print_message("--aa=auto makes %.2f times the nodes of --aa=none, %.2f times in %s\n", all[1] / all[0], worst,
+                  where);
+    assert_true(worst <= most && all[1] <= most_of_all * all[0]);
+}
+
+/* Checkers that do not all fit: the halving grows by one lowering where the document doubles. */
+static void many_maps_take_logarithmically_many(void **state)
+{
+    (void)state;
+    for (int count = 8; count <= 2048; count *= 4) {
+        char *text = NULL;
+        size_t size;
+        Document d;
+        FILE *out = open_memstream(&text, &size);
+        fputs("material: Phong\ndiffuse:\n  map: Blend\n  blend:\n", out);
+        for (int i = 0; i < count; i++)
+            fprintf(
+                out,
+                "  - { value: %d, input: { map: Checker, color1: 0.%d, input: { map: UVTransform, scaleU: 1.%d } } }\n",
+                i, i, i);
+        fclose(out);
+        if (!document_open_text(&d, text))
+            fail_msg("%s", document_fault(&d));
+        const double ratio = (double)visits_of(&d, 0, "auto") / (double)visits_of(&d, 0, "none");
+        print_message("%d checkers: %.2f times the nodes\n", count, ratio);
+        assert_true(ratio <= 6 + log2(count));
+        document_close(&d);
+        free(text);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(means_cost_a_tenth),
         cmocka_unit_test(checkers_and_waves_are_averaged),
+        cmocka_unit_test(examples_take_few_lowerings),
+        cmocka_unit_test(many_maps_take_logarithmically_many),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,12 +10,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__)
-enum { STACK_KIB = 2560 }; /* its frames are several times as large */
+enum { FRAMES = 10 }; /* are so many times as large, at most */
 #else
-enum { STACK_KIB = 256 };
+enum { FRAMES = 1 };
 #endif
+enum { STACK_KIB = 256 * FRAMES, HALF_STACK_KIB = STACK_KIB / 2 };
 enum { DEEPEST = LIMIT_GRAPH_DEPTH - 8, NESTED = LIMIT_DEPTH - 8 };
 
 typedef struct {
@@ -31,20 +34,28 @@ static void *work(void *user)
     return NULL;
 }
 
-/* Errors of a row at that count, on a small stack. */
-static int errors_of(const GrowthRow *row, int count)
+/* Errors of a row at that count, on a stack of that size: memory of its own before which nothing may be written, since the C library
+ * gives a thread the stack of one that has ended, though it be four times as large. */
+static int errors_within(const GrowthRow *row, int count, size_t stack_kib)
 {
     Work w = {.row = row, .count = count};
     pthread_t thread;
     pthread_attr_t attributes;
+    const size_t size = stack_kib * 1024, guard = (size_t)sysconf(_SC_PAGESIZE);
+    char *memory = mmap(NULL, guard + size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    assert_true(memory != MAP_FAILED);
+    assert_int_equal(mprotect(memory, guard, PROT_NONE), 0);
     assert_int_equal(pthread_attr_init(&attributes), 0);
-    assert_int_equal(pthread_attr_setstacksize(&attributes, STACK_KIB * 1024), 0);
+    assert_int_equal(pthread_attr_setstack(&attributes, memory + guard, size), 0);
     assert_int_equal(pthread_create(&thread, &attributes, work, &w), 0);
     assert_int_equal(pthread_join(thread, NULL), 0);
     pthread_attr_destroy(&attributes);
+    munmap(memory, guard + size);
     assert_true(w.run.written > 0);
     return w.run.errors;
 }
+
+static int errors_of(const GrowthRow *row, int count) { return errors_within(row, count, STACK_KIB); }
 
 /* Maps of one part, those within others included. */
 static int maps_in(const char *part)
@@ -85,7 +96,8 @@ static void maps_over_maps(void **state)
                                           "coordinates=long",
                                           "eval",
                                           "eval derivatives=analytic",
-                                          "precision=exact"};
+                                          "precision=exact",
+                                          "fit"};
     static const char *const tops[] = {"{ map: Granite, input: @ }", "!{ map: BumpMap, displacement: @, input: @ }"};
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         for (size_t o = 0; o < sizeof options / sizeof *options; o++) {
@@ -151,13 +163,30 @@ static void nested_branches(void **state)
     assert_int_equal(errors_of(&row, 600), 0);
 }
 
+/* Intervals for --layout=auto: arms of selects within arms, where what is known of a condition is taken to all that follows from it. */
+static void intervals_of_arms(void **state)
+{
+    (void)state;
+    static const char *const parts[] = {
+        "{ map: Blend, blend: [{ value: 0, input: 0.5 }, { value: 1, input: @ }] }",
+        "{ map: Blend, blend: [{ value: 0, input: 0.5 }, { value: 1, input: @ }], input: { map: Gradient } }",
+        "{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.25, input: 0.9 }, { value: 0.5, input: 0.3 }], "
+        "input: @ }",
+    };
+    static const char top[] =
+        "{ map: Blend, blend: [{ value: 0, input: 0.2 }, { value: 0.5, input: @ }], input: { map: Gradient } }";
+    for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
+        for (int o = 0; o < 2; o++) {
+            const GrowthRow row = {"", o ? "fit O0" : "fit", 1, false, true, top, parts[p], "", "", ""};
+            assert_int_equal(errors_within(&row, DEEPEST / maps_in(parts[p]), HALF_STACK_KIB), 0);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(maps_over_maps),
-        cmocka_unit_test(one_more_is_too_deep),
-        cmocka_unit_test(nested_text),
-        cmocka_unit_test(nested_branches),
+        cmocka_unit_test(maps_over_maps),  cmocka_unit_test(one_more_is_too_deep), cmocka_unit_test(nested_text),
+        cmocka_unit_test(nested_branches), cmocka_unit_test(intervals_of_arms),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

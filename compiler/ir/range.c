@@ -19,6 +19,7 @@ typedef struct Guards {
     Guard at[MOST_GUARDS];
     int count;
     int steps; /* left */
+    int depth; /* of nodes that are being looked at again */
 } Guards;
 
 static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
@@ -29,7 +30,7 @@ static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 }
 
 /* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it in b. What an arm computes of
- * t is computed once more with that, as far as LIMIT_GUARD_STEPS go; beyond, what is known everywhere.
+ * t is computed once more with that, as far as LIMIT_GUARD_STEPS and LIMIT_GUARD_DEPTH go; beyond, what is known everywhere.
  *
  *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1], so [0, 2] */
 
@@ -53,9 +54,12 @@ static Interval guarded_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
             kept = both(kept, guards->at[i].within);
             guarded = true;
         }
-    if (guarded || ref >= r->count || op == OP_const || is_before(guards, ref) || guards->steps-- <= 0)
+    if (guarded || ref >= r->count || op == OP_const || is_before(guards, ref) || guards->depth == LIMIT_GUARD_DEPTH ||
+        guards->steps-- <= 0)
         return kept;
+    guards->depth++;
     Interval found = range_computed(r, ir, ref, lane);
+    guards->depth--;
     Interval narrow = both(kept, found);
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
 }

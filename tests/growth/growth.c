@@ -101,13 +101,15 @@ static char *read_made(void *user, const char *path, size_t *size, const char **
 
 typedef struct {
     MatcOptions options;
-    bool eval, all, json, ir;
+    bool eval, fit, all, json, ir;
 } Setting;
 
 static void set_option(Setting *s, const char *name, char *value)
 {
     if (!strcmp(name, "eval"))
         s->eval = s->options.pixels = true;
+    else if (!strcmp(name, "fit"))
+        s->fit = true;
     else if (!strcmp(name, "json"))
         s->json = true;
     else if (!strcmp(name, "ir"))
@@ -179,6 +181,21 @@ static void evaluate(const MatcDocument *document, int material, const Setting *
     free(text);
 }
 
+/* As --layout=auto does: a material's intervals, and the layout that holds them. */
+static void fit(const MatcDocument *document, int material, const Setting *s, GrowthRun *run)
+{
+    MatcRanges *ranges = malloc(sizeof *ranges);
+    char *fault;
+    matc_ranges_init(ranges);
+    run->errors += !matc_ranges_add(ranges, document, material, &s->options, &fault);
+    MatcLayout *layout = matc_layout_for(ranges, 0, &s->options);
+    run->errors += !matc_layout_ok(layout);
+    run->written += strlen(matc_layout_diagnostics(layout, MATC_TEXT)) + (size_t)ranges->materials;
+    matc_layout_free(layout);
+    free(fault);
+    free(ranges);
+}
+
 /* The IR of the last material as text, read and written again. */
 static void read_back(const Setting *s, const char *text, GrowthRun *run)
 {
@@ -214,6 +231,8 @@ static void compile_document(const Setting *s, const char *text, GrowthRun *run)
     for (int i = s->all ? 0 : materials - 1; i >= 0 && i < materials; i++)
         if (s->eval)
             evaluate(document, i, s, run);
+        else if (s->fit)
+            fit(document, i, s, run);
         else
             compile(document, i, s, run);
     matc_document_free(document);
