@@ -1,13 +1,13 @@
 /* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process of its own, with an end to its time and
  * memory, and what comes back through a pipe is checked like the file itself. So a file that breaks the reader is a fault like others. */
 #include "runtime/scene/model.h"
+#include "compiler/base/text.h"
 #include "runtime/gl/message.h"
 #include "runtime/scene/model_import.h"
 #include <errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -37,7 +37,7 @@ static int find_ending(const char *path)
 {
     const char *dot = strrchr(path, '.');
     for (int i = 0; dot && i < (int)(sizeof endings / sizeof *endings); i++)
-        if (!strcasecmp(dot, endings[i].ending))
+        if (text_same(dot, endings[i].ending))
             return i;
     return -1;
 }
@@ -122,7 +122,7 @@ static bool import_apart(const char *path, Head *head, Shape *shape, char *error
 {
     int ends[2], status = 0;
     if (pipe(ends))
-        return message_fail(error, room, "%s", strerror(errno));
+        return message_fail(error, room, "%s", text_error(errno));
     const pid_t child = fork();
     if (!child) {
         close(ends[0]);
@@ -158,7 +158,7 @@ static bool is_readable(const char *path, char *error, size_t room)
     if (find_ending(path) < 0)
         return message_fail(error, room, "a mesh is a file .obj, .gltf, .glb or .ply");
     if (stat(path, &info))
-        return message_fail(error, room, "%s", strerror(errno));
+        return message_fail(error, room, "%s", text_error(errno));
     if (!S_ISREG(info.st_mode))
         return message_fail(error, room, "not a file");
     return info.st_size <= (off_t)MODEL_FILE_MIB << 20 ||

@@ -1,7 +1,7 @@
 /* A shape, or a viewpoint that somebody names, and a picture's size in; the camera's matrices out. */
 #include "runtime/view/camera.h"
+#include "compiler/base/text.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #define RADIANS (3.14159265358979323846 / 180)
@@ -64,16 +64,13 @@ static const struct {
 /* Up to `most` numbers with commas between them; their count, 0: it is something else. */
 static int read_numbers(const char *text, double *numbers, int most)
 {
-    int count = 0;
-    for (char *end; count < most; text = end + 1) {
-        numbers[count] = strtod(text, &end);
-        if (end == text || !isfinite(numbers[count]))
+    for (int count = 0; count < most; count++) {
+        const size_t size = strcspn(text, ",");
+        if (!text_number(text, size, &numbers[count]) || !isfinite(numbers[count]))
             return 0;
-        count++;
-        if (!*end)
-            return count;
-        if (*end != ',')
-            return 0;
+        if (!text[size])
+            return count + 1;
+        text += size + 1;
     }
     return 0;
 }
