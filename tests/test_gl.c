@@ -279,6 +279,65 @@ static void textures_keep_their_numbers(void **state)
     gl_close(gl);
 }
 
+/* Stripes of four texels, seen so flat that a pixel covers a quarter of a texel across them and 16 along: greatest less least value of the
+ * pixels. */
+static double contrast(GlContext *gl, int anisotropy)
+{
+    enum { SIDE = 64, STRIPE = 4 };
+    static const char fragment[] = "#version 330 core\nuniform sampler2D image; out vec4 c;"
+                                   "void main() { c = texture(image, gl_FragCoord.xy * vec2(0.25, 16) / 64.); }";
+    static uint8_t texels[SIDE * SIDE];
+    static float rgba[SIDE * SIDE * 4];
+    Framebuffer target;
+    Mesh plane;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        texels[i] = i % SIDE / STRIPE % 2 ? 255 : 0;
+    GLuint program = program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
+    GLuint texture = texture_make(gl, &(TextureSpec){.width = SIDE,
+                                                     .height = SIDE,
+                                                     .lanes = 1,
+                                                     .bytes = texels,
+                                                     .wrap = GL_REPEAT,
+                                                     .mipmaps = true,
+                                                     .anisotropy = anisotropy});
+    assert_true(program && texture);
+    assert_true(mesh_make(gl, SHAPE_plane, &plane));
+    assert_true(framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &target));
+    texture_bind(gl, texture, 0);
+    assert_true(set(gl, program, "image", &(float){0}));
+    mesh_draw(gl, &plane);
+    assert_true(framebuffer_read(gl, &target, 0, rgba));
+    float low = 1, high = 0;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        low = fminf(low, rgba[4 * i]);
+        high = fmaxf(high, rgba[4 * i]);
+    }
+    framebuffer_delete(gl, &target);
+    mesh_delete(gl, &plane);
+    gl->DeleteTextures(1, &texture);
+    gl->DeleteProgram(program);
+    return high - low;
+}
+
+/* A footprint of 1 : 64. One sample is from mipmap 4, where no stripe is left; 16 of them are from mipmap 0. */
+static void footprints_are_sampled_along(void **state)
+{
+    (void)state;
+    char error[512] = "";
+    GlContext *gl = gl_open(GL_KIND_egl, true, error, sizeof error);
+    if (!gl)
+        fail_msg("%s", error);
+    const int most = gl->max_anisotropy;
+    const double one = contrast(gl, 1), all = contrast(gl, 16);
+    print_message("%s: %d samples; contrast of one %.3f, of all %.3f\n", gl->renderer, most, one, all);
+    gl_close(gl);
+    assert_true(one < 0.1);
+    if (most < 16)
+        print_message("SKIPPED: this driver takes no 16 samples along a footprint, so none was drawn\n");
+    else
+        assert_true(all > 0.9);
+}
+
 /* The vertex of a shape that is nearest to (u, v) in a patch. */
 static const ShapeVertex *vertex_at(const Shape *shape, float u, float v)
 {
@@ -434,7 +493,8 @@ static bool has_egl(void)
 
 int main(int count, char **arguments)
 {
-    const struct CMUnitTest egl[] = {cmocka_unit_test(egl_draws), cmocka_unit_test(egl_contexts_take_turns)};
+    const struct CMUnitTest egl[] = {cmocka_unit_test(egl_draws), cmocka_unit_test(egl_contexts_take_turns),
+                                     cmocka_unit_test(footprints_are_sampled_along)};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(context_opens),
         cmocka_unit_test(two_contexts_take_turns),

@@ -52,21 +52,34 @@ typedef struct {
 } Compiled;
 
 /* Of pass value: the diffuse colour alone. */
+static Compiled compile_by(const char *text, MatcOptions *options)
+{
+    options->pass = "value";
+    options->pixels = true;
+    MatcDocument *document = matc_read(SOURCE_FOLDER "/examples/test.yaml", text, strlen(text), options);
+    if (matc_material_count(document) != 1)
+        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, options);
+    if (!matc_ok(program))
+        fail_msg("%s", matc_program_diagnostics(program, MATC_TEXT));
+    return (Compiled){document, program};
+}
+
 static Compiled compile(const char *text, const char *target, const char *constants)
 {
     MatcOptions options;
     matc_options_init(&options);
-    options.pass = "value";
     options.target = target;
     options.constants = constants;
-    options.pixels = true;
-    MatcDocument *document = matc_read(SOURCE_FOLDER "/examples/test.yaml", text, strlen(text), &options);
-    if (matc_material_count(document) != 1)
-        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
-    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
-    if (!matc_ok(program))
-        fail_msg("%s", matc_program_diagnostics(program, MATC_TEXT));
-    return (Compiled){document, program};
+    return compile_by(text, &options);
+}
+
+static Compiled compile_filtered(const char *text, const char *aa)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.aa = aa;
+    return compile_by(text, &options);
 }
 
 static void discard(const Compiled *compiled)
@@ -228,6 +241,50 @@ static void numbers_change_in_place(void **state)
     }
 }
 
+/* -- anisotropy, which Mesa's software drivers have none of: the calls that are made of a driver that has it */
+
+static PFNGLTEXPARAMETERIPROC set_parameter;
+static int anisotropy_calls;
+static GLint anisotropy;
+
+static void record_parameter(GLenum target, GLenum name, GLint value)
+{
+    if (name == GL_TEXTURE_MAX_ANISOTROPY)
+        anisotropy_calls++, anisotropy = value;
+    else
+        set_parameter(target, name, value);
+}
+
+/* A picture asks for 16 by default, for one along the pixel's own footprint; it gets the least of that and what there is. */
+static void anisotropy_is_what_the_driver_has(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *aa;
+        int most, calls;
+        GLint set;
+    } cases[] = {{NULL, 1, 0, 0},   {NULL, 2, 1, 2},   {NULL, 8, 1, 8},   {NULL, 16, 1, 16},
+                 {NULL, 64, 1, 16}, {"box", 64, 0, 0}, {"none", 64, 0, 0}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Fixture f = open_fixture(true);
+        assert_int_equal(f.gl->max_anisotropy, 1); /* of software */
+        Compiled compiled =
+            compile_filtered("{ material: Phong, diffuse: { map: ImageMap, image: tiles.png } }", cases[i].aa);
+        set_parameter = f.gl->TexParameteri;
+        f.gl->TexParameteri = record_parameter;
+        f.gl->max_anisotropy = cases[i].most;
+        anisotropy_calls = 0, anisotropy = 0;
+        Material material;
+        if (!field_material(f.store, compiled.program, &(FieldText){.target = TARGET_glsl330}, &material))
+            fail_msg("%s", f.gl->error);
+        assert_int_equal(anisotropy_calls, cases[i].calls);
+        assert_int_equal(anisotropy, cases[i].set);
+        material_delete(&material);
+        discard(&compiled);
+        close_fixture(&f);
+    }
+}
+
 /* Every type that matc writes into a block, at the driver's offsets; what is around a member stays as it was. */
 static void blocks_hold_every_type(void **state)
 {
@@ -315,8 +372,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_alike_is_there_once), cmocka_unit_test(uniforms_are_a_materials_own),
-        cmocka_unit_test(numbers_change_in_place),     cmocka_unit_test(blocks_hold_every_type),
-        cmocka_unit_test(faults_leave_nothing),        cmocka_unit_test(a_store_takes_all_with_it),
+        cmocka_unit_test(numbers_change_in_place),     cmocka_unit_test(anisotropy_is_what_the_driver_has),
+        cmocka_unit_test(blocks_hold_every_type),      cmocka_unit_test(faults_leave_nothing),
+        cmocka_unit_test(a_store_takes_all_with_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
