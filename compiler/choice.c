@@ -33,6 +33,12 @@ static const char *slot_name(const void *user, int i)
     return slot_table[i].name;
 }
 
+static const char *normals_name(const void *user, int i)
+{
+    (void)user;
+    return normals_table[i].name;
+}
+
 static const char *precision_name(const void *user, int i)
 {
     (void)user;
@@ -60,6 +66,7 @@ bool choice_values(const char *option, NameChoice *values)
                  {"pass", {pass_name, NULL, PASS_COUNT}},
                  {"slot", {slot_name, NULL, SLOT_COUNT}},
                  {"layout", {layout_name, NULL, LAYOUT_COUNT}},
+                 {"normals", {normals_name, NULL, NORMALS_COUNT}},
                  {"precision", {precision_name, NULL, PRECISION_COUNT}},
                  {"constants", {constants_name, NULL, 3}},
                  {"warnings", {warnings_name, NULL, DIAG_COUNT}}};
@@ -90,6 +97,7 @@ static const TextOption text_options[] = {
 #include "grammar/variants.def"
     TEXT_OPTION(target),    TEXT_OPTION(pass),      TEXT_OPTION(slot),     TEXT_OPTION(layout),
     TEXT_OPTION(precision), TEXT_OPTION(constants), TEXT_OPTION(warnings),
+    TEXT_OPTION(normals),
 };
 
 static const TextOption *text_option(const char *name)
@@ -197,6 +205,7 @@ const char *choice_job(const MatcOptions *o, Job *job)
     *job = (Job){.target = target,
                  .pass = (Pass)index_or(o, "pass", PASS_gbuffer),
                  .slot = (Slot)index_or(o, "slot", SLOT_diffuse),
+                 .normals = (Normals)index_or(o, "normals", NORMALS_eye),
                  .from_buffer = o->constants && !strcmp(o->constants, "uniform")};
     job->layout = o->custom ? o->custom->row : &layout_table[index_or(o, "layout", target_table[target].layout)];
     for (int axis = 0; axis < AXIS_COUNT; axis++)

@@ -75,6 +75,7 @@ typedef struct {
     MatcLinked *linked;       /* or NULL */
     const char *warnings;     /* those that are not said, or are errors: "no-NAME,error=NAME,error", in any number; the last one
                                  that speaks of a warning counts. NULL (default): all are said. matc_explain("warnings") */
+    const char *normals;      /* of a G-buffer: "eye" (default), "world" */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -82,8 +83,8 @@ MATC_API void matc_linked_free(MatcLinked *linked);
 /* Members beyond those that the caller knows of keep their defaults. */
 #define matc_options_init(options) matc_options_init_sized(options, sizeof(MatcOptions))
 MATC_API void matc_options_init_sized(MatcOptions *options, size_t size);
-/* Sets a member by its name: "target", "noise", ...; false, and nothing is set, if it is none of those above `optimize`, nor "warnings",
- * or has no such value. NULL is the default. */
+/* Sets a member by its name: "target", "noise", ...; false, and nothing is set, if it is none of those above `optimize`, nor "warnings" or
+ * "normals", or has no such value. NULL is the default. */
 MATC_API bool matc_options_set(MatcOptions *options, const char *name, const char *value);
 /* NULL, or which option has a value that does not exist; a program that is compiled with it says which values there are. */
 MATC_API const char *matc_options_fault(const MatcOptions *options);

@@ -173,6 +173,11 @@ const PassRow pass_table[PASS_COUNT] = {
 #include "passes.def"
 };
 
+const NormalsRow normals_table[NORMALS_COUNT] = {
+#define NORMALS(name, doc) {#name, doc},
+#include "normals.def"
+};
+
 const TexelsRow texels_table[TEXELS_COUNT] = {
 #define TEXELS(name, lanes, bits, doc) {#name, lanes, bits, doc},
 #include "textures.def"

@@ -276,6 +276,16 @@ typedef struct {
 extern const PassRow pass_table[PASS_COUNT];
 
 typedef enum {
+#define NORMALS(name, doc) NORMALS_##name,
+#include "normals.def"
+    NORMALS_COUNT
+} Normals;
+typedef struct {
+    const char *name, *doc;
+} NormalsRow;
+extern const NormalsRow normals_table[NORMALS_COUNT];
+
+typedef enum {
 #define TEXELS(name, lanes, bits, doc) TEXELS_##name,
 #include "textures.def"
     TEXELS_COUNT

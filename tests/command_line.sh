@@ -88,7 +88,7 @@ for wrong in -j0 --cache-limit=none --max-error=x --range=-1 --layout-error=2; d
     check "a number: $wrong" status 2 $fast -d "$work/none" "$wrong" $example
     check "is quoted" says ", not '[-x0none2]*1*'"
 done
-for kind in materials maps presets aliases waves colors channels slots targets passes layouts encodings choices warnings noise aa; do
+for kind in materials maps presets aliases waves colors channels slots targets passes normals layouts encodings choices warnings noise aa; do
     check "--list=$kind" status 0 "$matc" --list=$kind
 done
 check "--list maps, too" status 0 "$matc" --list maps

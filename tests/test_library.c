@@ -236,6 +236,7 @@ static const struct {
     {"powers", "squaring, pow, compensated"},
     {"trigonometry", "native, bounded"},
     {"constants", "auto, baked, uniform"},
+    {"normals", "eye, world"},
 };
 enum { NAMED_OPTIONS = sizeof named_options / sizeof *named_options };
 
@@ -276,7 +277,8 @@ static void put_value(MatcOptions *options, const char *option, const char *valu
                    {"coordinates", &options->coordinates},
                    {"powers", &options->powers},
                    {"trigonometry", &options->trigonometry},
-                   {"constants", &options->constants}};
+                   {"constants", &options->constants},
+                   {"normals", &options->normals}};
     for (size_t i = 0; i < sizeof members / sizeof *members; i++)
         if (!strcmp(members[i].option, option))
             *members[i].member = value;

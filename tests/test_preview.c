@@ -80,13 +80,20 @@ typedef struct {
 } Preview;
 
 /* A sample a pixel, in its middle. */
-static Preview draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
+/* Of which material, as what. */
+typedef struct {
+    const char *text, *pass, *normals, *slot;
+} Subject;
+
+static Preview draw_subject(const Subject *subject, int width, int height)
 {
+    const char *text = subject->text;
     Preview p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
     Picture drawn = {.rgb = p.rgb};
     matc_options_init(&p.options);
-    p.options.pass = pass;
+    p.options.pass = subject->pass;
     p.options.layout = "integer";
+    p.options.normals = subject->normals;
     p.document = matc_read("preview.yaml", text, strlen(text), &p.options);
     assert_int_equal(matc_material_count(p.document), 1);
     const PictureOptions options = {.compile = p.options,
@@ -97,12 +104,17 @@ static Preview draw_slot(const char *text, const char *pass, const char *slot, i
                                              .screen_text = view_text_screen,
                                              .light_text = view_text_light,
                                              .slot_text = view_text_slot,
-                                             .slot = slot,
-                                             .sky = !strcmp(pass, "sky")}};
+                                             .slot = subject->slot,
+                                             .sky = !strcmp(subject->pass, "sky")}};
     if (!picture_draw(p.document, 0, &options, &drawn))
         fail_msg("%s%s", drawn.diagnostics, drawn.error);
     free(drawn.diagnostics);
     return p;
+}
+
+static Preview draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
+{
+    return draw_subject(&(Subject){text, pass, NULL, slot}, width, height);
 }
 
 static Preview draw(const char *text, const char *pass, int width, int height)
@@ -344,6 +356,29 @@ static void slots_are_shown(void **state)
         assert_non_null(slot_look_find(slot_table[slot].name));
 }
 
+/* The light and the slot normal stand in eye space, whichever space the G-buffer's normals are in. */
+static void normals_of_the_world_look_alike(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "{ material: Phong, diffuse: 0.5, specular: 0.5, input: { map: WaveMap, amplitude: 0.1 } }";
+    static const char *const slots[] = {NULL, "normal"};
+    enum { SIDE = 48, BYTES = SIDE * SIDE * 3 };
+    for (int i = 0; i < 2; i++) {
+        Preview eye = draw_subject(&(Subject){text, "gbuffer", "eye", slots[i]}, SIDE, SIDE);
+        Preview world = draw_subject(&(Subject){text, "gbuffer", "world", slots[i]}, SIDE, SIDE);
+        int most = 0, bright = 0;
+        for (int k = 0; k < BYTES; k++) {
+            most = abs(eye.rgb[k] - world.rgb[k]) > most ? abs(eye.rgb[k] - world.rgb[k]) : most;
+            bright += world.rgb[k] > 100;
+        }
+        print_message("at most %d of 255 apart, %d bytes are bright\n", most, bright);
+        assert_true(most <= 1 && bright > BYTES / 20);
+        discard(&eye);
+        discard(&world);
+    }
+}
+
 /* A camera sees what it looks at in the middle, and a point beside it where the angle says. */
 static void cameras_look(void **state)
 {
@@ -427,9 +462,13 @@ static void the_program_writes_it_upright(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spheres_are_lit),     cmocka_unit_test(srgb_bytes_come_back),
-        cmocka_unit_test(skies_stand_upright), cmocka_unit_test(slots_are_shown),
-        cmocka_unit_test(cameras_look),        cmocka_unit_test(the_program_writes_it_upright),
+        cmocka_unit_test(spheres_are_lit),
+        cmocka_unit_test(srgb_bytes_come_back),
+        cmocka_unit_test(slots_are_shown),
+        cmocka_unit_test(skies_stand_upright),
+        cmocka_unit_test(normals_of_the_world_look_alike),
+        cmocka_unit_test(cameras_look),
+        cmocka_unit_test(the_program_writes_it_upright),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

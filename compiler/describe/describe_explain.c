@@ -234,6 +234,9 @@ static void explain_programs(const Query *q)
     for (int i = 0; i < PASS_COUNT; i++)
         if (begins(q, pass_table[i].name))
             text_format(q->out, "%s (pass)\n%s\n", pass_table[i].name, pass_table[i].doc);
+    for (int i = 0; i < NORMALS_COUNT; i++)
+        if (begins(q, normals_table[i].name))
+            text_format(q->out, "%s (of --normals)\n%s\n", normals_table[i].name, normals_table[i].doc);
     for (int i = 0; i < CHOICE_COUNT; i++)
         if (begins(q, choice_table[i].name))
             text_format(q->out, "%s (of --%s)\n%s\n", choice_table[i].name, axis_table[choice_table[i].axis].name,

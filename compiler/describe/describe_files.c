@@ -15,6 +15,7 @@ static void put_name(Text *out, const char *name, size_t size, bool first)
 static const char *target_name(int i) { return target_table[i].name; }
 static const char *pass_name(int i) { return pass_table[i].name; }
 static const char *slot_name(int i) { return slot_table[i].name; }
+static const char *normals_name(int i) { return normals_table[i].name; }
 static const char *format_name(int i) { return format_table[i + 1].name; } /* but for none */
 static const char *encoding_name(int i) { return encoding_table[i].name; }
 
@@ -27,6 +28,7 @@ static const struct {
     {"target", target_name, TARGET_COUNT},
     {"pass", pass_name, PASS_COUNT},
     {"slot", slot_name, SLOT_COUNT},
+    {"normals", normals_name, NORMALS_COUNT},
     {"format", format_name, FORMAT_COUNT - 1},
     {"encoding", encoding_name, ENCODING_COUNT},
 };

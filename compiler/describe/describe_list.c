@@ -66,6 +66,7 @@ LIST(list_channels, "Channels (what a map can be asked for)", channel_table, CHA
 LIST(list_slots, "Slots (what a material tells about a point)", slot_table, SLOT_COUNT)
 LIST(list_targets, "Targets", target_table, TARGET_COUNT)
 LIST(list_passes, "Passes", pass_table, PASS_COUNT)
+LIST(list_normals, "Normals (--normals: which space those of a G-buffer are in)", normals_table, NORMALS_COUNT)
 LIST(list_layouts, "Layouts", layout_table, LAYOUT_COUNT)
 LIST(list_encodings, "Encodings", encoding_table, ENCODING_COUNT)
 
@@ -115,7 +116,7 @@ static const struct {
 } lists[] = {{"materials", list_materials}, {"maps", list_maps},       {"presets", list_presets},
              {"aliases", list_aliases},     {"waves", list_waves},     {"colors", list_colors},
              {"channels", list_channels},   {"slots", list_slots},     {"targets", list_targets},
-             {"passes", list_passes},       {"layouts", list_layouts}, {"encodings", list_encodings},
+             {"passes", list_passes},       {"normals", list_normals}, {"layouts", list_layouts}, {"encodings", list_encodings},
              {"scenes", list_scenes},       {"choices", list_choices}, {"warnings", list_warnings}};
 enum { LISTS = sizeof lists / sizeof *lists };
 

@@ -124,7 +124,8 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
     emit_version(out, job->target);
     text_format(out, "// matc " MATC_VERSION ": pass %s", pass_table[job->pass].name);
     if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
-        text_format(out, ", layout %s", job->layout->name);
+        text_format(out, ", layout %s%s", job->layout->name,
+                    job->normals == NORMALS_world ? ", normals of the world" : "");
     if (job->pass == PASS_value)
         text_format(out, ", slot %s", slot_table[job->slot].name);
     text_put(out, "\n");

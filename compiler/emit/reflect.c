@@ -196,8 +196,10 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
     put_line(out, "material", program->material);
     put_line(out, "target", target_table[job->target].name);
     put_line(out, "pass", pass_table[job->pass].name);
-    if (job->pass == PASS_gbuffer || job->pass == PASS_plane)
+    if (job->pass == PASS_gbuffer || job->pass == PASS_plane) {
         put_line(out, "layout", job->layout->name);
+        put_line(out, "normals", normals_table[job->normals].name);
+    }
     if (job->pass == PASS_value)
         put_line(out, "slot", slot_table[job->slot].name);
     put_line(out, "noise", choice_table[job->choice[AXIS_noise]].name);

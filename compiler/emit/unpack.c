@@ -19,17 +19,24 @@ static void put_chunks(Session *session, Text *out, const Job *job)
     }
 }
 
-/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member. */
-static void put_struct(Text *out, const LayoutRow *layout)
+static const char *in_space(const Job *job) { return job->normals == NORMALS_world ? "in the world" : "in eye space"; }
+
+/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member, SURFACE_NORMALS_<space> for where the normal is. */
+static void put_struct(Text *out, const Job *job)
 {
+    const LayoutRow *layout = job->layout;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))
             text_format(out, "#define SURFACE_HAS_%s\n", slot_table[slot].name);
+    if (layout_has_slot(layout, SLOT_normal))
+        text_format(out, "#define SURFACE_NORMALS_%s\n", normals_table[job->normals].name);
     text_put(out, "struct Surface {\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(layout, (Slot)slot))
+        if (slot == SLOT_normal && layout_has_slot(layout, SLOT_normal))
+            text_format(out, "    vec3 normal; // Shading normal %s, unit length.\n", in_space(job));
+        else if (layout_has_slot(layout, (Slot)slot))
             text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name, slot_table[slot].name,
-                        slot == SLOT_normal ? "Shading normal in eye space, unit length." : slot_table[slot].doc);
+                        slot_table[slot].doc);
     text_put(out, "};\n\n");
 }
 
@@ -186,12 +193,12 @@ const char *emit_unpack(Session *session, const Job *job)
 {
     const TargetRow *target = &target_table[job->target];
     Text out = text_new(session->arena);
-    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is in eye space.\n\n",
-                job->layout->name);
+    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is %s.\n\n",
+                job->layout->name, in_space(job));
     if (target->precision)
         text_format(&out, "precision %s float;\nprecision %s int;\n", target->precision, target->precision);
     put_samplers(&out, job);
-    put_struct(&out, job->layout);
+    put_struct(&out, job);
     put_chunks(session, &out, job);
     text_format(&out, "Surface unpackSurface(%s) {\n", target->words ? "ivec2 pixel" : "vec2 coordinate");
     put_fetches(&out, job);

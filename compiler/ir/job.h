@@ -10,6 +10,7 @@ typedef struct {
     Pass pass;
     const LayoutRow *layout;
     Slot slot;
+    Normals normals; /* of a G-buffer */
     bool all_slots; /* of the pass value: each slot is an output of that number */
     Choice choice[AXIS_COUNT];
     bool from_buffer; /* numbers of the document come from a buffer */

@@ -116,8 +116,8 @@ void lower_reject_uniform(Lower *l, const Value *value, const char *name, const 
 int lower_cost_below(const Ir *ir, Ref ref, int limit);
 /* One material slot, by its name. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
-/* The shading normal in eye space, unit length, turned to the viewer. */
-Ref lower_eye_normal(Lower *l, const Node *material, const Env *env);
+/* The shading normal as a G-buffer holds it, of eye space or the world, unit length, turned to the viewer. */
+Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, by that case of it. lower_layout.c */
 void lower_layout(Lower *l, int number, const Node *material, const Env *env);
 /* The case of the layout that the material takes; their number: none stores all that it has. The IR must simplify, so that

@@ -5,10 +5,10 @@
 
 static const double greatest_half = 65504;
 
-/* The slot as the G-buffer wants it: its normal is in eye space. */
+/* The slot as the G-buffer wants it. */
 static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
-    return slot == SLOT_normal ? lower_eye_normal(l, material, env) : lower_slot(l, material, slot, env);
+    return slot == SLOT_normal ? lower_stored_normal(l, material, env) : lower_slot(l, material, slot, env);
 }
 
 static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *env)

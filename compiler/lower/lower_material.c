@@ -253,10 +253,11 @@ static Ref finished_normal(Lower *l, Ref normal, const Env *env)
     return build_mul(ir, build_call(ir, FN_safeNormalize, normal), side);
 }
 
-Ref lower_eye_normal(Lower *l, const Node *material, const Env *env)
+Ref lower_stored_normal(Lower *l, const Node *material, const Env *env)
 {
+    const bool eye = l->job->normals == NORMALS_eye;
     l->ir->origin = ORIGIN_SLOTS + SLOT_normal;
-    Ref value = finished_normal(l, normal_of(l, material, env, true), env);
+    Ref value = finished_normal(l, normal_of(l, material, env, eye), env);
     lower_mark_head(l->ir, value, ORIGIN_SLOTS + SLOT_normal);
     return value;
 }

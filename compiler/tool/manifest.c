@@ -27,6 +27,7 @@ static void put_layout(Text *out, const Batch *b)
         return;
     text_put(out, ",\n  \"layout\": {");
     json_member(out, "name", job.layout->name);
+    json_next(out, "normals", normals_table[job.normals].name);
     text_format(out, ", \"bytes\": %d, \"targets\": [", layout_bytes(job.layout));
     for (int i = 0; i < layout_targets(job.layout); i++) {
         text_put(out, i ? ", " : "");

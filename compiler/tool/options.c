@@ -62,6 +62,7 @@ static const Option options[] = {
     {"--pass", TAKES_compile, 0, NULL},
     {"--slot", TAKES_compile, 0, NULL},
     {"--layout", TAKES_compile, 0, NULL},
+    {"--normals", TAKES_compile, 0, NULL},
     {"--precision", TAKES_compile, 0, NULL},
     {"--constants", TAKES_compile, 0, NULL},
     {"--noise", TAKES_compile, 0, NULL},

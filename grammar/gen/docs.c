@@ -282,6 +282,7 @@ static void put_reference(Text *out)
     LIST(out, "Slots", "slot", slot_table, SLOT_COUNT);
     LIST(out, "Targets", "target", target_table, TARGET_COUNT);
     LIST(out, "Passes", "pass", pass_table, PASS_COUNT);
+    LIST(out, "Normals of a G-buffer", "space", normals_table, NORMALS_COUNT);
     for (int i = 0; i < LAYOUT_COUNT; i++)
         put_layout(out, &layout_table[i]);
     LIST(out, "Encodings", "encoding", encoding_table, ENCODING_COUNT);

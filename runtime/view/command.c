@@ -34,7 +34,7 @@ const char command_help[] =
     "                       Exponents as their logarithm to base 2, of 16; of the layout integer unless one is named\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
-    "  --constants: as matc has them\n"
+    "  --constants, --normals: as matc has them\n"
     "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
     "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"

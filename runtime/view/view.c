@@ -37,6 +37,17 @@ static void set_numbers(Material *material, const char *name, int lanes, const f
 /* Text that begins with its own #version gets none in front. */
 static const char *version_for(const char *text) { return strncmp(text, "#version", 8) == 0 ? "" : VERSION; }
 
+/* The light stands in eye space: where the G-buffer has the world's normals, they are turned as they are read. */
+static const char turned_normals[] = "\n#ifdef SURFACE_NORMALS_world\n"
+                                     "uniform mat3 light_eyeFromWorld;\n"
+                                     "Surface unpackTurned(ivec2 pixel) {\n"
+                                     "    Surface s = unpackSurface(pixel);\n"
+                                     "    s.normal = light_eyeFromWorld * s.normal;\n"
+                                     "    return s;\n"
+                                     "}\n"
+                                     "#define unpackSurface unpackTurned\n"
+                                     "#endif\n";
+
 /* Behind the text that unpacks the G-buffer: the light, or a slot as it is. */
 static bool make_light(View *v)
 {
@@ -49,7 +60,7 @@ static bool make_light(View *v)
         snprintf(define, sizeof define, "\n#define SLOT_SHOWN (%s)\n", look->shown);
     const ProgramText text = {
         .vertex = {VERSION, o->screen_text},
-        .fragment = {version_for(unpack), unpack, define, "#line 1\n", look ? o->slot_text : o->light_text}};
+        .fragment = {version_for(unpack), unpack, turned_normals, define, "#line 1\n", look ? o->slot_text : o->light_text}};
     return material_make(v->store, NULL, &text, &v->light);
 }
 
@@ -104,6 +115,7 @@ static bool draw_light(View *v)
     set_numbers(&v->light, "light_up", 3, &v->camera.eye_from_world.m[8]); /* the image of the z axis */
     set_numbers(&v->light, "light_size", 2, size);
     material_set_number(&v->light, "light_depth", (float)depth_unit);
+    set_numbers(&v->light, "light_eyeFromWorld", 9, mat3_from_mat4(&v->camera.eye_from_world).m);
     targets_read(&v->gbuffer, &v->light);
     texture_bind(v->gl, v->gbuffer.depth, depth_unit);
     screen_draw(v->gl, &v->screen);

@@ -9,6 +9,7 @@ uniform usampler2D matc_gbuffer1;
 #define SURFACE_HAS_shininess
 #define SURFACE_HAS_transparency
 #define SURFACE_HAS_diffuseTransparency
+#define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
     vec3 diffuse; // Diffuse colour.

@@ -8,6 +8,7 @@ uniform sampler2D matc_gbuffer1;
 #define SURFACE_HAS_specular
 #define SURFACE_HAS_shininess
 #define SURFACE_HAS_emissive
+#define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
     vec3 diffuse; // Diffuse colour.

@@ -4,6 +4,7 @@ uniform usampler2D matc_gbuffer0;
 
 #define SURFACE_HAS_normal
 #define SURFACE_HAS_diffuse
+#define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
     vec3 diffuse; // Diffuse colour.

@@ -13,6 +13,7 @@ uniform usampler2D matc_gbuffer0;
 #define SURFACE_HAS_ambient
 #define SURFACE_HAS_emissive
 #define SURFACE_HAS_ior
+#define SURFACE_NORMALS_eye
 struct Surface {
     vec3 normal; // Shading normal in eye space, unit length.
     vec3 diffuse; // Diffuse colour.

@@ -158,6 +158,7 @@ bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions
     scene->options.pass = options->pass;
     scene->options.slot = options->slot;
     scene->options.target = options->target;
+    scene->options.normals = options->normals;
     scene->options.aa = options->aa ? options->aa : "none"; /* points, which the oracle has */
     scene->options.layout = "thesis";                       /* floats, which are compared as they are */
     scene->options.check = true;

@@ -36,7 +36,7 @@ double space_depth(const Space *space, const double position[3]);
 void surface_set3(Surface *surface, Group group, const double lanes[3]);
 
 typedef struct {
-    const char *pass, *slot, *target, *aa; /* as MatcOptions; NULL is the default, of aa none */
+    const char *pass, *slot, *target, *aa, *normals; /* as MatcOptions; NULL is the default, of aa none */
 } SceneOptions;
 
 /* A material's program, with its own vertex program. */
