@@ -106,8 +106,8 @@ static Ref mean_of_colors(Lower *l, Ref by, Ref a, Ref b)
     Ref alpha = answer_alpha(l, a);
     if (!alpha || answer_alpha(l, b) != alpha || (ir_is(ir, a, OP_const) && ir_is(ir, b, OP_const)))
         return answer_mean(l, by, a, b);
-    Ref color = answer_mean(l, by, build_swizzle(ir, a, "xyz"), build_swizzle(ir, b, "xyz"));
-    return build_vec(ir, TYPE_vec4, color, alpha);
+    Ref of_a = build_swizzle(ir, a, "xyz"), of_b = build_swizzle(ir, b, "xyz");
+    return build_vec(ir, TYPE_vec4, answer_mean(l, by, of_a, of_b), alpha);
 }
 
 Answer answer_either(Lower *l, Ref by, Answer a, Answer b)
