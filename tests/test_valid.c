@@ -8,6 +8,7 @@
 #include "compiler/choice.h"
 #include "compiler/emit/validate.h"
 #include "tests/value/documents.h"
+#include "tests/value/workers.h"
 #include <pthread.h>
 #include <spawn.h>
 #include <stdatomic.h>
@@ -21,7 +22,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { WORKERS_MOST = 8, MODULES_MOST = 1 << 14, SKIPPED = 77 };
+enum { MODULES_MOST = 1 << 14, SKIPPED = 77 };
 
 typedef struct {
     DocumentList documents;
@@ -144,16 +145,10 @@ static void *work(void *user)
 static void check_examples(bool spirv_val)
 {
     Run run = {.spirv_val = spirv_val};
-    pthread_t workers[WORKERS_MOST];
-    long count = sysconf(_SC_NPROCESSORS_ONLN);
-    count = count < 1 ? 1 : count > WORKERS_MOST ? WORKERS_MOST : count;
     run.documents = documents_list(SOURCE_FOLDER);
     pthread_mutex_init(&run.lock, NULL);
     assert_true(run.documents.count > 100);
-    for (long i = 0; i < count; i++)
-        assert_int_equal(pthread_create(&workers[i], NULL, work, &run), 0);
-    for (long i = 0; i < count; i++)
-        pthread_join(workers[i], NULL);
+    workers_run(work, &run);
     documents_free(&run.documents);
     print_message("%d programs, %d modules of SPIR-V\n", run.programs, run.module_count);
     assert_int_equal(run.faults, 0);

@@ -1,0 +1,48 @@
+/* What a run over many documents has seen: its faults, one a slot, and the worst value of every subject. Workers may add at once. */
+#ifndef MATC_VALUE_VERDICTS_H
+#define MATC_VALUE_VERDICTS_H
+#include "tests/value/bounds.h"
+#include <pthread.h>
+
+enum { VERDICTS_FAULTS = 200 };
+
+/* A slot of a material that some ways draw wrongly, or that cannot be drawn. */
+typedef struct {
+    char slot[160]; /* document, material and slot; equal ones are one fault */
+    int count;
+    double miss;
+    char worst[500];
+} Fault;
+
+/* The worst that was seen of values that a subject takes part in. */
+typedef struct {
+    bool seen;
+    double miss;
+    char where[160];
+} Worst;
+
+typedef struct {
+    pthread_mutex_t lock;
+    Worst worst[SUBJECT_COUNT];
+    Fault faults[VERDICTS_FAULTS];
+    int fault_count;
+    long values, sharp; /* compared; and of these, those that were judged within little */
+} Verdicts;
+
+/* What a draw gave. */
+typedef struct {
+    const char *name;
+    double worst;
+    int values, sharp;
+    const Subjects *subjects;
+    int governing; /* of the subjects */
+} Seen;
+
+void verdicts_open(Verdicts *verdicts); /* all zero before */
+void verdicts_fault(Verdicts *verdicts, const char *slot, double miss, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+/* Keeps the worst of a draw, for the subject whose bound counts or, where none stands out, for all that take part. */
+void verdicts_record(Verdicts *verdicts, const Seen *seen);
+/* A line for every subject, then one for every fault. */
+void verdicts_print(const Verdicts *verdicts);
+#endif

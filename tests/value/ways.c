@@ -1,0 +1,106 @@
+#include "tests/value/ways.h"
+#include <math.h>
+#include <stdio.h>
+
+/* Without a footprint filtered maps have the values of plain ones. */
+const Way way_table[] = {
+    {TARGET_glsl330, 0, CHOICE_noise_lattice, false},
+    {TARGET_glsl330, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl450, 2, CHOICE_noise_lattice, false},
+    {TARGET_essl300, 2, CHOICE_noise_lattice, false},
+    {TARGET_glsl330, 2, CHOICE_noise_groimp, false},
+    {TARGET_glsl110, 2, CHOICE_noise_groimp, false},
+    {TARGET_glsl330, 2, CHOICE_noise_simplex, false},
+    {TARGET_glsl110, 2, CHOICE_noise_simplex, false},
+    {TARGET_glsl330, 2, CHOICE_derivatives_analytic, false},
+    {TARGET_glsl110, 2, CHOICE_derivatives_analytic, false},
+    {TARGET_glsl330, 2, CHOICE_aa_box, false},
+    {TARGET_glsl330, 2, CHOICE_coordinates_long, false},
+    {TARGET_glsl330, 2, CHOICE_trigonometry_bounded, false},
+    {TARGET_glsl330, 2, CHOICE_powers_compensated, false},
+    {TARGET_glsl330, 2, CHOICE_noise_lattice, true},
+    {TARGET_glsl110, 2, CHOICE_noise_lattice, true},
+    {TARGET_glsl450, 0, CHOICE_noise_lattice, true},
+    {TARGET_glsl330, 0, CHOICE_aa_auto, false},
+    {TARGET_glsl330, 2, CHOICE_aa_auto, false},
+    {TARGET_glsl110, 2, CHOICE_aa_auto, false},
+    {TARGET_essl300, 2, CHOICE_aa_auto, false},
+};
+const int way_count = sizeof way_table / sizeof *way_table;
+
+const char *way_name(const Way *way, bool front, char text[64])
+{
+    snprintf(text, 64, "%s -O%d %s%s%s", target_table[way->target].name, way->optimize, choice_table[way->choice].name,
+             way->buffered ? " buffered" : "", front ? "" : " back");
+    return text;
+}
+
+bool way_matters(const Way *way, const Subjects *subjects)
+{
+    const Choice choice = way->choice;
+    if (choice == CHOICE_aa_auto) /* means are aa=box's */
+        return subjects->has[KIND_ImageMap] || subjects->has[KIND_Checker] || subjects->has[KIND_Gradient];
+    if (axis_table[choice_table[choice].axis].first == (int)choice)
+        return true;
+    if (choice_table[choice].axis == AXIS_noise)
+        return subjects_noise(subjects);
+    return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap];
+}
+
+/* Pictures come through the driver's sampler, whose weights and results have eight bits: two codes, and as much more as a Blend along
+ * them is steep, or an exponent: -2 / ln(s (2 - s)) grows by a tenth from s = 0.80 to 0.81. Slopes of them, which a BumpMap takes, are test_filtered_picture's. */
+static const double sampler_bound = 2. / 255, sampler_blend_bound = 10. / 255;
+
+static bool is_sampled(const Way *way, const Subjects *subjects)
+{
+    return way->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
+}
+
+/* Of pictures of 16 bits a target without such textures keeps 11 bits, which drivers may cut off: 2^-11 of the value. */
+static double half_bound(const Document *document, Target target)
+{
+    for (int i = 0; i < document->graph->image_count && !target_table[target].word_textures; i++)
+        if (document->graph->images[i]->bits == 16)
+            return 0x1p-11;
+    return 0;
+}
+
+double way_bound(const Way *way, const Document *document, const Subjects *subjects, int governing)
+{
+    const double bound = fmax(bound_table[governing].bound, half_bound(document, way->target));
+    const bool steep = subjects->has[KIND_Blend] || subjects->has[SUBJECT_SLOTS + (int)SLOT_shininess];
+    return !is_sampled(way, subjects) ? bound : fmax(bound, steep ? sampler_blend_bound : sampler_bound);
+}
+
+/* So far out that differences of the oracle's doubles are no measure of a derivative, or the bounded sine's bound is no more. */
+static const float far_for_slopes = 1000, far_for_sines = 1e5f;
+/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. */
+static const float far_for_samplers = 100;
+
+static bool point_is_far(const Point *point, float far)
+{
+    float greatest = 0;
+    for (int i = 0; i < 3; i++) {
+        greatest = fmaxf(greatest, fabsf(point->input[INPUT_X][i]));
+        greatest = fmaxf(greatest, fmaxf(fabsf(point->input[INPUT_P][i]), fabsf(point->input[INPUT_U][i])));
+    }
+    return greatest > far;
+}
+
+/* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there stays within a rounding. */
+static bool point_on_edges(const Point *point)
+{
+    const float near = 1e-5f, *u = point->input[INPUT_U];
+    return fabsf(4 * u[0] - rintf(4 * u[0])) < near && fabsf(4 * u[1] - rintf(4 * u[1])) < near;
+}
+
+bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
+{
+    const bool sampled = is_sampled(way, subjects);
+    return !point_is_extreme(point) &&
+           !(way->choice == CHOICE_derivatives_analytic && point_is_far(point, far_for_slopes)) &&
+           !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&
+           !(sampled && (subjects->has[KIND_BumpMap] || point_is_far(point, far_for_samplers))) &&
+           !(way->choice == CHOICE_noise_simplex && point_on_edges(point));
+}
