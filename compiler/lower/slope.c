@@ -191,7 +191,8 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
     case SLOPE_gradient:
         if (!d)
             return 0;
-        return build_dot(ir, build_swizzle(ir, call_sibling(ir, row, args, node.count, 0), "xyz"), d);
+        return build_dot(
+            ir, build_swizzle(ir, call_sibling(ir, row, args, node.count, 0), ir_lanes(ir, d) == 2 ? "xy" : "xyz"), d);
     case SLOPE_along:
         return d ? call_sibling(ir, row, args, node.count, d) : 0;
     case SLOPE_limited:

@@ -71,8 +71,32 @@ static double stripes_along(const double *args, int lanes)
     return sum;
 }
 
+/* Of the four boxes, one of whose factors changes. */
+static void stripes_along_rate(const double *args, int lanes, double *result)
+{
+    for (int by = 0; by < lanes; by++)
+        result[by] = 0;
+    for (int i = 0; i < 4; i++) {
+        double box[6], mean[3], rate[3];
+        for (int lane = 0; lane < lanes; lane++) {
+            box[lane] = args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane];
+            box[lanes + lane] = args[2 * lanes + lane];
+        }
+        stripes(box, lanes, mean);
+        rates(box, lanes, rate);
+        for (int by = 0; by < lanes; by++) {
+            double product = rate[by] / 4;
+            for (int lane = 0; lane < lanes; lane++)
+                product *= lane == by ? 1 : mean[lane];
+            result[by] += product;
+        }
+    }
+}
+
 REFERENCE(stripesAlong2) { (void)context, result[0] = stripes_along(args, 2); }
 REFERENCE(stripesAlong3) { (void)context, result[0] = stripes_along(args, 3); }
+REFERENCE(stripesAlongRate2) { (void)context, stripes_along_rate(args, 2, result); }
+REFERENCE(stripesAlongRate3) { (void)context, stripes_along_rate(args, 3, result); }
 REFERENCE(stripesRate2) { (void)context, rates(args, 2, result); }
 REFERENCE(stripesRate3) { (void)context, rates(args, 3, result); }
 

@@ -1,0 +1,13 @@
+// needs: stripes3 stripesRate3
+// Gradient of stripesAlong3 by q: of each of the four boxes, the rate of one lane by the means of the others.
+// Error 1e-6 of it, of 1 at least.
+vec3 stripesAlongRate3(vec3 q, vec3 along, vec3 edges) {
+    vec3 sum = vec3(0.0);
+    for (float at = -0.375; at < 0.5; at += 0.25) {
+        vec3 x = fract(q + at * along);
+        vec3 s = stripes3(x, edges);
+        vec3 r = stripesRate3(x, edges);
+        sum += r * s.yzx * s.zxy;
+    }
+    return 0.25 * sum;
+}
