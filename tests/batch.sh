@@ -11,14 +11,6 @@ unset MATC_CACHE
 silent() { ! [ -s "$work/stderr" ]; }
 same() { diff -r "$1" "$2" >&2; }
 differ() { ! diff -r "$1" "$2" >/dev/null; }
-# The second word or more are all that lies in the folder, hidden files included
-only() {
-    folder=$1
-    shift
-    found=$(ls -A "$folder" | tr '\n' ' ')
-    [ "$found" = "$* " ] || echo "$folder has $found" >&2
-    [ "$found" = "$* " ]
-}
 programs() { [ "$(ls "$1" | grep -c 'frag$')" = "$2" ] || { ls "$1" >&2 && false; }; }
 # Names, bytes, inodes and times of all that is in a folder
 snapshot() { (cd "$1" && find . -type f -exec stat -c '%n %i %y' {} + | sort && find . -type f -exec cksum {} + | sort); }

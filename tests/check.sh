@@ -11,6 +11,7 @@ check() {
     else
         failed=$((failed + 1))
         echo "FAILED: $name"
+        tail -n 15 "$work/out" | sed 's/^/    /'
         sed 's/^/    /' "$work/err" | head -5
         sed 's/^/    | /' "$work/stderr" | head -5
     fi
@@ -24,6 +25,15 @@ status() {
     got=$?
     [ "$got" = "$wanted" ] || echo "exit status $got, wanted $wanted: $*" >&2
     [ "$got" = "$wanted" ]
+}
+
+# only FOLDER NAME...: these are all that lies in the folder, hidden files included
+only() {
+    folder=$1
+    shift
+    found=$(ls -A "$folder" | tr '\n' ' ')
+    [ "$found" = "$* " ] || echo "$folder has $found" >&2
+    [ "$found" = "$* " ]
 }
 
 says() { grep -q -- "$1" "$work/stderr"; }

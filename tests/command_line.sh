@@ -9,12 +9,6 @@ trap 'rm -rf "$work"' EXIT
 prints() { grep -q -- "$1" "$work/stdout"; }
 # The second file names the same bytes as the first
 same() { cmp -s "$1" "$2"; }
-# Nothing but the files named lies in a folder
-only() {
-    folder=$1
-    shift
-    [ "$(ls "$folder" | tr '\n' ' ')" = "$* " ]
-}
 
 example=examples/checker.yaml
 fast="$matc --no-validate"

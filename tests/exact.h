@@ -32,11 +32,13 @@ static inline R fresh(void)
     return exact.at[exact.used++];
 }
 static inline void exact_forget(void) { exact.used = 0; }
-static inline void exact_close(void)
+static inline int exact_close(void **state)
 {
+    (void)state;
     while (exact.made)
         mpfr_clear(exact.at[--exact.made]);
     mpfr_free_cache();
+    return 0;
 }
 
 static inline R num(double v)

@@ -9,14 +9,6 @@ trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 unset MATC_CACHE
 fast="$matc --no-validate"
 
-# The second word or more are all that lies in the folder, hidden files included
-only() {
-    folder=$1
-    shift
-    found=$(ls -A "$folder" | tr '\n' ' ')
-    [ "$found" = "$* " ] || echo "$folder has $found" >&2
-    [ "$found" = "$* " ]
-}
 # hash FOLDER FILE: as the manifest has it
 hash() { sed -n 's/.*"'"$2"'": "\([0-9a-f]*\)",*$/\1/p' "$1/manifest.json"; }
 

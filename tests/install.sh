@@ -8,21 +8,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 engine="$work/the source"
 out=$work/build/materials
-failed=0
-passed=0
-
-# check NAME COMMAND...: the command must succeed
-check() {
-    name=$1
-    shift
-    if "$@" >"$work/out" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name"
-        sed 's/^/    /' "$work/out" | tail -15
-    fi
-}
+: >"$work/stderr"
+. tests/check.sh
 
 make_it() { cmake --build "$work/build" >"$work/said" 2>&1 || { cat "$work/said" && false; }; }
 # No command ran

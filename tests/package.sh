@@ -5,21 +5,8 @@ build=$1
 source=$(pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-failed=0
-passed=0
-
-# check NAME COMMAND...: the command must succeed
-check() {
-    name=$1
-    shift
-    if "$@" >"$work/out" 2>&1; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAILED: $name"
-        sed 's/^/    /' "$work/out" | tail -15
-    fi
-}
+: >"$work/stderr"
+. tests/check.sh
 
 # Installed below a stage, as packagers do: the prefix is then another than the files were told.
 check "installs to a stage" env DESTDIR="$work/stage" cmake --install "$build" --prefix /opt/matc

@@ -6,6 +6,7 @@
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
 #include "compiler/base/output.h"
+#include "tests/value/read_whole.h"
 #include <ftw.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,21 +51,6 @@ static void find_documents(const char *folder)
     found_count = 0;
     nftw(folder, remember, 16, FTW_PHYS);
     qsort(found, (size_t)found_count, sizeof *found, by_name);
-}
-
-static char *read_whole(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    *size = 0;
-    if (!file)
-        return NULL;
-    fseek(file, 0, SEEK_END);
-    long end = ftell(file);
-    rewind(file);
-    char *text = calloc(1, (size_t)end + 1);
-    *size = fread(text, 1, (size_t)end, file);
-    fclose(file);
-    return text;
 }
 
 static void show_difference(const char *path, const char *expected, const char *actual)

@@ -288,13 +288,6 @@ static void skies_are_exact(void **state)
     }
 }
 
-static int close_all(void **state)
-{
-    (void)state;
-    exact_close();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -303,5 +296,5 @@ int main(void)
         cmocka_unit_test(rotations_are_exact),
         cmocka_unit_test(skies_are_exact),
     };
-    return cmocka_run_group_tests(tests, NULL, close_all);
+    return cmocka_run_group_tests(tests, NULL, exact_close);
 }

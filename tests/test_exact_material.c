@@ -59,31 +59,33 @@ static void leopard(const At *at, R *want)
     gray(square(over(plus(plus(sine(x), sine(y)), sine(z)), num(3))), want);
 }
 
-/* n' = (Tu + a n dh/du) x (Tv + a n dh/dv) of unit length, h = cos(2 pi 3 u) cos(2 pi 2 v), a = 0.125 / |n|. */
-static void waves(const At *at, R *want)
+/* (Tu + k n by_u) x (Tv + k n by_v) of unit length. */
+static void tilt(const At *at, R k, const R by[2], R *want)
 {
-    R a = over(num(0.125), root(dot3((R *)at->n, (R *)at->n))), turn = times(num(2), pi());
-    R wu = times(turn, num(3)), wv = times(turn, num(2)), U = times(wu, at->u), V = times(wv, at->v), tu[3], tv[3];
-    R by_u = minus(times(times(wu, sine(U)), cosine(V))), by_v = minus(times(times(wv, cosine(U)), sine(V)));
+    R tu[3], tv[3];
     for (int i = 0; i < 3; i++) {
-        tu[i] = plus(at->du[i], times(times(a, by_u), at->n[i]));
-        tv[i] = plus(at->dv[i], times(times(a, by_v), at->n[i]));
+        tu[i] = plus(at->du[i], times(times(k, by[0]), at->n[i]));
+        tv[i] = plus(at->dv[i], times(times(k, by[1]), at->n[i]));
     }
     cross3(tu, tv, want);
     unit3(want);
 }
 
+/* n' = (Tu + a n dh/du) x (Tv + a n dh/dv) of unit length, h = cos(2 pi 3 u) cos(2 pi 2 v), a = 0.125 / |n|. */
+static void waves(const At *at, R *want)
+{
+    R a = over(num(0.125), root(dot3((R *)at->n, (R *)at->n))), turn = times(num(2), pi());
+    R wu = times(turn, num(3)), wv = times(turn, num(2)), U = times(wu, at->u), V = times(wv, at->v);
+    R by_u = minus(times(times(wu, sine(U)), cosine(V))), by_v = minus(times(times(wv, cosine(U)), sine(V)));
+    tilt(at, a, (R[]){by_u, by_v}, want);
+}
+
 /* A volume map under BumpMap: both slopes are its value; k = 0.02 3 / |n|. */
 static void bump(const At *at, R *want)
 {
-    R k = over(times(num(3), over(num(2), num(100))), root(dot3((R *)at->n, (R *)at->n))), tu[3], tv[3];
+    R k = over(times(num(3), over(num(2), num(100))), root(dot3((R *)at->n, (R *)at->n)));
     R slope = square(plus(times(num(0.5), at->p[0]), at->p[2]));
-    for (int i = 0; i < 3; i++) {
-        tu[i] = plus(at->du[i], times(times(k, slope), at->n[i]));
-        tv[i] = plus(at->dv[i], times(times(k, slope), at->n[i]));
-    }
-    cross3(tu, tv, want);
-    unit3(want);
+    tilt(at, k, (R[]){slope, slope}, want);
 }
 
 /* 1 + alpha (c - 1): alpha of a Checker of a clear and a solid colour, c = (x, x, x). */
@@ -274,17 +276,10 @@ static void materials_are_exact(void **state)
     }
 }
 
-static int close_all(void **state)
-{
-    (void)state;
-    exact_close();
-    return 0;
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(materials_are_exact),
     };
-    return cmocka_run_group_tests(tests, NULL, close_all);
+    return cmocka_run_group_tests(tests, NULL, exact_close);
 }

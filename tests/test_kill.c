@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/base/bytes.h"
+#include "tests/value/read_whole.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <ftw.h>
@@ -89,19 +90,6 @@ static void in_root(const World *w, const char *name, char path[PATH_ROOM])
     snprintf(path, PATH_ROOM, "%s/%s", w->root, name);
 }
 
-static char *session_read_file(const char *path, size_t *size)
-{
-    struct stat info;
-    FILE *file = fopen(path, "rb");
-    char *bytes = file && !fstat(fileno(file), &info) ? malloc((size_t)info.st_size + 1) : NULL;
-    *size = bytes ? fread(bytes, 1, (size_t)info.st_size, file) : 0;
-    if (bytes)
-        bytes[*size] = 0;
-    if (file)
-        fclose(file);
-    return bytes;
-}
-
 static void write_file(const char *path, const char *bytes, size_t size)
 {
     FILE *file = fopen(path, "wb");
@@ -143,7 +131,7 @@ static Bytes tree_of(const char *path, bool hidden)
             continue;
         }
         bytes_text(&tree, name);
-        char *text = S_ISREG(info.st_mode) ? session_read_file(walked.paths[i], &size) : NULL;
+        char *text = S_ISREG(info.st_mode) ? read_whole(walked.paths[i], &size) : NULL;
         bytes_block(&tree, text ? text : "", text ? size : 0); /* a folder has none */
         free(text);
         free(walked.paths[i]);
@@ -188,7 +176,7 @@ static int copy_one(const char *path, const struct stat *info, int kind, struct 
     snprintf(to, sizeof to, "%s%s", copied.to, path + copied.skip);
     if (kind == FTW_D)
         return mkdir(to, 0777);
-    char *bytes = session_read_file(path, &size);
+    char *bytes = read_whole(path, &size);
     write_file(to, bytes, size);
     free(bytes);
     return 0;
@@ -256,7 +244,7 @@ static bool says(const World *w, const char *what)
     char path[PATH_ROOM];
     size_t size;
     in_root(w, "said", path);
-    char *said = session_read_file(path, &size);
+    char *said = read_whole(path, &size);
     bool any = said && strstr(said, what);
     free(said);
     return any;
@@ -405,7 +393,7 @@ static void read_calls(World *w)
     char path[PATH_ROOM], *rest;
     size_t size;
     in_root(w, "calls", path);
-    char *text = session_read_file(path, &size);
+    char *text = read_whole(path, &size);
     forget_calls(w);
     for (char *name = strtok_r(text, "\n", &rest); name && w->call_count + 1 < MOST_CALLS;
          name = strtok_r(NULL, "\n", &rest))

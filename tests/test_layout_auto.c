@@ -11,6 +11,7 @@
 #include "compiler/pipeline.h"
 #include "tests/stress/generate.h"
 #include "tests/value/kept.h"
+#include "tests/value/read_whole.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -233,18 +234,6 @@ static void joining_has_no_order(void **state)
     set_close(&set);
 }
 
-static const char *read_example(const char *name)
-{
-    static char text[8192];
-    char path[512];
-    snprintf(path, sizeof path, SOURCE_FOLDER "/%s", name);
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    text[fread(text, 1, sizeof text - 1, file)] = 0;
-    fclose(file);
-    return text;
-}
-
 /* Materials that have little together take turns with the same bits; alone they need no cases. */
 static void mixed_sets_have_cases(void **state)
 {
@@ -264,7 +253,11 @@ static void mixed_sets_have_cases(void **state)
     assert_true(matc_layout_ok(back));
     assert_string_equal(matc_layout_text(back), text);
     matc_layout_free(back);
-    assert_non_null(strstr(read_example("examples/layouts/mixed.yaml"), strchr(text, '\n'))); /* but for its name */
+    size_t size;
+    char *example = read_whole(SOURCE_FOLDER "/examples/layouts/mixed.yaml", &size);
+    assert_non_null(example);
+    assert_non_null(strstr(example, strchr(text, '\n'))); /* but for its name */
+    free(example);
     MatcOptions options = set.documents[0].options;
     options.custom = set.layout;
     MatcProgram *program = matc_compile(set.documents[0].document, 0, MATC_UNPACK, &options);

@@ -7,6 +7,7 @@
 #include "compiler/layout/layout_read.h"
 #include "compiler/layout/custom.h"
 #include "tests/value/kept.h"
+#include "tests/value/read_whole.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -174,16 +175,6 @@ static void another_constant_is_told(void **state)
     matc_layout_free(layout);
 }
 
-static char *file_text(const char *path)
-{
-    static char text[8192];
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    text[fread(text, 1, sizeof text - 1, file)] = 0;
-    fclose(file);
-    return text;
-}
-
 /* The example layouts, with materials that they are for, in every case of theirs; test_layout_auto has mixed. */
 static void examples_keep_what_they_promise(void **state)
 {
@@ -204,7 +195,10 @@ static void examples_keep_what_they_promise(void **state)
         char path[256];
         Document d;
         snprintf(path, sizeof path, SOURCE_FOLDER "/examples/layouts/%s.yaml", tries[i].layout);
-        MatcLayout *layout = read_text(file_text(path));
+        size_t size;
+        char *text = read_whole(path, &size);
+        assert_non_null(text);
+        MatcLayout *layout = read_text(text);
         snprintf(path, sizeof path, SOURCE_FOLDER "/%s", tries[i].document);
         assert_true(document_open(&d, path));
         MatcOptions options = d.options;
@@ -213,6 +207,7 @@ static void examples_keep_what_they_promise(void **state)
             print_message("%s: %s\n", tries[i].document, kept.error);
         document_close(&d);
         matc_layout_free(layout);
+        free(text);
     }
     drawer_close(&drawer);
     print_message("%d materials, %ld values, errors up to %.3f of their bounds\n", kept.materials, kept.values,

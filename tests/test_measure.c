@@ -54,6 +54,18 @@ static MatcOptions defaults(void)
     return options;
 }
 
+/* Nothing is left to be chosen, and all of it is fast. */
+static MatcOptions fastest(const char *layout)
+{
+    MatcOptions options = defaults();
+    options.layout = layout;
+    options.noise = "lattice";
+    options.precision = "fast";
+    options.aa = "none";
+    options.derivatives = "finite";
+    return options;
+}
+
 /* All combinations, each once, the given one first. */
 static void variants_are_all_there(void **state)
 {
@@ -120,12 +132,7 @@ static void aliasing_and_time_are_found(void **state)
 {
     (void)state;
     MeasuredList list;
-    MatcOptions options = defaults();
-    options.layout = "thesis";
-    options.noise = "lattice";
-    options.precision = "fast";
-    options.aa = "none";
-    options.derivatives = "finite";
+    MatcOptions options = fastest("thesis");
     list_material("material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n"
                   "emissive: { map: Granite }\n",
                   &options, 2, &list);
@@ -197,12 +204,7 @@ static void long_coordinates_lose_nothing(void **state)
         "emissive: { map: Granite, input: { map: XYZTransform, transform: { translation: [5000.1, 70.7, 9.3], "
         "scale: [1.7, 1.1, 1.3] } } }\n";
     MeasuredList plain, parts;
-    MatcOptions options = defaults();
-    options.layout = "integer";
-    options.noise = "lattice";
-    options.precision = "fast";
-    options.aa = "none";
-    options.derivatives = "finite";
+    MatcOptions options = fastest("integer");
     list_material(far, &options, 1, &plain);
     options.coordinates = "long";
     list_material(far, &options, 1, &parts);

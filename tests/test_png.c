@@ -112,38 +112,33 @@ static MatcDocument *read_with(File *file, const char *text, bool pixels)
 static const char one_picture[] =
     "material: Phong\ndiffuse: { map: ImageMap, image: a.png, bilinearFiltering: false }\n";
 
-/* The texels, the bottom row first, are these RGBA bytes. */
-static void check_texels(File *file, int width, int height, const char *texels, bool opaque)
+/* The texels, the bottom row first, are these of RGBA, `lane` bytes each. */
+static void check_picture(File *file, const int side[2], const void *texels, size_t lane, bool opaque)
 {
     MatcDocument *document = read_with(file, one_picture, true);
     if (!document->graph)
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
     const Image *image = document->graph->images[0];
-    assert_int_equal(image->width, width);
-    assert_int_equal(image->height, height);
+    assert_int_equal(image->width, side[0]);
+    assert_int_equal(image->height, side[1]);
     assert_int_equal(image->opaque, opaque);
-    assert_non_null(image_bytes(image));
-    assert_memory_equal(image->texels, texels, (size_t)(width * height * 4));
+    assert_true(lane == 1 ? image_bytes(image) != NULL : image_words(image) != NULL);
+    assert_memory_equal(image->texels, texels, (size_t)(side[0] * side[1] * 4) * lane);
     matc_document_free(document);
+}
+
+static void check_texels(File *file, int width, int height, const char *texels, bool opaque)
+{
+    check_picture(file, (int[]){width, height}, texels, 1, opaque);
+}
+
+static void check_words(File *file, int width, int height, const uint16_t *texels, bool opaque)
+{
+    check_picture(file, (int[]){width, height}, texels, sizeof *texels, opaque);
 }
 
 #define ROWS(text)  text, sizeof(text) - 1
 #define CHUNK(text) text, sizeof(text) - 1
-
-/* The texels, the bottom row first, are these RGBA words. */
-static void check_words(File *file, int width, int height, const uint16_t *texels, bool opaque)
-{
-    MatcDocument *document = read_with(file, one_picture, true);
-    if (!document->graph)
-        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
-    const Image *image = document->graph->images[0];
-    assert_int_equal(image->width, width);
-    assert_int_equal(image->height, height);
-    assert_int_equal(image->opaque, opaque);
-    assert_non_null(image_words(image));
-    assert_memory_equal(image->texels, texels, (size_t)(width * height * 4) * sizeof *texels);
-    matc_document_free(document);
-}
 
 /* All 16 bits are kept, the upper byte first in the file. */
 static void test_16_bits(void **state)

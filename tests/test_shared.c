@@ -15,6 +15,7 @@
 #include "tests/value/documents.h"
 #include "tests/value/draw.h"
 #include "tests/value/gbuffer.h"
+#include "tests/value/read_whole.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,15 +39,13 @@ typedef struct {
     float slots[2][SLOT_COUNT][POINT_COUNT * 4];
 } Fixture;
 
-static char *read_text(const char *path)
+static void add_file(BatchSet *set, const char *path)
 {
-    static char text[1 << 16];
-    FILE *file = fopen(path, "rb");
-    size_t size = file ? fread(text, 1, sizeof text - 1, file) : 0;
-    text[size] = 0;
-    if (file)
-        fclose(file);
-    return text;
+    size_t size;
+    char *text = read_whole(path, &size);
+    assert_non_null(text);
+    batch_set_add(set, text, VARIANTS);
+    free(text);
 }
 
 static void add_examples(BatchSet *set)
@@ -56,7 +55,7 @@ static void add_examples(BatchSet *set)
         const char *rest = strstr(list.paths[i], "examples/") + strlen("examples/");
         if (!strchr(rest, '/') && !strstr(rest, "3D") &&
             !strstr(rest, "wrinkles")) /* 27 calls each, which drivers inline */
-            batch_set_add(set, read_text(list.paths[i]), VARIANTS);
+            add_file(set, list.paths[i]);
     }
     documents_free(&list);
 }

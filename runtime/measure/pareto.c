@@ -92,6 +92,19 @@ static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter)
     fputc('\n', out);
 }
 
+static MeasureRequest request_of(const ParetoSubject *subject, const MatcOptions *options, VariantAxes open,
+                                 double seconds)
+{
+    return (MeasureRequest){.document = subject->document,
+                            .material = subject->material,
+                            .options = options,
+                            .open = open,
+                            .range = subject->range,
+                            .progress = subject->progress,
+                            .user = subject->user,
+                            .seconds = seconds};
+}
+
 bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, ParetoAnswer *answer)
 {
     MeasuredList list;
@@ -99,15 +112,8 @@ bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, Pa
     Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
-    const MeasureRequest request = {.document = subject->document,
-                                    .material = subject->material,
-                                    .options = options,
-                                    .open = variant_open(options),
-                                    .range = subject->range,
-                                    .progress = subject->progress,
-                                    .user = subject->user,
-                                    .seconds = pareto_seconds,
-                                    .aliasing = true};
+    MeasureRequest request = request_of(subject, options, variant_open(options), pareto_seconds);
+    request.aliasing = true;
     bool done = measure_variants(meter, &request, &list) ||
                 message_fail(answer->error, sizeof answer->error, "%s", meter->error);
     FILE *out = done ? open_memstream(&answer->text, &size) : NULL;
@@ -204,14 +210,7 @@ bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *optio
     Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
-    const MeasureRequest request = {.document = subject->document,
-                                    .material = subject->material,
-                                    .options = options,
-                                    .open = open_for_choice(options),
-                                    .range = subject->range,
-                                    .progress = subject->progress,
-                                    .user = subject->user,
-                                    .seconds = choose_seconds};
+    const MeasureRequest request = request_of(subject, options, open_for_choice(options), choose_seconds);
     bool done = measure_variants(meter, &request, &list) ||
                 message_fail(answer->error, sizeof answer->error, "%s", meter->error);
     if (done) {

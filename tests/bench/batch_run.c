@@ -2,6 +2,7 @@
 #include "batch_run.h"
 #include "batch_documents.h"
 #include "matbench.h"
+#include "tests/value/read_whole.h"
 #include <fcntl.h>
 #include <ftw.h>
 #include <poll.h>
@@ -50,24 +51,11 @@ static bool write_file(const char *path, const char *bytes, size_t size)
     return file && !fclose(file) && fine;
 }
 
-static char *read_file_whole(const char *path, size_t *size)
-{
-    FILE *file = fopen(path, "rb");
-    struct stat info;
-    char *bytes = file && !fstat(fileno(file), &info) ? malloc((size_t)info.st_size + 1) : NULL;
-    *size = bytes ? fread(bytes, 1, (size_t)info.st_size, file) : 0;
-    if (bytes)
-        bytes[*size] = 0;
-    if (file)
-        fclose(file);
-    return bytes;
-}
-
 static bool write_pictures(const BatchFolder *folder)
 {
     char path[BATCH_PATH], name[32];
     size_t size;
-    char *picture = read_file_whole(SOURCE_FOLDER "/examples/tiles.png", &size);
+    char *picture = read_whole(SOURCE_FOLDER "/examples/tiles.png", &size);
     bool fine = picture != NULL;
     for (int i = 0; i < SCENE_PICTURES && fine; i++) {
         batch_picture(i, name);
@@ -129,7 +117,7 @@ BatchCache batch_cache(const BatchFolder *folder)
 static void show(const char *path)
 {
     size_t size;
-    char *said = read_file_whole(path, &size);
+    char *said = read_whole(path, &size);
     fprintf(stderr, "matbench: matc failed\n%.2000s\n", said ? said : "");
     free(said);
 }
@@ -206,5 +194,5 @@ char *batch_read(const BatchFolder *folder, const char *out, const char *name)
     char path[2 * BATCH_PATH];
     size_t size;
     snprintf(path, sizeof path, "%s/%s/%s", folder->path, out, name);
-    return read_file_whole(path, &size);
+    return read_whole(path, &size);
 }
