@@ -9,6 +9,13 @@ if(NOT TARGET PkgConfig::matc_needs)
   list(APPEND matc_missing "yaml-0.1, libcjson, libpng or libjpeg (by pkg-config)")
 endif()
 
+# OpenEXR.pc names its C++ libraries too; its C core is one of its own.
+find_library(OPENEXR_CORE NAMES OpenEXRCore OpenEXRCore-3_1)
+mark_as_advanced(OPENEXR_CORE)
+if(NOT OPENEXR_CORE)
+  list(APPEND matc_missing "OpenEXRCore (of OpenEXR 3.1 or later)")
+endif()
+
 # Debian's glslang.pc names neither SPIR-V nor the resource limits; its CMake package wants SPIRV-Tools' development files.
 set(matc_glslang)
 set(matc_glslang_names)
@@ -28,5 +35,5 @@ endif()
 set(matc_system stdc++ pthread m) # glslang is C++
 if(NOT matc_missing AND NOT TARGET matc::private)
   add_library(matc::private INTERFACE IMPORTED GLOBAL)
-  target_link_libraries(matc::private INTERFACE ${matc_glslang} PkgConfig::matc_needs ${matc_system})
+  target_link_libraries(matc::private INTERFACE ${matc_glslang} ${OPENEXR_CORE} PkgConfig::matc_needs ${matc_system})
 endif()

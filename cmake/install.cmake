@@ -35,7 +35,7 @@ add_custom_target(matc_schemas ALL DEPENDS ${schemas})
 install(FILES ${schemas} DESTINATION ${MATC_SCHEMA})
 
 # pkg-config: glslang's libraries by name, and their folder where the linker would not look.
-set(private ${matc_glslang_names} ${matc_system})
+set(private ${matc_glslang_names} OpenEXRCore ${matc_system})
 list(TRANSFORM private PREPEND -l)
 get_filename_component(folder ${GLSLANG_glslang} DIRECTORY)
 if(NOT folder IN_LIST CMAKE_C_IMPLICIT_LINK_DIRECTORIES)

@@ -2,8 +2,10 @@
 #include "compiler/emit/texture.h"
 #include "runtime/library/carpenter.h"
 #include "runtime/library/srgb.h"
+#include <math.h>
 #include <string.h>
 
+static const double GREATEST_HALF = 65504;
 enum { TABLE_PERMUTATION = -1, TABLE_RANDOM = -2, TABLE_XOR = -3, SIDE = 256, RANDOM_COUNT = 512 };
 /* What OpenGL 4.6 promises; a driver takes no more samples than a footprint is long. */
 enum { SAMPLER_ANISOTROPY = 16 };
@@ -130,7 +132,9 @@ static const unsigned char *xor_table(Session *session)
 static double texel_lane(const IrTexture *texture, size_t number)
 {
     const Image *image = texture->image;
-    const double value = image->bits == 8 ? image_bytes(image)[number] / 255. : image_words(image)[number] / 65535.;
+    const double value = image->bits == 8    ? image_bytes(image)[number] / 255.
+                         : image->bits == 16 ? image_words(image)[number] / 65535.
+                                             : (double)image_floats(image)[number];
     return texture->srgb && number % 4 < 3 ? srgb_decode(value) : value;
 }
 
@@ -143,12 +147,14 @@ static const unsigned short *decoded_words(Session *session, const IrTexture *te
     return words;
 }
 
+/* What is beyond the greatest half is the greatest half. */
 static const float *decoded_floats(Session *session, const IrTexture *texture)
 {
+    const double most = texture->texels == TEXELS_RGBA16F ? GREATEST_HALF : INFINITY;
     const size_t count = (size_t)texture->width * (size_t)texture->height * 4;
     float *floats = arena_alloc(session->arena, count * sizeof *floats);
     for (size_t i = 0; i < count; i++)
-        floats[i] = (float)texel_lane(texture, i);
+        floats[i] = (float)fmin(fmax(texel_lane(texture, i), -most), most);
     return floats;
 }
 

@@ -33,9 +33,10 @@ typedef struct {
 typedef struct {
     const char *path; /* as written, joined to the document's folder */
     int width, height;
-    int bits;     /* of a lane: 8 or 16, over the greatest number */
-    void *texels; /* RGBA, uint8_t or uint16_t, row 0 is the bottom row; NULL: not read */
+    int bits;     /* of a lane: 8 or 16, over the greatest number; 32: floats, any number */
+    void *texels; /* RGBA, uint8_t, uint16_t or float, row 0 is the bottom row; NULL: not read */
     bool opaque;  /* the file has no alpha: it is 1 everywhere */
+    bool halves;  /* of floats: half floats hold them */
     int index;    /* in the document's list of images */
 } Image;
 
@@ -121,6 +122,10 @@ static inline const uint8_t *image_bytes(const Image *image)
 static inline const uint16_t *image_words(const Image *image)
 {
     return image->bits == 16 ? (const uint16_t *)image->texels : NULL;
+}
+static inline const float *image_floats(const Image *image)
+{
+    return image->bits == 32 ? (const float *)image->texels : NULL;
 }
 
 /* The parameter that P_<kind>_<name> of tables.h names. */

@@ -1,4 +1,4 @@
-/* Pictures that documents name: PNG or JPEG, told by their first bytes. The numbers are the file's: gamma, profiles and all else
+/* Pictures that documents name: PNG, JPEG or OpenEXR, told by their first bytes. The numbers are the file's: gamma, profiles and all else
  * that says how they are to be shown is passed over. */
 #include "compiler/front/image_file.h"
 #include <stdlib.h>
@@ -10,12 +10,12 @@ static const char *decode(ImageFile *file)
         const char *begin;
         size_t size;
         const char *(*read)(ImageFile *);
-    } formats[] = {{"\x89PNG", 4, image_png}, {"\xFF\xD8", 2, image_jpeg}};
+    } formats[] = {{"\x89PNG", 4, image_png}, {"\xFF\xD8", 2, image_jpeg}, {"\x76\x2F\x31\x01", 4, image_exr}};
     const size_t size = (size_t)(file->end - file->at);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (size >= formats[i].size && !memcmp(file->at, formats[i].begin, formats[i].size))
             return formats[i].read(file);
-    return "it is neither PNG nor JPEG";
+    return "it is neither PNG nor JPEG nor OpenEXR";
 }
 
 /* Bytes that the document's pictures take, all decoded. */

@@ -7,17 +7,21 @@
  *                input: { map: ImageMap, image: b.png } }                           # a coordinate: linear
  *     shininess: { map: ImageMap, image: c.png }                                    # a number: linear
  *
- * A map that feeds both is one map, with one value: sRGB. */
+ * A picture of floats is always linear. A map that feeds both is one map, with one value: sRGB. */
 #include "compiler/front/resolve.h"
 
 void resolve_picture(Resolver *r, const Node *node, Value *params)
 {
     Value *space = &params[P_ImageMap_colorspace - kind_table[KIND_ImageMap].first];
+    const Value *image = &params[P_ImageMap_image - kind_table[KIND_ImageMap].first];
+    const bool floats = image->kind == VALUE_image && image->image->bits == 32;
+    if (floats && space->kind == VALUE_number && space->number[0] == WORD_ColorSpace_srgb)
+        diag_add(r->session, space->span, DIAG_float_srgb);
     if (space->kind != VALUE_none)
         return;
     *space = (Value){.kind = VALUE_number, .type = TYPE_int, .number = {WORD_ColorSpace_linear}};
     const UndecidedPicture picture = {node, space};
-    if (resolve_is_srgb(r, node->span.file))
+    if (resolve_is_srgb(r, node->span.file) && !floats)
         ARENA_PUSH(r->session->arena, r->undecided, r->undecided_count, r->undecided_room, picture);
 }
 

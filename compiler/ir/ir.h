@@ -79,6 +79,7 @@ typedef struct {
     int width, height;
     bool sampled; /* by the sampler, with mipmaps; else texel by texel */
     bool srgb;     /* of an image: red, green and blue are decoded, by the sampler or before it has them */
+    bool floats;   /* of an image: it may have any number */
     Texels texels; /* what the program's texture holds */
     Word wrap;     /* what its sampler does beyond the edges: an Address of words.def */
 } IrTexture;

@@ -81,7 +81,8 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
 /* What a program wants of a texture; which picture it is changes nothing. */
 static void put_texture(Walk *w, const IrTexture *texture)
 {
-    put(w, (uint32_t)texture->kind << 2 | (uint32_t)texture->sampled << 1 | texture->srgb);
+    put(w, (uint32_t)texture->kind << 3 | (uint32_t)texture->floats << 2 | (uint32_t)texture->sampled << 1 |
+               texture->srgb);
     put(w, (uint32_t)texture->texels << 8 | (uint32_t)texture->wrap);
 }
 

@@ -172,6 +172,15 @@ static Interval exponent_range(Interval a)
     return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
 }
 
+/* A call that reads a picture of floats. */
+static bool reads_floats(const Ir *ir, Ref call)
+{
+    const Ref sampler = ir_arg(ir, call, 0);
+    if (!ir_is(ir, sampler, OP_texture) || ir_at(ir, sampler)->payload >= ir->texture_count)
+        return false;
+    return ir->textures[ir_at(ir, sampler)->payload].floats;
+}
+
 static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const int function = (int)ir_at(ir, ref)->payload;
@@ -181,6 +190,12 @@ static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
         return octaves_range(whole(r, ir, ir_arg(ir, ref, 1)), whole(r, ir, ir_arg(ir, ref, 3)));
     case FN_phongExponent:
         return exponent_range(whole(r, ir, ir_arg(ir, ref, 0)));
+    case FN_imageNearest:
+    case FN_imageBilinear:
+    case FN_imageFiltered:
+    case FN_imageSampled:
+    case FN_imageSampledOver:
+        return reads_floats(ir, ref) ? everything : table_range(function);
     default:
         return table_range(function);
     }

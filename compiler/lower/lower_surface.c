@@ -232,10 +232,13 @@ static const char *channel_lane(const Node *node)
     return value->kind == VALUE_number ? lanes[(int)value->number[0] - WORD_Channel_r] : NULL;
 }
 
-/* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are halves where it has none of them. */
+/* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are halves where it has none of them, and
+ * so are floats where its samplers do not filter these. */
 static Texels texels_of(const Lower *l, const Image *image, bool srgb)
 {
     const TargetRow *target = &target_table[l->job->target];
+    if (image->bits == 32)
+        return image->halves || !target->float_filters ? TEXELS_RGBA16F : TEXELS_RGBA32F;
     if (image->bits == 8 && !srgb)
         return TEXELS_RGBA8;
     if (image->bits == 8 && target->srgb_textures)
@@ -269,6 +272,7 @@ static Sampled sampled_image(Lower *l, const Node *node, const Image *picture)
         .height = picture->height,
         .sampled = is_sampled(function),
         .srgb = srgb,
+        .floats = picture->bits == 32,
         .texels = texels_of(l, picture, srgb),
         .wrap = wrap_of(l, address, is_sampled(function)),
     };

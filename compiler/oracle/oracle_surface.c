@@ -117,6 +117,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
                     .lanes = 4,
                     .bytes = image_bytes(image),
                     .words = image_words(image),
+                    .floats = image_floats(image),
                     .srgb = word_of(node, P_ImageMap_colorspace) == WORD_ColorSpace_srgb,
                     .wrap = (ReferenceWrap)(word_of(node, P_ImageMap_address) - WORD_Address_repeat)},
         .gray = word_of(node, P_ImageMap_channel) != NO_WORD,

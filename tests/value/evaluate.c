@@ -28,6 +28,7 @@ bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVA
             textures[i].lanes = 4;
             textures[i].bytes = image_bytes(t->image);
             textures[i].words = image_words(t->image);
+            textures[i].floats = image_floats(t->image);
             textures[i].srgb = t->srgb;
             textures[i].wrap = (ReferenceWrap)(t->wrap - WORD_Address_repeat);
         } else {

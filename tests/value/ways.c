@@ -57,12 +57,15 @@ static bool is_sampled(const Way *way, const Subjects *subjects)
     return way->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
 }
 
-/* Of pictures of 16 bits a target without such textures keeps 11 bits, which drivers may cut off: 2^-11 of the value. */
+/* Of pictures of 16 bits, or of floats, a target without such textures keeps 11 bits, which drivers may cut off: 2^-11 of the value. */
 static double half_bound(const Document *document, Target target)
 {
-    for (int i = 0; i < document->graph->image_count && !target_table[target].word_textures; i++)
-        if (document->graph->images[i]->bits == 16)
+    for (int i = 0; i < document->graph->image_count; i++) {
+        const Image *image = document->graph->images[i];
+        if ((image->bits == 16 && !target_table[target].word_textures) ||
+            (image->bits == 32 && !image->halves && !target_table[target].float_filters))
             return 0x1p-11;
+    }
     return 0;
 }
 
