@@ -77,7 +77,8 @@ static int depth_in(const char *items, const char *rest, const char *aa)
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(program))
         fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
-    int depth = depth_of(matc_output(program, MATC_FRAGMENT, NULL), "granite(");
+    const char *call = strcmp(aa, "none") ? "graniteFiltered(" : "granite(";
+    int depth = depth_of(matc_output(program, MATC_FRAGMENT, NULL), call);
     matc_program_free(program);
     matc_document_free(document);
     return depth;
@@ -95,12 +96,16 @@ static void an_item_branches_wherever_it_stands(void **state)
         "input: red }",
     };
     (void)state;
-    for (size_t i = 0; i < sizeof items / sizeof *items; i++)
-        assert_int_equal(depth_in(items[i], "", "none"), 2);
-    for (size_t i = 0; i < sizeof items / sizeof *items; i++)
-        assert_int_equal(depth_in(items[i], "specular: *g\n", "none"), 1);
-    /* it shows everywhere */
-    assert_int_equal(depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "", "none"), 1);
+    static const char *const ways[] = {"none", "box", "aniso"}; /* by the point, by the item's weight in the pixel */
+    for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
+        for (size_t i = 0; i < sizeof items / sizeof *items; i++)
+            assert_int_equal(depth_in(items[i], "", ways[way]), 2);
+        for (size_t i = 0; i < sizeof items / sizeof *items; i++)
+            assert_int_equal(depth_in(items[i], "specular: *g\n", ways[way]), 1);
+        /* it shows everywhere */
+        assert_int_equal(depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "", ways[way]),
+                         1);
+    }
 }
 
 /* What the reflection says of the transparency of a map, and whether a program stores it. */

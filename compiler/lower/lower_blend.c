@@ -6,22 +6,13 @@
  *     search:  t < .3 ? (t < 0 ? a : mix(a, b, ..)) : (t < 1 ? mix(b, c, ..) : c)
  *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
  *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what is made of it needs no branch
- *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards whose values may be of any size */
-#include "compiler/lower/area.h"
-#include <math.h>
+ *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards whose values may be of any size
+ * Over a pixel's box of t: blend.c. */
+#include "compiler/lower/blend.h"
+#include "compiler/lower/footprint.h"
 #include <string.h>
 
-enum {
-    CHEAP_ARMS = 40,      /* scalar operations of all items together up to which mixing beats branching */
-    MOST_MIXES = 8,       /* items up to which mixing, and a branch for each costly one, beat searching */
-    MOST_AREA_ITEMS = 64, /* items up to which a blend is averaged over the pixel */
-    ALIKE = 16,           /* how many times the least of alike items the greatest is at most */
-    KNOWN_DEPTH = 6,      /* operations that are looked through for a value's bounds */
-};
-
-typedef struct {
-    Ref value, result, variance; /* of an item: where it lies on t, its answer and what that leaves out */
-} Stop;
+enum { MOST_AREA_ITEMS = 64 }; /* items up to which a blend is averaged over the pixel */
 
 /* Items first..last of so many; as segments, each is what leads to its item, and segment `count` is what holds beyond the end. */
 typedef struct {
@@ -29,25 +20,12 @@ typedef struct {
     int count, first, last;
 } Segments;
 
-/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
-static Ref position(Lower *l, Ref t, Ref low, Ref high)
-{
-    Ir *ir = l->ir;
-    const double *from = ir_known(ir, low), *to = ir_known(ir, high);
-    Ref along = build_sub(ir, t, low);
-    if (from && to)
-        return build_mul(ir, along, area_known_inverse(l, low, high));
-    Ref width = build_sub(ir, high, low);
-    Ref flat = build_eq(ir, width, build_float(ir, 0));
-    return build_div(ir, along, build_select(ir, flat, build_float(ir, 1), width));
-}
-
 /* What holds below item i's value and not below that of the one before. */
 static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
 {
     if (i == 0)
         return stops[0].result;
-    Ref at = position(l, t, stops[i - 1].value, stops[i].value);
+    Ref at = blend_position(l, t, stops[i - 1].value, stops[i].value);
     return build_mix(l->ir, stops[i - 1].result, stops[i].result, at);
 }
 
@@ -84,7 +62,7 @@ static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
     for (int i = 1; i < count; i++) {
         if (stops[i].result == stops[i - 1].result)
             continue; /* there the result is that already */
-        Ref at = position(l, t, stops[i - 1].value, stops[i].value);
+        Ref at = blend_position(l, t, stops[i - 1].value, stops[i].value);
         result = build_mix(ir, result, stops[i].result, build_clamp(ir, at, zero, one));
     }
     return result;
@@ -104,9 +82,9 @@ static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
 static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
 {
     int cost = 0;
-    for (int i = 0; i < count && cost < CHEAP_ARMS; i++)
-        cost += lower_cost_below(ir, stops[i].result, CHEAP_ARMS - cost);
-    return cost < CHEAP_ARMS;
+    for (int i = 0; i < count && cost < BLEND_CHEAP; i++)
+        cost += lower_cost_below(ir, stops[i].result, BLEND_CHEAP - cost);
+    return cost < BLEND_CHEAP;
 }
 
 /* Where the items first..last of so many show: above the value before them and below the one behind. 0: everywhere. */
@@ -140,32 +118,22 @@ static Ref where_result(Lower *l, Answer t, Segments s)
     return shown;
 }
 
-/* The guard is called as what it guards. */
-static Ref guarded(Lower *l, Ref shown, Ref value)
-{
-    Ir *ir = l->ir;
-    Ref guard = build_guard(ir, shown, value);
-    ir->nodes[guard].origin = ir->nodes[value].origin;
-    ir->nodes[guard].head = ir->nodes[value].head;
-    return guard;
-}
-
 /* The items, each costly one behind a guard, so that it is computed only where it shows; the items themselves where none is costly, and
  * where a search follows, which has branches already. */
 static const Stop *guarded_items(Lower *l, Answer t, const Stop *stops, int count)
 {
     Stop *own = NULL;
-    if (!l->cheap || count > MOST_MIXES || !ascending(l->ir, stops, count, true))
+    if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))
         return stops;
     for (int i = 0; i < count; i++) {
         const Ref result = stops[i].result;
-        if (lower_cost_below(l->ir, result, CHEAP_ARMS) < CHEAP_ARMS || (own && own[i].result != result))
+        if (!blend_is_costly(l->ir, result) || (own && own[i].result != result))
             continue;
         Ref shown = where_result(l, t, (Segments){stops, count, i, count});
         if (!shown)
             continue;
         own = own ? own : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops, sizeof *stops * (size_t)count);
-        Ref guard = guarded(l, shown, result);
+        Ref guard = blend_guarded(l, shown, result);
         for (int k = i; k < count; k++)
             if (stops[k].result == result)
                 own[k].result = guard;
@@ -173,130 +141,12 @@ static const Stop *guarded_items(Lower *l, Answer t, const Stop *stops, int coun
     return own ? own : stops;
 }
 
-/* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT lines of ops.def; -1: it may be
- * anywhere. */
-static int first_in_unit(Op op)
-{
-    switch (op) {
-#define UNIT(name, first)                                                                                              \
-    case OP_##name:                                                                                                    \
-        return first;
-#include "grammar/ops.def"
-    default:
-        return -1;
-    }
-}
-
-/* Every lane of a value is surely in [0, 1]. */
-static bool within_unit(const Ir *ir, Ref ref, int depth)
-{
-    const IrNode *node = ir_at(ir, ref);
-    const double *known = ir_known(ir, ref);
-    const int first = first_in_unit((Op)node->op);
-    for (int i = 0; known && i < ir_lanes(ir, ref); i++)
-        if (!(known[i] >= 0 && known[i] <= 1))
-            return false;
-    if (known || first < 0)
-        return known != NULL;
-    for (int i = first; i < node->count; i++)
-        if (!depth || !within_unit(ir, ir_arg(ir, ref, i), depth - 1))
-            return false;
-    return true;
-}
-
-/* Constants of which none is ALIKE times another. */
-static bool alike_constants(const Ir *ir, const Stop *stops, int count)
-{
-    double least = INFINITY, greatest = 0;
-    for (int i = 0; i < count; i++) {
-        if (!ir_known(ir, stops[i].result))
-            return false;
-        for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
-            double size = fabs(ir_known(ir, stops[i].result)[lane]);
-            least = fmin(least, size);
-            greatest = fmax(greatest, size);
-        }
-    }
-    return greatest <= ALIKE * least;
-}
-
-/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a small item behind a great one
- * would be lost. */
-static bool alike_arms(const Ir *ir, const Stop *stops, int count)
-{
-    bool unit = true;
-    for (int i = 0; unit && i < count; i++)
-        unit = within_unit(ir, stops[i].result, KNOWN_DEPTH);
-    return unit || alike_constants(ir, stops, count);
-}
-
-/* How much of a box of t has the step from a stop to the next behind it; no edge: of a point. */
-static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
-{
-    if (!edge)
-        return build_clamp(l->ir, position(l, t, stop[0].value, stop[1].value), build_float(l->ir, 0),
-                           build_float(l->ir, 1));
-    return area_ramp(l, t, edge, stop[0].value, stop[1].value);
-}
-
-/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
-static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
-{
-    Ir *ir = l->ir;
-    Ref result = stops[0].result;
-    for (int i = 1; i < count; i++) {
-        Ref share = step_share(l, t, edge, &stops[i - 1]);
-        result = build_add(ir, result, build_mul(ir, build_sub(ir, stops[i].result, stops[i - 1].result), share));
-    }
-    return result;
-}
-
-/* Of every item, how much of the box it is, or of the point: exactly 0 where that does not reach it. */
-static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
-{
-    Ir *ir = l->ir;
-    Ref share = build_float(ir, 1), *weight = ARENA_ARRAY(l->session->arena, Ref, count);
-    for (int i = 0; i + 1 < count; i++) {
-        Ref next = step_share(l, t, edge, &stops[i]);
-        weight[i] = build_sub(ir, share, next);
-        share = next;
-    }
-    weight[count - 1] = share;
-    return weight;
-}
-
-/* The mean of items that are not alike. */
-static Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
-{
-    Ir *ir = l->ir;
-    const Ref *weight = weights(l, t, edge, stops, count);
-    Ref result = build_mul(ir, stops[0].result, weight[0]);
-    for (int i = 1; i < count; i++)
-        result = build_add(ir, result, build_mul(ir, stops[i].result, weight[i]));
-    return result;
-}
-
-/* Of a sum by weights, whichever form the sum has; `edge` may be none. */
-static Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
-{
-    Ir *ir = l->ir;
-    Ref variance = 0, *weight = NULL;
-    for (int i = 0; i < count; i++) {
-        if (!stops[i].variance)
-            continue;
-        weight = weight ? weight : weights(l, t, edge ? edge : build_float(ir, 0), stops, count);
-        Ref term = build_mul(ir, stops[i].variance, build_square(ir, weight[i]));
-        variance = build_plus(ir, variance, term);
-    }
-    return variance;
-}
-
 /* At a point of t. */
 static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
 {
     const bool ordered = ascending(l->ir, stops, count, true);
-    if (l->cheap && ordered && count <= MOST_MIXES && cheap_arms(l->ir, stops, count) &&
-        alike_arms(l->ir, stops, count))
+    if (l->cheap && ordered && count <= BLEND_MOST_MIXES && cheap_arms(l->ir, stops, count) &&
+        blend_alike(l->ir, stops, count))
         return blend_mixes(l, t, stops, count);
     if (ordered && (l->cheap || count > LIMIT_WALK))
         return blend_search(l, t, (Segments){stops, count, 0, count});
@@ -306,7 +156,7 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
 /* Of guards, which want no branch around them. */
 static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 {
-    return alike_arms(l->ir, stops, count) ? blend_mixes(l, t, stops, count) : blend_weights(l, t, 0, stops, count);
+    return blend_alike(l->ir, stops, count) ? blend_mixes(l, t, stops, count) : blend_weights(l, t, 0, stops, count);
 }
 
 static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
@@ -315,10 +165,9 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
         return answer_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
     const Stop *own = edge ? stops : guarded_items(l, t, stops, count);
-    Answer blend = answer_of(own != stops                      ? blend_guards(l, t.value, own, count)
-                             : !edge                           ? blend_point(l, t.value, stops, count)
-                             : alike_arms(l->ir, stops, count) ? blend_area(l, t.value, edge, stops, count)
-                                                               : blend_weights(l, t.value, edge, stops, count));
+    Answer blend = answer_of(edge           ? blend_over(l, t.value, edge, stops, count)
+                             : own != stops ? blend_guards(l, t.value, own, count)
+                                            : blend_point(l, t.value, stops, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
 }

@@ -1,0 +1,217 @@
+/* Blends by weights: how much of a pixel's box of t, or of a point, every item is.
+ *
+ *     items at 0, .3 and 1 answering a, b, c; the pixel's t is in [.25, .45]. The step from a to b has gone 47 / 48 of its
+ *     way on the mean, that from b to c 9 / 112:
+ *     area:    a + (b - a) 47 / 48 + (c - b) 9 / 112
+ *     weights: a (1 - 47 / 48) + b (47 / 48 - 9 / 112) + c 9 / 112, which loses no small item behind a great one
+ *     guards:  the same, a costly c standing as w != 0 ? c : 0 by its weight w. With t in [.1, .2] that is 0 */
+#include "compiler/lower/blend.h"
+#include "compiler/lower/area.h"
+#include <math.h>
+
+enum {
+    ALIKE = 16,      /* how many times the least of alike items the greatest is at most */
+    KNOWN_DEPTH = 6, /* operations that are looked through for a value's bounds */
+};
+
+/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
+Ref blend_position(Lower *l, Ref t, Ref low, Ref high)
+{
+    Ir *ir = l->ir;
+    const double *from = ir_known(ir, low), *to = ir_known(ir, high);
+    Ref along = build_sub(ir, t, low);
+    if (from && to)
+        return build_mul(ir, along, area_known_inverse(l, low, high));
+    Ref width = build_sub(ir, high, low);
+    Ref flat = build_eq(ir, width, build_float(ir, 0));
+    return build_div(ir, along, build_select(ir, flat, build_float(ir, 1), width));
+}
+
+/* The guard is called as what it guards. */
+Ref blend_guarded(Lower *l, Ref shown, Ref value)
+{
+    Ir *ir = l->ir;
+    Ref guard = build_guard(ir, shown, value);
+    ir->nodes[guard].origin = ir->nodes[value].origin;
+    ir->nodes[guard].head = ir->nodes[value].head;
+    return guard;
+}
+
+bool blend_is_costly(const Ir *ir, Ref result) { return lower_cost_below(ir, result, BLEND_CHEAP) >= BLEND_CHEAP; }
+
+/* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT lines of ops.def; -1: it may be
+ * anywhere. */
+static int first_in_unit(Op op)
+{
+    switch (op) {
+#define UNIT(name, first)                                                                                              \
+    case OP_##name:                                                                                                    \
+        return first;
+#include "grammar/ops.def"
+    default:
+        return -1;
+    }
+}
+
+/* Every lane of a value is surely in [0, 1]. */
+static bool within_unit(const Ir *ir, Ref ref, int depth)
+{
+    const IrNode *node = ir_at(ir, ref);
+    const double *known = ir_known(ir, ref);
+    const int first = first_in_unit((Op)node->op);
+    for (int i = 0; known && i < ir_lanes(ir, ref); i++)
+        if (!(known[i] >= 0 && known[i] <= 1))
+            return false;
+    if (known || first < 0)
+        return known != NULL;
+    for (int i = first; i < node->count; i++)
+        if (!depth || !within_unit(ir, ir_arg(ir, ref, i), depth - 1))
+            return false;
+    return true;
+}
+
+/* Constants of which none is ALIKE times another. */
+static bool alike_constants(const Ir *ir, const Stop *stops, int count)
+{
+    double least = INFINITY, greatest = 0;
+    for (int i = 0; i < count; i++) {
+        if (!ir_known(ir, stops[i].result))
+            return false;
+        for (int lane = 0; lane < ir_lanes(ir, stops[i].result); lane++) {
+            double size = fabs(ir_known(ir, stops[i].result)[lane]);
+            least = fmin(least, size);
+            greatest = fmax(greatest, size);
+        }
+    }
+    return greatest <= ALIKE * least;
+}
+
+/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a small item behind a great one
+ * would be lost. */
+bool blend_alike(const Ir *ir, const Stop *stops, int count)
+{
+    bool unit = true;
+    for (int i = 0; unit && i < count; i++)
+        unit = within_unit(ir, stops[i].result, KNOWN_DEPTH);
+    return unit || alike_constants(ir, stops, count);
+}
+
+/* How much of a box of t has the step from a stop to the next behind it; no edge: of a point. */
+static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
+{
+    if (!edge)
+        return build_clamp(l->ir, blend_position(l, t, stop[0].value, stop[1].value), build_float(l->ir, 0),
+                           build_float(l->ir, 1));
+    return area_ramp(l, t, edge, stop[0].value, stop[1].value);
+}
+
+/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
+static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ir *ir = l->ir;
+    Ref result = stops[0].result;
+    for (int i = 1; i < count; i++) {
+        Ref share = step_share(l, t, edge, &stops[i - 1]);
+        result = build_add(ir, result, build_mul(ir, build_sub(ir, stops[i].result, stops[i - 1].result), share));
+    }
+    return result;
+}
+
+/* Of every item, how much of the box has come to it, or of the point: all to the first, and none beyond the last. */
+static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref *share = ARENA_ARRAY(l->session->arena, Ref, count + 1);
+    share[0] = build_float(l->ir, 1);
+    for (int i = 1; i < count; i++)
+        share[i] = step_share(l, t, edge, &stops[i - 1]);
+    share[count] = build_float(l->ir, 0);
+    return share;
+}
+
+/* Of every item, how much of the box it is: exactly 0 where that does not reach it. */
+static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ref *weight = shares(l, t, edge, stops, count);
+    for (int i = 0; i + 1 < count; i++)
+        weight[i] = build_sub(l->ir, weight[i], weight[i + 1]);
+    return weight;
+}
+
+static bool has_costly(const Ir *ir, const Stop *stops, int count)
+{
+    for (int i = 0; i < count; i++)
+        if (blend_is_costly(ir, stops[i].result))
+            return true;
+    return false;
+}
+
+/* What the items that answer what item i does weigh together, item i being the first of them; 0: it is not. Neighbours are one, so that
+ * those that are everywhere weigh 1. */
+static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int count, int i)
+{
+    const Ref result = stops[i].result;
+    Ref sum = 0;
+    for (int k = 0; k < i; k++)
+        if (stops[k].result == result)
+            return 0;
+    for (int end; i < count; i = end + 1) {
+        for (end = i; end < count && stops[end].result == result;)
+            end++;
+        if (end > i)
+            sum = build_plus(l->ir, sum, build_sub(l->ir, share[i], share[end]));
+    }
+    return sum;
+}
+
+/* The mean over a box of t, its costly items behind guards: an item counts by its weight, so where that is 0 it may be anything, and is
+ * not computed. The condition is the weight itself, whatever rounding made of it. */
+static Ref blend_guarded_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ir *ir = l->ir;
+    const Ref *share = shares(l, t, edge, stops, count);
+    Ref result = 0;
+    for (int i = 0; i < count; i++) {
+        Ref weight = weight_of_result(l, share, stops, count, i), value = stops[i].result;
+        if (!weight)
+            continue;
+        if (blend_is_costly(ir, value) && !ir_is(ir, weight, OP_const))
+            value = blend_guarded(l, build_ne(ir, weight, build_float(ir, 0)), value);
+        result = build_plus(ir, result, build_mul(ir, value, weight));
+    }
+    return result;
+}
+
+/* The mean of items that are not alike. */
+Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ir *ir = l->ir;
+    const Ref *weight = weights(l, t, edge, stops, count);
+    Ref result = build_mul(ir, stops[0].result, weight[0]);
+    for (int i = 1; i < count; i++)
+        result = build_add(ir, result, build_mul(ir, stops[i].result, weight[i]));
+    return result;
+}
+
+/* Of a sum by weights, whichever form the sum has; `edge` may be none. */
+Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    Ir *ir = l->ir;
+    Ref variance = 0, *weight = NULL;
+    for (int i = 0; i < count; i++) {
+        if (!stops[i].variance)
+            continue;
+        weight = weight ? weight : weights(l, t, edge ? edge : build_float(ir, 0), stops, count);
+        Ref term = build_mul(ir, stops[i].variance, build_square(ir, weight[i]));
+        variance = build_plus(ir, variance, term);
+    }
+    return variance;
+}
+
+/* Over a box of t. */
+Ref blend_over(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
+{
+    if (l->cheap && count <= BLEND_MOST_MIXES && has_costly(l->ir, stops, count))
+        return blend_guarded_area(l, t, edge, stops, count);
+    return blend_alike(l->ir, stops, count) ? blend_area(l, t, edge, stops, count)
+                                            : blend_weights(l, t, edge, stops, count);
+}
