@@ -231,21 +231,3 @@ Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env
     f = answer_scaled(l, f, octave_scale(l, omega, n));
     return answer_as_group(l, through_wave(l, node, f), group);
 }
-
-/* Left to right, operands behind their users. What has no cost of its own, lanes and vectors of them, may be met without end
- * where it is shared: a value of more than MOST_MET nodes is costly. */
-int lower_cost_below(const Ir *ir, Ref ref, int limit)
-{
-    enum { MOST_MET = 1024 };
-    Ref met[MOST_MET + UINT8_MAX] = {ref};
-    int cost = 0;
-    for (int from = 0, count = 1; from < count && cost < limit; from++) {
-        const IrNode *node = ir_at(ir, met[from]);
-        if (ir_applies(ir, met[from]) || count > MOST_MET)
-            return limit;
-        cost += ir_cost(ir, met[from]);
-        for (int i = 0; i < node->count; i++)
-            met[count++] = ir_arg(ir, met[from], i);
-    }
-    return cost;
-}

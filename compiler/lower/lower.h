@@ -112,7 +112,7 @@ Ref lower_param(Lower *l, const Value *value, Type type);
 const Node *lower_param_node(const Node *node, int param);
 /* Reports a param where the value must be known. */
 void lower_reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
-/* Cost of a value, up to `limit`: an upper bound, as shared parts count as often as they are met. */
+/* Cost of a value, up to `limit`: an upper bound, as shared parts count as often as they are met. lower_cost.c */
 int lower_cost_below(const Ir *ir, Ref ref, int limit);
 /* One material slot, by its name. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
