@@ -279,6 +279,51 @@ static void textures_keep_their_numbers(void **state)
     gl_close(gl);
 }
 
+/* All codes of an sRGB texture, by the driver, against IEC 61966-2-1: tests/bounds.def states the worst, and no mix of texels errs by more. */
+static void every_code_of_srgb_is_decoded(void **state)
+{
+    (void)state;
+    enum { CODES = 256 };
+    const double stated = 1.3e-3;
+    static const char fragment[] = "#version 330 core\nuniform sampler2D image; out vec4 c;"
+                                   "void main() { c = texelFetch(image, ivec2(gl_FragCoord.xy), 0); }";
+    GlContext *gl = open_context(true);
+    uint8_t texels[CODES * 4];
+    float rgba[CODES * 4];
+    Framebuffer target;
+    Mesh plane;
+    double worst = 0;
+    int at = 0;
+    for (int i = 0; i < CODES * 4; i++)
+        texels[i] = (uint8_t)(i / 4);
+    GLuint program = program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
+    GLuint texture = texture_make(
+        gl, &(TextureSpec){
+                .width = CODES, .height = 1, .lanes = 4, .bytes = texels, .format = texture_format("SRGB8_ALPHA8")});
+    assert_true(program && texture);
+    assert_true(mesh_make(gl, SHAPE_plane, &plane));
+    assert_true(framebuffer_make(gl, &(FramebufferSpec){CODES, 1, 1, GL_RGBA32F, false}, &target));
+    texture_bind(gl, texture, 0);
+    assert_true(set(gl, program, "image", &(float){0}));
+    mesh_draw(gl, &plane);
+    assert_true(framebuffer_read(gl, &target, 0, rgba));
+    for (int code = 0; code < CODES; code++) {
+        const double v = code / 255., linear = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+        for (int lane = 0; lane < 4; lane++) {
+            const double off = fabs((double)rgba[4 * code + lane] - (lane == 3 ? v : linear));
+            at = off > worst ? code : at;
+            worst = fmax(worst, off);
+        }
+    }
+    print_message("%s: sRGB codes err by %.2e, most at %d\n", gl->renderer, worst, at);
+    assert_true(worst <= stated);
+    framebuffer_delete(gl, &target);
+    mesh_delete(gl, &plane);
+    gl->DeleteTextures(1, &texture);
+    gl->DeleteProgram(program);
+    gl_close(gl);
+}
+
 /* Stripes of four texels, seen so flat that a pixel covers a quarter of a texel across them and 16 along: greatest less least value of the
  * pixels. */
 static double contrast(GlContext *gl, int anisotropy)
@@ -503,6 +548,7 @@ int main(int count, char **arguments)
         cmocka_unit_test(faults_are_said),
         cmocka_unit_test(depth_only_is_complete),
         cmocka_unit_test(textures_keep_their_numbers),
+        cmocka_unit_test(every_code_of_srgb_is_decoded),
         cmocka_unit_test(shapes_are_oriented),
         cmocka_unit_test(derivatives_are_those_of_the_position),
         cmocka_unit_test(matrices_invert),

@@ -1,12 +1,13 @@
 /* The proof: what the emitted programs draw is what the oracle says, for every example, slot, level and target.
  * tests/bounds.def says how far they may be apart, and the table at the end how far they are.
- * VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says more of each fault. */
+ * VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says more of each fault; VALUE_SEED=N takes other points. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/value/draw.h"
+#include "tests/value/sampler.h"
 #include "tests/value/verdicts.h"
 #include "tests/value/ways.h"
 #include "tests/value/workers.h"
@@ -51,6 +52,7 @@ typedef struct {
     int material;
     Oracle *oracles[NOISES];
     Hull *hulls[NOISES][2][2]; /* by noise, exact derivatives and side */
+    Hull *sampled[2];          /* by side, where the driver samples pictures */
 } Subject;
 
 /* Of the material seen from behind, when nothing but the normal turns. */
@@ -88,8 +90,25 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool ex
     return *hulls;
 }
 
+static const Hull *sampled_hulls_of(Worker *w, Subject *s, bool front)
+{
+    const Hull *exact = hulls_of(w, s, REFERENCE_LATTICE, false, front);
+    Hull **sampled = &s->sampled[front];
+    if (*sampled)
+        return *sampled;
+    *sampled = malloc(POINT_COUNT * sizeof **sampled);
+    if (!*sampled)
+        abort();
+    memcpy(*sampled, exact, POINT_COUNT * sizeof **sampled);
+    const PointSet points = {w->run->points, POINT_COUNT, front, &reach_float};
+    sampler_widen(s->oracles[REFERENCE_LATTICE], s->document->graph, s->material, &points, *sampled);
+    return *sampled;
+}
+
 static void forget(Subject *s)
 {
+    free(s->sampled[0]);
+    free(s->sampled[1]);
     for (int noise = 0; noise < NOISES; noise++) {
         oracle_close(s->oracles[noise]);
         for (int i = 0; i < 4; i++)
@@ -137,7 +156,8 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = job_noise(basis, c->way->target);
     bool exact = choice == CHOICE_derivatives_analytic;
-    const Hull *hulls = hulls_of(w, c->subject, noise, exact, front);
+    const Hull *hulls = way_samples(c->way, c->subjects) ? sampled_hulls_of(w, c->subject, front)
+                                                         : hulls_of(w, c->subject, noise, exact, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++) {
@@ -270,7 +290,7 @@ static void check_material(Worker *w, Document *document, int material, bool cha
         for (int i = 0; i < way_count; i++) {
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
-            const double bound = way_bound(way, document, &subjects, governing);
+            const double bound = way_bound(way, document, governing);
             if (way_matters(way, &subjects))
                 check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
@@ -348,7 +368,8 @@ static void examples_draw_what_they_mean(void **state)
     (void)state;
     static Run run;
     static Point points[POINT_COUNT];
-    points_make(points);
+    const char *seed = getenv("VALUE_SEED");
+    points_make_others(points, seed ? atoi(seed) : 0);
     run.documents = documents_list(SOURCE_FOLDER);
     run.points = points;
     verdicts_open(&run.verdicts);

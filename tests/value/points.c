@@ -70,14 +70,14 @@ static void set_all(Point *p, float value)
 
 typedef struct {
     Point *at;
-    int count;
+    int count, first; /* in the sequence */
 } Points;
 
 static Point *add(Points *points, double size)
 {
     if (points->count == POINT_COUNT)
         return &points->at[POINT_COUNT - 1];
-    points->at[points->count] = random_point(points->count, size);
+    points->at[points->count] = random_point(points->first + points->count, size);
     return &points->at[points->count++];
 }
 
@@ -112,9 +112,9 @@ static void add_specials(Points *points)
     memset(add(points, 2)->input[INPUT_DV], 0, sizeof points->at->input[INPUT_DV]);
 }
 
-void points_make(Point points[POINT_COUNT])
+void points_make_others(Point points[POINT_COUNT], int seed)
 {
-    Points made = {points, 0};
+    Points made = {points, 0, seed * POINT_COUNT};
     add_borders(&made);
     add_specials(&made);
     for (int i = 0; i < 60; i++)
@@ -126,6 +126,8 @@ void points_make(Point points[POINT_COUNT])
     for (int i = 0; i < POINT_COUNT; i++) /* one normal in eye and world: eyeFromWorld is the identity */
         memcpy(points[i].input[INPUT_eyeN], points[i].input[INPUT_N], sizeof points[i].input[INPUT_N]);
 }
+
+void points_make(Point points[POINT_COUNT]) { points_make_others(points, 0); }
 
 void point_surface(const Point *point, bool front, Surface *surface)
 {
@@ -216,6 +218,15 @@ void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, 
             meet(oracle, material, &there, &hulls[i]);
         }
         flush(&here);
+        meet(oracle, material, &here, &hulls[i]);
+    }
+}
+
+void points_widen(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls)
+{
+    for (int i = 0; i < points->count; i++) {
+        Surface here;
+        point_surface(&points->at[i], points->front, &here);
         meet(oracle, material, &here, &hulls[i]);
     }
 }

@@ -16,6 +16,8 @@ enum { GRID_WIDTH = 32, GRID_HEIGHT = 20, POINT_COUNT = GRID_WIDTH * GRID_HEIGHT
 /* Quasi-random ones in [-2, 2], large ones to 1e6, borders of cells with their neighbours, zeros, tiny ones; normals and
  * tangents of any length, some of them zero. Always the same. */
 void points_make(Point points[POINT_COUNT]);
+/* Others of the same kinds; of seed 0 those. */
+void points_make_others(Point points[POINT_COUNT], int seed);
 
 extern const double point_ior; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);
@@ -49,6 +51,9 @@ typedef struct {
 
 /* A hull for every point. */
 void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls);
+
+/* Takes in what the material has at the points themselves once something else has moved: a uniform, a picture. */
+void points_widen(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls);
 
 /* How far a number lies outside of the hull of a lane, in units of max(1, |value|). The hull is a sample of the
  * neighbourhood: it is taken to be wider by its own width on both sides. */

@@ -48,11 +48,7 @@ bool way_matters(const Way *way, const Subjects *subjects)
     return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap];
 }
 
-/* Pictures come through the driver's sampler, whose weights and results have eight bits: two codes, and as much more as a Blend along
- * them is steep, or an exponent: -2 / ln(s (2 - s)) grows by a tenth from s = 0.80 to 0.81. Slopes of them, which a BumpMap takes, are test_filtered_picture's. */
-static const double sampler_bound = 2. / 255, sampler_blend_bound = 10. / 255;
-
-static bool is_sampled(const Way *way, const Subjects *subjects)
+bool way_samples(const Way *way, const Subjects *subjects)
 {
     return way->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
 }
@@ -69,16 +65,15 @@ static double half_bound(const Document *document, Target target)
     return 0;
 }
 
-double way_bound(const Way *way, const Document *document, const Subjects *subjects, int governing)
+double way_bound(const Way *way, const Document *document, int governing)
 {
-    const double bound = fmax(bound_table[governing].bound, half_bound(document, way->target));
-    const bool steep = subjects->has[KIND_Blend] || subjects->has[SUBJECT_SLOTS + (int)SLOT_shininess];
-    return !is_sampled(way, subjects) ? bound : fmax(bound, steep ? sampler_blend_bound : sampler_bound);
+    return fmax(bound_table[governing].bound, half_bound(document, way->target));
 }
 
 /* So far out that differences of the oracle's doubles are no measure of a derivative, or the bounded sine's bound is no more. */
 static const float far_for_slopes = 1000, far_for_sines = 1e5f;
-/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. */
+/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. Slopes of what it gives, which a BumpMap takes, are
+ * test_filtered_picture's. */
 static const float far_for_samplers = 100;
 
 static bool point_is_far(const Point *point, float far)
@@ -100,7 +95,7 @@ static bool point_on_edges(const Point *point)
 
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
 {
-    const bool sampled = is_sampled(way, subjects);
+    const bool sampled = way_samples(way, subjects);
     return !point_is_extreme(point) &&
            !(way->choice == CHOICE_derivatives_analytic && point_is_far(point, far_for_slopes)) &&
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&

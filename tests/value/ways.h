@@ -19,7 +19,9 @@ const char *way_name(const Way *way, bool front, char text[64]);
 /* Whether its choice can change what the subjects make. */
 bool way_matters(const Way *way, const Subjects *subjects);
 /* How far a value may lie outside of its hull, in units of max(1, |oracle|). */
-double way_bound(const Way *way, const Document *document, const Subjects *subjects, int governing);
+double way_bound(const Way *way, const Document *document, int governing);
+/* Whether the driver's sampler takes part, whose pictures are those of sampler.h. */
+bool way_samples(const Way *way, const Subjects *subjects);
 /* Whether the bound holds at the point; elsewhere a value has to be finite, and no more. */
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point);
 #endif
