@@ -99,10 +99,10 @@ export class Matc {
   }
 
   // Pictures are decoded by the browser, but for those of 16 bits; what matc makes is read from its files.
-  texture(out, {name, file, filter, format, colorspace, anisotropy}, used) {
-    const at = path.resolve(this.root, used ?? file ?? path.join(out, `${name}.ktx`)), key = [at, filter, format, colorspace, anisotropy].join(' ');
+  texture(out, {name, file, filter, format, colorspace, wrap, anisotropy}, used) {
+    const at = path.resolve(this.root, used ?? file ?? path.join(out, `${name}.ktx`)), key = [at, filter, format, colorspace, wrap, anisotropy].join(' ');
     if (!this.textures.has(key)) {
-      this.textures.set(key, {key, mipmaps: filter === 'mipmaps', format, anisotropy, sent: false, ...texelsOf(at, colorspace)});
+      this.textures.set(key, {key, mipmaps: filter === 'mipmaps', format, wrap, anisotropy, sent: false, ...texelsOf(at, colorspace)});
     }
     return key;
   }

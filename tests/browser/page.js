@@ -102,7 +102,7 @@ function newTexture(key) {
   gl.bindTexture(gl.TEXTURE_2D, texture);
 }
 // {key, format, picture: base64} is decoded by the browser; {key, format, width, height, lanes, floats | bytes: base64} are texels.
-async function addTexture({key, format, picture, width, height, lanes, floats, bytes, mipmaps, anisotropy}) {
+async function addTexture({key, format, picture, width, height, lanes, floats, bytes, mipmaps, wrap, anisotropy}) {
   const decode = text => Uint8Array.from(atob(text), c => c.charCodeAt(0));
   newTexture(key);
   gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
@@ -115,6 +115,7 @@ async function addTexture({key, format, picture, width, height, lanes, floats, b
     const data = floats ? new Float32Array(decode(floats).buffer) : decode(bytes);
     gl.texImage2D(gl.TEXTURE_2D, 0, gl[format], width, height, 0, lanes === 4 ? gl.RGBA : gl.RED, floats ? gl.FLOAT : gl.UNSIGNED_BYTE, data);
   }
+  for (const axis of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, axis, gl[wrap.toUpperCase()]);
   sampled(mipmaps, anisotropy);
 }
 function setTextures(program, list) {
