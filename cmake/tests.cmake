@@ -85,6 +85,7 @@ matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR
 matc_test(order sh tests/order.sh)
 matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
 matc_test(locale sh tests/locale.sh)
+matc_test(readmes sh tests/readmes.sh)
 matc_test(exports sh tests/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
 matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
 add_executable(tree_json tests/suites/tree.c)

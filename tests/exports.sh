@@ -17,8 +17,7 @@ find "$build" -name '*.c.o' | grep -E '\.dir/(compiler|runtime|grammar)/' | grep
 
 # -- "header type" and "header name" of every type and every function that a header of the product has
 
-git ls-files -co --exclude-standard -- 'compiler/*.h' 'runtime/*.h' 'grammar/*.h' | while read -r header; do [ ! -f "$header" ] || echo "$header"; done |
-    xargs awk '
+find compiler runtime grammar -name '*.h' | xargs awk '
     function snake(name) { while (match(name, /[a-z0-9][A-Z]/)) name = substr(name, 1, RSTART) "_" substr(name, RSTART + 1); return tolower(name) }
     /^} [A-Z][A-Za-z0-9]*;/ { print "type", FILENAME, snake(substr($2, 1, length($2) - 1)) }
     /^typedef / { n = split($0, word, /[ ;*(),]+/); for (i = n; i > 1; i--) if (word[i] ~ /^[A-Z]/) { print "type", FILENAME, snake(word[i]); break } }
@@ -42,8 +41,7 @@ awk -v headers="$work/headers" '
 
 # -- Parameters of every definition, in the layout that clang-format gives: a line at the left margin, up to its brace
 
-git ls-files -co --exclude-standard -- 'compiler/*.c' 'runtime/*.c' 'grammar/*.c' 'tests/*.c' 'compiler/*.h' 'runtime/*.h' 'tests/*.h' |
-    while read -r source; do [ ! -f "$source" ] || echo "$source"; done | xargs awk -v most="$most" '
+find compiler runtime grammar tests -name '*.[ch]' | xargs awk -v most="$most" '
     FNR == 1 { head = "" }
     /^[A-Za-z]/ && /\(/ && !/^(typedef|#)/ && !/^[A-Z_]+\(/ { head = $0; line = FNR }
     head != "" && FNR > line { head = head $0 }

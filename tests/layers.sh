@@ -30,8 +30,8 @@ END
 
 # -- Includes: "user used", as files
 
-git ls-files -co --exclude-standard -- 'compiler/*.[ch]' 'runtime/*.[ch]' 'grammar/*.[ch]' | grep -v '^grammar/gen/' | while read -r file; do
-    [ ! -f "$file" ] || sed -nE "s,^ *# *include \"((compiler|runtime|grammar)/[^\"]*)\".*,$file \1,p" "$file"
+find compiler runtime grammar -path grammar/gen -prune -o -name '*.[ch]' -print | while read -r file; do
+    sed -nE "s,^ *# *include \"((compiler|runtime|grammar)/[^\"]*)\".*,$file \1,p" "$file"
 done | grep -v ' compiler/matc\.h$' >"$work/includes"
 
 # -- Calls: an edge from the object that wants a symbol to the one that defines it

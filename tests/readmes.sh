@@ -1,0 +1,27 @@
+#!/bin/sh
+# A folder's README.md is a page that is true: it names every .c and .def of the folder, names no file that is not there, and the
+# README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. Run from the project's root.
+set -eu
+all=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -print)
+end='
+'
+said=$(
+    find compiler runtime grammar tests -name README.md | LC_ALL=C sort | while read -r page; do
+        folder=${page%/README.md}
+        above=$(dirname "$folder")
+        grep -qF "(${folder##*/}/README.md)" "$above/README.md" || echo "$above/README.md does not lead to $page"
+        names=$(grep -o '`[^` ]*`' "$page" | tr -d '`' | grep -E '^[A-Za-z0-9_/*.]+\.(c|h|def|glsl|sh|txt)$' | sort -u)
+        for name in $names; do
+            case $all$end in */$name"$end"*) ;; *) echo "$page names $name, which is not there" ;; esac
+        done
+        for file in "$folder"/*.c "$folder"/*.def; do
+            known=
+            for name in $names; do
+                case ${file##*/} in ${name##*/}) known=1 ;; esac
+            done
+            [ "$known" ] || [ ! -f "$file" ] || echo "$page does not name ${file##*/}"
+        done
+    done
+)
+[ -z "$said" ] || echo "$said"
+[ -z "$said" ]
