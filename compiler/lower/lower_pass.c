@@ -50,10 +50,8 @@ static Env plane_env(Lower *l)
     Ref v = build_div(ir, build_dot(ir, from, v_axis), nonzero(l, build_dot(ir, v_axis, v_axis)));
     Ref uv = build_vec(ir, TYPE_vec3, u, v, build_float(ir, 0));
     Ref point = build_vec(ir, TYPE_vec4, p, build_float(ir, 1));
-    Ref z = build_dot(ir, build_input(ir, INPUT_clipZ), point), w = build_dot(ir, build_input(ir, INPUT_clipW), point);
+    Ref z = build_dot(ir, build_input(ir, INPUT_depthZ), point), w = build_dot(ir, build_input(ir, INPUT_clipW), point);
     Ref depth = build_div(ir, z, nonzero(l, w));
-    if (!target_table[l->job->target].zero_to_one)
-        depth = build_add(ir, build_scale(ir, depth, 0.5), build_float(ir, 0.5));
     ir_output(ir, OUT_discard, 0, build_le(ir, along, build_float(ir, 0)));
     ir_output(ir, OUT_depth, 0, build_clamp(ir, depth, build_float(ir, 0), build_float(ir, 1)));
     set_root(l, u, build_float(ir, 1), 0);

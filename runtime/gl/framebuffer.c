@@ -64,17 +64,20 @@ static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLe
     return texture;
 }
 
+/* What is not there yet is made. */
 static void attach(const GlContext *gl, Framebuffer *f)
 {
     gl->GenFramebuffers(1, &f->name);
     gl->BindFramebuffer(GL_FRAMEBUFFER, f->name);
     for (int i = 0; i < f->spec.color_count; i++) {
-        f->colors[i] = make_texture(gl, &f->spec, f->formats[i]);
+        if (!f->borrowed)
+            f->colors[i] = make_texture(gl, &f->spec, f->formats[i]);
         gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_TEXTURE_2D, f->colors[i], 0);
     }
     if (!f->spec.depth)
         return;
-    f->depth = make_texture(gl, &f->spec, GL_DEPTH_COMPONENT32F);
+    if (!f->borrowed)
+        f->depth = make_texture(gl, &f->spec, GL_DEPTH_COMPONENT32F);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, f->depth, 0);
 }
 
@@ -95,7 +98,7 @@ static bool check_complete(GlContext *gl)
     }
 }
 
-/* The spec is checked. */
+/* The spec is checked; a framebuffer that borrows has its textures. */
 static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
 {
     made->spec = *spec;
@@ -129,6 +132,37 @@ bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const ch
             return gl_fail(gl, "no render target can be '%s' here", names[i]);
     }
     return make_of(gl, spec, formats, made);
+}
+
+bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec, const FramebufferTextures *textures,
+                             Framebuffer *made)
+{
+    GLenum formats[FRAMEBUFFER_COLORS] = {0};
+    memset(made, 0, sizeof *made);
+    if (!check_spec(gl, spec))
+        return false;
+    for (int i = 0; i < spec->color_count; i++)
+        formats[i] = format_of(textures->formats[i]);
+    memcpy(made->colors, textures->colors, sizeof made->colors);
+    made->depth = textures->depth;
+    made->borrowed = true;
+    return make_of(gl, spec, formats, made);
+}
+
+GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec)
+{
+    const FramebufferSpec size = {.width = spec->width, .height = spec->height};
+    const bool depth = !strcmp(spec->format, "DEPTH32F");
+    const GLenum format = depth ? GL_DEPTH_COMPONENT32F : format_of(spec->format);
+    if (!check_spec(gl, &size))
+        return 0;
+    if (!format)
+        return gl_fail(gl, "no render target can be '%s' here", spec->format), 0;
+    GLuint texture = make_texture(gl, &size, format);
+    if (gl_check(gl, "making a render target"))
+        return texture;
+    gl->DeleteTextures(1, &texture);
+    return 0;
 }
 
 void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer)
@@ -194,7 +228,9 @@ bool framebuffer_read_words(GlContext *gl, const Framebuffer *framebuffer, int c
 void framebuffer_delete(const GlContext *gl, Framebuffer *framebuffer)
 {
     gl->DeleteFramebuffers(1, &framebuffer->name); /* GL ignores the name 0 */
-    gl->DeleteTextures(FRAMEBUFFER_COLORS, framebuffer->colors);
-    gl->DeleteTextures(1, &framebuffer->depth);
+    if (!framebuffer->borrowed) {
+        gl->DeleteTextures(FRAMEBUFFER_COLORS, framebuffer->colors);
+        gl->DeleteTextures(1, &framebuffer->depth);
+    }
     memset(framebuffer, 0, sizeof *framebuffer);
 }

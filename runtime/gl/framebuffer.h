@@ -18,6 +18,7 @@ typedef struct {
     GLuint colors[FRAMEBUFFER_COLORS];  /* textures, nearest filter */
     GLuint depth;                       /* texture, 0 without depth; reads as plain red */
     GLenum formats[FRAMEBUFFER_COLORS]; /* of the colours */
+    bool borrowed;                      /* the textures are the caller's */
 } Framebuffer;
 
 /* A part of one colour target. */
@@ -31,6 +32,20 @@ bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *m
 
 /* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI"; color_format is not read. */
 bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made);
+/* Targets by themselves, for framebuffers that share them: nearest filter. 0: see gl->error. Delete with gl->DeleteTextures. */
+typedef struct {
+    int width, height;
+    const char *format; /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F": depth, which reads as plain red */
+} TargetSpec;
+GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec);
+/* Such textures, the first spec->color_count of them, and depth, or 0. */
+typedef struct {
+    GLuint colors[FRAMEBUFFER_COLORS], depth;
+    const char *formats[FRAMEBUFFER_COLORS];
+} FramebufferTextures;
+/* Draws to textures that the caller keeps. */
+bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec, const FramebufferTextures *textures,
+                             Framebuffer *made);
 /* The target holds whole numbers. */
 bool framebuffer_has_words(const Framebuffer *framebuffer, int color);
 

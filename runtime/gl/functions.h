@@ -32,6 +32,7 @@
     F(DELETETEXTURES, DeleteTextures)                                                                                  \
     F(DELETEVERTEXARRAYS, DeleteVertexArrays)                                                                          \
     F(DEPTHFUNC, DepthFunc)                                                                                            \
+    F(DEPTHRANGE, DepthRange)                                                                                          \
     F(DISABLE, Disable)                                                                                                \
     F(DRAWARRAYS, DrawArrays)                                                                                          \
     F(DRAWBUFFERS, DrawBuffers)                                                                                        \
@@ -41,6 +42,7 @@
     F(ENDQUERY, EndQuery)                                                                                              \
     F(FINISH, Finish)                                                                                                  \
     F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                                                                      \
+    F(FRONTFACE, FrontFace)                                                                                            \
     F(GENBUFFERS, GenBuffers)                                                                                          \
     F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                \
     F(GENQUERIES, GenQueries)                                                                                          \
@@ -78,9 +80,13 @@
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                                        \
     F(VIEWPORT, Viewport)
 
-/* What a driver may lack: of OpenGL 3.1 and 3.3. */
+/* What a driver may lack: of OpenGL 3.1, 3.3, 4.2, 4.3 and 4.5. */
 #define GL_OPTIONAL_FUNCTIONS(F)                                                                                       \
     F(BINDBUFFERBASE, BindBufferBase)                                                                                  \
+    F(BINDIMAGETEXTURE, BindImageTexture)                                                                              \
+    F(CLIPCONTROL, ClipControl)                                                                                        \
+    F(DISPATCHCOMPUTE, DispatchCompute)                                                                                \
+    F(MEMORYBARRIER, MemoryBarrier)                                                                                    \
     F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                \
     F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                        \
     F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                                        \

@@ -25,7 +25,7 @@ static int count_pieces(const char *const *pieces)
 
 static GLuint compile(GlContext *gl, GLenum type, const char *const *pieces)
 {
-    const char *name = type == GL_VERTEX_SHADER ? "vertex" : "fragment";
+    const char *name = type == GL_VERTEX_SHADER ? "vertex" : type == GL_COMPUTE_SHADER ? "compute" : "fragment";
     int count = count_pieces(pieces);
     if (count == 0)
         return gl_fail(gl, "%s: no text", name), 0;
@@ -68,13 +68,15 @@ static bool link(GlContext *gl, GLuint program)
     return false;
 }
 
+/* A compute shader stands alone: there is no fragment shader then. */
 static GLuint join(GlContext *gl, GLuint vertex, GLuint fragment, const ProgramText *text)
 {
     GLuint program = gl->CreateProgram();
     if (!program)
         return gl_fail(gl, "link: no program to be had"), 0;
     gl->AttachShader(program, vertex);
-    gl->AttachShader(program, fragment);
+    if (fragment)
+        gl->AttachShader(program, fragment);
     bind_names(gl, program, text);
     if (link(gl, program))
         return program;
@@ -84,11 +86,12 @@ static GLuint join(GlContext *gl, GLuint vertex, GLuint fragment, const ProgramT
 
 GLuint program_make(GlContext *gl, const ProgramText *text)
 {
-    GLuint vertex = compile(gl, GL_VERTEX_SHADER, text->vertex);
+    const bool alone = text->compute[0] != NULL;
+    GLuint vertex = alone ? compile(gl, GL_COMPUTE_SHADER, text->compute) : compile(gl, GL_VERTEX_SHADER, text->vertex);
     if (!vertex)
         return 0;
-    GLuint fragment = compile(gl, GL_FRAGMENT_SHADER, text->fragment);
-    GLuint program = fragment ? join(gl, vertex, fragment, text) : 0;
+    GLuint fragment = alone ? 0 : compile(gl, GL_FRAGMENT_SHADER, text->fragment);
+    GLuint program = fragment || alone ? join(gl, vertex, fragment, text) : 0;
     gl->DeleteShader(vertex); /* the program keeps what it needs */
     gl->DeleteShader(fragment);
     if (program && !gl_check(gl, "making a program")) {

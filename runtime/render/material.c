@@ -198,6 +198,17 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
     block->changed = false;
 }
 
+/* Others who share the program may have handed it theirs; what it holds already is not handed over again. */
+static void use_uniform(const GlContext *gl, const GlUniform *uniform, const float *values, StoreHeld *held)
+{
+    const size_t size = (size_t)uniform->lanes * sizeof *values;
+    if (held->known && !memcmp(held->values, values, size))
+        return;
+    uniform_set(gl, uniform, values);
+    memcpy(held->values, values, size);
+    held->known = true;
+}
+
 void material_use(Material *m)
 {
     const GlContext *gl = context(m);
@@ -207,7 +218,7 @@ void material_use(Material *m)
         texture_bind(gl, m->textures[i]->name, i);
     for (int i = 0; i < all->count; i++)
         if (all->at[i].block < 0)
-            uniform_set(gl, &all->at[i], m->values[i]); /* each: others who share the program have set theirs */
+            use_uniform(gl, &all->at[i], m->values[i], &m->program->held[i]);
     for (int i = 0; i < all->block_count; i++)
         use_block(gl, i, all->block_sizes[i], &m->blocks[i]);
 }

@@ -42,6 +42,6 @@ bool material_set_numbers(Material *material, const MatcProgram *program);
 /* Bytes of a block, in std140, from its start. False if the program has no such block. */
 bool material_write(Material *material, const char *block, const void *bytes, size_t size);
 
-/* Makes its program the current one, binds its textures and buffers, and hands over what was set. */
+/* Makes its program the current one, binds its textures and buffers, and hands over what it does not hold already. */
 void material_use(Material *material);
 #endif

@@ -12,8 +12,13 @@ static void set_plane(const Spaces *spaces, const Mat4 *clip_from_world, Materia
     set(material, "matc_planeOrigin", 3, spaces->plane[0]);
     set(material, "matc_planeU", 3, spaces->plane[1]);
     set(material, "matc_planeV", 3, spaces->plane[2]);
-    set(material, "matc_clipZ", 4, (float[4]){m[2], m[6], m[10], m[14]}); /* rows of the matrix */
-    set(material, "matc_clipW", 4, (float[4]){m[3], m[7], m[11], m[15]});
+    float depth[4], w[4];
+    for (int i = 0; i < 4; i++) {
+        w[i] = m[4 * i + 3]; /* rows of the matrix */
+        depth[i] = spaces->zero_to_one ? m[4 * i + 2] : (m[4 * i + 2] + w[i]) / 2;
+    }
+    set(material, "matc_depthZ", 4, depth);
+    set(material, "matc_clipW", 4, w);
 }
 
 void spaces_set(const Spaces *spaces, Material *material)

@@ -8,6 +8,7 @@ typedef struct {
     Mat4 world_from_local, eye_from_world, clip_from_eye;
     float eye[3];      /* in the world */
     float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
+    bool zero_to_one;  /* depth in clip space is from 0 to 1: glClipControl; else from -1 */
 } Spaces;
 
 /* Sets those that the material's program has. */

@@ -76,6 +76,7 @@ static void delete_item(const Store *store, const Table *table, StoreItem *item)
     else
         store->gl->DeleteTextures(1, &item->name);
     uniforms_free(&item->uniforms);
+    free(item->held);
 }
 
 void store_drop(Store *store, const StoreItem *item)
@@ -115,16 +116,25 @@ static Key key_of_text(const char *text) { return text ? key_of_bytes(text, strl
 /* The key of the keys of all parts, so that none runs into the next. */
 static Key key_of_program(const ProgramText *text)
 {
-    Key parts[2 * PROGRAM_PIECES + 2 * LONGEST_LIST] = {{0}};
+    enum { LISTS = 3 * PROGRAM_PIECES };
+    Key parts[LISTS + 2 * LONGEST_LIST] = {{0}};
     for (int i = 0; i < PROGRAM_PIECES && text->vertex[i]; i++)
         parts[i] = key_of_text(text->vertex[i]);
     for (int i = 0; i < PROGRAM_PIECES && text->fragment[i]; i++)
         parts[PROGRAM_PIECES + i] = key_of_text(text->fragment[i]);
+    for (int i = 0; i < PROGRAM_PIECES && text->compute[i]; i++)
+        parts[2 * PROGRAM_PIECES + i] = key_of_text(text->compute[i]);
     for (int i = 0; i < text->attribute_count; i++)
-        parts[2 * PROGRAM_PIECES + i] = key_of_text(text->attributes[i]);
+        parts[LISTS + i] = key_of_text(text->attributes[i]);
     for (int i = 0; i < text->output_count; i++)
-        parts[2 * PROGRAM_PIECES + LONGEST_LIST + i] = key_of_text(text->outputs[i]);
+        parts[LISTS + LONGEST_LIST + i] = key_of_text(text->outputs[i]);
     return key_of_bytes(parts, sizeof parts);
+}
+
+static bool make_held(const Store *store, StoreItem *program)
+{
+    program->held = calloc((size_t)program->uniforms.count + 1, sizeof *program->held);
+    return program->held || gl_fail(store->gl, "out of memory");
 }
 
 const StoreItem *store_program(Store *store, const ProgramText *text)
@@ -139,7 +149,7 @@ const StoreItem *store_program(Store *store, const ProgramText *text)
     if (item)
         return item;
     made.name = program_make(store->gl, text);
-    if (made.name && uniforms_read(store->gl, made.name, &made.uniforms))
+    if (made.name && uniforms_read(store->gl, made.name, &made.uniforms) && make_held(store, &made))
         item = add(store, &store->programs, key, &made);
     if (!item)
         delete_item(store, &store->programs, &made); /* GL ignores the name 0 */

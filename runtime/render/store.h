@@ -6,13 +6,20 @@
 #include "runtime/gl/texture.h"
 #include "runtime/gl/uniforms.h"
 
+/* What a plain uniform of a program holds on the driver's side. */
+typedef struct StoreHeld {
+    bool known;
+    float values[16];
+} StoreHeld;
+
 /* Of one context, which is current at every call. */
 typedef struct Store Store;
 
 /* A program or a texture. */
 typedef struct {
     GLuint name;
-    GlUniforms uniforms; /* of a program */
+    GlUniforms uniforms;    /* of a program */
+    struct StoreHeld *held; /* of a program, by uniform: what it was handed last */
 } StoreItem;
 
 /* NULL: see gl->error. */

@@ -14,7 +14,7 @@ const uniforms = [
   {name: 'matc_eyePosition', type: 'vec3', value: [0, 0, 3]}, {name: 'matc_ior', type: 'float', value: [1]},
   {name: 'matc_eyeFromWorld', type: 'mat3', value: unit3},
   {name: 'matc_planeOrigin', type: 'vec3', value: [0, 0, 0]}, {name: 'matc_planeU', type: 'vec3', value: [1, 0, 0]},
-  {name: 'matc_planeV', type: 'vec3', value: [0, 1, 0]}, {name: 'matc_clipZ', type: 'vec4', value: [0, 0, -1.01, 2.83]},
+  {name: 'matc_planeV', type: 'vec3', value: [0, 1, 0]}, {name: 'matc_depthZ', type: 'vec4', value: [0, 0, -1.005, 2.915]},
   {name: 'matc_clipW', type: 'vec4', value: [0, 0, -1, 3]}
 ];
 

@@ -178,8 +178,8 @@ static void spot_open(Spot *s, Program *program, Pixel pixel, const Point *point
     memcpy(s->inputs[INPUT_planeU], s->inputs[INPUT_DU], sizeof s->inputs[0]);
     memcpy(s->inputs[INPUT_planeV], s->inputs[INPUT_DV], sizeof s->inputs[0]);
     memcpy(s->inputs[INPUT_eye], s->inputs[INPUT_P], sizeof s->inputs[0]);
-    s->inputs[INPUT_clipZ][2] = s->inputs[INPUT_clipW][2] = -1;
-    s->inputs[INPUT_clipZ][3] = -1;
+    s->inputs[INPUT_depthZ][2] = s->inputs[INPUT_clipW][2] = -1;
+    s->inputs[INPUT_depthZ][3] = -1;
 }
 
 /* Finite at every node, as written and optimised, in double and in float; false with no fault: values leave the range. */
