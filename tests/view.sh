@@ -44,6 +44,32 @@ check "a mesh that is not there" status 1 $draw --mesh="$work/no.obj" $example -
 check "is told" says 'no.obj: No such file'
 check "and nothing drawn" test ! -e "$work/none.png"
 
+# -- a scene
+
+scene="$matview --size=40 examples/scenes/solids.yaml"
+check "a scene" status 0 $scene -o "$work/scene.png"
+check "in its proportions" test "$(od -An -tx1 -j16 -N8 "$work/scene.png" | tr -d ' ')" = 0000002800000019
+for view in light depth normal diffuse; do
+    check "--view=$view" status 0 $scene --view=$view -o "$work/view.png"
+    check "shows something else" differ scene view
+done
+check "--stats" status 0 $scene --stats -o "$work/view.png"
+check "says what ran" says '^light     depth, gbuffer  light           [0-9.]*$'
+check "and is the same picture" same scene view
+check "--emit=frame" status 0 $scene --emit=frame
+check "says what would" grep -q '^plane     depth, gbuffer  depth, gbuffer  there is an infinite plane$' "$work/stdout"
+for option in --shape=cube --samples=2 --camera=top --slot=normal --pass=sky --emit=ir; do
+    check "$option is not for a scene" status 2 $scene $option -o "$work/none.png"
+    check "and draws nothing" test ! -e "$work/none.png"
+done
+check "--view is not for a material" status 2 $draw --view=depth $example -o "$work/none.png"
+check "a view that there is not" status 1 $scene --view=deep -o "$work/none.png"
+check "is told" says "there is no view 'deep'"
+printf 'objects: [{ object: Spere }]\n' >"$work/faulty.yaml"
+check "a scene with a fault" status 1 $matview "$work/faulty.yaml" -o "$work/none.png"
+check "is told with its place" says "faulty.yaml:1:21: error: no object is called 'Spere'; did you mean 'Sphere'?"
+check "and draws nothing" test ! -e "$work/none.png"
+
 # -- --contact
 
 # wide PICTURE, high PICTURE: what a PNG says of its size

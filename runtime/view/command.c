@@ -12,7 +12,9 @@ enum { EDGE = 512, CELL = 192 };
 const char command_help[] =
     "usage: matview [options] document...\n"
     "\n"
-    "Draws pictures of materials, and prints the names of the files.\n"
+    "Draws pictures of materials and of scenes, and prints the names of the files. A document with `objects:` or "
+    "`lights:` is a scene;\n"
+    "matc --list=scenes has what it is made of.\n"
     "\n"
     "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
     "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
@@ -33,9 +35,15 @@ const char command_help[] =
     "all.\n"
     "                       Exponents as their logarithm to base 2, of 16; of the layout integer unless one is named\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
+    "of a scene\n"
+    "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
+    "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
+    "  --emit=frame         the passes and their targets, and no picture\n"
+    "of both\n"
     "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
     "  --constants, --normals: as matc has them\n"
-    "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192\n"
+    "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, in its "
+    "proportions\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
     "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
     "  --help, --version\n"
@@ -65,6 +73,7 @@ static const char *add_param(Command *command, const char *text)
 static const char *set_view(Command *command, const char *name, const char *value)
 {
     ViewOptions *view = &command->picture.view;
+    command->shaped |= !strcmp(name, "--shape") || !strcmp(name, "--samples");
     if (!strcmp(name, "--shape"))
         return shape_find(value, &view->shape) ? NULL : "--shape: sphere, plane, cube, torus, cloth or ground";
     if (!strcmp(name, "--gl"))
@@ -77,8 +86,14 @@ static const char *set_view(Command *command, const char *name, const char *valu
         command->viewpoint = value;
     else if (!strcmp(name, "--slot"))
         view->slot = value;
+    else if (!strcmp(name, "--view"))
+        command->view = value;
+    else if (!strcmp(name, "--emit"))
+        command->graph = !strcmp(value, "frame");
     else
         return "no such option";
+    if (!strcmp(name, "--emit") && !command->graph)
+        return "--emit: frame";
     return NULL;
 }
 
@@ -112,6 +127,7 @@ static bool read_flag(Command *command, const char *arg)
     } flags[] = {{"--help", &command->help},
                  {"-h", &command->help},
                  {"--version", &command->version},
+                 {"--stats", &command->stats},
                  {"--watch", &command->watch}};
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (!strcmp(arg, flags[i].name))
@@ -151,12 +167,29 @@ const char *command_read(Command *command, int argc, char **argv)
     return fault;
 }
 
+/* NULL, or the option that a scene has no use for. */
+const char *command_check_scene(const Command *command)
+{
+    const ViewOptions *view = &command->picture.view;
+    if (command->contact || command->mesh || command->material || command->viewpoint || command->shaped || view->slot ||
+        view->sky || command->picture.param_count)
+        return "a scene has its own objects, materials and camera: it takes none of --shape, --samples, --mesh, "
+               "--material, --param, --camera, --slot, --pass, --contact";
+    return NULL;
+}
+
+const char *command_check_material(const Command *command)
+{
+    return command->view || command->stats || command->graph ? "--view, --stats and --emit=frame are of scenes" : NULL;
+}
+
 /* What is seen, and from where. */
 static const char *check_view(Command *command)
 {
     MatcOptions *compile = &command->picture.compile;
     ViewOptions *view = &command->picture.view;
     view->sky = compile->pass && !strcmp(compile->pass, "sky");
+    command->size = view->width;
     if (!view->width)
         view->width = command->contact ? CELL : EDGE;
     view->height = view->width;

@@ -13,6 +13,9 @@ typedef struct {
     int input_count;
     const char *output, *folder, *contact, *mesh, *material, *viewpoint;
     GlKind gl;
+    int size;                  /* as it was asked for; 0: it was not */
+    const char *view;          /* of a scene: what is shown of it */
+    bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     bool watch, help, version;
     Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
     struct WatchList *watched; /* files that were met; or NULL */
@@ -24,5 +27,8 @@ extern const char command_help[];
 const char *command_read(Command *command, int argc, char **argv);
 /* Whether they go together; completes what follows from them. NULL, or what is wrong. */
 const char *command_check(Command *command);
+/* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */
+const char *command_check_scene(const Command *command);
+const char *command_check_material(const Command *command);
 void command_free(Command *command);
 #endif

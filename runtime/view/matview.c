@@ -4,6 +4,7 @@
 #include "compiler/base/text.h"
 #include "compiler/base/watch.h"
 #include "runtime/view/command.h"
+#include "runtime/view/scene_picture.h"
 #include "runtime/scene/model.h"
 #include "runtime/gl/png_write.h"
 #include <errno.h>
@@ -41,7 +42,8 @@ static int usage(const char *what)
     return USAGE;
 }
 
-static MatcDocument *read_document(const Command *command, const char *path)
+/* *scene is NULL for materials alone. */
+static MatcDocument *read_document(const Command *command, const char *path, Scene **scene)
 {
     bool standard = !strcmp(path, "-");
     size_t size;
@@ -50,7 +52,7 @@ static MatcDocument *read_document(const Command *command, const char *path)
     if (!text)
         complain(path, why);
     MatcDocument *document =
-        text ? matc_read(standard ? "<stdin>" : path, text, size, &command->picture.compile) : NULL;
+        text ? scene_read(standard ? "<stdin>" : path, text, size, &command->picture.compile, scene) : NULL;
     free(text);
     return document;
 }
@@ -138,6 +140,37 @@ static int choose_and_draw(const Command *command, MatcDocument *document, const
     return status;
 }
 
+static ScenePictureOptions scene_options(const Command *command, const Scene *scene)
+{
+    const int width = command->size ? command->size : scene->width;
+    const long height = ((long)scene->height * width + scene->width / 2) / scene->width;
+    return (ScenePictureOptions){{.compile = &command->picture.compile,
+                                  .view = command->view,
+                                  .width = width,
+                                  .height = height > 0 ? (int)height : 1},
+                                 .stats = command->stats,
+                                 .graph = command->graph};
+}
+
+static int draw_scene(const Command *command, const Scene *scene, const char *input)
+{
+    char path[LONGEST_PATH], name[LONGEST_NAME], *words;
+    PngPicture picture;
+    const char *fault = command_check_scene(command);
+    if (fault)
+        return usage(fault);
+    const ScenePictureOptions options = scene_options(command, scene);
+    if (!scene_picture_draw(command->picture.view.gl, scene, &options, &picture, &words))
+        return complain(input, command->picture.view.gl->error);
+    name_of(input, NULL, name);
+    path_of(command, name, path);
+    fputs(words ? words : "", options.graph ? stdout : stderr);
+    const bool done = options.graph || write_picture(&picture, path);
+    free(words);
+    free(picture.bytes);
+    return done ? FINE : FAULT;
+}
+
 /* What the picture is made of: also of a document that could not be read. */
 static void watch_input(const Command *command, const char *input, const MatcDocument *document)
 {
@@ -151,12 +184,18 @@ static void watch_input(const Command *command, const char *input, const MatcDoc
 
 static int run_input(const Command *command, const char *input)
 {
-    MatcDocument *document = read_document(command, input);
+    Scene *scene = NULL;
+    MatcDocument *document = read_document(command, input, &scene);
     watch_input(command, input, document);
     if (!document)
         return FAULT;
     fputs(matc_diagnostics(document, MATC_TEXT), stderr);
-    int status = matc_error_count(document) ? FAULT : choose_and_draw(command, document, input);
+    const char *fault = scene ? NULL : command_check_material(command);
+    int status = matc_error_count(document) ? FAULT
+                 : scene                    ? draw_scene(command, scene, input)
+                 : fault                    ? usage(fault)
+                                            : choose_and_draw(command, document, input);
+    scene_free(scene);
     matc_document_free(document);
     return status;
 }

@@ -1,0 +1,143 @@
+/* The list of passes, and the targets between them. */
+#include "runtime/render/frame.h"
+#include <string.h>
+
+#define DEPTH   (1u << FRAME_TARGET_depth)
+#define GBUFFER (1u << FRAME_TARGET_gbuffer)
+#define LIGHT   (1u << FRAME_TARGET_light)
+#define SHOWN   (1u << FRAME_TARGET_shown)
+
+const FramePass frame_passes[] = {
+    /*  name       reads            fills            changes */
+    {{"surface", 0, DEPTH | GBUFFER, 0},
+     pass_surface_needed,
+     NULL,
+     pass_surface_draw,
+     "always: what is not drawn is clear"},
+    {{"plane", 0, 0, DEPTH | GBUFFER}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane"},
+    {{"light", DEPTH | GBUFFER, LIGHT, 0},
+     pass_light_needed,
+     pass_light_make,
+     pass_light_draw,
+     "always: what is not lit is black"},
+    {{"sky", DEPTH, 0, LIGHT}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky"},
+    {{"tone", LIGHT, SHOWN, 0}, pass_light_needed, pass_tone_make, pass_tone_draw, "the picture is wanted"},
+};
+enum { PASS_COUNT_HERE = sizeof frame_passes / sizeof *frame_passes };
+
+int frame_pass_count(void) { return PASS_COUNT_HERE; }
+
+/* Two targets can share memory if both are one texture of one format. */
+static int class_of(const Render *render, FrameTarget target)
+{
+    for (int other = 0; target != FRAME_TARGET_gbuffer && other < (int)target; other++)
+        if (other != FRAME_TARGET_gbuffer &&
+            !strcmp(frame_format(render, (FrameTarget)other, 0), frame_format(render, target, 0)))
+            return other;
+    return (int)target;
+}
+
+/* -- the plan */
+
+static unsigned wanted(const Render *render)
+{
+    const char *view = render->options.view;
+    for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
+        if (target != FRAME_TARGET_gbuffer && !strcmp(view, frame_target_name((FrameTarget)target)))
+            return 1u << target;
+    return view ? GBUFFER : SHOWN;
+}
+
+FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
+                               int classes[FRAME_TARGET_COUNT])
+{
+    unsigned allowed = 0;
+    for (int i = 0; i < PASS_COUNT_HERE; i++) {
+        rows[i] = frame_passes[i].plan;
+        allowed |= (unsigned)frame_passes[i].needed(render) << i;
+    }
+    for (int target = 0; target < FRAME_TARGET_COUNT; target++)
+        classes[target] = class_of(render, (FrameTarget)target);
+    return (FramePlanRequest){rows, PASS_COUNT_HERE, allowed, wanted(render), FRAME_TARGET_COUNT, classes};
+}
+
+static bool make_memory(Render *render)
+{
+    const FramePlan *plan = &render->plan;
+    for (int target = 0; target < FRAME_TARGET_COUNT; target++) {
+        FrameMemory *memory = plan->memory[target] < 0 ? NULL : &render->memory[plan->memory[target]];
+        const char *format;
+        if (!memory || memory->count)
+            continue; /* not there, or made for another */
+        while ((format = frame_format(render, (FrameTarget)target, memory->count))) {
+            const TargetSpec spec = {render->size[0], render->size[1], format};
+            memory->textures[memory->count] = framebuffer_target(render->gl, &spec);
+            if (!memory->textures[memory->count])
+                return false;
+            memory->count++;
+        }
+    }
+    return true;
+}
+
+/* The targets of each: colours, then whether depth is with them. */
+static const struct {
+    FrameTarget color;
+    bool depth;
+} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, true},
+                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, true},
+                             [FRAME_DRAW_light] = {FRAME_TARGET_light, false},
+                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, false}};
+
+static bool make_draw(Render *render, FrameDraw draw)
+{
+    const FrameTarget color = draws[draw].color;
+    const unsigned there = render->plan.there;
+    FramebufferTextures textures = {.depth = draws[draw].depth ? frame_texture(render, FRAME_TARGET_depth, 0) : 0};
+    FramebufferSpec spec = {render->size[0], render->size[1], 0, 0, draws[draw].depth};
+    if (!(there >> color & 1) || (draws[draw].depth && !(there & DEPTH)))
+        return true; /* nobody draws there */
+    for (const char *format; (format = frame_format(render, color, spec.color_count)); spec.color_count++) {
+        textures.formats[spec.color_count] = format;
+        textures.colors[spec.color_count] = frame_texture(render, color, spec.color_count);
+    }
+    return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
+}
+
+bool frame_make(Render *render)
+{
+    FramePlanPass rows[FRAME_PLAN_MOST];
+    int classes[FRAME_TARGET_COUNT];
+    const FramePlanRequest request = frame_request(render, rows, classes);
+    frame_plan(&request, &render->plan);
+    bool fine = make_memory(render);
+    for (int draw = 0; fine && draw < FRAME_DRAW_COUNT; draw++)
+        fine = make_draw(render, (FrameDraw)draw);
+    for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
+        if (render->plan.runs >> i & 1 && frame_passes[i].make)
+            fine = frame_passes[i].make(render);
+    return fine;
+}
+
+void frame_draw(Render *render)
+{
+    for (int i = 0; i < PASS_COUNT_HERE; i++)
+        if (render->plan.runs >> i & 1)
+            frame_passes[i].draw(render);
+}
+
+void frame_delete(Render *render)
+{
+    GlContext *gl = render->gl;
+    screen_pass_delete(&render->light);
+    screen_pass_delete(&render->tone);
+    for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
+        framebuffer_delete(gl, &render->draws[draw]);
+    for (int piece = 0; piece < FRAME_PLAN_MOST; piece++) {
+        gl->DeleteTextures(render->memory[piece].count, render->memory[piece].textures);
+        render->memory[piece] = (FrameMemory){0};
+    }
+    gl->DeleteTextures(1, &render->lights); /* GL ignores the name 0 */
+    render->lights = 0;
+    render->plan = (FramePlan){0};
+}

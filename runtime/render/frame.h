@@ -1,0 +1,95 @@
+/* What a frame is drawn with. Private to frame.c, render.c and the passes. */
+#ifndef MATC_RENDER_FRAME_H
+#define MATC_RENDER_FRAME_H
+#include "runtime/render/cache.h"
+#include "runtime/render/frame_plan.h"
+#include "runtime/render/reader.h"
+#include "runtime/render/render.h"
+#include "runtime/render/screen_pass.h"
+
+typedef enum {
+    FRAME_TARGET_depth,
+    FRAME_TARGET_gbuffer,
+    FRAME_TARGET_light,
+    FRAME_TARGET_shown,
+    FRAME_TARGET_COUNT
+} FrameTarget;
+
+/* Textures that are drawn to together. */
+typedef enum {
+    FRAME_DRAW_surface, /* G-buffer and depth */
+    FRAME_DRAW_sky,     /* light and depth */
+    FRAME_DRAW_light,
+    FRAME_DRAW_shown,
+    FRAME_DRAW_COUNT
+} FrameDraw;
+
+/* Memory of a target: one texture, or those of the G-buffer. */
+typedef struct {
+    GLuint textures[FRAMEBUFFER_COLORS];
+    int count;
+} FrameMemory;
+
+struct Render {
+    GlContext *gl;
+    Store *store;
+    MatcOptions compile;
+    RenderOptions options;
+    const Scene *scene;
+    int size[2];
+    bool compute, zero_to_one;
+    Set set;
+    ViewSpace space;
+    Cache cache;
+    Screen screen;
+    bool has_screen;
+    FramePlan plan;
+    FrameMemory memory[FRAME_PLAN_MOST];
+    Framebuffer draws[FRAME_DRAW_COUNT];
+    ScreenPass light, tone;
+    GLuint lights; /* texels of view_space_lights */
+    int light_count;
+    Reader reader; /* of a slot that is viewed */
+    bool has_reader;
+};
+
+/* A pass, as a row: frame.c has the list. */
+typedef struct {
+    FramePlanPass plan;
+    bool (*needed)(const Render *render); /* there is something to do */
+    bool (*make)(Render *render);         /* its programs; NULL: the cache has them */
+    void (*draw)(Render *render);
+    const char *when; /* it is needed, in words */
+} FramePass;
+
+extern const FramePass frame_passes[];
+int frame_pass_count(void);
+
+/* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
+const char *frame_format(const Render *render, FrameTarget target, int texture);
+int frame_bytes(const Render *render, FrameTarget target); /* of a pixel */
+const char *frame_target_name(FrameTarget target);
+
+/* Decides what runs, and makes targets and programs of that. */
+bool frame_make(Render *render);
+void frame_draw(Render *render);
+void frame_delete(Render *render);
+/* What the plan was asked for. The passes are written to `rows`. */
+FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
+                               int classes[FRAME_TARGET_COUNT]);
+
+/* The passes' own functions. */
+bool pass_surface_needed(const Render *render);
+void pass_surface_draw(Render *render);
+bool pass_plane_needed(const Render *render);
+void pass_plane_draw(Render *render);
+bool pass_sky_needed(const Render *render);
+void pass_sky_draw(Render *render);
+bool pass_light_needed(const Render *render);
+bool pass_light_make(Render *render);
+void pass_light_draw(Render *render);
+bool pass_tone_make(Render *render);
+void pass_tone_draw(Render *render);
+/* The texture of a target, and its number among those that are there together. */
+GLuint frame_texture(const Render *render, FrameTarget target, int texture);
+#endif

@@ -1,0 +1,51 @@
+/* Names, formats and textures of a frame's targets. */
+#include "runtime/render/frame.h"
+#include <string.h>
+
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "light", "shown"};
+
+const char *frame_target_name(FrameTarget target) { return names[target]; }
+
+/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half float would be the worse. */
+static bool is_exact(const Render *render)
+{
+    const double degrees = 0.005;
+    const LayoutRow *layout = set_layout(&render->set, &render->compile);
+    for (int i = 0; i < layout->cases[0].field_count; i++) {
+        const FieldRow *field = &layout->cases[0].fields[i];
+        if (field->source[0].slot == SLOT_normal)
+            return field_error(field) < degrees;
+    }
+    return false;
+}
+
+const char *frame_format(const Render *render, FrameTarget target, int texture)
+{
+    const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] = "DEPTH32F",
+                                                 [FRAME_TARGET_light] = is_exact(render) ? "RGBA32F" : "RGBA16F",
+                                                 [FRAME_TARGET_shown] = "RGBA8"};
+    if (target == FRAME_TARGET_gbuffer)
+        return texture < FRAMEBUFFER_COLORS ? set_format(&render->set, texture) : NULL;
+    return texture == 0 ? one[target] : NULL;
+}
+
+static const struct {
+    const char *format;
+    int bytes;
+} sizes[] = {{"DEPTH32F", 4}, {"RGBA8", 4},  {"RGBA16F", 8},   {"RGBA32F", 16},
+             {"R32UI", 4},    {"RG32UI", 8}, {"RGBA32UI", 16}, {"RGBA16UI", 8}};
+
+int frame_bytes(const Render *render, FrameTarget target)
+{
+    int bytes = 0;
+    for (int t = 0; frame_format(render, target, t); t++)
+        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+            bytes += strcmp(sizes[i].format, frame_format(render, target, t)) ? 0 : sizes[i].bytes;
+    return bytes;
+}
+
+GLuint frame_texture(const Render *render, FrameTarget target, int texture)
+{
+    const int piece = render->plan.memory[target];
+    return piece < 0 ? 0 : render->memory[piece].textures[texture];
+}

@@ -1,0 +1,79 @@
+/* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where nothing is. Depth is reversed: it begins at
+ * 0, and what is nearer is greater. */
+#include "runtime/render/frame.h"
+
+bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
+bool pass_plane_needed(const Render *render) { return render->cache.plane_count > 0; }
+bool pass_sky_needed(const Render *render) { return render->cache.has_sky; }
+
+static void clear(const GlContext *gl, const Framebuffer *framebuffer)
+{
+    static const GLuint no_words[4];
+    static const float no_floats[4];
+    for (int i = 0; i < framebuffer->spec.color_count; i++)
+        if (framebuffer_has_words(framebuffer, i))
+            gl->ClearBufferuiv(GL_COLOR, i, no_words);
+        else
+            gl->ClearBufferfv(GL_COLOR, i, no_floats);
+    gl->ClearBufferfv(GL_DEPTH, 0, no_floats);
+}
+
+static void begin(const Render *render, FrameDraw draw, GLenum test)
+{
+    const GlContext *gl = render->gl;
+    framebuffer_use(gl, &render->draws[draw]);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(test);
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+/* As a context begins. */
+static void end(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    gl->DepthFunc(GL_LESS);
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+void pass_surface_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    bool mirrored = false;
+    begin(render, FRAME_DRAW_surface, GL_GREATER);
+    clear(gl, &render->draws[FRAME_DRAW_surface]);
+    for (int i = 0; i < render->cache.surface_count; i++) {
+        Drawable *drawable = &render->cache.surfaces[i];
+        if (drawable->mirrored != mirrored)
+            gl->FrontFace((mirrored = drawable->mirrored) ? GL_CW : GL_CCW);
+        material_use(&drawable->material);
+        mesh_draw(gl, &render->cache.meshes[drawable->mesh]);
+    }
+    if (mirrored)
+        gl->FrontFace(GL_CCW);
+    end(render);
+}
+
+void pass_plane_draw(Render *render)
+{
+    begin(render, FRAME_DRAW_surface, GL_GREATER);
+    for (int i = 0; i < render->cache.plane_count; i++) {
+        material_use(&render->cache.planes[i].material);
+        screen_draw(render->gl, &render->screen);
+    }
+    end(render);
+}
+
+/* Every depth of the triangle is 0, whatever clip space it comes from. */
+void pass_sky_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    begin(render, FRAME_DRAW_sky, GL_EQUAL);
+    gl->DepthRange(0, 0);
+    material_use(&render->cache.sky);
+    screen_draw(gl, &render->screen);
+    gl->DepthRange(0, 1);
+    end(render);
+}

@@ -1,0 +1,260 @@
+/* The renderer as its caller sees it: what is made when, and what is read. */
+#include "runtime/render/render.h"
+#include "compiler/base/session.h"
+#include "runtime/render/frame.h"
+#include <stdlib.h>
+#include <string.h>
+
+static int find_slot(const char *name)
+{
+    int slot = 0;
+    while (slot < SLOT_COUNT && strcmp(slot_table[slot].name, name) != 0)
+        slot++;
+    return slot;
+}
+
+static bool is_target(const char *view)
+{
+    return !strcmp(view, "shown") || !strcmp(view, "light") || !strcmp(view, "depth");
+}
+
+Render *render_open(GlContext *gl, const RenderOptions *options)
+{
+    Render *render = calloc(1, sizeof *render);
+    if (!render || (options->view && !is_target(options->view) && find_slot(options->view) == SLOT_COUNT)) {
+        gl_fail(gl, render ? "there is no view '%s': shown, light, depth, or a slot" : "out of memory", options->view);
+        free(render);
+        return NULL;
+    }
+    render->gl = gl;
+    render->options = *options;
+    render->compile = *options->compile;
+    render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute &&
+                      gl->BindImageTexture && gl->MemoryBarrier;
+    render->zero_to_one = gl->ClipControl != NULL && gl->major * 10 + gl->minor >= 45;
+    render->store = store_new(gl);
+    render->has_screen = render->store && screen_make(gl, &render->screen);
+    if (render->has_screen)
+        return render;
+    render_close(render);
+    return NULL;
+}
+
+/* All that depends on the scene. */
+static void forget_scene(Render *render)
+{
+    if (render->has_reader)
+        reader_delete(&render->reader);
+    render->has_reader = false;
+    frame_delete(render);
+    cache_delete(render->gl, &render->cache);
+    set_free(&render->set);
+    render->scene = NULL;
+}
+
+void render_close(Render *render)
+{
+    if (!render)
+        return;
+    GlContext *gl = render->gl;
+    if (render->store) {
+        gl->UseProgram(0);
+        gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+        forget_scene(render);
+    }
+    if (render->has_screen)
+        screen_delete(gl, &render->screen);
+    store_free(render->store);
+    gl->ActiveTexture(GL_TEXTURE0);
+    free(render);
+}
+
+static Target target_of(const Set *set)
+{
+    int target = 0;
+    while (strcmp(target_table[target].name, set->target) != 0)
+        target++;
+    return (Target)target;
+}
+
+/* A view of a slot is read by a program of its own. */
+static bool make_reader(Render *render)
+{
+    const char *view = render->options.view;
+    if (!view || is_target(view) || !render->set.unpack)
+        return true;
+    const LayoutRow *layout = set_layout(&render->set, &render->compile);
+    const ReaderSource source = {render->set.unpack, target_of(&render->set), layout, render->size[0], render->size[1]};
+    render->has_reader = reader_make(render->store, &source, &render->reader);
+    return render->has_reader;
+}
+
+static bool make_scene(Render *render, const Scene *scene)
+{
+    const CacheSource source = {scene, &render->set, &render->space};
+    render->scene = scene;
+    render->size[0] = render->options.width ? render->options.width : scene->width;
+    render->size[1] = render->options.height ? render->options.height : scene->height;
+    view_space_make(&scene->camera, render->size, render->zero_to_one, &render->space);
+    return set_make(render->gl, scene, &render->compile, &render->set) &&
+           cache_make(render->store, &source, &render->cache) && frame_make(render) && make_reader(render);
+}
+
+bool render_scene(Render *render, const Scene *scene)
+{
+    forget_scene(render);
+    if (make_scene(render, scene))
+        return true;
+    forget_scene(render);
+    return false;
+}
+
+bool render_frame(Render *render)
+{
+    if (!render->scene)
+        return gl_fail(render->gl, "there is no scene to draw");
+    frame_draw(render);
+    return true;
+}
+
+int render_width(const Render *render) { return render->size[0]; }
+int render_height(const Render *render) { return render->size[1]; }
+
+/* From the end on, as lanes are written before they are read. */
+static bool read_depth(Render *render, float *rgba)
+{
+    GlContext *gl = render->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->draws[FRAME_DRAW_surface].name);
+    gl->ReadPixels(0, 0, render->size[0], render->size[1], GL_DEPTH_COMPONENT, GL_FLOAT, rgba);
+    for (size_t i = (size_t)render->size[0] * (size_t)render->size[1]; i-- > 0;) {
+        const float depth = rgba[i];
+        memcpy(rgba + 4 * i, (float[4]){depth, 0, 0, 1}, 4 * sizeof *rgba);
+    }
+    return gl_check(gl, "reading the depth");
+}
+
+bool render_read(Render *render, float *rgba)
+{
+    const char *view = render->options.view ? render->options.view : "shown";
+    if (!render->scene)
+        return gl_fail(render->gl, "there is no scene to read");
+    if (!gl_check(render->gl, "drawing a frame"))
+        return false;
+    if (render->has_reader)
+        return reader_read(&render->reader, &render->draws[FRAME_DRAW_surface], (Slot)find_slot(view), rgba);
+    if (!strcmp(view, "depth"))
+        return read_depth(render, rgba);
+    if (!is_target(view)) {
+        memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
+        return true; /* of no surface */
+    }
+    return framebuffer_read(render->gl, &render->draws[strcmp(view, "light") ? FRAME_DRAW_shown : FRAME_DRAW_light], 0,
+                            rgba);
+}
+
+/* -- what runs, in words */
+
+static void put_targets(Text *out, unsigned targets)
+{
+    const char *comma = "";
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++)
+        if (targets >> i & 1) {
+            text_format(out, "%s%s", comma, frame_target_name((FrameTarget)i));
+            comma = ", ";
+        }
+    if (!targets)
+        text_put(out, "-");
+}
+
+static const char *joined(Arena *arena, unsigned targets)
+{
+    Text text = text_new(arena);
+    put_targets(&text, targets);
+    return text.at;
+}
+
+/* `seconds` of each pass, or NULL. */
+static void put_passes(Text *out, const Render *render, const double *seconds)
+{
+    FramePlanPass rows[FRAME_PLAN_MOST];
+    int classes[FRAME_TARGET_COUNT];
+    const FramePlanRequest request = frame_request(render, rows, classes);
+    text_format(out, "%-8s  %-14s  %-14s  %s\n", "pass", "reads", "writes", seconds ? "milliseconds" : "runs when");
+    for (int i = 0; i < frame_pass_count(); i++) {
+        const char *why = frame_plan_reason(&request, &render->plan, i);
+        text_format(out, "%-8s  %-14s  %-14s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
+                    joined(out->arena, rows[i].fills | rows[i].changes));
+        if (why)
+            text_format(out, "not run: %s\n", why);
+        else if (seconds)
+            text_rounded(out, 1e3 * seconds[i], 3), text_char(out, '\n');
+        else
+            text_format(out, "%s\n", frame_passes[i].when);
+    }
+}
+
+static void put_memory(Text *out, const Render *render)
+{
+    int whole = 0;
+    text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
+        const FrameTarget target = (FrameTarget)i;
+        Text formats = text_new(out->arena);
+        bool shared = false;
+        text_put(&formats, "");
+        for (int t = 0; frame_format(render, target, t); t++)
+            text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
+        for (int k = 0; k < i; k++)
+            shared |= render->plan.memory[i] >= 0 && render->plan.memory[k] == render->plan.memory[i];
+        if (render->plan.memory[i] < 0)
+            text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
+        else
+            text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),
+                        shared ? ", shared" : "");
+        whole += render->plan.memory[i] >= 0 && !shared ? frame_bytes(render, target) : 0;
+    }
+    text_format(out, "%-8s  %-24s  %d\n", "", "", whole);
+}
+
+static char *finish(Text *out)
+{
+    char *copy = strdup(out->at);
+    if (!copy)
+        abort();
+    arena_free(out->arena);
+    return copy;
+}
+
+char *render_graph(const Render *render)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    put_passes(&out, render, NULL);
+    put_memory(&out, render);
+    return finish(&out);
+}
+
+char *render_stats(Render *render)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    double seconds[FRAME_PLAN_MOST] = {0};
+    render->gl->Finish();
+    for (int i = 0; i < frame_pass_count(); i++) {
+        const double start = session_now();
+        if (!(render->plan.runs >> i & 1))
+            continue;
+        frame_passes[i].draw(render);
+        render->gl->Finish();
+        seconds[i] = session_now() - start;
+    }
+    put_passes(&out, render, seconds);
+    put_memory(&out, render);
+    text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
+                render->size[0], render->size[1], render->scene->object_count, render->cache.triangles,
+                render->cache.mesh_count, render->cache.plane_count, render->scene->light_count);
+    text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
+                render->scene->material_count, render->set.count, render->set.texts,
+                render->compute ? "compute" : "fragments");
+    return finish(&out);
+}

@@ -1,0 +1,43 @@
+/* The renderer: scenes drawn with matc's programs, on a context that the caller made and that is current at every call.
+ *
+ *     Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+ *     if (render && render_scene(render, scene) && render_frame(render))
+ *         render_read(render, rgba);
+ *     render_close(render);
+ *
+ * A function that returns false or NULL leaves the reason in the context's error. */
+#ifndef MATC_RENDER_H
+#define MATC_RENDER_H
+#include "runtime/gl/context.h"
+#include "runtime/scene/scene.h"
+
+typedef struct Render Render;
+
+typedef struct {
+    const MatcOptions
+        *compile;      /* how programs compute; layout NULL: the smallest that holds the scene's materials. Copied */
+    const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
+    int width, height; /* of the picture; 0: as the scene says */
+    bool fragment;     /* passes over all pixels are fragment programs, also where there is compute */
+} RenderOptions;
+
+/* Opens a renderer. NULL: see gl->error. */
+Render *render_open(GlContext *gl, const RenderOptions *options);
+/* With all that it made. NULL is nothing. */
+void render_close(Render *render);
+
+/* Makes what drawing the scene takes; the scene is not kept, but is there until the next one, or the end. Further frames need no more. */
+bool render_scene(Render *render, const Scene *scene);
+/* Draws. A frame after the first of a scene makes no GL call but those that bind, clear, draw and dispatch. */
+bool render_frame(Render *render);
+
+int render_width(const Render *render);
+int render_height(const Render *render);
+/* The view, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. */
+bool render_read(Render *render, float *rgba);
+
+/* The passes: what each reads and writes, which run, and why not; targets, their bytes and which share memory. From malloc. */
+char *render_graph(const Render *render);
+/* The same with what a frame took, drawn once more pass by pass; programs, triangles, bytes. From malloc. NULL: see the context's error. */
+char *render_stats(Render *render);
+#endif

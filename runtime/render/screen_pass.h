@@ -1,0 +1,29 @@
+/* A pass over all pixels of a target: one body of GLSL, passPixel(), with two entries: compute, where there is GL 4.3, or a fragment program. */
+#ifndef MATC_RENDER_SCREEN_PASS_H
+#define MATC_RENDER_SCREEN_PASS_H
+#include "runtime/gl/framebuffer.h"
+#include "runtime/gl/screen.h"
+#include "runtime/render/material.h"
+
+enum { SCREEN_PASS_PIECES = 3 };
+
+typedef struct {
+    const char *body[SCREEN_PASS_PIECES]; /* GLSL, read one after the other; NULL ends the list */
+    const char *format;                   /* of the target: "RGBA16F", ... */
+    bool compute;                         /* wanted; there must be GL 4.3 then */
+} ScreenPassText;
+
+typedef struct {
+    Material material;
+    bool compute;
+    GLenum format;
+} ScreenPass;
+
+/* False: see the context's error; *made is empty then. */
+bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made);
+/* The unit that a sampler reads from, at which a texture is bound before every run. */
+void screen_pass_sampler(ScreenPass *pass, const char *name, int unit);
+/* Runs over all pixels of the framebuffer's only target. */
+void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *screen);
+void screen_pass_delete(ScreenPass *pass);
+#endif

@@ -1,0 +1,37 @@
+/* A scene's materials as one set: one layout, a program for each material and each pass that draws it; those that differ in numbers only
+ * share a text, and take their numbers from a buffer. */
+#ifndef MATC_RENDER_SET_H
+#define MATC_RENDER_SET_H
+#include "runtime/gl/context.h"
+#include "runtime/scene/scene.h"
+
+typedef struct {
+    int material;         /* in Scene.materials */
+    const char *pass;     /* "gbuffer", "plane", "sky" */
+    MatcProgram *program; /* its numbers, textures and uniforms */
+    int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
+} SetProgram;
+
+typedef struct {
+    MatcLayout *layout; /* NULL: a named one */
+    const char *target; /* of the GLSL */
+    const char *unpack; /* GLSL that reads the layout back; NULL: there is no surface */
+    SetProgram *programs;
+    int count;
+    int texts; /* so many different ones */
+} Set;
+
+/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. False: see gl->error. *made is empty then. */
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, Set *made);
+void set_free(Set *set);
+
+/* The program of a material in a pass; there is one. */
+const SetProgram *set_find(const Set *set, int material, const char *pass);
+/* Texts to draw with. */
+const char *set_vertex(const Set *set, const SetProgram *program);
+const char *set_fragment(const Set *set, const SetProgram *program);
+/* The layout, of `compile` where it was named there. */
+const LayoutRow *set_layout(const Set *set, const MatcOptions *compile);
+/* Formats of the G-buffer's targets: NULL behind the last. */
+const char *set_format(const Set *set, int target);
+#endif

@@ -1,0 +1,42 @@
+// The surface model Phong (semantics.md 4.1): what a point with these slots sends to the eye of light that comes from `l`. Its reference
+// is the sum in tests/frame_reference.h. What a layout lacks is as slots.def says of absent slots, and costs nothing.
+struct Lit {
+    vec3 normal, diffuse, specular, behind, ambient, emissive;
+    float shininess;
+};
+
+Lit surfaceLit(Surface s)
+{
+    Lit m = Lit(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 4.0);
+#ifdef SURFACE_HAS_normal
+    m.normal = s.normal;
+#endif
+#ifdef SURFACE_HAS_diffuse
+    m.diffuse = s.diffuse;
+#endif
+#ifdef SURFACE_HAS_specular
+    m.specular = s.specular;
+#endif
+#ifdef SURFACE_HAS_shininess
+    m.shininess = s.shininess;
+#endif
+#ifdef SURFACE_HAS_diffuseTransparency
+    m.behind = s.diffuseTransparency;
+#endif
+#ifdef SURFACE_HAS_ambient
+    m.ambient = s.ambient;
+#endif
+#ifdef SURFACE_HAS_emissive
+    m.emissive = s.emissive;
+#endif
+    return m;
+}
+
+// The lobe, the cosine counted in. `reflected` is the mirrored view; the normal faces the eye.
+vec3 surfaceLobe(Lit m, vec3 reflected, vec3 l)
+{
+    float cosine = dot(m.normal, l);
+    if (cosine <= 0.0) return -cosine * m.behind;
+    float along = max(dot(reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
+    return cosine * (m.diffuse + m.specular * pow(along, m.shininess));
+}

@@ -1,0 +1,113 @@
+/* Sums in double, rounded once. */
+#include "runtime/render/view_space.h"
+#include <math.h>
+#include <string.h>
+
+static Mat4 rounded(const double m[16])
+{
+    Mat4 result;
+    for (int i = 0; i < 16; i++)
+        result.m[i] = (float)m[i];
+    return result;
+}
+
+static void look(const SceneCamera *camera, double m[16])
+{
+    const double *axes[3] = {camera->right, camera->up, camera->back};
+    memset(m, 0, 16 * sizeof *m);
+    for (int row = 0; row < 3; row++)
+        for (int column = 0; column < 3; column++) {
+            m[4 * column + row] = axes[row][column];
+            m[12 + row] -= axes[row][column] * camera->position[column];
+        }
+    m[15] = 1;
+}
+
+/* Reversed: depth 1 is nearest. With perspective it is near / distance, and 0 infinitely far; z of clip space is that, or, from -1 to 1, twice
+ * that less 1, times w. Orthographic: 1 - distance / depth. */
+static void project(const SceneCamera *camera, const double half[2], bool zero_to_one, double m[16])
+{
+    const double scale = zero_to_one ? 1 : 2;
+    memset(m, 0, 16 * sizeof *m);
+    m[0] = 1 / half[0];
+    m[5] = 1 / half[1];
+    if (camera->kind == SCENE_Perspective) {
+        m[11] = -1;
+        m[14] = scale * camera->near;
+        m[10] = zero_to_one ? 0 : 1; /* less w, which is -z */
+    } else {
+        m[15] = 1;
+        m[10] = scale / camera->depth;
+        m[14] = 1; /* that, or 2 less 1 */
+    }
+}
+
+void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made)
+{
+    const double shorter = size[0] < size[1] ? size[0] : size[1];
+    const double half[2] = {camera->half * size[0] / shorter, camera->half * size[1] / shorter};
+    double projection[16];
+    look(camera, made->eye_from_world);
+    project(camera, half, zero_to_one, projection);
+    made->spaces = (Spaces){.world_from_local = mat4_identity(),
+                            .eye_from_world = rounded(made->eye_from_world),
+                            .clip_from_eye = rounded(projection),
+                            .zero_to_one = zero_to_one};
+    const bool orthographic = camera->kind == SCENE_Orthographic;
+    for (int i = 0; i < 3; i++)
+        made->spaces.eye[i] = (float)camera->position[i];
+    for (int i = 0; i < 2; i++) {
+        made->ray[i] = (float)(camera->half / shorter);
+        made->ray[2 + i] = (float)size[i];
+    }
+    memcpy(made->depth, (float[4]){(float)(orthographic ? camera->depth : camera->near), orthographic},
+           sizeof made->depth);
+}
+
+/* Of a point, w 1, or a direction, w 0. */
+static void to_eye(const ViewSpace *space, const double from[3], double w, float out[4])
+{
+    const double *m = space->eye_from_world;
+    for (int i = 0; i < 3; i++)
+        out[i] = (float)(m[i] * from[0] + m[4 + i] * from[1] + m[8 + i] * from[2] + m[12 + i] * w);
+    out[3] = (float)w;
+}
+
+/* Linear in the cosine between the angles, as scale and shift: a cone whose angles are one has the steepest slope that its cosine can tell. */
+static void cone_of(const SceneLight *light, float out[4])
+{
+    const double width = fmax(light->inner_cosine - light->outer_cosine, 1e-6);
+    out[0] = light->kind == SCENE_Spot ? (float)(1 / width) : 0;
+    out[1] = light->kind == SCENE_Spot ? (float)(-light->outer_cosine / width) : 1;
+}
+
+int view_space_lights(const ViewSpace *space, const Scene *scene, float *texels)
+{
+    int count = 0;
+    for (int i = 0; i < scene->light_count; i++) {
+        const SceneLight *light = &scene->lights[i];
+        const bool far = light->kind == SCENE_Directional;
+        const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
+        float(*out)[4] = (float(*)[4])(texels + (size_t)count * VIEW_SPACE_LIGHT_TEXELS * 4);
+        if (light->kind == SCENE_Ambient)
+            continue;
+        memset(out, 0, VIEW_SPACE_LIGHT_TEXELS * sizeof *out);
+        to_eye(space, far ? back : light->position, far ? 0 : 1, out[0]);
+        for (int lane = 0; lane < 3; lane++)
+            out[1][lane] = (float)light->light[lane];
+        to_eye(space, light->direction, 0, out[2]);
+        cone_of(light, out[3]);
+        count++;
+    }
+    return count;
+}
+
+void view_space_ambient(const Scene *scene, float ambient[4])
+{
+    double sum[3] = {0};
+    for (int i = 0; i < scene->light_count; i++)
+        for (int lane = 0; lane < 3; lane++)
+            sum[lane] += scene->lights[i].kind == SCENE_Ambient ? scene->lights[i].light[lane] : 0;
+    for (int lane = 0; lane < 4; lane++)
+        ambient[lane] = lane < 3 ? (float)sum[lane] : 0;
+}

@@ -1,0 +1,26 @@
+/* From a scene's camera and lights to what the passes are told: matrices, the rays of pixels, lights in the eye's space. */
+#ifndef MATC_RENDER_VIEW_SPACE_H
+#define MATC_RENDER_VIEW_SPACE_H
+#include "runtime/render/spaces.h"
+#include "runtime/scene/scene.h"
+
+enum { VIEW_SPACE_LIGHT_TEXELS = 4, VIEW_SPACE_LIGHT_ROW = 1024 /* lights in a row of their texture */ };
+
+typedef struct {
+    Spaces spaces; /* world_from_local is the identity */
+    float ray
+        [4]; /* of pixel p: (2 p + 1 - size) * xy are the ray's x and y where z = -1; orthographic: the point's. zw: size */
+    float depth[4]; /* x: near, or the depth of an orthographic view; y: 1 where it is orthographic */
+    double eye_from_world[16];
+} ViewSpace;
+
+/* `zero_to_one`: the driver has glClipControl. */
+void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made);
+
+/* Lights but for ambient ones, in texels of four floats, VIEW_SPACE_LIGHT_TEXELS each; returns their count.
+ *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
+ *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine */
+int view_space_lights(const ViewSpace *space, const Scene *scene, float *texels);
+/* The sum of the ambient ones. */
+void view_space_ambient(const Scene *scene, float ambient[4]);
+#endif

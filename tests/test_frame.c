@@ -1,0 +1,495 @@
+/* Frames against a reference in double (frame_reference.h); what a second frame calls; views, targets, programs that materials share; what is
+ * refused. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame_reference.h"
+#include "runtime/render/render.h"
+#include <stdio.h>
+
+/* The layout `integer`, exact powers, no averages over pixels: the reference has points. */
+static MatcOptions exact_options(void)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.layout = "integer";
+    options.precision = "exact";
+    options.aa = "none";
+    options.pixels = true;
+    return options;
+}
+
+static Scene *read_scene(const char *text, const MatcOptions *options, MatcDocument **document)
+{
+    Scene *scene = NULL;
+    *document = scene_read("scene.yaml", text, strlen(text), options, &scene);
+    if (!scene)
+        fail_msg("%s", matc_diagnostics(*document, MATC_TEXT));
+    return scene;
+}
+
+static GlContext *open_context(void)
+{
+    char error[512] = "";
+    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+    if (!gl)
+        fail_msg("%s", error);
+    return gl;
+}
+
+static void forget(Scene *scene, MatcDocument *document)
+{
+    scene_free(scene);
+    matc_document_free(document);
+}
+
+/* Floats of a view, from malloc. */
+static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *options)
+{
+    Render *render = render_open(gl, options);
+    if (!render || !render_scene(render, scene) || !render_frame(render))
+        fail_msg("%s", gl->error);
+    float *rgba = calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *rgba);
+    if (!render_read(render, rgba))
+        fail_msg("%s", gl->error);
+    render_close(render);
+    return rgba;
+}
+
+/* -- against the reference */
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+typedef struct {
+    const char *name, *text;
+} PictureCase;
+
+#define CAMERA                                                                                                         \
+    "image: { width: 480, height: 320 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], " \
+    "angle: 40 }\n"
+#define POINT "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }]\n"
+#define MATT  "{ material: Phong, diffuse: [.8, .6, .4] }"
+/* Colours that the layout holds exactly: it has 16 bits for a diffuse lane, 10 for others. */
+#define GLOSSY "{ material: Phong, diffuse: [.2, .4, .6], specular: [0.3333333333333333, 0.6666666666666666, 1] }"
+#define SHARP                                                                                                          \
+    "{ material: Phong, diffuse: [.2, .4, .6], specular: [0.3333333333333333, 0.6666666666666666, 1], shininess: .8 }"
+
+static const PictureCase pictures[] = {
+    {"sphere", CAMERA POINT "objects: [{ object: Sphere, material: " SHARP " }]\n"},
+    {"box", CAMERA POINT "objects: [{ object: Box, size: [2, 1, 1.5], material: " GLOSSY
+                         ", transform: { rotation: [.3, .2, .7] } }]\n"},
+    {"round", CAMERA POINT
+     "objects: [{ object: Cylinder, material: " MATT ", transform: { translation: [-.8, 0, 0] } }, "
+     "{ object: Cone, material: " GLOSSY ", transform: { translation: [.8, 0, 0], scale: [1, 2, 1.5] } }]\n"},
+    {"plane",
+     CAMERA POINT "objects: [{ object: Plane, material: " MATT " }]\nsky: { material: RGBA, r: .1, g: .2, b: .5 }\n"},
+    {"tilted", CAMERA POINT "objects: [{ object: Plane, material: " GLOSSY
+                            ", transform: { rotation: [.2, .1, 0], translation: [0, 0, -.5], "
+                            "scale: 2 } }, { object: Sphere, material: " MATT " }]\n"},
+    {"far",
+     "image: { width: 480, height: 320 }\ncamera: { camera: Perspective, position: [0, 0, 1000], target: [1000, 0, "
+     "900], "
+     "near: .001 }\n"
+     "objects: [{ object: Plane, material: " MATT " }]\nlights: [{ light: Directional, direction: [1, 1, -1] }]\n"},
+    {"mirrored", CAMERA POINT "objects: [{ object: Cone, material: " GLOSSY
+                              ", transform: { scale: [-3, 2, 2], shear: [.5, 0, 0] } }]\n"},
+    {"from behind", CAMERA POINT
+     "objects: [{ object: Parallelogram, u: [0, 2, 0], v: [2, 0, 0], transform: { translation: [-1, -1, 0] }, "
+     "material: { material: Phong, diffuse: .3, diffuseTransparency: [1, 0.3333333333333333, 0] } }]\n"},
+    {"behind it", CAMERA
+     "lights: [{ light: Point, position: [0, 0, -2], intensity: 5 }]\nobjects: [{ object: Parallelogram, u: [2, 0, 0], "
+     "v: [0, 2, 0], transform: { translation: [-1, -1, 0] }, material: { material: Phong, diffuse: .3, "
+     "diffuseTransparency: [1, 0.3333333333333333, 0] } }]\n"},
+    {"lights", CAMERA
+     "lights:\n- { light: Spot, position: [0, -1, 4], direction: [0, .2, -1], innerAngle: 10, outerAngle: 25, "
+     "intensity: 20 }\n"
+     "- { light: Directional, direction: [1, 2, -2], color: [.1, .2, .3] }\n- { light: Ambient, color: [.3, .2, .1] }\n"
+     "- { light: Ambient, intensity: .1 }\n- { light: Point, position: [3, -3, 1], color: [.5, 0, 0], intensity: 3 }\n"
+     "objects: [{ object: Plane, material: { material: Phong, ambient: [0.6666666666666666, 0.3333333333333333, 1], "
+     "emissive: [0, .0625, 0] } }, "
+     "{ object: Box, material: " GLOSSY ", transform: { translation: [0, 0, .5] } }]\n"},
+    {"orthographic",
+     "image: { width: 320, height: 480 }\ncamera: { camera: Orthographic, position: [.5, -6, 2.5], size: "
+     "3, depth: 20 }\n" POINT "objects: [{ object: Box, material: " GLOSSY
+     ", transform: { rotation: [.3, .2, .7] } }, { object: Sphere, radius: .5, "
+     "material: " MATT ", transform: { translation: [0, 0, 1] } }]\n"},
+    {"maps", CAMERA POINT
+     "objects: [{ object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], transform: { translation: [-2, -2, 0] }, "
+     "material: "
+     "{ material: Phong, diffuse: { map: Checker, color1: .8, color2: .4, input: { map: UVTransform, scaleU: 3 } } } "
+     "}, "
+     "{ object: Box, size: [2, 2, 2], material: { material: Phong, diffuse: { map: Blend, input: { map: Wood }, "
+     "blend: [{ value: 0, input: .2 }, { value: 2, input: [.9, .6, .3] }] } }, transform: { rotation: [0, 0, .7] } "
+     "}]\n"},
+};
+
+/* Of pixels spread evenly: the differences of those on objects, outside of the band along edges. */
+typedef struct {
+    double differences[1 << 16];
+    int count, lit;
+} Spread;
+
+static void add_sample(Spread *spread, const Sample *sample, const float *rgba)
+{
+    double greatest = 0, bright = 0;
+    if (sample->edge || sample->nothing)
+        return;
+    for (int lane = 0; lane < 3; lane++) {
+        greatest = fmax(greatest, isnan(rgba[lane]) ? INFINITY : fabs(rgba[lane] - sample->light[lane]));
+        bright = fmax(bright, sample->light[lane]);
+    }
+    spread->differences[spread->count++] = greatest;
+    spread->lit += bright > 1e-3;
+}
+
+/* Whether half of them are within `median`, and 99.9 % within 1e-4. */
+static bool is_close(const char *name, double median, Spread *spread)
+{
+    qsort(spread->differences, (size_t)spread->count, sizeof *spread->differences, ascending);
+    const double middle = spread->differences[spread->count / 2];
+    const double most = spread->differences[(int)(spread->count * .999)];
+    print_message("%-14s %5d pixels, median %.2g, 99.9 %% within %.2g\n", name, spread->count, middle, most);
+    assert_true(spread->count > 900);
+    assert_true(spread->lit > spread->count * 2 / 3); /* black would prove nothing */
+    return middle <= median && most <= 1e-4;
+}
+
+/* A fifth of a picture's pixels. */
+static void compare(const Scene *scene, const MatcOptions *options, const float *rgba, Spread *spread)
+{
+    enum { STEP = 5 };
+    Tracer tracer = reference_open(scene);
+    spread->count = spread->lit = 0;
+    for (int i = 0; i < scene->width * scene->height; i += STEP) {
+        const Sample sample = reference_sample(&tracer, i % scene->width, i / scene->width, options);
+        add_sample(spread, &sample, rgba + 4 * (size_t)i);
+    }
+    reference_close(&tracer);
+}
+
+/* All pictures by these options; half of the pixels within `median`. */
+static void compare_all(const MatcOptions *options, double median)
+{
+    static Spread spread;
+    GlContext *gl = open_context();
+    int faults = 0;
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++) {
+        MatcDocument *document;
+        Scene *scene = read_scene(pictures[i].text, options, &document);
+        float *rgba = draw(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+        compare(scene, options, rgba, &spread);
+        faults += !is_close(pictures[i].name, median, &spread);
+        free(rgba);
+        forget(scene, document);
+    }
+    gl_close(gl);
+    assert_int_equal(faults, 0);
+}
+
+/* The layout keeps normals within 0.0037 degrees, which is 3e-6 of light for half of the pixels; see below. */
+static void against_the_reference(void **state)
+{
+    (void)state;
+    const MatcOptions options = exact_options();
+    compare_all(&options, 8e-6);
+}
+
+/* Every number as it is: what the passes themselves are off. */
+static void in_floats(void **state)
+{
+    (void)state;
+    static const char text[] = "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
+                               "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
+                               "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
+                               "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
+                               "- { slot: diffuseTransparency, encoding: full }\n";
+    MatcOptions options = exact_options();
+    options.layout = NULL;
+    MatcLayout *layout = matc_layout_read("floats.yaml", text, sizeof text - 1, &options);
+    if (!matc_layout_ok(layout))
+        fail_msg("%s", matc_layout_diagnostics(layout, MATC_TEXT));
+    options.custom = layout;
+    compare_all(&options, 2e-6);
+    matc_layout_free(layout);
+}
+
+/* The entries of passes over all pixels give the same, and so do the depth ranges of clip space, but for what half of a float's bits lose. */
+static void every_way(void **state)
+{
+    (void)state;
+    const MatcOptions options = exact_options();
+    MatcDocument *document;
+    Scene *scene = read_scene(pictures[4].text, &options, &document);
+    const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
+    GlContext *gl = open_context();
+    float *compute = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *fragment = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .fragment = true});
+    gl->ClipControl = NULL;
+    float *old = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    size_t apart = 0;
+    for (size_t i = 0; i < lanes; i++) {
+        assert_true(fabsf(compute[i] - fragment[i]) <= 1e-6f * fabsf(compute[i]) + 1e-7f);
+        apart += fabsf(compute[i] - old[i]) > 2e-3f; /* depth is within 6e-8, of 0.0015 at a distance of 6.5 */
+    }
+    assert_true(apart < lanes / 1000);
+    free(compute);
+    free(fragment);
+    free(old);
+    gl_close(gl);
+    forget(scene, document);
+}
+
+/* -- the depth of planes */
+
+/* near / distance, of a plane 1 below the eye: 4 ULP of what the ray in double says, to the horizon. */
+static void planes_are_deep(void **state)
+{
+    (void)state;
+    enum { SIZE = 256 };
+    const MatcOptions options = exact_options();
+    MatcDocument *document;
+    Scene *scene = read_scene(
+        "image: { width: 256, height: 256 }\ncamera: { camera: Perspective, position: [0, 0, 1], target: [0, 1, 1], "
+        "angle: 90, near: .25 }\nobjects: [{ object: Plane, material: { material: Phong } }]\n",
+        &options, &document);
+    GlContext *gl = open_context();
+    float *rgba = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            const double down = -(2 * y + 1 - SIZE) / (double)SIZE; /* of the ray whose length along the view is 1 */
+            const double expected = down > 0 ? .25 * down : 0;
+            assert_true(fabs(rgba[4 * (y * SIZE + x)] - expected) <= 4 * 6e-8 * expected);
+        }
+    free(rgba);
+    gl_close(gl);
+    forget(scene, document);
+}
+
+/* -- calls */
+
+static int calls, draws;
+#define COUNTED(kind, result, name, parameters, arguments)                                                             \
+    static result(*original_##name) parameters;                                                                        \
+    static result count_##name parameters                                                                              \
+    {                                                                                                                  \
+        kind++;                                                                                                        \
+        original_##name arguments;                                                                                     \
+    }
+COUNTED(calls, void, BufferData, (GLenum a, GLsizeiptr b, const void *c, GLenum d), (a, b, c, d))
+COUNTED(calls, void, BufferSubData, (GLenum a, GLintptr b, GLsizeiptr c, const void *d), (a, b, c, d))
+COUNTED(calls, void, GenBuffers, (GLsizei a, GLuint *b), (a, b))
+COUNTED(calls, void, GenTextures, (GLsizei a, GLuint *b), (a, b))
+COUNTED(calls, void, GenFramebuffers, (GLsizei a, GLuint *b), (a, b))
+COUNTED(calls, void, GenVertexArrays, (GLsizei a, GLuint *b), (a, b))
+COUNTED(calls, void, LinkProgram, (GLuint a), (a))
+COUNTED(calls, void, GetIntegerv, (GLenum a, GLint *b), (a, b))
+COUNTED(calls, void, GetProgramiv, (GLuint a, GLenum b, GLint *c), (a, b, c))
+COUNTED(calls, void, TexParameteri, (GLenum a, GLenum b, GLint c), (a, b, c))
+COUNTED(calls, void, FramebufferTexture2D, (GLenum a, GLenum b, GLenum c, GLuint d, GLint e), (a, b, c, d, e))
+COUNTED(calls, void, Uniform1fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
+COUNTED(calls, void, Uniform2fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
+COUNTED(calls, void, Uniform3fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
+COUNTED(calls, void, Uniform4fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
+COUNTED(calls, void, Uniform1iv, (GLint a, GLsizei b, const GLint *c), (a, b, c))
+COUNTED(calls, void, UniformMatrix3fv, (GLint a, GLsizei b, GLboolean c, const GLfloat *d), (a, b, c, d))
+COUNTED(calls, void, UniformMatrix4fv, (GLint a, GLsizei b, GLboolean c, const GLfloat *d), (a, b, c, d))
+COUNTED(draws, void, DrawElements, (GLenum a, GLsizei b, GLenum c, const void *d), (a, b, c, d))
+COUNTED(draws, void, DrawArrays, (GLenum a, GLint b, GLsizei c), (a, b, c))
+COUNTED(draws, void, DispatchCompute, (GLuint a, GLuint b, GLuint c), (a, b, c))
+
+static void count_calls(GlContext *gl)
+{
+#define COUNT(name) original_##name = gl->name, gl->name = count_##name;
+    COUNT(BufferData)
+    COUNT(BufferSubData)
+    COUNT(GenBuffers)
+    COUNT(GenTextures)
+    COUNT(GenFramebuffers)
+    COUNT(GenVertexArrays)
+    COUNT(LinkProgram) COUNT(GetIntegerv) COUNT(GetProgramiv) COUNT(TexParameteri) COUNT(FramebufferTexture2D)
+        COUNT(Uniform1fv) COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv)
+            COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute)
+                calls = draws = 0;
+}
+
+/* Spheres and boxes of three materials, one of them another program; a plane, a sky. */
+static void a_second_frame_only_draws(void **state)
+{
+    (void)state;
+    const MatcOptions options = exact_options();
+    MatcDocument *document;
+    Scene *scene = read_scene(
+        CAMERA POINT
+        "materials: { a: { material: Phong, diffuse: .2 }, b: { material: Phong, diffuse: .4 }, "
+        "c: { material: Phong, diffuse: { map: Wood } } }\nobjects:\n- { object: Sphere, material: a }\n"
+        "- { object: Sphere, material: b, transform: { translation: [1, 0, 0] } }\n- { object: Box, material: c }\n"
+        "- { object: Box, material: a, transform: { scale: -2 } }\n- { object: Plane, material: b }\n"
+        "sky: { material: RGBA, b: .5 }\n",
+        &options, &document);
+    GlContext *gl = open_context();
+    count_calls(gl);
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+    assert_non_null(render);
+    assert_true(render_scene(render, scene));
+    assert_true(render_frame(render));
+    assert_true(calls > 0);
+    assert_int_equal(draws, 4 + 1 + 1 + 2); /* surfaces, the plane, the sky, light and tone */
+    for (int i = 0; i < 2; i++) {
+        calls = draws = 0;
+        assert_true(render_frame(render));
+        assert_int_equal(calls, 0);
+        assert_int_equal(draws, 4 + 1 + 1 + 2);
+    }
+    assert_true(gl_check(gl, "three frames"));
+    render_close(render);
+    gl_close(gl);
+    forget(scene, document);
+}
+
+/* -- what there is */
+
+/* Materials that differ in numbers only are drawn with one text; their numbers are their own. */
+static void programs_are_shared(void **state)
+{
+    (void)state;
+    const MatcOptions options = exact_options();
+    MatcDocument *document;
+    Scene *scene =
+        read_scene("image: { width: 90, height: 30 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 1 }\n"
+                   "lights: [{ light: Ambient }]\nobjects:\n"
+                   "- { object: Box, material: { material: Phong, ambient: [.1, .2, .3] }, transform: { translation: "
+                   "[-1, 0, 0] } }\n"
+                   "- { object: Box, material: { material: Phong, ambient: [.4, .5, .6] } }\n"
+                   "- { object: Box, material: { material: Phong, ambient: [.7, .8, .9] }, transform: { translation: "
+                   "[1, 0, 0] } }\n",
+                   &options, &document);
+    GlContext *gl = open_context();
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
+    float *rgba = calloc(90 * 30, 4 * sizeof *rgba);
+    assert_non_null(rgba);
+    assert_true(render && render_scene(render, scene) && render_frame(render) && render_read(render, rgba));
+    for (int i = 0; i < 9; i++)
+        assert_true(fabs(rgba[4 * (15 * 90 + 15 + 30 * (i / 3)) + i % 3] - .1 * (i + 1)) < 5e-4); /* 10 bits */
+    char *stats = render_stats(render);
+    assert_non_null(strstr(stats, "3 materials, 3 programs of 1 texts"));
+    assert_non_null(strstr(stats, "in 1 meshes"));
+    free(stats);
+    free(rgba);
+    render_close(render);
+    gl_close(gl);
+    forget(scene, document);
+}
+
+/* What a view does not need does not run, and is not there. */
+static void views_need_less(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *view, *runs, *rests;
+    } cases[] = {{"depth", "surface", "light     depth, gbuffer  light           not run: nobody needs it"},
+                 {"normal", "surface", "shown     RGBA8                     not there"},
+                 {"light", "surface", "tone      light           shown           not run: nobody needs it"},
+                 {NULL, "surface", "plane     depth, gbuffer  depth, gbuffer  not run: nothing to do"}};
+    const MatcOptions options = exact_options();
+    MatcDocument *document;
+    Scene *scene = read_scene(pictures[0].text, &options, &document);
+    GlContext *gl = open_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Render *render =
+            render_open(gl, &(RenderOptions){.compile = &options, .view = cases[i].view, .width = 30, .height = 20});
+        assert_true(render && render_scene(render, scene));
+        char *graph = render_graph(render);
+        if (!strstr(graph, cases[i].rests))
+            fail_msg("%s", graph);
+        free(graph);
+        render_close(render);
+    }
+    assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
+    assert_string_equal(gl->error, "there is no view 'deep': shown, light, depth, or a slot");
+    gl_close(gl);
+    forget(scene, document);
+}
+
+/* The middle of a plane that faces the eye: sRGB of a clamped or filmic value, by hand. */
+static void tones(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *mapping;
+        double shown;
+    } cases[] = {{"Clamp", 0.5371},
+                 {"Clamp, exposure: 1", 0.7354},
+                 {"Clamp, exposure: 3", 1},
+                 {"Filmic", 0.6473},
+                 {"Filmic, exposure: 10", 1}};
+    const MatcOptions options = exact_options();
+    GlContext *gl = open_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, 5], up: [0, 1, 0] }\n"
+                 "lights: [{ light: Directional, intensity: .25 }]\nobjects: [{ object: Plane, material: { material: "
+                 "RGBA, r: 1, g: 1, b: 1 } }]\n"
+                 "toneMapping: { toneMapping: %s }\n",
+                 cases[i].mapping);
+        Scene *scene = read_scene(text, &options, &document);
+        float *rgba = draw(gl, scene, &(RenderOptions){.compile = &options});
+        if (!(fabs(rgba[4 * 36] - cases[i].shown) < .0025))
+            fail_msg("%s: %g", cases[i].mapping, rgba[4 * 36]);
+        free(rgba);
+        forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+/* What cannot be drawn is an error, and leaves nothing. An empty scene is none. */
+static void faults(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *said;
+    } cases[] = {
+        {"objects: [{ object: Box, material: { material: RGBA, a: .5 } }]\n",
+         "the material 'inline0' is transparent, at least in places: only opaque surfaces are drawn yet"},
+        {"image: { width: 16384, height: 2 }\nlights: []\n", NULL},
+        {"lights: []\n", NULL},
+    };
+    const MatcOptions options = exact_options();
+    GlContext *gl = open_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        MatcDocument *document;
+        Scene *scene = read_scene(cases[i].text, &options, &document);
+        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+        const bool done = render_scene(render, scene) && render_frame(render);
+        assert_int_equal(done, cases[i].said == NULL);
+        if (cases[i].said)
+            assert_string_equal(gl->error, cases[i].said);
+        render_close(render);
+        assert_true(gl_check(gl, "all of it"));
+        forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(against_the_reference),
+        cmocka_unit_test(in_floats),
+        cmocka_unit_test(every_way),
+        cmocka_unit_test(planes_are_deep),
+        cmocka_unit_test(a_second_frame_only_draws),
+        cmocka_unit_test(programs_are_shared),
+        cmocka_unit_test(views_need_less),
+        cmocka_unit_test(tones),
+        cmocka_unit_test(faults),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
