@@ -5,25 +5,16 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/document.h"
-#include "compiler/pipeline.h"
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include "tests/picture.h"
 
-enum { FILE_ROOM = 1 << 16, BASELINE = 0xC0, EXTENDED = 0xC1, PROGRESSIVE = 0xC2, LOSSLESS = 0xC3, ARITHMETIC = 0xC9 };
+enum { BASELINE = 0xC0, EXTENDED = 0xC1, PROGRESSIVE = 0xC2, LOSSLESS = 0xC3, ARITHMETIC = 0xC9 };
 
 typedef struct {
-    uint8_t bytes[FILE_ROOM];
-    size_t size;
+    PictureFile made;
     unsigned bits, bit_count; /* of the scan, that do not make a byte yet */
 } File;
 
-static void put_byte(File *file, int byte)
-{
-    assert_true(file->size < FILE_ROOM);
-    file->bytes[file->size++] = (uint8_t)byte;
-}
+static void put_byte(File *file, int byte) { picture_put(&file->made, &(uint8_t){(uint8_t)byte}, 1); }
 
 static void put_two(File *file, int number)
 {
@@ -80,7 +71,7 @@ static void put_tables(File *file, const Header *header)
     char ones[65], codes[18];
     memset(ones, 1, sizeof ones);
     ones[0] = 0;
-    *file = (File){.size = 0};
+    *file = (File){.bits = 0};
     put_two(file, 0xFFD8);
     put_segment(file, 0xDB, ones, sizeof ones);
     memcpy(codes + 1, one_code, sizeof one_code);
@@ -130,33 +121,9 @@ static void put_end(File *file)
     put_two(file, 0xFFD9);
 }
 
-static char *give_file(void *user, const char *path, size_t *size, const char **why)
-{
-    const File *file = user;
-    (void)path, (void)why;
-    char *copy = malloc(file->size + 1);
-    memcpy(copy, file->bytes, file->size);
-    copy[file->size] = 0;
-    *size = file->size;
-    return copy;
-}
-
-static MatcDocument *read_with(File *file, bool pixels)
-{
-    static const char text[] = "material: Phong\ndiffuse: { map: ImageMap, image: a.jpg }\n";
-    MatcOptions options;
-    matc_options_init(&options);
-    options.pixels = pixels;
-    options.read_file = give_file;
-    options.user = file;
-    return matc_read("a.yaml", text, sizeof text - 1, &options);
-}
-
 static const uint8_t *texel_at(MatcDocument *document, int column, int row)
 {
-    if (!document->graph)
-        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
-    const Image *image = document->graph->images[0];
+    const Image *image = picture_of(document);
     assert_true(image->bits == 8 && image->opaque && image->texels);
     return image_bytes(image) + 4 * (row * image->width + column);
 }
@@ -180,7 +147,7 @@ static void grey_blocks(void **state)
     put_block(&file, -240);
     put_block(&file, 160);
     put_end(&file);
-    MatcDocument *document = read_with(&file, true);
+    MatcDocument *document = picture_read(&file.made, picture_alone, true);
     is_texel(document, 0, 15, (int[]){153, 153, 153});
     is_texel(document, 7, 8, (int[]){153, 153, 153});
     is_texel(document, 12, 15, (int[]){128, 128, 128});
@@ -189,7 +156,7 @@ static void grey_blocks(void **state)
     assert_int_equal(document->graph->images[0]->width, 13);
     assert_int_equal(document->graph->images[0]->height, 16);
     matc_document_free(document);
-    document = read_with(&file, false); /* a program needs no more than the size */
+    document = picture_read(&file.made, picture_alone, false); /* a program needs no more than the size */
     assert_true(document->graph && document->graph->images[0]->width == 13 && !document->graph->images[0]->texels);
     matc_document_free(document);
 }
@@ -209,9 +176,18 @@ static void colors(void **state)
     (void)state;
     File file;
     put_color(&file);
-    MatcDocument *document = read_with(&file, true);
+    MatcDocument *document = picture_read(&file.made, picture_alone, true);
     is_texel(document, 3, 3, (int[]){111, 168, 188});
     matc_document_free(document);
+}
+
+/* A block's mean, as the first scan, which is open. */
+static void put_progressive(File *file)
+{
+    put_tables(file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
+    begin_scan(file, 1, (int[]){0, 0, 0, 0});
+    put_bits(file, 0, 1);
+    put_bits(file, 200, 8);
 }
 
 /* A progressive file may stop after its first scan. */
@@ -219,22 +195,10 @@ static void progressive(void **state)
 {
     (void)state;
     File file;
-    put_tables(&file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
-    begin_scan(&file, 1, (int[]){0, 0, 0, 0});
-    put_bits(&file, 0, 1);
-    put_bits(&file, 200, 8);
+    put_progressive(&file);
     put_end(&file);
-    MatcDocument *document = read_with(&file, true);
+    MatcDocument *document = picture_read(&file.made, picture_alone, true);
     is_texel(document, 5, 2, (int[]){153, 153, 153});
-    matc_document_free(document);
-}
-
-static void check_refused(File *file, bool pixels, const char *why)
-{
-    MatcDocument *document = read_with(file, pixels);
-    const char *said = matc_diagnostics(document, MATC_TEXT);
-    if (document->graph || matc_error_count(document) != 1 || !strstr(said, why) || !strstr(said, "a.yaml:2:34"))
-        fail_msg("'%s' is wanted, not '%s'", why, said);
     matc_document_free(document);
 }
 
@@ -265,7 +229,7 @@ static void kinds_that_are_refused(void **state)
             for (int block = 0; block < 8; block++)
                 put_block(&file, 200);
             put_end(&file);
-            check_refused(&file, pixels, rows[i].why);
+            picture_refused(&file.made, picture_alone, pixels, rows[i].why);
         }
 }
 
@@ -278,8 +242,8 @@ static void large(void **state)
         put_header(&file, &(Header){frame, LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 3, 8});
         put_block(&file, 200);
         put_end(&file);
-        check_refused(&file, true, "it ends too soon");
-        MatcDocument *document = read_with(&file, false);
+        picture_refused(&file.made, picture_alone, true, "it ends too soon");
+        MatcDocument *document = picture_read(&file.made, picture_alone, false);
         assert_non_null(document->graph);
         matc_document_free(document);
     }
@@ -290,10 +254,7 @@ static void many_scans(void **state)
 {
     (void)state;
     File file;
-    put_tables(&file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
-    begin_scan(&file, 1, (int[]){0, 0, 0, 0});
-    put_bits(&file, 0, 1);
-    put_bits(&file, 200, 8);
+    put_progressive(&file);
     end_scan(&file);
     for (int bit = 2; bit >= 0; bit--)
         for (int k = 1; k < 64; k++) {
@@ -302,7 +263,7 @@ static void many_scans(void **state)
             end_scan(&file);
         }
     put_end(&file);
-    check_refused(&file, true, "it has too many scans");
+    picture_refused(&file.made, picture_alone, true, "it has too many scans");
 }
 
 /* Of what libjpeg fills in with grey, and only warns: blocks that are missing before the end, a code that is in no table, bands that do not
@@ -315,18 +276,18 @@ static void damaged_scans(void **state)
     for (int block = 0; block < 3; block++)
         put_block(&file, 200);
     put_end(&file);
-    check_refused(&file, true, "premature end of data segment");
+    picture_refused(&file.made, picture_alone, true, "premature end of data segment");
     put_header(&file, &(Header){BASELINE, 16, 16, 1, 8});
     put_block(&file, 200);
     for (int i = 0; i < 60; i++)
         put_bits(&file, 1, 1); /* the tables' only code is 0 */
     put_end(&file);
-    check_refused(&file, true, "bad Huffman code");
+    picture_refused(&file.made, picture_alone, true, "bad Huffman code");
     put_tables(&file, &(Header){PROGRESSIVE, 8, 8, 1, 8});
     begin_scan(&file, 1, (int[]){1, 63, 0, 0}); /* before any mean */
     put_bits(&file, 0, 1);
     put_end(&file);
-    check_refused(&file, true, "progression");
+    picture_refused(&file.made, picture_alone, true, "progression");
 }
 
 /* Bytes between segments that belong to none are common, and change nothing. */
@@ -336,10 +297,10 @@ static void bytes_between_segments(void **state)
     File file, padded;
     put_color(&file);
     padded = file;
-    memmove(padded.bytes + 2 + 3, padded.bytes + 2, file.size - 2); /* behind the first marker */
-    memset(padded.bytes + 2, 0x55, 3);
-    padded.size += 3;
-    MatcDocument *document = read_with(&padded, true);
+    memmove(padded.made.bytes + 2 + 3, padded.made.bytes + 2, file.made.size - 2); /* behind the first marker */
+    memset(padded.made.bytes + 2, 0x55, 3);
+    padded.made.size += 3;
+    MatcDocument *document = picture_read(&padded.made, picture_alone, true);
     is_texel(document, 3, 3, (int[]){111, 168, 188});
     matc_document_free(document);
 }
@@ -350,15 +311,15 @@ static void broken(void **state)
     (void)state;
     File file;
     put_color(&file);
-    const size_t whole = file.size;
-    for (file.size = 0; file.size < whole - 2; file.size++) /* the last two say that it ends */
-        check_refused(&file, true, "cannot read the picture 'a.jpg'");
-    file.size = whole;
+    const size_t whole = file.made.size;
+    for (file.made.size = 0; file.made.size < whole - 2; file.made.size++) /* the last two say that it ends */
+        picture_refused(&file.made, picture_alone, true, "cannot read the picture 'a'");
+    file.made.size = whole;
     for (size_t i = 0; i < whole; i++)
         for (int bit = 0; bit < 8; bit++) {
-            file.bytes[i] ^= (uint8_t)(1 << bit);
-            matc_document_free(read_with(&file, true));
-            file.bytes[i] ^= (uint8_t)(1 << bit);
+            file.made.bytes[i] ^= (uint8_t)(1 << bit);
+            matc_document_free(picture_read(&file.made, picture_alone, true));
+            file.made.bytes[i] ^= (uint8_t)(1 << bit);
         }
 }
 

@@ -5,37 +5,20 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/document.h"
-#include "compiler/pipeline.h"
+#include "tests/picture.h"
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-enum { GRAY = 0, RGB = 2, PALETTE = 3, GRAY_ALPHA = 4, RGBA = 6, FILE_ROOM = 1 << 17 };
-
-typedef struct {
-    uint8_t bytes[FILE_ROOM];
-    size_t size;
-} File;
+enum { GRAY = 0, RGB = 2, PALETTE = 3, GRAY_ALPHA = 4, RGBA = 6 };
 
 typedef struct {
     int width, height, depth, kind;
     bool interlaced;
 } Header;
 
-static void put(File *file, const void *bytes, size_t size)
-{
-    assert_true(file->size + size <= FILE_ROOM);
-    if (size)
-        memcpy(file->bytes + file->size, bytes, size);
-    file->size += size;
-}
-
-static void put_number(File *file, uint32_t number)
+static void put_number(PictureFile *file, uint32_t number)
 {
     const uint8_t bytes[] = {(uint8_t)(number >> 24), (uint8_t)(number >> 16), (uint8_t)(number >> 8), (uint8_t)number};
-    put(file, bytes, 4);
+    picture_put(file, bytes, 4);
 }
 
 /* CRC-32 of the chunk's name and data, bit by bit. */
@@ -50,30 +33,30 @@ static uint32_t crc(const uint8_t *bytes, size_t size)
     return ~c;
 }
 
-static void put_chunk(File *file, const char *name, const void *data, size_t size)
+static void put_chunk(PictureFile *file, const char *name, const void *data, size_t size)
 {
     put_number(file, (uint32_t)size);
     const size_t from = file->size;
-    put(file, name, 4);
-    put(file, data, size);
+    picture_put(file, name, 4);
+    picture_put(file, data, size);
     put_number(file, crc(file->bytes + from, size + 4));
 }
 
-static void put_header(File *file, const Header *header)
+static void put_header(PictureFile *file, const Header *header)
 {
-    File data = {.size = 0};
-    put(file, "\x89PNG\r\n\x1a\n", 8);
+    PictureFile data = {.size = 0};
+    picture_put(file, "\x89PNG\r\n\x1a\n", 8);
     put_number(&data, (uint32_t)header->width);
     put_number(&data, (uint32_t)header->height);
     const uint8_t rest[] = {(uint8_t)header->depth, (uint8_t)header->kind, 0, 0, header->interlaced};
-    put(&data, rest, 5);
+    picture_put(&data, rest, 5);
     put_chunk(file, "IHDR", data.bytes, data.size);
 }
 
 /* The rows, each with the number of its filter in front, as deflate's stored block. */
-static void put_rows(File *file, const void *rows, size_t size)
+static void put_rows(PictureFile *file, const void *rows, size_t size)
 {
-    File data = {.size = 0};
+    PictureFile data = {.size = 0};
     const uint8_t *bytes = rows;
     const uint8_t head[] = {0x78, 0x01, 1, (uint8_t)size, (uint8_t)(size >> 8), (uint8_t)~size, (uint8_t)(~size >> 8)};
     uint32_t low = 1, high = 0;
@@ -81,60 +64,21 @@ static void put_rows(File *file, const void *rows, size_t size)
         low = (low + bytes[i]) % 65521;
         high = (high + low) % 65521;
     }
-    put(&data, head, sizeof head);
-    put(&data, rows, size);
+    picture_put(&data, head, sizeof head);
+    picture_put(&data, rows, size);
     put_number(&data, high << 16 | low);
     put_chunk(file, "IDAT", data.bytes, data.size);
     put_chunk(file, "IEND", NULL, 0);
 }
 
-static char *give_file(void *user, const char *path, size_t *size, const char **why)
+static void check_texels(PictureFile *file, int width, int height, const char *texels, bool opaque)
 {
-    const File *file = (const File *)user + (path[0] == 'b'); /* a.png, and where there are two b.png behind it */
-    (void)why;
-    char *copy = malloc(file->size + 1);
-    memcpy(copy, file->bytes, file->size);
-    copy[file->size] = 0;
-    *size = file->size;
-    return copy;
+    picture_check(file, &(PictureWanted){width, height, 8, opaque, texels});
 }
 
-static MatcDocument *read_with(File *file, const char *text, bool pixels)
+static void check_words(PictureFile *file, int width, int height, const uint16_t *texels, bool opaque)
 {
-    MatcOptions options;
-    matc_options_init(&options);
-    options.pixels = pixels;
-    options.read_file = give_file;
-    options.user = file;
-    return matc_read("a.yaml", text, strlen(text), &options);
-}
-
-static const char one_picture[] =
-    "material: Phong\ndiffuse: { map: ImageMap, image: a.png, bilinearFiltering: false }\n";
-
-/* The texels, the bottom row first, are these of RGBA, `lane` bytes each. */
-static void check_picture(File *file, const int side[2], const void *texels, size_t lane, bool opaque)
-{
-    MatcDocument *document = read_with(file, one_picture, true);
-    if (!document->graph)
-        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
-    const Image *image = document->graph->images[0];
-    assert_int_equal(image->width, side[0]);
-    assert_int_equal(image->height, side[1]);
-    assert_int_equal(image->opaque, opaque);
-    assert_true(lane == 1 ? image_bytes(image) != NULL : image_words(image) != NULL);
-    assert_memory_equal(image->texels, texels, (size_t)(side[0] * side[1] * 4) * lane);
-    matc_document_free(document);
-}
-
-static void check_texels(File *file, int width, int height, const char *texels, bool opaque)
-{
-    check_picture(file, (int[]){width, height}, texels, 1, opaque);
-}
-
-static void check_words(File *file, int width, int height, const uint16_t *texels, bool opaque)
-{
-    check_picture(file, (int[]){width, height}, texels, sizeof *texels, opaque);
+    picture_check(file, &(PictureWanted){width, height, 16, opaque, texels});
 }
 
 #define ROWS(text)  text, sizeof(text) - 1
@@ -144,7 +88,7 @@ static void check_words(File *file, int width, int height, const uint16_t *texel
 static void test_16_bits(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){2, 2, 16, RGB, false});
     put_rows(&file, ROWS("\0"
                          "\x00\xFF\x00\x80\x00\x81"
@@ -166,7 +110,7 @@ static void test_16_bits(void **state)
 /* A picture of one row: grey of few bits is spread over all of 0 to 255. */
 static void check_gray(int depth, int width, const char *row, size_t size, const char *texels)
 {
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){width, 1, depth, GRAY, false});
     put_rows(&file, row, size);
     check_texels(&file, width, 1, texels, true);
@@ -187,7 +131,7 @@ static void test_gray(void **state)
 static void test_palette(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){4, 1, 2, PALETTE, false});
     put_chunk(&file, "PLTE", CHUNK("\x01\x02\x03\x11\x12\x13\x21\x22\x23\x31\x32\x33"));
     put_chunk(&file, "tRNS", CHUNK("\x00\x80"));
@@ -199,7 +143,7 @@ static void test_palette(void **state)
 static void test_transparent_colour(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){2, 1, 8, RGB, false});
     put_chunk(&file, "tRNS", CHUNK("\x00\x0A\x00\x0B\x00\x0C"));
     put_rows(&file, ROWS("\0\x0A\x0B\x0C\x0A\x0B\x0D"));
@@ -236,7 +180,7 @@ static void test_said_about_colours(void **state)
     };
     for (int depth = 8; depth <= 16; depth += 8)
         for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
-            File file = {.size = 0};
+            PictureFile file = {.size = 0};
             put_header(&file, &(Header){1, 1, depth, RGB, false});
             put_chunk(&file, said[i].name, said[i].data, said[i].size);
             if (depth == 8)
@@ -254,7 +198,7 @@ static void test_said_about_colours(void **state)
 static void test_interlaced(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){3, 3, 8, GRAY, true});
     put_rows(&file, ROWS("\0\x01"
                          "\0\x03"
@@ -270,7 +214,7 @@ static void test_interlaced(void **state)
 static void test_row_filters(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){3, 5, 8, GRAY, false});
     put_rows(
         &file,
@@ -305,10 +249,10 @@ static double red_at(const MatcDocument *document, double u, double v)
 static void test_rows_from_below(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){2, 3, 8, GRAY, false});
     put_rows(&file, ROWS("\0\x0A\x14\0\x1E\x28\0\x32\x3C"));
-    MatcDocument *nearest = read_with(&file, one_picture, true);
+    MatcDocument *nearest = picture_read(&file, picture_alone, true);
     assert_non_null(nearest->graph);
     static const struct {
         double u, v, byte;
@@ -320,7 +264,7 @@ static void test_rows_from_below(void **state)
         assert_true(fabs(red_at(nearest, expected[i].u, expected[i].v) - expected[i].byte / 255) < 1e-15);
     matc_document_free(nearest);
 
-    MatcDocument *mixed = read_with(&file, "material: Phong\ndiffuse: { map: ImageMap, image: a.png }\n", true);
+    MatcDocument *mixed = picture_read(&file, "material: Phong\ndiffuse: { map: ImageMap, image: a }\n", true);
     static const struct {
         double u, v, byte;
     } between[] = {
@@ -332,15 +276,6 @@ static void test_rows_from_below(void **state)
     matc_document_free(mixed);
 }
 
-static void check_refused(File *file, const char *text, bool pixels, const char *why)
-{
-    MatcDocument *document = read_with(file, text, pixels);
-    const char *said = matc_diagnostics(document, MATC_TEXT);
-    if (document->graph || matc_error_count(document) != 1 || !strstr(said, why))
-        fail_msg("'%s' is wanted, not '%s'", why, said);
-    matc_document_free(document);
-}
-
 /* Every way in which a header can be wrong, and every length of a file that is cut off. */
 static void test_broken(void **state)
 {
@@ -350,29 +285,29 @@ static void test_broken(void **state)
         {1, 1, 3, RGB, false}, {1, 1, 4, RGB, false},       {1, 1, 16, PALETTE, false}, {1, 1, 8, 1, false},
         {1, 1, 8, 7, false},   {1 << 30, 1, 8, RGB, false}, {1, 1, 0, GRAY, false},     {1, 1, 32, RGB, false},
     };
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) {
         file.size = 0;
         put_header(&file, &headers[i]);
         put_rows(&file, ROWS("\0\x10\x80\xC0"));
-        check_refused(&file, one_picture, true, "cannot read the picture 'a.png'");
-        check_refused(&file, one_picture, false, "cannot read the picture 'a.png'");
+        picture_refused(&file, picture_alone, true, "cannot read the picture 'a'");
+        picture_refused(&file, picture_alone, false, "cannot read the picture 'a'");
     }
     file.size = 0;
     put_header(&file, &(Header){LIMIT_IMAGE_SIDE + 1, 1, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
-    check_refused(&file, one_picture, false, "it is too large");
+    picture_refused(&file, picture_alone, false, "it is too large");
     file.size = 0;
     put_header(&file, &(Header){1, 1, 8, RGB, false});
     put_rows(&file, ROWS("\0\x10\x80\xC0"));
     const size_t whole = file.size - 12; /* IEND says nothing that is needed */
     for (file.size = 0; file.size < whole - 8; file.size++)
-        check_refused(&file, one_picture, true, "cannot read the picture 'a.png'");
+        picture_refused(&file, picture_alone, true, "cannot read the picture 'a'");
     file.size = whole;
     check_texels(&file, 1, 1, "\x10\x80\xC0\xFF", true);
     for (size_t i = 0; i < whole - 8; i++) { /* a byte that is another: an error, or another picture, in no memory */
         file.bytes[i] ^= 0x55;
-        matc_document_free(read_with(&file, one_picture, true));
+        matc_document_free(picture_read(&file, picture_alone, true));
         file.bytes[i] ^= 0x55;
     }
 }
@@ -381,24 +316,24 @@ static void test_broken(void **state)
 static void test_large(void **state)
 {
     (void)state;
-    File file = {.size = 0};
+    PictureFile file = {.size = 0};
     put_header(&file, &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
-    check_refused(&file, one_picture, true, "it ends too soon");
-    MatcDocument *unread = read_with(&file, one_picture, false); /* a program needs no more than the size */
+    picture_refused(&file, picture_alone, true, "it ends too soon");
+    MatcDocument *unread = picture_read(&file, picture_alone, false); /* a program needs no more than the size */
     assert_non_null(unread->graph);
     matc_document_free(unread);
 
-    static File files[2]; /* a texel, and all of LIMIT_PIXELS_MIB as far as the size of the file can tell */
-    static const char two_pictures[] = "material: Phong\ndiffuse: { map: ImageMap, image: a.png }\n"
-                                       "specular: { map: ImageMap, image: b.png }\n";
+    static PictureFile files[2]; /* a texel, and all of LIMIT_PIXELS_MIB as far as the size of the file can tell */
+    static const char two_pictures[] = "material: Phong\ndiffuse: { map: ImageMap, image: a }\n"
+                                       "specular: { map: ImageMap, image: b }\n";
     static uint8_t data[40000];
     put_header(&files[0], &(Header){1, 1, 8, GRAY, false});
     put_rows(&files[0], ROWS("\0\x01"));
     put_header(&files[1], &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 1, GRAY, false});
     put_rows(&files[1], data, sizeof data);
-    check_refused(files, two_pictures, true, "'b.png': the pictures of a document are too large together");
-    unread = read_with(files, two_pictures, false);
+    picture_refused(files, two_pictures, true, "'b': the pictures of a document are too large together");
+    unread = picture_read(files, two_pictures, false);
     assert_non_null(unread->graph);
     matc_document_free(unread);
 }

@@ -3,6 +3,7 @@
 #include <GL/osmesa.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 Gl gl;
 
@@ -60,5 +61,35 @@ GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int he
     glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal, width, height, 0, format, type, pixels);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return name;
+}
+
+static GLint wrap_of(const char *name)
+{
+    static const struct {
+        const char *name;
+        GLint wrap;
+    } rows[] = {{"mirrored_repeat", GL_MIRRORED_REPEAT},
+                {"clamp_to_edge", GL_CLAMP_TO_EDGE},
+                {"clamp_to_border", GL_CLAMP_TO_BORDER}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (!strcmp(rows[i].name, name))
+            return rows[i].wrap;
+    return GL_REPEAT;
+}
+
+GLuint gl_sampler(bool mipmaps, int anisotropy, const char *wrap)
+{
+    GLuint name;
+    GLfloat most = 1; /* stays where the driver knows of none */
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
+    glGetError();
+    gl.GenSamplers(1, &name);
+    gl.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
+    gl.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER, mipmaps ? GL_LINEAR : GL_NEAREST);
+    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_S, wrap_of(wrap));
+    gl.SamplerParameteri(name, GL_TEXTURE_WRAP_T, wrap_of(wrap));
+    if (anisotropy > 1 && most > 1)
+        gl.SamplerParameteri(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy < (int)most ? anisotropy : (int)most);
     return name;
 }

@@ -8,14 +8,15 @@
 // clang-format off
 #define GL_FUNCTIONS(F) \
     F(ACTIVETEXTURE, ActiveTexture) F(ATTACHSHADER, AttachShader) F(BINDBUFFER, BindBuffer) \
-    F(BINDBUFFERRANGE, BindBufferRange) F(BINDFRAMEBUFFER, BindFramebuffer) F(BINDVERTEXARRAY, BindVertexArray) \
+    F(BINDBUFFERRANGE, BindBufferRange) F(BINDFRAMEBUFFER, BindFramebuffer) F(BINDSAMPLER, BindSampler) \
+    F(BINDVERTEXARRAY, BindVertexArray) \
     F(BUFFERDATA, BufferData) F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) F(COMPILESHADER, CompileShader) \
     F(CREATEPROGRAM, CreateProgram) F(CREATESHADER, CreateShader) F(DRAWBUFFERS, DrawBuffers) \
     F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
     F(GENBUFFERS, GenBuffers) F(GENERATEMIPMAP, GenerateMipmap) F(GENFRAMEBUFFERS, GenFramebuffers) \
-    F(GENVERTEXARRAYS, GenVertexArrays) F(GETPROGRAMINFOLOG, GetProgramInfoLog) F(GETPROGRAMIV, GetProgramiv) \
+    F(GENSAMPLERS, GenSamplers) F(GENVERTEXARRAYS, GenVertexArrays) F(GETPROGRAMINFOLOG, GetProgramInfoLog) F(GETPROGRAMIV, GetProgramiv) \
     F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex) F(GETUNIFORMLOCATION, GetUniformLocation) \
-    F(LINKPROGRAM, LinkProgram) F(SHADERSOURCE, ShaderSource) F(UNIFORM1FV, Uniform1fv) F(UNIFORM1I, Uniform1i) \
+    F(LINKPROGRAM, LinkProgram) F(SAMPLERPARAMETERI, SamplerParameteri) F(SHADERSOURCE, ShaderSource) F(UNIFORM1FV, Uniform1fv) F(UNIFORM1I, Uniform1i) \
     F(UNIFORM2FV, Uniform2fv) F(UNIFORM3FV, Uniform3fv) F(UNIFORM4FV, Uniform4fv) \
     F(UNIFORMBLOCKBINDING, UniformBlockBinding) F(UNIFORMMATRIX3FV, UniformMatrix3fv) \
     F(UNIFORMMATRIX4FV, UniformMatrix4fv) F(USEPROGRAM, UseProgram) F(VERTEXATTRIBPOINTER, VertexAttribPointer)
@@ -36,4 +37,6 @@ void gl_open(void);
 GLuint gl_program(const char *name, const char *vertex, const char *fragment);
 /* Nearest texels, repeated; `pixels` may be NULL. */
 GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int height, const void *pixels);
+/* What a program's reflection says of a sampler, as far as the driver can; a border is 0 in all lanes, as OpenGL's are. */
+GLuint gl_sampler(bool mipmaps, int anisotropy, const char *wrap);
 #endif

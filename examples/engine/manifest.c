@@ -46,8 +46,23 @@ static void read_program(Program *program, const char *path, const cJSON *json)
     const cJSON *constants = cJSON_GetObjectItem(json, "constants");
     program->block_bytes = constants ? cJSON_GetObjectItem(constants, "size")->valueint : 0;
     char *reflection = file_of(path, json, "reflection");
-    program->mipmaps = strstr(reflection, "\"filter\": \"mipmaps\"") != NULL;
+    program->textures = cJSON_GetObjectItem(cJSON_Parse(reflection), "textures");
     free(reflection);
+}
+
+/* How a program samples the picture that it has under that name. */
+static Sampling sampling_of(const Program *program, const char *name)
+{
+    const cJSON *texture;
+    cJSON_ArrayForEach(texture, (const cJSON *)program->textures)
+    {
+        if (!strcmp(text_of(texture, "name"), name))
+            return (Sampling){.mipmaps = !strcmp(text_of(texture, "filter"), "mipmaps"),
+                              .srgb = !strcmp(text_of(texture, "format"), "SRGB8_ALPHA8"),
+                              .anisotropy = (int)cJSON_GetNumberValue(cJSON_GetObjectItem(texture, "anisotropy")),
+                              .wrap = text_of(texture, "wrap")};
+    }
+    fail(name, "is not in the program's reflection");
 }
 
 /* A material's numbers, where the program's members lie in the block. */
@@ -69,14 +84,15 @@ static void fill_block(unsigned char *block, const cJSON *members, const cJSON *
     }
 }
 
-static void read_settings(Material *material, const cJSON *use)
+static void read_settings(Material *material, const Program *program, const cJSON *use)
 {
     const cJSON *item, *number;
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(use, "textures"))
     {
         if (material->texture_count == MOST_TEXTURES)
             fail(material->name, "too many textures");
-        material->textures[material->texture_count++] = (Setting){.name = item->string, .file = item->valuestring};
+        material->textures[material->texture_count++] =
+            (Setting){.name = item->string, .file = item->valuestring, .sampling = sampling_of(program, item->string)};
     }
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(use, "uniforms"))
     {
@@ -106,7 +122,7 @@ static void read_material(Material *material, const Manifest *manifest, const cJ
             fill_block(material->block, cJSON_GetObjectItem(constants, "members"),
                        cJSON_GetObjectItem(use, "constants"));
         }
-        read_settings(material, use);
+        read_settings(material, &manifest->programs[material->program], use);
     }
 }
 

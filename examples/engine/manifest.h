@@ -4,10 +4,17 @@
 
 enum { MOST_TEXTURES = 8, MOST_UNIFORMS = 8, MOST_TARGETS = 8 };
 
+/* What a program's reflection says of a picture and its sampler. */
+typedef struct {
+    int mipmaps, srgb, anisotropy;
+    const char *wrap; /* "repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border" */
+} Sampling;
+
 typedef struct {
     const char *name;
     const char *file; /* of a picture */
-    int lanes;        /* of a uniform */
+    Sampling sampling;
+    int lanes; /* of a uniform */
     float numbers[4];
 } Setting;
 
@@ -15,7 +22,7 @@ typedef struct {
     char *vertex, *fragment; /* GLSL */
     const char *file;        /* the fragment's, for messages */
     int block_bytes;         /* of its uniform block `Constants`; 0: it has none */
-    int mipmaps;             /* its textures want them */
+    const void *textures;    /* JSON of its reflection */
 } Program;
 
 typedef struct {

@@ -14,7 +14,8 @@ typedef struct {
     GLuint *programs;                  /* of GL, by program of the manifest */
     GLintptr *ranges;                  /* of the uniform buffer, by material */
     GLuint (*textures)[MOST_TEXTURES]; /* by material */
-    GLuint constants, sphere;          /* a buffer, a vertex array */
+    GLuint (*samplers)[MOST_TEXTURES];
+    GLuint constants, sphere; /* a buffer, a vertex array */
     GLuint targets[MOST_TARGETS], depth;
     int width, height; /* of the frame, with its samples */
 } Scene;
@@ -45,13 +46,16 @@ static void fill_constants(Scene *s)
     free(bytes);
 }
 
-/* Materials that name one file share its texture. */
-static GLuint load_texture(const Scene *s, int upto, const char *file, int mipmaps)
+/* Materials that name one file share its texture, unless one decodes its colours and the other does not. */
+static GLuint load_texture(const Scene *s, int upto, const Setting *wanted)
 {
+    const char *file = wanted->file;
     for (int i = 0; i < upto; i++)
-        for (int k = 0; k < s->manifest->materials[i].texture_count; k++)
-            if (!strcmp(s->manifest->materials[i].textures[k].file, file))
+        for (int k = 0; k < s->manifest->materials[i].texture_count; k++) {
+            const Setting *other = &s->manifest->materials[i].textures[k];
+            if (!strcmp(other->file, file) && other->sampling.srgb == wanted->sampling.srgb)
                 return s->textures[i][k];
+        }
     png_image image = {.version = PNG_IMAGE_VERSION};
     if (!png_image_begin_read_from_file(&image, file))
         fail(file, image.message);
@@ -59,12 +63,9 @@ static GLuint load_texture(const Scene *s, int upto, const char *file, int mipma
     unsigned char *pixels = malloc(PNG_IMAGE_SIZE(image));
     if (!png_image_finish_read(&image, NULL, pixels, -(int)PNG_IMAGE_ROW_STRIDE(image), NULL)) /* bottom row first */
         fail(file, image.message);
-    GLuint texture = gl_texture(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, (int)image.width, (int)image.height, pixels);
-    if (mipmaps) {
-        gl.GenerateMipmap(GL_TEXTURE_2D);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
+    GLuint texture = gl_texture(wanted->sampling.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE,
+                                (int)image.width, (int)image.height, pixels);
+    gl.GenerateMipmap(GL_TEXTURE_2D); /* whether they are read is the sampler's */
     free(pixels);
     return texture;
 }
@@ -75,6 +76,7 @@ static void load_materials(Scene *s)
     s->programs = calloc((size_t)m->program_count, sizeof *s->programs);
     s->ranges = calloc((size_t)m->material_count, sizeof *s->ranges);
     s->textures = calloc((size_t)m->material_count, sizeof *s->textures);
+    s->samplers = calloc((size_t)m->material_count, sizeof *s->samplers);
     for (int i = 0; i < m->program_count; i++) {
         s->programs[i] = gl_program(m->programs[i].file, m->programs[i].vertex, m->programs[i].fragment);
         if (m->programs[i].block_bytes)
@@ -82,9 +84,12 @@ static void load_materials(Scene *s)
     }
     fill_constants(s);
     for (int i = 0; i < m->material_count; i++)
-        for (int k = 0; k < m->materials[i].texture_count; k++)
-            s->textures[i][k] =
-                load_texture(s, i, m->materials[i].textures[k].file, m->programs[m->materials[i].program].mipmaps);
+        for (int k = 0; k < m->materials[i].texture_count; k++) {
+            const Setting *setting = &m->materials[i].textures[k];
+            s->textures[i][k] = load_texture(s, i, setting);
+            s->samplers[i][k] =
+                gl_sampler(setting->sampling.mipmaps, setting->sampling.anisotropy, setting->sampling.wrap);
+        }
 }
 
 /* Position, normal, u and v, the tangents along u and v: the attributes 0 to 4 of every program of matc. */
@@ -204,6 +209,7 @@ static void draw_material(const Scene *s, int i)
     for (int k = 0; k < material->texture_count; k++) {
         gl.ActiveTexture(GL_TEXTURE0 + (GLenum)k);
         glBindTexture(GL_TEXTURE_2D, s->textures[i][k]);
+        gl.BindSampler((GLuint)k, s->samplers[i][k]);
         gl.Uniform1i(gl.GetUniformLocation(program, material->textures[k].name), k);
     }
     glDrawArrays(GL_TRIANGLES, 0, ACROSS * UP * 6);
@@ -252,6 +258,7 @@ static unsigned char *draw_light(const Scene *s, const char *light)
         snprintf(name, sizeof name, depth ? "depthBuffer" : "matc_gbuffer%d", i);
         gl.ActiveTexture(GL_TEXTURE0 + (GLenum)i);
         glBindTexture(GL_TEXTURE_2D, depth ? s->depth : s->targets[i]);
+        gl.BindSampler((GLuint)i, 0);
         gl.Uniform1i(gl.GetUniformLocation(program, name), i);
     }
     gl.Uniform1fv(gl.GetUniformLocation(program, "cell"), 1, &(float){SCENE_CELL * SAMPLES});
@@ -280,5 +287,6 @@ unsigned char *scene_draw(const Manifest *manifest, const char *light, int *widt
     free(s.programs);
     free(s.ranges);
     free(s.textures);
+    free(s.samplers);
     return pixels;
 }

@@ -81,8 +81,22 @@ static void set_block(Material *made, const cJSON *constants, const cJSON *use)
     material_write(made, cJSON_GetObjectItem(constants, "block")->valuestring, block, sizeof block);
 }
 
+/* What reflection says of the sampler of that name. */
+static void set_sampler(TextureSpec *spec, const cJSON *textures, const char *name)
+{
+    const cJSON *texture;
+    cJSON_ArrayForEach(texture, textures)
+    {
+        if (strcmp(cJSON_GetObjectItem(texture, "name")->valuestring, name) != 0)
+            continue;
+        spec->mipmaps = !strcmp(cJSON_GetObjectItem(texture, "filter")->valuestring, "mipmaps");
+        spec->anisotropy = cJSON_GetObjectItem(texture, "anisotropy")->valueint;
+        spec->wrap = texture_wrap(cJSON_GetObjectItem(texture, "wrap")->valuestring);
+    }
+}
+
 /* Every picture is a pattern of bytes: what it shows costs nothing more or less. */
-static bool set_textures(Material *made, const cJSON *use)
+static bool set_textures(Material *made, const cJSON *use, const cJSON *reflection)
 {
     static const size_t size = (size_t)PICTURE_SIDE * PICTURE_SIDE * 4;
     const cJSON *texture;
@@ -92,12 +106,23 @@ static bool set_textures(Material *made, const cJSON *use)
         abort();
     for (size_t i = 0; i < size; i++)
         bytes[i] = (uint8_t)(i * 2654435761u >> 24);
-    const TextureSpec spec = {
-        .width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes, .wrap = GL_REPEAT};
-    cJSON_ArrayForEach(texture, cJSON_GetObjectItem(use, "textures")) fine =
-        fine && material_set_texture(made, texture->string, &spec);
+    cJSON_ArrayForEach(texture, cJSON_GetObjectItem(use, "textures"))
+    {
+        TextureSpec spec = {.width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes};
+        set_sampler(&spec, cJSON_GetObjectItem(reflection, "textures"), texture->string);
+        fine = fine && material_set_texture(made, texture->string, &spec);
+    }
     free(bytes);
     return fine;
+}
+
+/* NULL: there is none. */
+static cJSON *read_json(const BatchOutput *output, const cJSON *name)
+{
+    char *text = name ? batch_read(output->folder, output->out, name->valuestring) : NULL;
+    cJSON *json = text ? cJSON_Parse(text) : NULL;
+    free(text);
+    return json;
 }
 
 bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, Material *made)
@@ -111,6 +136,8 @@ bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, Mate
     free(text);
     if (constants)
         set_block(made, constants, use);
-    return (fine && set_textures(made, use)) ||
-           message_fail(meter->error, sizeof meter->error, "%s/%s: %s", output->out, name, meter->gl->error);
+    cJSON *reflection = read_json(output, cJSON_GetObjectItem(program, "reflection"));
+    fine = fine && set_textures(made, use, reflection);
+    cJSON_Delete(reflection);
+    return fine || message_fail(meter->error, sizeof meter->error, "%s/%s: %s", output->out, name, meter->gl->error);
 }

@@ -39,7 +39,7 @@ static bool compile(const BatchFolder *folder, const Setting *setting, const cha
     snprintf(constants, sizeof constants, "--constants=%s", setting->constants);
     return batch_run(folder, "s", out,
                      (const char *const[]){"-j", "2", "--no-validate", "--pass=gbuffer,shadow,depth",
-                                           "--emit=glsl,vertex,unpack", layout, constants, NULL},
+                                           "--emit=glsl,vertex,reflect,unpack", layout, constants, NULL},
                      &times);
 }
 
