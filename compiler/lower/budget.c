@@ -11,12 +11,14 @@
  * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
  * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
  *     at points: half of the texels are held, and the light's filter over the map makes a half shadow of that
- *     of means:  0.4 everywhere, and all are held */
+ *     of means:  0.4 everywhere, and all are held
+ *
+ * A plane reaches the horizon, where every map is finer than a pixel: its pass may cost twice as much. */
 #include "compiler/lower/lower.h"
 #include <stdlib.h>
 
 enum { FREE_COST = 200 }; /* operations that a pixel has the time for anyway: 234 were measured to take none */
-static const double most_growth = 1.1;
+static const double most_growth = 1.1, most_growth_of_plane = 2;
 
 static int by_index(const void *a, const void *b)
 {
@@ -56,7 +58,8 @@ static int affordable(const LowerRequest *what)
     if (plain < 0 || !maps.count)
         return 0;
     const int *ends = ends_of(what->session->arena, &maps, &count);
-    const double most = most_growth * (plain > FREE_COST ? plain : FREE_COST);
+    const double growth = what->job->pass == PASS_plane ? most_growth_of_plane : most_growth;
+    const double most = growth * (plain > FREE_COST ? plain : FREE_COST);
     int fits = 0, beyond = count + 1; /* so many fit, so many do not */
     for (int next = count; fits + 1 < beyond; next = fits + (beyond - fits) / 2) {
         int cost = trial_cost(what, ends[next - 1], NULL);
