@@ -158,6 +158,31 @@ kill -TERM $pid
 wait $pid
 check "a signal ends it, by its status" test $? = 143
 pid=
+# A .gltf is drawn again when its buffer changes: a triangle, whose third corner moves
+floats() { for n in "$@"; do case $n in 0) printf '\000\000\000\000' ;; 1) printf '\000\000\200\077' ;; -1) printf '\000\000\200\277' ;; esac; done; }
+cat >"$work/triangle.gltf" <<'END'
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "buffers": [{"uri": "triangle.bin", "byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, -1], "max": [1, 1, 1]}]}
+END
+triangle="$draw --mesh=$work/triangle.gltf --camera=0,-3,0,0,0,0 $example"
+floats -1 -1 0 1 -1 0 1 1 0 >"$work/triangle.bin"
+check "a triangle" status 0 $triangle -o "$work/red.png"
+floats -1 -1 0 1 -1 0 -1 1 0 >"$work/triangle.bin"
+check "and another" status 0 $triangle -o "$work/green.png"
+check "which looks else" differ red green
+floats -1 -1 0 1 -1 0 1 1 0 >"$work/triangle.bin"
+$triangle --watch -o "$work/seen.png" 2>"$work/stderr" >"$work/stdout" &
+pid=$!
+within "--watch draws a mesh" 'same seen red && drawn 3 1'
+sleep 0.1
+floats -1 -1 0 1 -1 0 -1 1 0 >"$work/triangle.bin"
+within "its buffer changes" 'same seen green && drawn 3 2'
+kill -TERM $pid
+wait $pid
+pid=
+
 check "--watch of standard input" status 2 $draw --watch - </dev/null
 check "--watch to standard output" status 2 $draw --watch $example -o -
 

@@ -1,6 +1,7 @@
 /* Meshes out of files. */
 #ifndef MATC_VIEW_MODEL_H
 #define MATC_VIEW_MODEL_H
+#include "compiler/base/watch.h"
 #include "runtime/gl/shape.h"
 #include <stddef.h>
 
@@ -19,6 +20,9 @@ bool model_read(const char *path, Shape *made, char *error, size_t room);
 
 /* The same where it stands, in its own size, for scenes. */
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room);
+
+/* Adds the files beside itself that a mesh's file is made of: a .gltf's buffers, whether they are there or not. */
+void model_files(const char *path, WatchList *files);
 
 /* The second half: checks what was read, and adds what is missing. NULL, or what is wrong. */
 const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates);

@@ -232,8 +232,10 @@ static int run_inputs(Command *command)
     Shape mesh;
     if (!command->mesh)
         return draw_inputs(command);
-    if (command->watched)
+    if (command->watched) {
         watch_list_add(command->watched, command->mesh);
+        model_files(command->mesh, command->watched);
+    }
     if (!model_read(command->mesh, &mesh, error, sizeof error)) {
         for (int i = 0; command->watched && i < command->input_count; i++)
             watch_list_add(command->watched, command->inputs[i]);
