@@ -3,5 +3,6 @@
 float magnitudeShare(float width) {
     float periods = min(width, 64.0) * noiseGrain;
     float w = periods * periods;
-    return max(1.35 / (1.0 + w * (1.08 + 0.19 * w)) - 0.35, 0.0);
+    float x = w * (1.08 + 0.19 * w);
+    return max(1.0 - 1.35 * x / (1.0 + x), 0.0);
 }

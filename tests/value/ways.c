@@ -75,6 +75,8 @@ static const float far_for_slopes = 1000, far_for_sines = 1e5f;
 /* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. Slopes of what it gives, which a BumpMap takes, are
  * test_filtered_picture's. */
 static const float far_for_samplers = 100;
+/* Where a filter's points, each of which rounds by itself, lie apart by other distances than they should: a hull moves all of them alike. */
+static const float far_for_filters = 1000;
 
 static bool point_is_far(const Point *point, float far)
 {
@@ -96,9 +98,11 @@ static bool point_on_edges(const Point *point)
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
 {
     const bool sampled = way_samples(way, subjects);
+    const bool filters = subjects->has[KIND_Laplace3D] || subjects->has[KIND_Smooth3D];
     return !point_is_extreme(point) &&
            !(way->choice == CHOICE_derivatives_analytic && point_is_far(point, far_for_slopes)) &&
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&
            !(sampled && (subjects->has[KIND_BumpMap] || point_is_far(point, far_for_samplers))) &&
+           !(filters && point_is_far(point, far_for_filters)) &&
            !(way->choice == CHOICE_noise_simplex && point_on_edges(point));
 }
