@@ -1,4 +1,5 @@
-/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double by ir_eval. */
+/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double by ir_eval. AREA_ONLY=part-of-a-name in
+ * the environment looks at those rows only; AREA_SEED=N takes other footprints, for which the bounds of areas.def are not meant. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -268,11 +269,12 @@ static void pixels_show_means(void **state)
 {
     (void)state;
     int faults = 0;
-    const char *only = getenv("AREA_ONLY");
+    const char *only = getenv("AREA_ONLY"), *seed = getenv("AREA_SEED");
+    const int first = seed ? AREA_COUNT * atoi(seed) : 0;
     print_message("%-31s %7s %17s %17s %17s %15s\n", "seen, and at most", "none", "box", "none/box", "aniso/box",
                   "on axes");
     for (int i = 0; i < AREA_COUNT; i++) {
-        Test t = {.row = &areas[i], .state = java_random(i)};
+        Test t = {.row = &areas[i], .state = java_random(first + i)};
         double error[AA_COUNT] = {0};
         if (only && !strstr(areas[i].name, only))
             continue;

@@ -8,5 +8,5 @@ folder=$2/browser
 shift 2
 browser=${MATC_BROWSER:-$(command -v chromium || command -v chromium-browser || command -v google-chrome)} ||
     skip "no Chromium is installed (./setup browser installs it), so no browser drew anything"
-npm_fetch tests/browser "$folder" check.mjs matc.mjs programs.mjs values.mjs gbuffer.mjs page.js
+npm_fetch tests/browser "$folder" check.mjs matc.mjs programs.mjs values.mjs gbuffer.mjs pictures.mjs page.js
 exec node "$folder/check.mjs" "$matc" . "$folder" "$browser" "$@"
