@@ -1,0 +1,210 @@
+/* One document: its material is found, measured where that is asked for, compiled or evaluated, and written. */
+#include "compiler/tool/main.h"
+#include "compiler/base/file.h"
+#include "compiler/base/progress.h"
+#include "compiler/base/session.h"
+#include "compiler/base/watch.h"
+#include "compiler/tool/options_fault.h"
+#include "compiler/tool/single.h"
+#include "runtime/measure/pareto.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static unsigned wanted_outputs(const CommandLine *line)
+{
+    unsigned outputs = line->stats ? MATC_STATS : 0;
+    for (int emit = 0; emit < EMIT_COUNT; emit++)
+        if (line->emit[emit])
+            outputs |= emit_table[emit].output | options_emit_output(&line->compile, emit);
+    return outputs;
+}
+
+/* What stands on the terminal's last line. */
+typedef struct {
+    double last;
+} Shown;
+
+static void show_measuring(void *user, int done, int total)
+{
+    Shown *shown = user;
+    char what[64];
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    snprintf(what, sizeof what, "%d of %d programs measured", done, total);
+    fputs(progress_line(&text, what, session_now(), &shown->last), stderr);
+    arena_free(&arena);
+}
+
+/* What is measured; check_usage has seen the numbers. */
+static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material, Shown *shown)
+{
+    ParetoSubject subject = {document,       material,
+                             GL_KIND_osmesa, options_number(line->range, measure_range),
+                             line->output,   isatty(STDERR_FILENO) ? show_measuring : NULL,
+                             shown};
+    if (line->gl)
+        gl_kind_find(line->gl, &subject.gl);
+    return subject;
+}
+
+/* A material that does not compile as it was asked for says why, and is not measured. */
+static bool is_refused(const CommandLine *line, const MatcDocument *document, int material)
+{
+    MatcOptions options = line->compile;
+    options.validate = false;
+    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT, &options);
+    bool refused = !matc_ok(program);
+    if (refused)
+        fputs(matc_program_diagnostics(program, line->diagnostics), stderr);
+    matc_program_free(program);
+    return refused;
+}
+
+int main_choose(const CommandLine *line, const MatcDocument *document, int material, MatcOptions *options)
+{
+    ParetoAnswer answer;
+    *options = line->compile;
+    if (!line->max_error)
+        return FINE;
+    if (is_refused(line, document, material))
+        return FAULT;
+    Shown shown = {0};
+    ParetoSubject subject = subject_of(line, document, material, &shown);
+    bool chosen = pareto_choose(&subject, options_number(line->max_error, 0), options, &answer);
+    fputs(progress_erase(&shown.last), stderr);
+    if (!chosen)
+        return main_complain(line, "--max-error", answer.error);
+    if (line->stats)
+        fputs(answer.text, stderr);
+    free(answer.text);
+    return FINE;
+}
+
+static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
+{
+    ParetoAnswer answer;
+    if (is_refused(line, document, material))
+        return FAULT;
+    Shown shown = {0};
+    ParetoSubject subject = subject_of(line, document, material, &shown);
+    bool measured = pareto_measure(&subject, &line->compile, &answer);
+    fputs(progress_erase(&shown.last), stderr);
+    if (!measured)
+        return main_complain(line, "--pareto", answer.error);
+    fputs(answer.text, stdout);
+    free(answer.text);
+    return FINE;
+}
+
+/* Compiles a material, and writes it if it has no fault. */
+static int compile_material(const CommandLine *line, MatcDocument *document, int material)
+{
+    MatcOptions options;
+    char path[SINGLE_PATH];
+    if (main_choose(line, document, material, &options) != FINE)
+        return FAULT;
+    MatcProgram *program = matc_compile(document, material, wanted_outputs(line), &options);
+    fputs(matc_program_diagnostics(program, line->diagnostics), stderr);
+    int status = matc_ok(program) ? FINE : FAULT;
+    if (status == FINE && line->stats)
+        fputs(matc_output(program, MATC_STATS, NULL), stderr);
+    const char *why = status == FINE ? single_write(line, document, program, path) : NULL;
+    if (why)
+        status = main_complain(line, path, why);
+    matc_program_free(program);
+    return status;
+}
+
+static int eval_material(const CommandLine *line, const MatcDocument *document, int material)
+{
+    const char *fault;
+    char *values = matc_eval(document, material, line->eval, &line->compile, &fault);
+    if (!values)
+        return main_usage(line, fault);
+    fputs(values, stdout);
+    free(values);
+    return FINE;
+}
+
+static void complain_of_several(const CommandLine *line, const MatcDocument *document)
+{
+    static const char why[] = "the document has several materials; name one with --material, or use -d";
+    if (line->diagnostics == MATC_JSON) {
+        main_complain(line, NULL, why);
+        return;
+    }
+    fprintf(stderr, "matc: error: %s:\n", why);
+    for (int i = 0; i < matc_material_count(document); i++)
+        fprintf(stderr, "  %s\n", matc_material_name(document, i));
+}
+
+static const char *material_name(const void *document, int i) { return matc_material_name(document, i); }
+
+static void complain_of_material(const CommandLine *line, const MatcDocument *document)
+{
+    Arena arena = {0};
+    const NameChoice names = {material_name, document, matc_material_count(document)};
+    main_complain(line, NULL, options_fault_value(&arena, "--material", line->material, &names));
+    arena_free(&arena);
+}
+
+/* The material that is meant, or -1: a fault, reported. */
+static int choose_material(const CommandLine *line, const MatcDocument *document)
+{
+    if (line->material) {
+        int found = matc_material_find(document, line->material);
+        if (found < 0)
+            complain_of_material(line, document);
+        return found;
+    }
+    if (matc_material_count(document) == 1)
+        return 0;
+    complain_of_several(line, document);
+    return -1;
+}
+
+static int run_document(const CommandLine *line, MatcDocument *document)
+{
+    if (!matc_material_count(document))
+        return matc_error_count(document) ? FAULT
+                                          : main_complain(line, NULL, "the document has no material to compile");
+    int material = choose_material(line, document);
+    if (material < 0)
+        return FAULT;
+    if (line->pareto)
+        return print_pareto(line, document, material);
+    return line->eval ? eval_material(line, document, material) : compile_material(line, document, material);
+}
+
+static int write_tree(const CommandLine *line, MatcDocument *document)
+{
+    char path[SINGLE_PATH];
+    const char *why = single_write(line, document, NULL, path);
+    return why ? main_complain(line, path, why) : FINE;
+}
+
+int main_document(const CommandLine *line, const char *path)
+{
+    size_t size;
+    const char *why;
+    char *text = strcmp(path, "-") ? file_read_named(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
+    if (!text && line->watched)
+        watch_list_add(line->watched, path);
+    if (!text)
+        return main_complain(line, path, why);
+    MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
+    free(text);
+    fputs(matc_diagnostics(document, line->diagnostics), stderr);
+    for (int i = 0; line->watched && i < matc_depend_count(document); i++)
+        watch_list_add(line->watched, matc_depend(document, i));
+    bool tree_only = line->emit[EMIT_tree] && !line->folder && !line->depend && !line->textures;
+    int status = FAULT;
+    if (!tree_only)
+        status = run_document(line, document);
+    else if (!matc_error_count(document))
+        status = write_tree(line, document);
+    matc_document_free(document);
+    return status;
+}
