@@ -265,7 +265,8 @@ static Ref picture_filtered(Lower *l, const Picture *p, Ref uv, Spread spread)
 {
     const Addressed a = addressed(p);
     Ref unfolded = address_unfolded(l->ir, &a, uv), wide = texels_across(l, p, spread);
-    Ref value = picture_over(l, FN_imageFiltered, p, place_of(l, p, uv), spread_of(l, unfolded));
+    Ref place = place_of(l, p, uv);
+    Ref value = picture_over(l, FN_imageFiltered, p, place, spread_of(l, unfolded));
     return with_border(l, p, value, (Ref[]){uv, wide});
 }
 
