@@ -34,7 +34,7 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     choice_job(options, &job);
     const ReferenceContext context = {.noise = job_noise(job.choice[AXIS_noise], job.target)};
     Oracle *oracle = oracle_open(d->graph, &context);
-    oracle_exact_derivatives(oracle, job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic);
+    oracle_derivatives(oracle, (Choice)job.choice[AXIS_derivatives]);
     bool known = true;
     double work = 0;
     for (int i = 0; i < points.count && known; i++) {

@@ -54,7 +54,7 @@ typedef struct {
     const char *precision;    /* "fast" (default), "balanced", "exact": sets those below that are NULL */
     const char *noise;        /* "lattice" (default), "groimp", "simplex" */
     const char *aa;           /* "auto" (default), "none", "box", "aniso" */
-    const char *derivatives;  /* "finite" (default), "analytic" */
+    const char *derivatives;  /* "auto" (default), "finite", "analytic" */
     const char *coordinates;  /* "plain" (default), "long" */
     const char *powers;       /* "squaring" (default), "pow", "compensated" */
     const char *trigonometry; /* "native" (default), "bounded" */

@@ -81,6 +81,7 @@ const KindRow kind_table[KIND_COUNT] = {
     [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by, [KIND_##kind].variance = FN_##rest,
 #define EXAMPLE(kind, document) [KIND_##kind].example = document,
 #define MOVES(kind, which)      [KIND_##kind].moves = MOVES_##which,
+#define STEP(kind, size, lanes) [KIND_##kind].step = size, [KIND_##kind].step_lanes = lanes,
 #include "materials.def"
 #include "maps.def"
 };

@@ -134,6 +134,8 @@ typedef struct {
     FilterKind filter;
     int mean, variance; /* the filter's Functions, or FN_none */
     unsigned moves;     /* Moved: coordinates that it answers with others than its input's */
+    double step;        /* of its finite difference; 0: a texel */
+    int step_lanes;     /* along so many lanes of its coordinate; 0: it neither jumps nor is a picture */
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 

@@ -110,7 +110,7 @@ static int check_program(const Document *d, int material, const MatcOptions *opt
 static int check_material(const Document *d, int material)
 {
     static const char *const passes[] = {"gbuffer", "sky"}, *const aa[] = {"none", "box", "aniso"},
-                             *const derivatives[] = {"finite", "analytic"};
+                             *const derivatives[] = {"auto", "analytic"};
     MatcOptions options = d->options;
     options.validate = false;
     options.trigonometry = "bounded";

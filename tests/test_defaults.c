@@ -311,7 +311,7 @@ static void test_precision(void **state)
         assert_int_equal(job.choice[AXIS_powers], rows[i].powers);
         assert_int_equal(job.choice[AXIS_trigonometry], rows[i].trigonometry);
         assert_int_equal(job.choice[AXIS_aa], CHOICE_aa_auto);
-        assert_int_equal(job.choice[AXIS_derivatives], CHOICE_derivatives_finite);
+        assert_int_equal(job.choice[AXIS_derivatives], CHOICE_derivatives_auto);
     }
 }
 

@@ -9,7 +9,7 @@
 #include "tests/stress/stress.h"
 #include <string.h>
 
-enum { TREES = 400 };
+enum { TREES = 400, RELIEFS = 200 };
 
 static void random_trees_hold(void **state)
 {
@@ -25,6 +25,26 @@ static void random_trees_hold(void **state)
     assert_int_equal(faults, 0);
     assert_int_equal(n.trees, TREES);
     assert_true(n.values > 10 * TREES && n.programs > TREES / 32 && n.judged > 1000);
+}
+
+/* Trees of displacements, each way of finding their slopes: nearly all of a document is there to be differentiated. */
+static void random_reliefs_hold(void **state)
+{
+    (void)state;
+    static const char *const derivatives[] = {"auto", "analytic", "finite"};
+    for (size_t i = 0; i < sizeof derivatives / sizeof *derivatives; i++) {
+        StressOptions options;
+        TrialCount n = {0};
+        stress_options_init(&options);
+        options.generate = generate_relief;
+        options.options.derivatives = derivatives[i];
+        options.options.aa = "none";
+        options.count = RELIEFS;
+        options.validate_every = options.draw_every = 0;
+        assert_int_equal(stress_run(&options, &n), 0);
+        print_message("%s: %ld trees, %ld values, %ld known slopes\n", derivatives[i], n.trees, n.values, n.slopes);
+        assert_true(n.slopes > RELIEFS / 20 || !strcmp(derivatives[i], "finite"));
+    }
 }
 
 /* Trees that once had a fault. */
@@ -90,10 +110,9 @@ static void scripts_shrink(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_seed_is_a_document),
-        cmocka_unit_test(scripts_shrink),
-        cmocka_unit_test(mended_trees_hold),
-        cmocka_unit_test(random_trees_hold),
+        cmocka_unit_test(a_seed_is_a_document), cmocka_unit_test(scripts_shrink),
+        cmocka_unit_test(mended_trees_hold),    cmocka_unit_test(random_trees_hold),
+        cmocka_unit_test(random_reliefs_hold),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

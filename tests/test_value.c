@@ -51,8 +51,8 @@ typedef struct {
     Document *document;
     int material;
     Oracle *oracles[NOISES];
-    Hull *hulls[NOISES][2][2]; /* by noise, exact derivatives and side */
-    Hull *sampled[2];          /* by side, where the driver samples pictures */
+    Hull *hulls[NOISES][CHOICE_COUNT][2]; /* by noise, derivatives and side */
+    Hull *sampled[2];                     /* by side, where the driver samples pictures */
 } Subject;
 
 /* Of the material seen from behind, when nothing but the normal turns. */
@@ -67,9 +67,9 @@ static void turn_hulls(const Hull *front, Hull *back)
         }
 }
 
-static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool exact, bool front)
+static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice derivatives, bool front)
 {
-    Hull **hulls = &s->hulls[noise][exact][front];
+    Hull **hulls = &s->hulls[noise][derivatives][front];
     if (*hulls)
         return *hulls;
     if (!s->oracles[noise])
@@ -80,10 +80,10 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool ex
     Subjects subjects;
     subjects_of(s->document->graph->materials[s->material].node, SLOT_normal, &subjects);
     if (!front && !subjects.has[KIND_SideSwitch]) {
-        turn_hulls(hulls_of(w, s, noise, exact, true), *hulls);
+        turn_hulls(hulls_of(w, s, noise, derivatives, true), *hulls);
         return *hulls;
     }
-    oracle_exact_derivatives(s->oracles[noise], exact);
+    oracle_derivatives(s->oracles[noise], derivatives);
     const bool steep = noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT;
     const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float};
     points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points, *hulls);
@@ -92,7 +92,7 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, bool ex
 
 static const Hull *sampled_hulls_of(Worker *w, Subject *s, bool front)
 {
-    const Hull *exact = hulls_of(w, s, REFERENCE_LATTICE, false, front);
+    const Hull *exact = hulls_of(w, s, REFERENCE_LATTICE, CHOICE_derivatives_auto, front);
     Hull **sampled = &s->sampled[front];
     if (*sampled)
         return *sampled;
@@ -111,7 +111,7 @@ static void forget(Subject *s)
     free(s->sampled[1]);
     for (int noise = 0; noise < NOISES; noise++) {
         oracle_close(s->oracles[noise]);
-        for (int i = 0; i < 4; i++)
+        for (int i = 0; i < 2 * CHOICE_COUNT; i++)
             free(s->hulls[noise][i / 2][i % 2]);
     }
 }
@@ -155,9 +155,9 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice choice = c->way->choice;
     Choice basis = choice_table[choice].axis == AXIS_noise ? choice : CHOICE_noise_lattice;
     ReferenceNoise noise = job_noise(basis, c->way->target);
-    bool exact = choice == CHOICE_derivatives_analytic;
+    Choice derivatives = choice_table[choice].axis == AXIS_derivatives ? choice : CHOICE_derivatives_auto;
     const Hull *hulls = way_samples(c->way, c->subjects) ? sampled_hulls_of(w, c->subject, front)
-                                                         : hulls_of(w, c->subject, noise, exact, front);
+                                                         : hulls_of(w, c->subject, noise, derivatives, front);
     int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++) {

@@ -66,6 +66,7 @@ struct Node {
     int filters;       /* most filters on a way down from here, this one included; bounded */
     const char *name;  /* the author's: its key under `defs:`, or its anchor; NULL: none */
     const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
+    bool steps;  /* it, or a map below, has a STEP row: it jumps or is a picture */
 };
 
 typedef struct {

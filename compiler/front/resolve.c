@@ -330,6 +330,7 @@ static void below(Node *node, const Node *child)
         node->depth = child->depth + 1;
     if (child->filters > node->filters)
         node->filters = child->filters;
+    node->steps |= child->steps;
 }
 
 /* Measures what hangs below a node, and bounds it. */
@@ -343,6 +344,7 @@ static bool measure(Resolver *r, Node *node)
             below(node, value->items->item[k].input);
     }
     node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
+    node->steps |= kind_table[node->kind].step_lanes > 0;
     if (node->depth > LIMIT_GRAPH_DEPTH)
         diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
     else if (node->filters > LIMIT_FILTERS)

@@ -116,7 +116,7 @@ Answer answer_either(Lower *l, Ref by, Answer a, Answer b)
     a = answer_widened(l, a, type);
     b = answer_widened(l, b, type);
     Answer either = answer_of(mean_of_colors(l, by, a.value, b.value));
-    if (!footprint_is_filtered(l))
+    if (!footprint_is_filtered(l) && !l->relief)
         return either;
     Split *split = ARENA_NEW(l->session->arena, Split);
     *split = (Split){by, a, b};

@@ -1,5 +1,6 @@
 /* The frame of lowering: asking maps, the memo, parameters as IR. */
 #include "compiler/lower/area.h"
+#include "compiler/lower/relief.h"
 #include <string.h>
 
 enum { LEAST_ARM = 40 }; /* scalar operations of a map from which on a choice of it may be a branch */
@@ -119,7 +120,9 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
 {
     if (!map)
         return answer_of(env->root[group]);
-    uint64_t key = ((uint64_t)env->number << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
+    if (env->relief && !map->steps)
+        return relief_smooth(l, map, group, env);
+    uint64_t key = ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
     Memo *memo = memo_find(l, key);
     if (memo->key)
         return memo->answer;
@@ -182,19 +185,39 @@ static Answer through_wave(Lower *l, const Node *node, Answer f)
     return wave->kind == VALUE_wave ? lower_wave(l, wave->wave, v) : v;
 }
 
+enum { MOST_OWN = 7 };
+
+/* A volume map and the parameters of its own. */
+typedef struct {
+    const Node *node;
+    Ref args[MOST_OWN];
+    int count;
+} Volume;
+
+static Answer volume_answer(Lower *l, const Volume *v, Answer p)
+{
+    return through_wave(l, v->node, area_volume(l, v->node->kind, p, v->args, v->count));
+}
+
+static Ref volume_at(Lower *l, const void *map, Answer p) { return volume_answer(l, map, p).value; }
+
 static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env)
 {
-    enum { FIRST_OWN = 4, MOST_OWN = 7 };
+    enum { FIRST_OWN = 4 };
     const KindRow *row = &kind_table[node->kind];
     const Node *input = node->params[0].kind == VALUE_node ? node->params[0].node : NULL;
-    Answer p = lower_answer(l, input, GROUP_X, env);
-    Ref args[MOST_OWN];
-    int count = 0;
+    Volume volume = {.node = node};
+    Stepped steps = {.at = volume_at, .map = &volume, .q = lower_answer(l, input, GROUP_X, env)};
     for (int i = FIRST_OWN; i < row->count; i++) {
         static const Type type_of[] = {[PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
-        args[count++] = lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
+        volume.args[volume.count++] = lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
-    return answer_as_group(l, through_wave(l, node, area_volume(l, node->kind, p, args, count)), group);
+    Answer answer = volume_answer(l, &volume, steps.q);
+    for (int i = 0; i < row->step_lanes; i++)
+        steps.step[i] = row->step;
+    if (row->step_lanes)
+        relief_step(l, answer.value, &steps);
+    return answer_as_group(l, answer, group);
 }
 
 /* Gradient: dot(p, direction). */

@@ -7,9 +7,10 @@
 /* What the root of the delegation answers. Filters evaluate their input in an environment of their own. */
 typedef struct {
     Ref root[GROUP_COUNT];
-    Ref front;  /* bool: seen from the front */
-    Ref eye_n;  /* the root normal in eye space, 0 if only eyeFromWorld can tell */
-    int number; /* for the memo: of how many filters it is the inside */
+    Ref front;   /* bool: seen from the front */
+    Ref eye_n;   /* the root normal in eye space, 0 if only eyeFromWorld can tell */
+    int number;  /* for the memo: of how many filters it is the inside */
+    bool relief; /* for the memo too: within a displacement, whose slope by u and v is asked; relief.c */
 } Env;
 
 /* Along what a value is differentiated: to the next pixel on the screen, and by the surface's own u and v. */
@@ -52,6 +53,11 @@ typedef struct {
     const Node **at;
     size_t count, room;
 } MapList;
+/* How nodes are made. */
+typedef struct {
+    bool cheap;         /* forms that are cheaper but not the plainest: -O1 and up */
+    Simplify *simplify; /* the local rules; NULL in the IR at -O0 */
+} Manner;
 
 typedef struct {
     Session *session;
@@ -66,6 +72,8 @@ typedef struct {
     MapList averageable;            /* with --aa=auto; budget.c */
     int averaged_below;             /* of these, maps of a lower index are averaged */
     int arms;                       /* under way: maps of a choice that is likely to become a branch */
+    bool relief;                    /* under way: a displacement of --derivatives=auto; relief.c */
+    Manner outside;                 /* of it */
     bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;

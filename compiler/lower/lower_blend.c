@@ -253,5 +253,8 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         l->failed = true;
         return answer_of(stops[0].result);
     }
-    return blend_split(l, x, stops, count, MOST_SPLITS);
+    Answer answer = blend_split(l, x, stops, count, MOST_SPLITS);
+    if (l->relief) /* a Blend in a displacement is no more one of two: another one along it goes by its slope */
+        answer.split = NULL;
+    return answer;
 }

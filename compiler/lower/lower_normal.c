@@ -1,6 +1,5 @@
 /* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
-#include "compiler/lower/answer.h"
-#include "compiler/lower/slope.h"
+#include "compiler/lower/relief.h"
 
 typedef struct {
     Ref tu, tv; /* of the input */
@@ -98,21 +97,6 @@ static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
     return (Slopes){u, v};
 }
 
-/* How red rises: what the maps answer for their derivative channels, or the derivative of what they compute. */
-static Slopes height_slopes(Lower *l, const Node *displacement, const Node *input, const Env *env)
-{
-    Ir *ir = l->ir;
-    if (l->job->choice[AXIS_derivatives] == CHOICE_derivatives_finite) {
-        Ref by_u = build_swizzle(ir, lower_ask(l, displacement, GROUP_DU, env), "x");
-        Ref by_v = build_swizzle(ir, lower_ask(l, displacement, GROUP_DV, env), "x");
-        return (Slopes){by_u, by_v};
-    }
-    Ref height = build_swizzle(ir, lower_ask(l, displacement, GROUP_R, env), "x");
-    Ref by_u = build_or_zero(ir, slope_of(l, height, DIRECTION_u), TYPE_float),
-        by_v = build_or_zero(ir, slope_of(l, height, DIRECTION_v), TYPE_float);
-    return along_tangents(l, input, (Slopes){by_u, by_v});
-}
-
 Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -124,7 +108,9 @@ Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
     Frame frame = input_frame(l, input, env);
     Ref strength = lower_param(l, node_param(node, P_BumpMap_strength), TYPE_float);
     Ref k = build_scale(ir, strength, step);
-    Slopes slopes = height_slopes(l, displacement, input, env);
+    Slopes slopes = relief_slopes(l, node, env);
+    if (l->job->choice[AXIS_derivatives] != CHOICE_derivatives_finite)
+        slopes = along_tangents(l, input, slopes);
     return answer_of(tilted(l, &frame, REFS(ir, build_mul(ir, k, slopes.u), build_mul(ir, k, slopes.v)), group));
 }
 

@@ -1,5 +1,6 @@
 /* Constants, checkers and pictures. */
 #include "compiler/lower/area.h"
+#include "compiler/lower/relief.h"
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
@@ -83,7 +84,7 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
 {
     Ir *ir = l->ir;
     const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
-    const double step = 0.05;
+    const double step = kind_table[KIND_Checker].step;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
     Ref a = build_convert(ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
@@ -93,11 +94,38 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
     return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
-/* How much of the footprint is odd squares; 0: the one or the other shows. --aa=auto leaves costly colours their branch. */
-static Ref odd_share(Lower *l, const Node *color1, const Node *color2, Answer p)
+/* The colours of a checker: color1 of odd squares, color2. */
+typedef struct {
+    const Node *node[2];
+    Answer answer[2];
+} Colors;
+
+static void ask_colors(Lower *l, Colors *colors, Group group, const Env *env)
 {
+    for (int i = 0; i < 2; i++)
+        colors->answer[i] = lower_arm(l, colors->node[i], group, env);
+}
+
+/* How much of the pixel lies where the sum of the lanes of floor(2 q) is odd; or a bool, whether the point does, without a footprint or where
+ * --aa=auto leaves costly colours their branch. */
+static Ref odd_at(Lower *l, const void *map, Answer q)
+{
+    const Colors *colors = map;
     const bool frugal = l->job->choice[AXIS_aa] == CHOICE_aa_auto;
-    return frugal && (lower_wants_branch(color1) || lower_wants_branch(color2)) ? 0 : area_odd_share(l, p);
+    const bool branches = frugal && (lower_wants_branch(colors->node[0]) || lower_wants_branch(colors->node[1]));
+    Ref share = branches ? 0 : area_odd_share(l, q);
+    return share ? share : odd_sum(l, q.value);
+}
+
+/* Either colour, by squares or cubes of edge 1/2. */
+static Answer odd_or_even(Lower *l, Answer q, double step, const Colors *colors)
+{
+    Ref odd = odd_at(l, colors, q);
+    Stepped map = {.at = odd_at, .map = colors, .q = q, .repeats = true};
+    for (int i = 0; i < ir_lanes(l->ir, q.value); i++)
+        map.step[i] = step;
+    relief_step(l, odd, &map);
+    return answer_either(l, odd, colors->answer[0], colors->answer[1]);
 }
 
 Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
@@ -106,20 +134,19 @@ Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
     Answer uv = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
         return answer_of(checker_slope(l, node, uv.value, group, env));
-    Answer a = lower_arm(l, color1, group, env), b = lower_arm(l, color2, group, env);
-    Ref share = odd_share(l, color1, color2, uv);
-    return answer_either(l, share ? share : odd_square(l, uv.value, 0, 0), a, b);
+    Colors colors = {.node = {color1, color2}};
+    ask_colors(l, &colors, group, env);
+    return odd_or_even(l, uv, kind_table[KIND_Checker].step, &colors);
 }
 
 Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    const Node *color1 = lower_param_node(node, P_VolumeChecker_color1);
-    const Node *color2 = lower_param_node(node, P_VolumeChecker_color2);
-    Answer a = lower_arm(l, color1, group, env), b = lower_arm(l, color2, group, env);
+    Colors colors = {
+        .node = {lower_param_node(node, P_VolumeChecker_color1), lower_param_node(node, P_VolumeChecker_color2)}};
+    ask_colors(l, &colors, group, env);
     p = answer_scaled(l, p, build_float(l->ir, 0.5));
-    Ref share = odd_share(l, color1, color2, p);
-    return answer_either(l, share ? share : odd_sum(l, p.value), a, b);
+    return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
 }
 
 /* The same picture, or reliefs of the same parameters. */
@@ -213,8 +240,13 @@ static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
 {
     Ref sampler = build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
     const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler), sampled->address};
-    Ref value = is_derivative(group) ? sampled_slope(l, sampled, &picture, uv, group == GROUP_DV)
-                                     : lanes_of(l, sampled, area_picture(l, &picture, uv));
+    if (is_derivative(group))
+        return lower_as_group(l, sampled_slope(l, sampled, &picture, uv, group == GROUP_DV), group);
+    Ref value = lanes_of(l, sampled, area_picture(l, &picture, uv));
+    if (l->relief) {
+        Ref by_u = sampled_slope(l, sampled, &picture, uv, false), by_v = sampled_slope(l, sampled, &picture, uv, true);
+        relief_rise(l, value, uv, REFS(l->ir, by_u, by_v, 0));
+    }
     return lower_as_group(l, value, group);
 }
 
@@ -303,7 +335,6 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
 
 Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const double step = 0.005;
     const KindRow *row = &kind_table[KIND_Carpenter];
     for (int i = 1; i < row->count; i++)
         lower_reject_uniform(l, &node->params[i], param_table[row->first + i].name,
@@ -319,5 +350,5 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .width = (int)width[0],
                                .height = (int)height[0]};
     return answer_of(
-        sample_group(l, &(Sampled){texture, FN_carpenterRelief, step, NULL, WORD_Address_repeat}, uv, group));
+        sample_group(l, &(Sampled){texture, FN_carpenterRelief, row->step, NULL, WORD_Address_repeat}, uv, group));
 }

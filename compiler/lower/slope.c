@@ -86,14 +86,16 @@ static Ref swizzle_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_lanes(ir, slopes[0], ir_at(ir, ref)->payload, ir_lanes(ir, ref));
 }
 
+/* A condition whose finite step is known (relief.c) counts as a number from 0 to 1; others do not change. */
 static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     const Type type = ir_type(ir, ref);
-    if (!slopes[1] && !slopes[2])
-        return 0;
-    if (build_is_guard(ir, ref))
-        return build_guard(ir, ir_arg(ir, ref, 0), slopes[1]);
-    return build_select(ir, ir_arg(ir, ref, 0), build_or_zero(ir, slopes[1], type), build_or_zero(ir, slopes[2], type));
+    Ref condition = ir_arg(ir, ref, 0), a = ir_arg(ir, ref, 1), b = ir_arg(ir, ref, 2), within = 0;
+    if (slopes[1] && build_is_guard(ir, ref))
+        within = build_guard(ir, condition, slopes[1]);
+    else if (slopes[1] || slopes[2])
+        within = build_select(ir, condition, build_or_zero(ir, slopes[1], type), build_or_zero(ir, slopes[2], type));
+    return build_plus(ir, within, slopes[0] ? build_mul(ir, build_sub(ir, a, b), slopes[0]) : 0);
 }
 
 /* dot, cross: linear in each operand. */

@@ -35,7 +35,7 @@ bool oracle_surface_set(Surface *surface, const char *name, double value)
     return false;
 }
 
-void oracle_exact_derivatives(Oracle *oracle, bool exact) { oracle->exact = exact; }
+void oracle_derivatives(Oracle *oracle, Choice how) { oracle->derivatives = how; }
 
 void oracle_slope_span(Oracle *oracle, double behind, double ahead)
 {
@@ -59,6 +59,7 @@ Oracle *oracle_open(const Graph *graph, const ReferenceContext *context)
         abort();
     oracle->graph = graph;
     oracle->context = *context;
+    oracle_derivatives(oracle, CHOICE_derivatives_auto);
     oracle_slope_span(oracle, -1, 1);
     return oracle;
 }
@@ -77,7 +78,7 @@ Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
     const Memo none = {0};
     while (oracle->memo_count <= (size_t)depth)
         ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_room, none);
-    return (Environment){oracle, surface, ++oracle->stamp, depth};
+    return (Environment){oracle, surface, ++oracle->stamp, depth, NULL};
 }
 
 double oracle_ask(Environment *environment, const Node *map, int channel)

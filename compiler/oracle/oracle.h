@@ -14,7 +14,7 @@ static inline int channel_id(Group group, int lane) { return LANES_OF_GROUP * (i
 typedef struct {
     double root[CHANNEL_ID_COUNT]; /* what a map without input reads, by channel id */
     bool front;                    /* seen from the front */
-    double local_u[3], local_v[3]; /* how the object position changes by u and v; only exact derivatives read it */
+    double local_u[3], local_v[3]; /* how the object position changes by u and v; finite derivatives do not read it */
 } Surface;
 
 /* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), ior 1, the rest 0. */
@@ -30,10 +30,10 @@ typedef struct {
 typedef struct Oracle Oracle;
 /* Keeps `graph`; copies `context`, of which only the noise is used (textures come from the document). */
 Oracle *oracle_open(const Graph *graph, const ReferenceContext *context);
-/* From now on BumpMap goes by the true slope of its height rather than by the maps' finite steps. */
-void oracle_exact_derivatives(Oracle *oracle, bool exact);
-/* Exact derivatives are differences over this many steps of 2^-26 of the surface's size, from behind the point to ahead of it: -1 and 1 at
- * first. From 0 on, or up to 0, they are those of one side. */
+/* From now on BumpMap goes by that choice of --derivatives; first it is auto. */
+void oracle_derivatives(Oracle *oracle, Choice how);
+/* Derivatives of what is computed are differences over this many steps of 2^-26 of the surface's size, from behind the point to ahead of it:
+ * -1 and 1 at first. From 0 on, or up to 0, they are those of one side. */
 void oracle_slope_span(Oracle *oracle, double behind, double ahead);
 /* From now on it is asked whether differences tell slopes: whether the heights around a point lie on a smooth curve. They do not where a
  * stair has a step or a million of them within the span: their mean slope is not the stair's, which is 0. */

@@ -78,17 +78,22 @@ enum {
     VOLUME_OWN
 };
 
-/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. It is remembered for
- * the lanes beside the one that was asked for. */
-static double waved(const Environment *environment, const Node *node, int channel, double value)
+/* Through the wave. */
+static double waved(const Environment *environment, const Node *node, double value)
 {
     int first = kind_table[node->kind].first;
     const Value *form = node_param(node, first + VOLUME_WAVE);
     double argument = oracle_number(node, first + VOLUME_FREQUENCY) * value + oracle_number(node, first + VOLUME_PHASE);
-    double result = wave(environment, form->kind == VALUE_wave ? form->wave : NULL, argument);
+    return wave(environment, form->kind == VALUE_wave ? form->wave : NULL, argument);
+}
+
+/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. It is remembered for
+ * the lanes beside the one that was asked for. */
+static double same_of_all(const Environment *environment, const Node *node, int channel, double value)
+{
     for (int lane = 0; lane < 3; lane++)
-        memo_set(environment, node, channel_id(group_of(channel), lane), result);
-    return result;
+        memo_set(environment, node, channel_id(group_of(channel), lane), value);
+    return value;
 }
 
 enum { VOLUME_ARGUMENTS = 64 }; /* room for a position and 20 parameters of three lanes */
@@ -106,18 +111,40 @@ static int append(const Node *node, int param, double *args, int count)
     return count + 1;
 }
 
+/* A volume map in an environment, as a function of its position. */
+typedef struct {
+    const Environment *environment;
+    const Node *node;
+} Volume;
+
+static double volume_at(const void *map, const double p[3])
+{
+    const Volume *v = map;
+    const KindRow *row = &kind_table[v->node->kind];
+    double args[VOLUME_ARGUMENTS] = {p[0], p[1], p[2]}, result[4];
+    int count = 3;
+    for (int i = VOLUME_OWN; i < row->count; i++)
+        count = append(v->node, row->first + i, args, count);
+    oracle_call(v->environment, FN_FIRST_MAP + (int)v->node->kind, args, result);
+    return waved(v->environment, v->node, result[0]);
+}
+
+/* Whether a volume map jumps, and over which step its difference is taken. */
+static double volume_step(Kind kind) { return kind == KIND_Mandel || kind == KIND_Julia ? 0.005 : 0; }
+
 double oracle_volume(Environment *environment, const Node *node, int channel)
 {
     if (lane_of(channel) == 3)
         return 1;
-    const KindRow *row = &kind_table[node->kind];
-    double args[VOLUME_ARGUMENTS], result[4];
-    oracle_ask_input3(environment, node, GROUP_X, args);
-    int count = 3;
-    for (int i = VOLUME_OWN; i < row->count; i++)
-        count = append(node, row->first + i, args, count);
-    oracle_call(environment, FN_FIRST_MAP + (int)node->kind, args, result);
-    return waved(environment, node, channel, result[0]);
+    const double step = volume_step(node->kind);
+    const Volume volume = {environment, node};
+    double p[3], p0[3];
+    oracle_ask_input3(environment, node, GROUP_X, p);
+    if (!environment->centre || step == 0)
+        return same_of_all(environment, node, channel, volume_at(&volume, p));
+    oracle_ask_input3(environment->centre, node, GROUP_X, p0);
+    const Stepped map = {volume_at, &volume, {step, step, step}};
+    return same_of_all(environment, node, channel, oracle_along_steps(&map, p0, p));
 }
 
 double oracle_Gradient(Environment *environment, const Node *node, int channel)
@@ -127,7 +154,8 @@ double oracle_Gradient(Environment *environment, const Node *node, int channel)
     double p[3], direction[3];
     oracle_ask_input3(environment, node, GROUP_X, p);
     oracle_number3(node, P_Gradient_direction, direction);
-    return waved(environment, node, channel, p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2]);
+    double f = p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2];
+    return same_of_all(environment, node, channel, waved(environment, node, f));
 }
 
 double oracle_VolumeTurbulence(Environment *environment, const Node *node, int channel)
@@ -143,7 +171,8 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
                 (double[]){size * p[0], size * p[1], size * p[2], octaves,
                            oracle_number(node, P_VolumeTurbulence_frequencyRatio), ratio},
                 &sum);
-    return waved(environment, node, channel, fabs(ratio) > 1 ? sum * pow(fabs(ratio), 1 - octaves) : sum);
+    double f = fabs(ratio) > 1 ? sum * pow(fabs(ratio), 1 - octaves) : sum;
+    return same_of_all(environment, node, channel, waved(environment, node, f));
 }
 
 static double item_value(const Item *item) { return oracle_float(&item->value); }
@@ -158,13 +187,8 @@ static int item_above(const Items *items, double t)
 }
 
 /* All items before the one above t have values of at most t, so the two to be mixed never have equal values. */
-double oracle_Blend(Environment *environment, const Node *node, int channel)
+static double blend_at(Environment *environment, const Items *items, double t, int channel)
 {
-    const Value *blend = node_param(node, P_Blend_blend);
-    if (blend->kind != VALUE_items || blend->items->count == 0)
-        return oracle_ask_input(environment, node, channel);
-    const Items *items = blend->items;
-    double t = oracle_ask_input(environment, node, channel_id(GROUP_X, 0));
     int above = item_above(items, t);
     oracle_spend(environment, (double)ITEM_WORK * above);
     if (above == 0)
@@ -175,4 +199,67 @@ double oracle_Blend(Environment *environment, const Node *node, int channel)
         return value;
     double low = item_value(a), high = item_value(b);
     return (value * (high - t) + oracle_ask(environment, b->input, channel) * (t - low)) / (high - low);
+}
+
+/* What a Blend goes along: a position of a map, of its own or of the world. */
+typedef struct {
+    const Node *map;
+    Group group;
+} Along;
+
+static const Node *node_of(const Value *value) { return value->kind == VALUE_node ? value->node : NULL; }
+
+static bool is_checker(const Node *map)
+{
+    return map && (map->kind == KIND_Checker || map->kind == KIND_VolumeChecker);
+}
+
+/* Down to the map that answers it, past those that pass it on. */
+static Along answering(Along a)
+{
+    for (; a.map; a.map = node_of(&a.map->params[0])) {
+        const Kind kind = a.map->kind;
+        if (kind == KIND_XYZTransform && a.group == GROUP_X) {
+            if (node_param(a.map, P_XYZTransform_transform)->kind == VALUE_transform)
+                return a;
+            a.group = oracle_number(a.map, P_XYZTransform_useGlobal) != 0 ? GROUP_P : GROUP_X;
+            continue;
+        }
+        bool empty = kind == KIND_Blend && (node_param(a.map, P_Blend_blend)->kind != VALUE_items ||
+                                            !node_param(a.map, P_Blend_blend)->items->count);
+        bool passes = kind == KIND_XYZTransform || kind == KIND_UVTransform || kind == KIND_BumpMap ||
+                      kind == KIND_WaveMap || (kind == KIND_Turbulence && a.group == GROUP_P) || empty;
+        if (!passes)
+            return a;
+    }
+    return a;
+}
+
+/* Beside a point a Checker that is gone along is one of two, so many within each other: the Blend has a share of what it is along
+ * either. */
+static double blend_along(Environment *environment, const Items *items, Along along, int channel, int within)
+{
+    const Along a = answering(along);
+    if (!environment->centre || !within || !is_checker(a.map))
+        return blend_at(environment, items, oracle_ask(environment, along.map, channel_id(along.group, 0)), channel);
+    const int color1 = a.map->kind == KIND_Checker ? P_Checker_color1 : P_VolumeChecker_color1;
+    const double share = oracle_odd_share(environment, a.map);
+    double mean = 0;
+    for (int i = 0; i < 2; i++) {
+        const double part = i ? 1 - share : share;
+        const Along color = {node_of(node_param(a.map, color1 + i)), a.group};
+        if (part != 0)
+            mean += part * blend_along(environment, items, color, channel, within - 1);
+    }
+    return mean;
+}
+
+double oracle_Blend(Environment *environment, const Node *node, int channel)
+{
+    enum { WITHIN = 4 };
+    const Value *blend = node_param(node, P_Blend_blend);
+    if (blend->kind != VALUE_items || blend->items->count == 0)
+        return oracle_ask_input(environment, node, channel);
+    const Along along = {node_of(node_param(node, P_Blend_input)), GROUP_X};
+    return blend_along(environment, blend->items, along, channel, WITHIN);
 }

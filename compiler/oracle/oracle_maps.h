@@ -43,19 +43,21 @@ struct Oracle {
     size_t turn_room;
     Memo *memos; /* by depth of environments */
     size_t memo_count, memo_room;
-    bool exact;           /* derivatives are those of the map, not GroIMP's finite steps */
-    double behind, ahead; /* the steps that they are taken over */
+    Choice derivatives;   /* how BumpMap finds slopes */
+    double behind, ahead; /* the steps that those of what is computed are taken over */
     bool judges, rough;   /* whether it is asked if heights are smooth there; whether some were not */
     uint64_t stamp;       /* that of the environment opened last; 0 is in no environment */
     double work;          /* steps for this point; beyond LIMIT_WORK all answers are 0 */
 };
 
-/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own. */
-typedef struct {
+/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own, and a BumpMap beside the point. */
+typedef struct Environment {
     Oracle *oracle;
     const Surface *surface;
     uint64_t stamp;
     int depth;
+    struct Environment
+        *centre; /* with --derivatives=auto: the point that this one is beside; NULL: it is beside none */
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 
@@ -91,6 +93,17 @@ void oracle_spend(const Environment *environment, double steps);
 bool oracle_spent(const Oracle *oracle);
 /* Calls the C reference of a library function, and adds its cost. */
 void oracle_call(const Environment *environment, int function, const double *args, double *result);
+
+/* A map as a function of its coordinate, and GroIMP's steps for its differences. */
+typedef struct {
+    double (*at)(const void *map, const double q[3]);
+    const void *map;
+    double step[3]; /* 0: it does not go by that lane */
+} Stepped;
+/* f at q0, and from there on to q along the differences (f(q0 + h e) - f(q0)) / h: what jumps becomes linear beside the point. */
+double oracle_along_steps(const Stepped *map, const double q0[3], const double q[3]);
+/* How much a Checker or VolumeChecker has of its color1: 1 or 0 at the point that is shaded, and beside it along its steps. */
+double oracle_odd_share(Environment *environment, const Node *checker);
 
 /* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
 void oracle_uv_slopes(const Node *node, double slope[2]);

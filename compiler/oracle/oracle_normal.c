@@ -51,6 +51,8 @@ static double height_at(Environment *environment, const Node *height, double du,
         surface.root[channel_id(GROUP_X, i)] += du * surface.local_u[i] + dv * surface.local_v[i];
     }
     Environment beside = environment_open(environment->oracle, &surface, environment->depth + 1);
+    if (environment->oracle->derivatives == CHOICE_derivatives_auto)
+        beside.centre = environment;
     return oracle_ask(&beside, height, channel_id(GROUP_R, 0));
 }
 
@@ -103,7 +105,7 @@ static bool is_smooth(Environment *environment, const Node *height, const double
 }
 
 /* Derivatives of the height by u and v from differences. */
-static void exact_slopes(Environment *environment, const Node *height, double slope[2])
+static void slopes_of(Environment *environment, const Node *height, double slope[2])
 {
     double h = slope_step(environment->surface);
     double ahead = environment->oracle->ahead * h, behind = environment->oracle->behind * h;
@@ -125,8 +127,8 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     ask_frame(environment, node, &frame);
     double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
     double slope[2];
-    if (environment->oracle->exact) {
-        exact_slopes(environment, node_param(node, P_BumpMap_displacement)->node, slope);
+    if (environment->oracle->derivatives != CHOICE_derivatives_finite) {
+        slopes_of(environment, node_param(node, P_BumpMap_displacement)->node, slope);
         /* the tangents that they are raised along are those of the input: where it turned them, so are the slopes */
         const Value *input = node_param(node, P_BumpMap_input);
         oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL, slope);
@@ -182,19 +184,29 @@ double oracle_WaveMap(Environment *environment, const Node *node, int channel)
     return raised(&frame, k * slope_u, k * slope_v, channel);
 }
 
+static Surface shifted(const Surface *from, const double shift[3])
+{
+    Surface surface = *from;
+    for (int i = 0; i < 3; i++)
+        surface.root[channel_id(GROUP_X, i)] += shift[i];
+    for (int i = 0; i < 2; i++)
+        surface.root[channel_id(GROUP_U, i)] += shift[i];
+    return surface;
+}
+
 /* The input's answers on some lanes of a group, at a surface point whose local position and texture coordinate lie `shift`
  * beside this one. */
 static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes, const double shift[3],
                           double result[3])
 {
-    Surface surface = *environment->surface;
-    for (int i = 0; i < 3; i++)
-        surface.root[channel_id(GROUP_X, i)] += shift[i];
-    for (int i = 0; i < 2; i++)
-        surface.root[channel_id(GROUP_U, i)] += shift[i];
-    Environment shifted = environment_open(environment->oracle, &surface, environment->depth + 1);
+    Oracle *oracle = environment->oracle;
+    const Environment *centre = environment->centre ? environment->centre : environment;
+    const Surface here = shifted(environment->surface, shift), middle = shifted(centre->surface, shift);
+    Environment moved = environment_open(oracle, &here, environment->depth + 1);
+    Environment moved_centre = environment_open(oracle, &middle, environment->depth + 2);
+    moved.centre = environment->centre ? &moved_centre : NULL;
     for (int i = 0; i < lanes->count; i++)
-        result[i] = oracle_ask_input(&shifted, node, lanes->first + i);
+        result[i] = oracle_ask_input(&moved, node, lanes->first + i);
 }
 
 enum { CENTRE = 13 }; /* of 27 cells */

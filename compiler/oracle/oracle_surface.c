@@ -3,6 +3,20 @@
 #include "runtime/library/carpenter.h"
 #include "runtime/library/references.h"
 
+double oracle_along_steps(const Stepped *map, const double q0[3], const double q[3])
+{
+    const double here = map->at(map->map, q0);
+    double value = here;
+    for (int i = 0; i < 3; i++) {
+        double there[3] = {q0[0], q0[1], q0[2]};
+        if (map->step[i] == 0 || q[i] == q0[i])
+            continue;
+        there[i] += map->step[i];
+        value += (map->at(map->map, there) - here) / map->step[i] * (q[i] - q0[i]);
+    }
+    return value;
+}
+
 /* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum would not. */
 static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
 
@@ -32,26 +46,62 @@ static void ask_uv(Environment *environment, const Node *node, double uv[2])
     uv[1] = oracle_ask_input(environment, node, channel_id(GROUP_U, 1));
 }
 
+static double square_at(const void *map, const double q[3])
+{
+    (void)map;
+    return odd_square(q[0], q[1]);
+}
+
+static double cube_at(const void *map, const double p[3])
+{
+    (void)map;
+    return is_odd(floor(p[0])) ^ is_odd(floor(p[1])) ^ is_odd(floor(p[2]));
+}
+
+double oracle_odd_share(Environment *environment, const Node *checker)
+{
+    static const double cube_step = 0.1;
+    static const Stepped squares = {square_at, NULL, {CHECKER_STEP, CHECKER_STEP, 0}},
+                         cubes = {cube_at, NULL, {cube_step, cube_step, cube_step}};
+    const bool volume = checker->kind == KIND_VolumeChecker;
+    const Stepped *map = volume ? &cubes : &squares;
+    double q[3], q0[3];
+    oracle_ask_input3(environment, checker, volume ? GROUP_X : GROUP_U, q);
+    if (!environment->centre)
+        return map->at(NULL, q);
+    oracle_ask_input3(environment->centre, checker, volume ? GROUP_X : GROUP_U, q0);
+    return oracle_along_steps(map, q0, q);
+}
+
+/* Of the maps in color1, which is that parameter, and in color2, the next one. */
+static double one_of(Environment *environment, const Node *checker, int channel, int color1)
+{
+    const double share = oracle_odd_share(environment, checker);
+    double mean = 0;
+    if (share != 0)
+        mean += share * oracle_ask_param(environment, checker, color1, channel);
+    if (share != 1)
+        mean += (1 - share) * oracle_ask_param(environment, checker, color1 + 1, channel);
+    return mean;
+}
+
 double oracle_Checker(Environment *environment, const Node *node, int channel)
 {
     double uv[2];
     ask_uv(environment, node, uv);
     if (is_derivative(channel))
         return checker_slope(environment, node, channel, uv);
-    return oracle_ask_param(environment, node, odd_square(uv[0], uv[1]) ? P_Checker_color1 : P_Checker_color2, channel);
+    return one_of(environment, node, channel, P_Checker_color1);
 }
 
 double oracle_VolumeChecker(Environment *environment, const Node *node, int channel)
 {
-    double p[3];
-    oracle_ask_input3(environment, node, GROUP_X, p);
-    bool odd = is_odd(floor(p[0])) ^ is_odd(floor(p[1])) ^ is_odd(floor(p[2]));
-    return oracle_ask_param(environment, node, odd ? P_VolumeChecker_color1 : P_VolumeChecker_color2, channel);
+    return one_of(environment, node, channel, P_VolumeChecker_color1);
 }
 
 /* A texture as a function of u and v: one component of it, and the steps of its finite differences. */
 typedef struct {
-    const Environment *environment;
+    Environment *environment;
     int function; /* library function that reads it */
     ReferenceTexture texture;
     double step_u, step_v;
@@ -74,11 +124,36 @@ static double picture_at(const Picture *picture, double u, double v, int compone
     return component == 3 ? 1 : texel[0];
 }
 
+/* One component of a picture. */
+typedef struct {
+    const Picture *picture;
+    int component;
+} Component;
+
+static double component_at(const void *map, const double q[3])
+{
+    const Component *c = map;
+    return picture_at(c->picture, q[0], q[1], c->component);
+}
+
+static double picture_beside(const Picture *picture, const Node *node, const double uv[2], int component)
+{
+    const Component c = {picture, component};
+    const Stepped map = {component_at, &c, {picture->step_u, picture->step_v, 0}};
+    double centre[2];
+    ask_uv(picture->environment->centre, node, centre);
+    return oracle_along_steps(&map, (double[3]){centre[0], centre[1]}, (double[3]){uv[0], uv[1]});
+}
+
 /* The rule of all surface maps: a derivative channel is the difference quotient of its own component, so that BumpMap sees
  * the slope of red. */
-static double picture_channel(const Picture *picture, const double uv[2], int channel)
+static double picture_channel(const Picture *picture, const Node *node, int channel)
 {
     int component = lane_of(channel);
+    double uv[2];
+    ask_uv(picture->environment, node, uv);
+    if (picture->environment->centre && !is_derivative(channel))
+        return picture_beside(picture, node, uv, component);
     double here = picture_at(picture, uv[0], uv[1], component);
     if (!is_derivative(channel))
         return here;
@@ -125,9 +200,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
         .step_u = 1. / image->width,
         .step_v = 1. / image->height,
     };
-    double uv[2];
-    ask_uv(environment, node, uv);
-    return picture_channel(&picture, uv, channel);
+    return picture_channel(&picture, node, channel);
 }
 
 /* A Carpenter's texels, baked when they are first read; NULL: they are more than a value may cost. */
@@ -170,7 +243,5 @@ double oracle_Carpenter(Environment *environment, const Node *node, int channel)
     };
     if (!picture.texture.floats)
         return 0;
-    double uv[2];
-    ask_uv(environment, node, uv);
-    return picture_channel(&picture, uv, channel);
+    return picture_channel(&picture, node, channel);
 }

@@ -39,7 +39,7 @@ static const char after_layout[] =
     "  --powers=P           squaring (default), pow, compensated\n"
     "  --trigonometry=T     native (default), bounded\n"
     "  --aa=A               auto (default), none, box, aniso: what is averaged over the pixel\n"
-    "  --derivatives=D      finite (default), analytic\n"
+    "  --derivatives=D      auto (default), finite, analytic: the slopes of BumpMap\n"
     "  --material=NAME      of `materials:`; without it, the only one\n"
     "  -O0, -O1, -O2        as written; optimised (default); -O, -O3 and -Os are -O2\n"
     "measuring\n"

@@ -55,7 +55,7 @@ static void *make(size_t count, size_t size)
     return memory;
 }
 
-/* Two noises are two pictures, and so are finite and exact derivatives. */
+/* Two noises are two pictures, and so are two kinds of derivatives. */
 static int truth_index(const Variant *variant)
 {
     return variant->choice[AXIS_noise] * CHOICE_COUNT + variant->choice[AXIS_derivatives];

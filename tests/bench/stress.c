@@ -8,13 +8,15 @@
 
 static const char help[] =
     "usage: matbench stress [--count=N] [--seed=S] [--first=N] [--threads=N] [--points=N] [--faults=N]\n"
-    "    [--validate-every=N] [--draw-every=N] [--folder=path] [--mode=M] [--aa=box and other choices of matc]\n\n"
+    "    [--validate-every=N] [--draw-every=N] [--folder=path] [--mode=M] [--trees=relief] [--aa=box and other choices "
+    "of matc]\n\n"
     "  --count           documents (1000)\n"
     "  --first           number of the first of them (0)\n"
     "  --points          of the surface, for each program (6)\n"
     "  --faults          ends after so many (1)\n"
     "  --validate-every  every Nth is shown to glslang for all targets (100; 0: none)\n"
     "  --draw-every      every Nth is drawn (500; 0: none)\n"
+    "  --trees           relief: those of displacements alone\n"
     "  --folder          where the documents of faults are written\n"
     "  --mode            a row of tests/stress/modes.def:"
 #define MODE(name, ...) " " #name
@@ -60,6 +62,8 @@ static bool read_options(StressOptions *o, int argc, char **argv)
             stress_mode_set(mode, &o->options);
         else if (!strcmp(name, "folder"))
             o->folder = value;
+        else if (!strcmp(name, "trees") && !strcmp(value, "relief"))
+            o->generate = generate_relief;
         else if (!read_number(o, name, value) && !matc_options_set(&o->options, name, value))
             return false;
     }

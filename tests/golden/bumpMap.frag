@@ -77,9 +77,9 @@ void main() {
     // bumpMap.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
-    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x * 0.24;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y * 0.24;
-    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x * 6.0;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y * 3.0;
+    vec3 bumpMap = cross(bumpMap_2 * 0.08 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * 0.08 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2701131776u, 1031840161u);
 }

@@ -6,6 +6,8 @@ in vec3 worldTangentU;
 in vec3 worldTangentV;
 in vec2 uv;
 in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
 uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
@@ -73,16 +75,21 @@ void main() {
     // bumpBlend.yaml:10 UVTransform
     vec2 tiles_uvTransform = uv * vec2(6.0, 3.0);
     // bumpBlend.yaml:10 tiles
-    vec2 tiles = pictureSize(imageTexture0);
-    vec4 tiles_2 = imageSampled(imageTexture0, tiles_uvTransform, tiles);
+    vec2 tiles_1 = pictureSize(imageTexture0);
+    vec4 tiles_2 = imageSampled(imageTexture0, tiles_uvTransform, tiles_1);
     // bumpBlend.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpBlend.yaml:7 Blend
-    float blend = clamp((localPosition.x + 1.0) * 0.5, 0.0, 1.0);
+    bool blend = localPosition.x < 1.0;
+    bool blend_2 = localPosition.x < -1.0;
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
-    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x * blend;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y * blend;
-    vec3 bumpMap = cross(bumpMap_2 * 0.24 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * 0.24 * cross(worldTangentU, bumpMap_1);
+    float blend_3 = (localPosition.x + 1.0) * 0.5;
+    vec3 tiles_3 = (imageSampled(imageTexture0, vec2(1.0 / tiles_1.x, 0.0) + tiles_uvTransform, tiles_1).xyz - tiles_2.xyz) * tiles_1.x * 6.0;
+    vec3 tiles_4 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles_1.y) + tiles_uvTransform, tiles_1).xyz - tiles_2.xyz) * tiles_1.y * 3.0;
+    float bumpMap_2 = (vec4(tiles_2.xyz, 1.0) - vec4(0.3, 0.3, 0.3, 1.0)).x;
+    float bumpMap_3 = (blend_2 ? 0.0 : blend ? bumpMap_2 * (localTangentU.x * 0.5) + tiles_3.x * blend_3 : tiles_3.x) * 0.08;
+    float bumpMap_4 = (blend_2 ? 0.0 : blend ? bumpMap_2 * (localTangentV.x * 0.5) + tiles_4.x * blend_3 : tiles_4.x) * 0.08;
+    vec3 bumpMap = cross(bumpMap_3 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_4 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -71,10 +71,10 @@ void main() {
     // bumpCarpenter.yaml:3 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpCarpenter.yaml:3 Carpenter
-    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    float carpenter = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0;
-    float carpenter_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0;
-    vec3 bumpMap = cross(carpenter * 0.03 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (carpenter_2 * 0.03);
+    float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 * 0.03 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 * 0.03 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 7306371u, 645922816u);
 }

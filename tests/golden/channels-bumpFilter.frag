@@ -65,22 +65,22 @@ vec3 smooth3DInput0(vec2 st) {
     // bumpFilter.yaml:11 UVTransform
     vec2 uvTransform = st * vec2(6.0, 3.0);
     // bumpFilter.yaml:11 ImageMap
-    vec2 image_1 = pictureSize(imageTexture0);
+    vec2 image = pictureSize(imageTexture0);
     vec2 uvTransform_2 = uvByX * vec2(6.0, 3.0);
     vec2 uvTransform_3 = uvByY * vec2(6.0, 3.0);
-    vec3 image = (imageSampledOver(imageTexture0, vec2(1.0 / image_1.x, 0.0) + uvTransform, image_1, uvTransform_2, uvTransform_3).xyz - imageSampledOver(imageTexture0, uvTransform, image_1, uvTransform_2, uvTransform_3).xyz) * image_1.x;
-    return image;
+    vec3 image_2 = (imageSampledOver(imageTexture0, vec2(1.0 / image.x, 0.0) + uvTransform, image, uvTransform_2, uvTransform_3).xyz - imageSampledOver(imageTexture0, uvTransform, image, uvTransform_2, uvTransform_3).xyz) * image.x;
+    return image_2 * 6.0;
 }
 
 vec3 smooth3DInput1(vec2 st) {
     // bumpFilter.yaml:11 UVTransform
     vec2 uvTransform = st * vec2(6.0, 3.0);
     // bumpFilter.yaml:11 ImageMap
-    vec2 image_1 = pictureSize(imageTexture0);
+    vec2 image = pictureSize(imageTexture0);
     vec2 uvTransform_2 = uvByX * vec2(6.0, 3.0);
     vec2 uvTransform_3 = uvByY * vec2(6.0, 3.0);
-    vec3 image = (imageSampledOver(imageTexture0, vec2(0.0, 1.0 / image_1.y) + uvTransform, image_1, uvTransform_2, uvTransform_3).xyz - imageSampledOver(imageTexture0, uvTransform, image_1, uvTransform_2, uvTransform_3).xyz) * image_1.y;
-    return image;
+    vec3 image_2 = (imageSampledOver(imageTexture0, vec2(0.0, 1.0 / image.y) + uvTransform, image, uvTransform_2, uvTransform_3).xyz - imageSampledOver(imageTexture0, uvTransform, image, uvTransform_2, uvTransform_3).xyz) * image.y;
+    return image_2 * 3.0;
 }
 
 void main() {
@@ -121,8 +121,8 @@ void main() {
     vec3 smooth3D_30 = smooth3D_29 + (smooth3D_28 + (smooth3D_27 + smooth3D_26 + smooth3D_27 + smooth3D_27) + smooth3D_28 + smooth3D_28);
     float bumpMap_2 = smooth3DInput0(smooth3D_8).x;
     float bumpMap_3 = smooth3DInput1(smooth3D_8).x;
-    float bumpMap_4 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * 0.24;
-    float bumpMap_5 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.24;
+    float bumpMap_4 = ((smooth3D_19 + smooth3D_18 + smooth3D_18).x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.037037037 * 0.04;
+    float bumpMap_5 = ((smooth3D_30 + smooth3D_29 + smooth3D_29).x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.04;
     vec3 bumpMap = cross(bumpMap_4 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_5 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);

@@ -80,10 +80,10 @@ void main() {
     // bumpOnBump.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(waveMap_6), 1e-30) * waveMap_6;
     // bumpOnBump.yaml:6 Carpenter
-    float carpenter_1 = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    float carpenter = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter_1) * 200.0;
-    float carpenter_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter_1) * 200.0;
-    vec3 bumpMap = cross(carpenter * 0.01 * bumpMap_1 + waveMap, waveMap_7) + cross(waveMap, bumpMap_1) * (carpenter_2 * 0.01);
+    float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 * 0.01 * bumpMap_1 + waveMap;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 * 0.01 * cross(waveMap, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, waveMap_7) + bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2152956275u, 807436416u);
 }

@@ -79,9 +79,12 @@ void main() {
     // bumpTransformedTangents.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(diffuse_image_2.x, 8) | rootBits(diffuse_image_2.y, 8) << 8 | rootBits(diffuse_image_2.z, 8) << 16;
-    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x * 0.04;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y * 0.04;
-    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + laid, laid_2) + bumpMap_3 * cross(laid, bumpMap_1);
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x;
+    float bumpMap_4 = bumpMap_3 * 5.760017 + bumpMap_2 * -1.168255;
+    float bumpMap_5 = bumpMap_3 * 1.7838734 + bumpMap_2 * 2.7631829;
+    vec3 bumpMap_6 = cross((bumpMap_5 * 0.06490306 + bumpMap_4 * 0.15351017) * 0.04 * bumpMap_1 + laid, laid_2);
+    vec3 bumpMap = bumpMap_6 + (bumpMap_5 * 0.32000095 + bumpMap_4 * -0.099104084) * 0.04 * cross(laid, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

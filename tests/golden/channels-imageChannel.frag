@@ -21,22 +21,6 @@ vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
     return texture(s, uv + 0.5 / size);
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
-}
-
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
@@ -55,6 +39,22 @@ vec4 texel(sampler2D s, vec2 i, vec2 size) {
 // Texel floor(size * fraction of uv) of a picture of `size` texels. The min is for a fraction that rounds up to 1.
 vec4 imageNearest(sampler2D s, vec2 uv, vec2 size) {
     return texel(s, min(floor(fract(uv) * size), size - 1.0), size);
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -107,13 +107,12 @@ void main() {
     vec4 diffuse_image_2 = imageSampled(imageTexture0, uv, diffuse_image);
     // imageChannel.yaml:3 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // imageChannel.yaml:3 ImageMap
-    float image = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.x;
-    float image_1 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.y;
-    vec3 bumpMap = cross(image * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (image_1 * 0.02);
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uint diffuse_bits = rootBits(diffuse_image_2.y, 8);
     uint specular_bits = rootBits(imageNearest(imageTexture1, uv, vec2(64.0)).x, 8);
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.x * 0.02;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.y * 0.02;
+    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 34611264u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(diffuse_image_2.z), 10) << 21);
     fragment0 = surface_bits;
 }

@@ -1,9 +1,7 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout compact
 
-in vec3 worldTangentU;
-in vec3 worldTangentV;
-uniform mat3 matc_eyeFromWorld;
+in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -14,12 +12,6 @@ vec3 safeNormalize(vec3 v) {
     vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
     vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
     return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -45,6 +37,6 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

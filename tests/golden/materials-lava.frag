@@ -30,22 +30,6 @@ float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
                mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
-}
-
 // A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
 uvec4 latticeFinal(uvec4 h) {
     h = (h ^ (h >> 16u)) * 0x7FEB352Du;
@@ -123,6 +107,22 @@ uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
 // (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
 vec2 encodeOctahedral(vec3 n) {
@@ -166,15 +166,15 @@ void main() {
     vec3 diffuse_blend = mix(vec3(0.015996294, 0.015996294, 0.011612245), vec3(0.06662594, 0.054480277, 0.046665087), clamp((plates - 0.2) * 1.4285715, 0.0, 1.0));
     // lava.yaml:8 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    float plates_1 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - plates) * 200.0;
-    float plates_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - plates) * 200.0;
-    vec3 bumpMap = cross(plates_1 * 0.016 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (plates_2 * 0.016);
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // lava.yaml:5 crust
     float crust = abs(turbulence(localPosition * 1.6, 6, 2.0, 0.55));
     // lava.yaml:16 Blend
     vec3 emissive_blend_1 = mix(mix(vec3(1.0, 0.75, 0.25), vec3(0.95, 0.28, 0.02), clamp(crust * 20.0, 0.0, 1.0)), vec3(0.3, 0.02, 0.0), clamp((crust - 0.05) * 9.090909, 0.0, 1.0));
     vec3 emissive_blend = mix(emissive_blend_1, vec3(0.0), clamp((crust - 0.16) * 10.0, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - plates) * 200.0 * 0.016 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - plates) * 200.0 * 0.016 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | 1207959552u, 631261256u);
 }

@@ -29,6 +29,16 @@ float carpenterRelief(sampler2D s, vec2 uv, vec2 size) {
                mix(texel(s, vec2(low.x, high.y), size).r, texel(s, high, size).r, weight.x), weight.y);
 }
 
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -43,16 +53,6 @@ vec3 safeNormalize(vec3 v) {
 
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
-}
-
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -84,10 +84,10 @@ void main() {
     vec3 diffuse_blend = mix(vec3(0.019382361, 0.10224173, 0.011612245), vec3(0.17144111, 0.41788507, 0.046665087), clamp((relief - 0.35) * 2.5, 0.0, 1.0));
     // phong.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    float relief_1 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - relief) * 200.0;
-    float relief_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - relief) * 200.0;
-    vec3 bumpMap = cross(relief_1 * 0.08 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * (relief_2 * 0.08);
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
+    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - relief) * 200.0 * 0.08 * bumpMap_1 + worldTangentU;
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - relief) * 200.0 * 0.08 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1409286147u, 1752466048u, surface_bits | 1255407616u, 1816823477u);
 }

@@ -5,6 +5,8 @@ in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
 in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
 
@@ -75,17 +77,96 @@ float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
     return sum;
 }
 
-// Six octaves of |noise(4 2^k p)| - 1/2, each half as strong as the last; in [-63/64, 63/64]. Error 4e-6.
-float granite(vec3 p) {
-    vec3 q = 4.0 * p;
+// Of noise, measured: its mean and variance, the mean of its magnitude, and how much finer its grain is than that of lattice noise.
+const float noiseMean = 0.0;
+const float noiseVariance = 0.25;
+const float noiseMagnitude = 0.412;
+const float noiseGrain = 1.0;
+
+// The same of the noise's magnitude, whose creases are finer: 1 / (1 + 1.08 w^2 + 0.19 w^4), made to end at 1.4 periods.
+float magnitudeShare(float width) {
+    float periods = min(width, 64.0) * noiseGrain;
+    float w = periods * periods;
+    return max(1.35 / (1.0 + w * (1.08 + 0.19 * w)) - 0.35, 0.0);
+}
+
+// p + rest as a whole cell and a fraction in [0, 1). The cell is known modulo 65536 or exactly: both are exact.
+void latticeCell(vec3 p, vec3 rest, out vec3 cell, out vec3 d) {
+    cell = floor(p);
+    d = p - cell + rest;
+    vec3 over = floor(d);
+    d -= over;
+    cell = cell - 65536.0 * floor(cell * (1.0 / 65536.0)) + over;
+}
+
+// A corner's value and gradient, for the four of a face, times 2^31: its hash shifted left by 0, 7, 14, 21 and read as signed.
+void latticeNumbers(uvec4 hash, out vec4 value, out vec4 x, out vec4 y, out vec4 z) {
+    value = vec4(ivec4(hash));
+    x = vec4(ivec4(hash << 7u));
+    y = vec4(ivec4(hash << 14u));
+    z = vec4(ivec4(hash << 21u));
+}
+
+// Gradient and value of the interpolation between eight corners, given by the hashes of both faces; before latticeScale.
+vec4 latticeRise(uvec4 low, uvec4 high, vec3 d) {
+    vec4 v0, x0, y0, z0, v1, x1, y1, z1;
+    latticeNumbers(low, v0, x0, y0, z0);
+    latticeNumbers(high, v1, x1, y1, z1);
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    vec4 t0 = 0.5 * v0 + x0 * dx + y0 * dy + z0 * d.z;
+    vec4 t1 = 0.5 * v1 + x1 * dx + y1 * dy + z1 * (d.z - 1.0);
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec3 rise = 6.0 * d * (1.0 - d);
+    vec4 plane = mix(t0, t1, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    vec2 across = mix(plane.xz, plane.yw, s.x);
+    vec2 depth = mix((t1 - t0).xy, (t1 - t0).zw, s.y);
+    return vec4(latticeMix(x0, x1, d) + rise.x * (line.y - line.x),
+                latticeMix(y0, y1, d) + rise.y * (across.y - across.x),
+                latticeMix(z0, z1, d) + rise.z * mix(depth.x, depth.y, s.x), mix(line.x, line.y, s.x));
+}
+
+// Gradient of lattice(cell, d), then its value. Error 2e-6 in each lane.
+vec4 latticeSlope(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeRise(low, high, d) * latticeScale;
+}
+
+// Gradient of noise(p + rest), then its value; where the noise is clamped the gradient is 0.
+vec4 noiseSlope(vec3 p, vec3 rest) {
+    vec3 cell, d;
+    latticeCell(p, rest, cell, d);
+    vec4 slope = 2.0 * latticeSlope(cell, d);
+    return abs(slope.w) < 1.0 ? slope : vec4(0.0, 0.0, 0.0, sign(slope.w));
+}
+
+// Gradient by p of graniteFiltered(p, rest, width), then its value. Error 1e-4.
+vec4 graniteGradient(vec3 p, vec3 rest, float width) {
+    float frequency = 4.0;
     float strength = 1.0;
-    float sum = 0.0;
+    vec4 sum = vec4(0.0, 0.0, 0.0, (noiseMagnitude - 0.5) * (63.0 / 32.0));
     for (int k = 0; k < 6; k++) {
-        sum += strength * (abs(noise(q)) - 0.5);
+        float share = magnitudeShare(frequency * width);
+        if (share <= 0.0) break;
+        vec4 octave = noiseSlope(frequency * p, frequency * rest);
+        octave *= octave.w < 0.0 ? -1.0 : 1.0;
+        sum += strength * share * vec4(frequency * octave.xyz, octave.w - noiseMagnitude);
         strength *= 0.5;
-        q *= 2.0;
+        frequency *= 2.0;
     }
     return sum;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -102,16 +183,6 @@ vec3 safeNormalize(vec3 v) {
 
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
-}
-
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -142,13 +213,12 @@ void main() {
     // skin.yaml:9 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // skin.yaml:5 pores
-    float pores = granite(localPosition * 9.0);
-    float bumpMap_2 = pores * 0.0018;
-    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + cross(worldTangentU, bumpMap_1) * bumpMap_2;
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec4 pores = graniteGradient(localPosition * 9.0, vec3(0.0), 0.0);
     // skin.yaml:16 Blend
-    float specular_blend = mix(0.08, 0.22, clamp((pores + 0.6) * 1.25, 0.0, 1.0));
+    float specular_blend = mix(0.08, 0.22, clamp((pores.w + 0.6) * 1.25, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 5);
+    vec3 bumpMap = cross(dot(pores.xyz, localTangentU * 9.0) * 0.0018 * bumpMap_1 + worldTangentU, worldTangentV) + dot(pores.xyz, localTangentV * 9.0) * 0.0018 * cross(worldTangentU, bumpMap_1);
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // skin.yaml:7 flesh
     vec3 flesh;
     if (freckles < 0.95) {

@@ -80,9 +80,9 @@ void main() {
     // tiles.yaml:11 Blend
     float specular_blend = mix(0.02, 0.45, clamp((tiles_2.x - 0.04) * 25.0, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 8);
-    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x * 0.2;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y * 0.2;
-    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
+    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x * 8.0;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y * 4.0;
+    vec3 bumpMap = cross(bumpMap_2 * 0.2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * 0.2 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
     fragment0 = surface_bits2;

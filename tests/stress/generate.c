@@ -329,6 +329,21 @@ void generate_document(Choices *c, Text *out)
     put_material(&g, false);
 }
 
+void generate_relief(Choices *c, Text *out)
+{
+    static const int sizes[] = {1, 2, 3, 5, 8, 12};
+    Generator g = {.c = c, .out = out, .hostile = chance(c, 1, 8)};
+    g.left = sizes[choose(c, sizeof sizes / sizeof *sizes)];
+    text_put(out, "material: Phong\ninput: { map: BumpMap, displacement: ");
+    put_map(&g);
+    if (chance(c, 1, 3)) {
+        g.left = 2;
+        text_put(out, ", input: ");
+        put_map(&g);
+    }
+    text_put(out, " }\n");
+}
+
 void generate_map(Choices *c, Text *out, int size)
 {
     Generator g = {.c = c, .out = out, .left = size, .hostile = chance(c, 1, 2)};

@@ -8,6 +8,8 @@ enum { LARGEST_TREE = 50 }; /* maps of a document */
 
 /* A whole document as text, of one material. */
 void generate_document(Choices *c, Text *out);
+/* A document whose normal is a BumpMap's, over a tree of maps. */
+void generate_relief(Choices *c, Text *out);
 /* One map as text, of about `size` maps at most, which refers to no definition. */
 void generate_map(Choices *c, Text *out, int size);
 /* A number that a document may have for a parameter: `hostile` are those at limits, zeros, tiny and huge ones. */

@@ -33,7 +33,8 @@ typedef struct {
 
 void stress_options_init(StressOptions *o)
 {
-    *o = (StressOptions){.seed = 1,
+    *o = (StressOptions){.generate = generate_document,
+                         .seed = 1,
                          .count = 1000,
                          .validate_every = 100,
                          .draw_every = 500,
@@ -98,6 +99,7 @@ static TrialPlan plan_of(Worker *w, long index)
 /* Whether a script's document has the same kind of fault. */
 typedef struct {
     TrialPlan plan;
+    void (*generate)(Choices *choices, Text *text);
     FaultKind kind;
     double end;
 } Search;
@@ -113,7 +115,7 @@ static bool has_fault(void *user, const uint32_t *script, int count)
     if (now() > s->end)
         return false;
     choices_script(&choices, script, count);
-    generate_document(&choices, &text);
+    s->generate(&choices, &text);
     trial_run(&s->plan, text.at, text.size, &ignored, &fault);
     arena_free(&arena);
     return fault.kind == s->kind;
@@ -137,7 +139,7 @@ static void write_document(const Run *run, long index, const char *text)
 /* Shrinks and tells. */
 static void report(Worker *w, long index, const TrialPlan *plan, const Choices *choices, const TrialFault *fault)
 {
-    Search search = {*plan, fault->kind, now() + SHRINK_SECONDS};
+    Search search = {*plan, w->run->options->generate, fault->kind, now() + SHRINK_SECONDS};
     bool drawn = fault->kind >= FAULT_not_drawn || fault->kind == FAULT_packed;
     Shrinker shrinker = {has_fault, &search, drawn ? SHRINK_TRIES_DRAWN : SHRINK_TRIES};
     uint32_t script[MOST_CHOICES];
@@ -152,7 +154,7 @@ static void report(Worker *w, long index, const TrialPlan *plan, const Choices *
     Arena arena = {0};
     Text text = text_new(&arena);
     choices_script(&small, script, count);
-    generate_document(&small, &text);
+    w->run->options->generate(&small, &text);
     trial_run(&search.plan, text.at, text.size, &ignored, &last);
     pthread_mutex_lock(&w->run->lock);
     fprintf(w->run->options->out, "fault: %s; --seed %llu --first %ld --count 1%s\n%s\nshrunk: %s\n%s",
@@ -179,7 +181,7 @@ static void try_tree(Worker *w, long index)
     Text text = text_new(&arena);
     TrialPlan plan = plan_of(w, index);
     choices_random(&choices, w->run->options->seed, (uint64_t)index);
-    generate_document(&choices, &text);
+    w->run->options->generate(&choices, &text);
     if (!trial_run(&plan, text.at, text.size, &w->count, &fault)) {
         atomic_fetch_add(&w->run->faults, 1);
         report(w, index, &plan, &choices, &fault);

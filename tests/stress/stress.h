@@ -1,10 +1,12 @@
 /* Many random documents, each tried in every way. */
 #ifndef MATC_STRESS_STRESS_H
 #define MATC_STRESS_STRESS_H
+#include "generate.h"
 #include "trial.h"
 #include <stdio.h>
 
 typedef struct {
+    void (*generate)(Choices *choices, Text *text); /* generate_document at first */
     uint64_t seed;
     long first, count;
     long validate_every, draw_every; /* which trees glslang and the driver see; 0: none */

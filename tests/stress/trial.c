@@ -51,8 +51,8 @@ static bool open_document(Trial *t, const char *text, size_t size)
     Job job;
     choice_job(&t->options, &job);
     t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = job_noise(job.choice[AXIS_noise], job.target)});
-    t->exact = job.choice[AXIS_derivatives] == CHOICE_derivatives_analytic;
-    oracle_exact_derivatives(t->oracle, t->exact);
+    t->exact = job.choice[AXIS_derivatives] != CHOICE_derivatives_finite;
+    oracle_derivatives(t->oracle, (Choice)job.choice[AXIS_derivatives]);
     oracle_judge_slopes(t->oracle);
     t->count->nodes += t->graph->node_count;
     return true;
@@ -80,6 +80,7 @@ static void find_slots(Trial *t)
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         Subjects subjects;
         subjects_of(t->material, (Slot)slot, &subjects);
+        t->bumps[slot] = subjects.has[KIND_BumpMap];
         for (int kind = 0; kind < KIND_COUNT; kind++)
             t->slots[slot] |=
                 subjects.has[kind] && kind != KIND_Constant && kind_table[kind].lowering != LOWERING_MATERIAL;

@@ -61,10 +61,11 @@ typedef struct {
     Graph *graph;
     const Node *material;
     Oracle *oracle;
-    bool exact; /* derivatives */
+    bool exact; /* derivatives: of what is computed, which the oracle takes differences of */
     TrialFault *fault;
     TrialCount *count;
     bool slots[SLOT_COUNT]; /* those that are looked at */
+    bool bumps[SLOT_COUNT]; /* those that a BumpMap takes part in */
 } Trial;
 
 /* False: see the fault. */

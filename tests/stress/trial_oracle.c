@@ -6,16 +6,28 @@
 static const double slope_apart = 1e-3, slope_room = 1e-6;
 
 /* Of exact derivatives the differences behind the point and ahead of it: where those are apart, nothing is known. Two that are alike
- * may still be off alike, where a great number rounds both: the third goes over another width. */
-enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_COUNT };
-static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}};
+ * may still be off alike, where a great number rounds both, or where the height bends much within them: the others go over other widths. */
+enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_NARROW, SPAN_COUNT };
+static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}, {-0.05, 0.04}};
+
+/* Farther out they are wide beside what maps do. */
+static bool is_far(const Point *point)
+{
+    const float far = 1000;
+    bool is = false;
+    for (int i = 0; i < 3; i++)
+        is |= fabsf(point->input[INPUT_X][i]) > far || fabsf(point->input[INPUT_P][i]) > far ||
+              fabsf(point->input[INPUT_U][i]) > far;
+    return is;
+}
 
 static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int lane)
 {
     const double value = w->value.lane[slot][lane], size = fmax(1, fabs(value));
     double apart = fabs(sides[SPAN_BEHIND].lane[slot][lane] - sides[SPAN_AHEAD].lane[slot][lane]);
     w->known = w->known && apart <= slope_apart * size;
-    apart = fmax(apart, fabs(sides[SPAN_OTHER].lane[slot][lane] - value));
+    for (int i = SPAN_OTHER; i < SPAN_COUNT; i++)
+        apart = fmax(apart, fabs(sides[i].lane[slot][lane] - value));
     w->room.lane[slot][lane] = apart == 0 ? 0 : slope_room * size + 4 * apart;
 }
 
@@ -23,15 +35,16 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
 {
     Surface surface;
     SlotValues sides[SPAN_COUNT];
+    const bool differs = t->exact && t->bumps[slot];
     memset(&w->room, 0, sizeof w->room);
     point_surface(point, front, &surface);
     oracle_material(t->oracle, t->material, &surface, &w->value);
-    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle);
-    for (int i = 0; t->exact && i < SPAN_COUNT; i++) {
+    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle) && !(differs && is_far(point));
+    for (int i = 0; differs && i < SPAN_COUNT; i++) {
         oracle_slope_span(t->oracle, spans[i][0], spans[i][1]);
         oracle_material(t->oracle, t->material, &surface, &sides[i]);
     }
     oracle_slope_span(t->oracle, -1, 1);
-    for (int lane = 0; t->exact && lane < 4; lane++)
+    for (int lane = 0; differs && lane < 4; lane++)
         judge_slope(w, sides, slot, lane);
 }

@@ -204,6 +204,16 @@ static void meet(Oracle *oracle, const Node *material, const Surface *surface, H
     widen(hull, &values);
 }
 
+/* At a crease either side's slope is right. */
+static void meet_sides(Oracle *oracle, const Node *material, const Surface *surface, Hull *hull)
+{
+    oracle_slope_span(oracle, -1, 0);
+    meet(oracle, material, surface, hull);
+    oracle_slope_span(oracle, 0, 1);
+    meet(oracle, material, surface, hull);
+    oracle_slope_span(oracle, -1, 1);
+}
+
 void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, Hull *hulls)
 {
     for (int i = 0; i < points->count; i++) {
@@ -219,6 +229,7 @@ void points_hulls(Oracle *oracle, const Node *material, const PointSet *points, 
         }
         flush(&here);
         meet(oracle, material, &here, &hulls[i]);
+        meet_sides(oracle, material, &here, &hulls[i]);
     }
 }
 

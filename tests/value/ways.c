@@ -13,6 +13,8 @@ const Way way_table[] = {
     {TARGET_glsl110, 2, CHOICE_noise_groimp, false},
     {TARGET_glsl330, 2, CHOICE_noise_simplex, false},
     {TARGET_glsl110, 2, CHOICE_noise_simplex, false},
+    {TARGET_glsl330, 2, CHOICE_derivatives_finite, false},
+    {TARGET_glsl110, 2, CHOICE_derivatives_finite, false},
     {TARGET_glsl330, 2, CHOICE_derivatives_analytic, false},
     {TARGET_glsl110, 2, CHOICE_derivatives_analytic, false},
     {TARGET_glsl330, 2, CHOICE_aa_box, false},
@@ -95,12 +97,18 @@ static bool point_on_edges(const Point *point)
     return fabsf(4 * u[0] - rintf(4 * u[0])) < near && fabsf(4 * u[1] - rintf(4 * u[1])) < near;
 }
 
+/* Whether the values are made of slopes that the oracle has from differences. */
+static bool has_slopes(const Way *way, const Subjects *subjects)
+{
+    return way->choice != CHOICE_derivatives_finite && subjects->has[KIND_BumpMap] &&
+           subjects->has[SUBJECT_SLOTS + (int)SLOT_normal];
+}
+
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
 {
     const bool sampled = way_samples(way, subjects);
     const bool filters = subjects->has[KIND_Laplace3D] || subjects->has[KIND_Smooth3D];
-    return !point_is_extreme(point) &&
-           !(way->choice == CHOICE_derivatives_analytic && point_is_far(point, far_for_slopes)) &&
+    return !point_is_extreme(point) && !(has_slopes(way, subjects) && point_is_far(point, far_for_slopes)) &&
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&
            !(sampled && (subjects->has[KIND_BumpMap] || point_is_far(point, far_for_samplers))) &&
            !(filters && point_is_far(point, far_for_filters)) &&

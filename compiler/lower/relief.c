@@ -1,0 +1,129 @@
+/* The slopes of a displacement: finite, GroIMP's channels; analytic, of all that is computed; auto, both by one law:
+ *
+ *     the derivative of what the displacement computes, by the chain rule, in which a map with a STEP row (maps.def: it jumps, or is a
+ *     picture) has GroIMP's finite difference for its derivative by its own coordinate.
+ *
+ * Tiles of wood: a Blend along a Checker c (1 and 0, its u' = 8 u), with 0 at item 0 and w(x) at item 1. At a point of a black
+ * square, .02 of u' before the edge to a white one:
+ *     the Checker is one of two, so the Blend is asked for both: H = c ? w : 0, and dH = c ? dw : 0, + (w - 0) dc
+ *     dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8 times that: the edge has the slope 160 w
+ * Within the squares it is 0 or dw, exactly; the edges are bevels of a tenth of a square.
+ *
+ * What has such a map below it is lowered for itself and without the local rules: each counts by itself, whatever the optimiser joins
+ * later, and the plain forms have one slope where two pieces meet. So all levels of -O have one relief. */
+#include "compiler/lower/relief.h"
+#include "compiler/lower/slope.h"
+
+/* A bool as 0 or 1. */
+static Ref number(Lower *l, Ref value)
+{
+    Ir *ir = l->ir;
+    if (ir_type(ir, value) != TYPE_bool)
+        return value;
+    return build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
+}
+
+/* (f(q + h e) - f(q)) / h, e along a lane. */
+static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
+{
+    Ir *ir = l->ir;
+    const Type type = ir_type(ir, map->q.value);
+    double step[4] = {0};
+    step[lane] = map->step[lane];
+    Answer beyond = map->q;
+    Ref from = map->repeats ? build_fract(ir, beyond.value) : beyond.value;
+    beyond.value = build_add(ir, from, ir_const(ir, type, step));
+    Ref there = number(l, map->at(l, map->map, beyond));
+    return build_scale(ir, build_sub(ir, there, number(l, value)), 1 / map->step[lane]);
+}
+
+void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3])
+{
+    Ir *ir = l->ir;
+    static const char *const lane_name[] = {"x", "y", "z"};
+    static const Direction directions[] = {DIRECTION_u, DIRECTION_v};
+    for (int d = 0; d < 2 && !ir_is(ir, value, OP_const); d++) {
+        Ref change = slope_of(l, q, directions[d]), slope = 0;
+        for (int i = 0; change && i < ir_lanes(ir, q); i++)
+            if (rate[i])
+                slope = build_plus(ir, slope, build_mul(ir, rate[i], build_swizzle(ir, change, lane_name[i])));
+        slope_set(l, value, directions[d], slope);
+    }
+}
+
+void relief_step(Lower *l, Ref value, const Stepped *map)
+{
+    Ref rate[3] = {0};
+    if (!l->relief || ir_is(l->ir, value, OP_const))
+        return;
+    for (int i = 0; i < 3; i++)
+        if (map->step[i] != 0)
+            rate[i] = difference(l, value, map, i);
+    relief_rise(l, value, map->q.value, rate);
+}
+
+/* Of its red, in that environment. */
+static Slopes computed(Lower *l, const Node *displacement, const Env *env)
+{
+    Ref height = build_swizzle(l->ir, lower_ask(l, displacement, GROUP_R, env), "x");
+    Ref by_u = slope_of(l, height, DIRECTION_u), by_v = slope_of(l, height, DIRECTION_v);
+    return (Slopes){by_u, by_v};
+}
+
+static Manner manner(Lower *l, bool relief, Manner now)
+{
+    const Manner before = {l->cheap, l->ir->simplify};
+    l->relief = relief;
+    l->cheap = now.cheap;
+    l->ir->simplify = now.simplify;
+    return before;
+}
+
+Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env)
+{
+    Env outside = *env;
+    outside.relief = false;
+    const Manner inside = manner(l, false, l->outside);
+    Answer answer = lower_answer(l, map, group, &outside);
+    manner(l, true, inside);
+    return answer;
+}
+
+static Slopes stepped(Lower *l, const Node *displacement, const Env *env)
+{
+    Env inside = *env;
+    inside.relief = true;
+    l->outside = manner(l, true, (Manner){false, NULL});
+    Slopes slopes = computed(l, displacement, &inside);
+    manner(l, false, l->outside);
+    return slopes;
+}
+
+/* What the map answers for a derivative channel; 0: it is a constant 0. */
+static Ref channel(Lower *l, const Node *displacement, Group group, const Env *env)
+{
+    Ref answer = lower_ask(l, displacement, group, env);
+    const double *known = ir_is(l->ir, answer, OP_const) ? ir_numbers(l->ir, answer) : NULL;
+    return known && known[0] == 0 ? 0 : build_swizzle(l->ir, answer, "x");
+}
+
+static Slopes channels(Lower *l, const Node *displacement, const Env *env)
+{
+    Ref by_u = channel(l, displacement, GROUP_DU, env), by_v = channel(l, displacement, GROUP_DV, env);
+    return (Slopes){by_u, by_v};
+}
+
+Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
+{
+    Ir *ir = l->ir;
+    const Node *displacement = lower_param_node(bump, P_BumpMap_displacement);
+    const Choice how = (Choice)l->job->choice[AXIS_derivatives];
+    Slopes slopes = how == CHOICE_derivatives_finite     ? channels(l, displacement, env)
+                    : how == CHOICE_derivatives_analytic ? computed(l, displacement, env)
+                                                         : stepped(l, displacement, env);
+    if (!slopes.u && !slopes.v && !l->failed)
+        diag_add(l->session, displacement->span, DIAG_flat_displacement);
+    slopes.u = build_or_zero(ir, slopes.u, TYPE_float);
+    slopes.v = build_or_zero(ir, slopes.v, TYPE_float);
+    return slopes;
+}

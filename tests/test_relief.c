@@ -1,0 +1,157 @@
+/* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the normal at a point, which the programs are
+ * held to by test_value and test_stress. And where a displacement has none, that is said. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "compiler/matc.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define STEP(x) "{ map: Gradient, direction: [" x "] }"
+#define CHECKER "{ map: Checker }"
+#define SCALED  "{ map: Checker, input: { map: UVTransform, scaleU: 8 } }"
+#define TURNED  "{ map: Checker, input: { map: UVTransform, angle: 1.5707963267948966 } }"
+#define RAMP(in)                                                                                                       \
+    "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " STEP("0, 3, 0") " }], input: " in " }"
+
+typedef struct {
+    const char *derivatives, *displacement, *point;
+    double by_u, by_v;
+} Row;
+
+/* The normal of the point is z, its tangents x and y, and so are those of the local position. A checker rises by 1 over 0.05. */
+static const Row rows[] = {
+    {"auto", STEP("3, -2, 0"), "x=1 y=1", 3, -2},
+    {"analytic", STEP("3, -2, 0"), "x=1 y=1", 3, -2},
+    {"finite", STEP("3, -2, 0"), "x=1 y=2", -1, -1}, /* its value */
+    {"auto", "{ map: Gradient, waveForm: Sqr }", "x=1.5", 3, 0},
+    /* 0 to 3 y along x: 3 x y */
+    {"auto", RAMP(STEP("1, 0, 0")), "x=0.5 y=2", 6, 1.5},
+    {"analytic", RAMP(STEP("1, 0, 0")), "x=0.5 y=2", 6, 1.5},
+    {"auto", CHECKER, "u=0.46 v=0.2", 20, 0},
+    {"auto", CHECKER, "u=0.44 v=0.2", 0, 0},
+    {"auto", CHECKER, "u=0.96 v=0.46", -20, -20},
+    {"finite", CHECKER, "u=0.96 v=0.46", -20, -20},
+    {"analytic", CHECKER, "u=0.46 v=0.2", 0, 0},
+    /* u' = 8 u: as steep as it is narrow; GroIMP leaves the slope by u' */
+    {"auto", SCALED, "u=0.06 v=0.2", 160, 0},
+    {"auto", SCALED, "u=0.05 v=0.2", 0, 0},
+    {"finite", SCALED, "u=0.06 v=0.2", 20, 0},
+    /* u' = v, v' = -u: along v, from 1 to 0 */
+    {"auto", TURNED, "u=0.2 v=0.46", 0, -20},
+    /* the colours' own slopes, and the step between them: 3 y and 1 at y = 2 */
+    {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.46 v=0.2 y=2", 120, 0},
+    {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.7 v=0.2 y=2", 0, 3},
+    {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.96 v=0.2 y=2", -120, 3},
+    /* along a checker: between the Blends along 0 and 1, of which the latter is beyond the last item */
+    {"auto", RAMP(CHECKER), "u=0.46 v=0.2 y=2", 120, 0},
+    {"auto", RAMP(CHECKER), "u=0.96 v=0.2 y=2", -120, 3},
+    {"auto", RAMP("{ map: UVTransform, input: " CHECKER " }"), "u=0.96 v=0.2 y=2", -120, 3},
+    {"auto", RAMP("{ map: Checker, color1: " CHECKER ", color2: 0, input: { map: UVTransform, scaleU: 0.5 } }"),
+     "u=0.46 v=0.2 y=2", 0, 0},
+    /* halfway between a checker and 3 x, the weight rising by x: 1/2 (20 + 3) + (3 x - c), over 1 */
+    {"auto", "{ map: Blend, blend: [{ value: 0, input: " CHECKER " }, { value: 1, input: " STEP("3, 0, 0") " }] }",
+     "u=0.46 v=0.2 x=0.5", 13, 0},
+    /* unit cubes, a step of a tenth of them */
+    {"auto", "{ map: VolumeChecker }", "x=0.95 y=0.2", 10, 0},
+    {"auto", "{ map: VolumeChecker }", "x=0.85 y=0.95", 0, 10},
+    {"finite", "{ map: VolumeChecker }", "x=0.95 y=0.2", 0, 0},
+    /* from c = 4 frac x - 2 the one step leaves at 1.992 and stays at -1.988: from -1 to 1 over .005; its square is 1 in both */
+    {"auto", "{ map: Mandel, iterations: 1 }", "x=-0.002 y=0.5", 400, 0},
+    {"auto", "{ map: Mandel, iterations: 1, waveForm: Sqr }", "x=-0.002 y=0.5", 0, 0},
+    {"finite", "{ map: Mandel, iterations: 1 }", "x=-0.002 y=0.5", -1, -1},
+    /* the mean of a checker at three points of u, 0.04 apart: two of them are less than a step before the edge */
+    {"auto", "{ map: Smooth3D, sx: 0.08, sy: 0, sz: 0, input: " CHECKER " }", "u=0.43 v=0.2", 20.0 / 3, 0},
+    {"finite", "0.5", "u=0.3", 0, 0},
+};
+
+static MatcDocument *open(const char *displacement, const MatcOptions *options)
+{
+    char text[2000];
+    snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n", displacement);
+    return matc_read("relief.yaml", text, strlen(text), options);
+}
+
+static void slopes_are_those_of_closed_forms(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const Row *row = &rows[i];
+        MatcOptions options;
+        const char *fault;
+        double n[3];
+        matc_options_init(&options);
+        options.derivatives = row->derivatives;
+        MatcDocument *document = open(row->displacement, &options);
+        char *text = matc_eval(document, 0, row->point, &options, &fault);
+        assert_non_null(text);
+        assert_int_equal(sscanf(strstr(text, "normal"), "normal %lf %lf %lf", &n[0], &n[1], &n[2]), 3);
+        const double by_u = -n[0] / n[2] / 0.02, by_v = -n[1] / n[2] / 0.02, bound = 1e-4;
+        if (fabs(by_u - row->by_u) > bound || fabs(by_v - row->by_v) > bound)
+            fail_msg("%s, %s at %s: %.9g %.9g, should be %g %g", row->derivatives, row->displacement, row->point, by_u,
+                     by_v, row->by_u, row->by_v);
+        free(text);
+        matc_document_free(document);
+    }
+}
+
+static bool says_flat(const char *displacement, const char *derivatives, int optimize)
+{
+    MatcOptions options;
+    matc_options_init(&options);
+    options.derivatives = derivatives;
+    options.optimize = optimize;
+    options.aa = "none"; /* a checker that is averaged has an edge as wide as the pixel, and with it a slope */
+    MatcDocument *document = open(displacement, &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
+    assert_true(matc_ok(program));
+    const char *said = matc_program_diagnostics(program, MATC_TEXT);
+    const char *place = *displacement == '{' ? "relief.yaml:2:45" : "relief.yaml:2:38";
+    bool says = !strncmp(said, place, strlen(place)) && strstr(said, "warning: this displacement rises nowhere");
+    if (!says && *said)
+        fail_msg("%s", said);
+    matc_program_free(program);
+    matc_document_free(document);
+    return says;
+}
+
+static void what_has_no_slope_is_said(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *displacement;
+        bool finite, analytic, by_default;
+    } cases[] = {
+        {"0.5", true, true, true},
+        {"{ map: ImageMap }", true, true, true},
+        {"{ map: Granite, input: { map: Graytone } }", false, true, true},
+        {CHECKER, false, true, false},
+        {"{ map: Mandel }", false, true, false},
+        {"{ map: Wood }", false, false, false},
+        {RAMP(STEP("1, 0, 0")), false, false, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (int level = 0; level < 3; level += 2) {
+            const struct {
+                const char *derivatives;
+                bool flat;
+            } ways[] = {{"finite", cases[i].finite}, {"analytic", cases[i].analytic}, {NULL, cases[i].by_default}};
+            for (int k = 0; k < 3; k++)
+                if (says_flat(cases[i].displacement, ways[k].derivatives, level) != ways[k].flat)
+                    fail_msg("%s, %s, -O%d", cases[i].displacement,
+                             ways[k].derivatives ? ways[k].derivatives : "default", level);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slopes_are_those_of_closed_forms),
+        cmocka_unit_test(what_has_no_slope_is_said),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
