@@ -18,8 +18,10 @@
 #endif
 
 enum { STEP = 4, SAMPLES = POINT_COUNT / STEP };
-static const double bound = 1e-9,
-                    slope_bound = 1e-7; /* of the slopes of displacements the oracle has differences over 2^-26 */
+static const double bound = 1e-9;
+/* Slopes of what a displacement computes are differences in the oracle, over 2^-26 of the surface's size: rounding leaves 2^-26 of the
+ * steepest of the parts that they are made of. */
+static const double slope_bound = 1e-7;
 
 /* Every STEPth of the points, but for those whose numbers lead out of the range in which doubles are as exact as wanted. */
 static int sample_points(Point samples[SAMPLES])
@@ -62,7 +64,7 @@ static bool has_bump(const Test *t, int material)
     return subjects.has[KIND_BumpMap];
 }
 
-/* So far out the steps of the oracle's differences are wide beside what maps do. */
+/* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200 radians a unit, (200 h)^2 / 6 is 1e-8. */
 static bool is_far(const Point *point)
 {
     const float far = 100;
@@ -132,6 +134,8 @@ static void check_slot(Test *t, int material, Slot slot)
         choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = slot;
         job.choice[AXIS_derivatives] = (int)t->derivatives;
+        if (getenv("AA"))
+            job.choice[AXIS_aa] = CHOICE_aa_box;
         const Ir *ir = compile_ir(&session, t->document.graph, t->document.graph->materials[material].node, &job);
         if (ir) {
             check_values(t, material, slot, level, ir);

@@ -1,9 +1,9 @@
-/* Ten whole materials against 200 bits: each a document and its formulas, written from semantics.md and not from the oracle. */
+/* Whole materials against 200 bits: each a document and its formulas, written from semantics.md and not from the oracle. */
 #include "exact.h"
 
 /* The point that is shaded, as exact numbers. */
 typedef struct {
-    R u, v, p[3], n[3], du[3], dv[3];
+    R u, v, p[3], n[3], du[3], dv[3], by_u[3], by_v[3]; /* the last two: how p changes by u and v */
 } At;
 
 typedef struct {
@@ -11,6 +11,7 @@ typedef struct {
     Slot slot;
     void (*exact)(const At *at, R *want); /* three lanes, or one */
     double bound;
+    int derivatives; /* of bumps: a Choice */
 } Material;
 
 static R odd(R sum) { return num(value(part(over(sum, num(2)))) > 0.25); }
@@ -80,12 +81,45 @@ static void waves(const At *at, R *want)
     tilt(at, a, (R[]){by_u, by_v}, want);
 }
 
-/* A volume map under BumpMap: both slopes are its value; k = 0.02 3 / |n|. */
-static void bump(const At *at, R *want)
+/* k = 0.02 3 / |n|. */
+static void tilted(const At *at, R by_u, R by_v, R *want)
 {
     R k = over(times(num(3), over(num(2), num(100))), root(dot3((R *)at->n, (R *)at->n)));
-    R slope = square(plus(times(num(0.5), at->p[0]), at->p[2]));
-    tilt(at, k, (R[]){slope, slope}, want);
+    tilt(at, k, (R[]){by_u, by_v}, want);
+}
+
+/* A volume map under GroIMP's BumpMap: both slopes are its value, (x / 2 + z)^2. */
+static void bump_finite(const At *at, R *want)
+{
+    R value = square(plus(times(num(0.5), at->p[0]), at->p[2]));
+    tilted(at, value, value, want);
+}
+
+/* Of that map, which is smooth, the slopes are 2 (x / 2 + z) times what x / 2 + z changes by. */
+static void bump(const At *at, R *want)
+{
+    R twice = plus(at->p[0], times(num(2), at->p[2]));
+    R by_u = plus(times(num(0.5), at->by_u[0]), at->by_u[2]), by_v = plus(times(num(0.5), at->by_v[0]), at->by_v[2]);
+    tilted(at, times(twice, by_u), times(twice, by_v), want);
+}
+
+/* A Blend along it, of 0 and y: y t, t the wave 1/2 + sin(2 pi x) / 2. */
+static void bump_blend(const At *at, R *want)
+{
+    R turn = times(num(2), pi()), angle = times(turn, at->p[0]), half = num(0.5);
+    R t = plus(half, times(half, sine(angle))), rate = times(times(half, turn), cosine(angle));
+    R by_u = plus(times(t, at->by_u[1]), times(times(at->p[1], rate), at->by_u[0]));
+    R by_v = plus(times(t, at->by_v[1]), times(times(at->p[1], rate), at->by_v[0]));
+    tilted(at, by_u, by_v, want);
+}
+
+/* A checker in that Blend's place rises by 1 / 0.05 where u or v is nearer than that to the edge ahead. */
+static void bump_checker(const At *at, R *want)
+{
+    R step = over(num(1), num(20)), u = times(num(2), at->u), v = times(num(2), at->v), twice = times(num(2), step);
+    R here = odd(plus(whole(u), whole(v)));
+    R right = odd(plus(whole(plus(u, twice)), whole(v))), above = odd(plus(whole(u), whole(plus(v, twice))));
+    tilted(at, over(less(right, here), step), over(less(above, here), step), want);
 }
 
 /* 1 + alpha (c - 1): alpha of a Checker of a clear and a solid colour, c = (x, x, x). */
@@ -196,41 +230,54 @@ static void turbulence(const At *at, R *want)
     gray(over(sum, num(8)), want);
 }
 
+/* The oracle's slopes are differences over 2^-26 of the surface's size. */
+#define SLOPES 1e-7
+enum { AUTO = CHOICE_derivatives_auto, FINITE = CHOICE_derivatives_finite, ANALYTIC = CHOICE_derivatives_analytic };
+#define SQUARED                                                                                                        \
+    "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Gradient, direction: [0.5, 0, 1], "     \
+    "waveForm: Sqr } }\n"
+
 static const Material materials[] = {
     {"checker",
      "material: Phong\ndiffuse: { map: Checker, color1: [0.25, 0.5, 1], color2: [0.125, 0, 0.75], input: { map: "
      "UVTransform, offsetU: 0.25, offsetV: -0.5, scaleU: 4, scaleV: 2, angle: 0.5, shear: 0.125 } }\n",
-     SLOT_diffuse, checker, 0},
+     SLOT_diffuse, checker, 0, AUTO},
     {"bands",
      "material: Phong\nemissive: { map: Blend, blend: [{ value: -1, input: [1, 0, 0] }, { value: 0, input: [0, 1, 0] "
      "}, { value: 1, input: [0.5, 0.5, 1] }], input: { map: Gradient, direction: [3, 0.5, 0], phase: 0.125, "
      "waveForm: Sin01 } }\n",
-     SLOT_emissive, bands, 2e-14},
+     SLOT_emissive, bands, 2e-14, AUTO},
     {"rings", "material: Phong\nspecular: { map: Wood, frequency: 5, phase: 0.25, waveForm: Triangle }\n",
-     SLOT_specular, rings, 2e-14},
+     SLOT_specular, rings, 2e-14, AUTO},
     {"leopard",
      "material: Phong\nambient: { map: Leopard, input: { map: XYZTransform, transform: { rotation: [0, 0, 0.75], "
      "translation: [1, -2, 0.5] } } }\n",
-     SLOT_ambient, leopard, 4e-15},
+     SLOT_ambient, leopard, 4e-15, AUTO},
     {"waves", "material: Phong\ninput: { map: WaveMap, amplitude: 0.125, uCount: 3, vCount: 2 }\n", SLOT_normal, waves,
-     2e-13},
-    {"bump",
-     "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Gradient, direction: [0.5, 0, 1], "
-     "waveForm: Sqr } }\n",
-     SLOT_normal, bump, 2e-13},
+     2e-13, AUTO},
+    {"bump, finite", SQUARED, SLOT_normal, bump_finite, 2e-13, FINITE},
+    {"bump, analytic", SQUARED, SLOT_normal, bump, SLOPES, ANALYTIC},
+    {"bump", SQUARED, SLOT_normal, bump, SLOPES, AUTO},
+    {"bump of a blend",
+     "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Blend, blend: [{ value: -1, input: 0 "
+     "}, { "
+     "value: 1, input: { map: Gradient, direction: [0, 1, 0] } }], input: { map: Gradient, waveForm: Sin01 } } }\n",
+     SLOT_normal, bump_blend, SLOPES, AUTO},
+    {"bump of a checker", "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Checker } }\n",
+     SLOT_normal, bump_checker, SLOPES, AUTO},
     {"clear",
      "material: Phong\ndiffuse: { map: Checker, color1: [1, 1, 1, 0.25], color2: [0, 0, 0, 0.75] }\n"
      "transparency: { map: Gradient }\n",
-     SLOT_transparency, clear, 2e-15},
+     SLOT_transparency, clear, 2e-15, AUTO},
     {"mandel",
      "material: Phong\nshininess: { map: Mandel, iterations: 12, waveForm: { wave: Chain, factor: 0.5, shift: 0.5 } "
      "}\n",
-     SLOT_shininess, mandel, 4e-15},
+     SLOT_shininess, mandel, 4e-15, AUTO},
     {"smooth", "material: Phong\ndiffuseTransparency: { map: Smooth3D, sx: 0.5, sy: 1, sz: 3, input: { map: Wood } }\n",
-     SLOT_diffuseTransparency, smooth, 2e-14},
+     SLOT_diffuseTransparency, smooth, 2e-14, AUTO},
     {"turbulence",
      "material: Phong\ndiffuse: { map: VolumeTurbulence, size: 1.5, octaves: 4, noiseRatio: 2, frequencyRatio: 3 }\n",
-     SLOT_diffuse, turbulence, 2e-13},
+     SLOT_diffuse, turbulence, 2e-13, AUTO},
 };
 enum { MATERIALS = sizeof materials / sizeof *materials, POINTS = 200 };
 
@@ -251,6 +298,12 @@ static void make_point(int point, Surface *surface, At *at)
             surface->root[channel_id(groups[g], lane)] = v;
             *(g ? &lanes[g][lane] : lane ? &at->v : &at->u) = num(v);
         }
+    for (int lane = 0; lane < 3; lane++) {
+        surface->local_u[lane] = coordinate(point, 14 + lane);
+        surface->local_v[lane] = coordinate(point, 17 + lane);
+        at->by_u[lane] = num(surface->local_u[lane]);
+        at->by_v[lane] = num(surface->local_v[lane]);
+    }
 }
 
 static void materials_are_exact(void **state)
@@ -259,6 +312,7 @@ static void materials_are_exact(void **state)
     for (int m = 0; m < MATERIALS; m++) {
         Read read;
         read_open(&read, materials[m].document, REFERENCE_GROIMP);
+        oracle_derivatives(read.oracle, (Choice)materials[m].derivatives);
         int lanes = type_table[slot_table[materials[m].slot].type].lanes;
         for (int point = 0; point < POINTS; point++) {
             Surface surface;

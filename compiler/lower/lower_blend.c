@@ -29,13 +29,33 @@ static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
     return build_mix(l->ir, stops[i - 1].result, stops[i].result, at);
 }
 
+/* Known values of which none is below the one before; strictly: as floats, none is equal to it. */
+static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
+{
+    for (int i = 0; i < count; i++) {
+        const double *now = ir_known(ir, stops[i].value), *before = i ? ir_known(ir, stops[i - 1].value) : NULL;
+        if (!now || (before && (now[0] < before[0] || (strictly && (float)now[0] <= (float)before[0]))))
+            return false;
+    }
+    return true;
+}
+
+/* Whether t has not come to item i of so many. In a displacement the last segment has its end, too: a wave that rises to 1 and falls again is
+ * 1 for many floats around its peak, and at all but one of them it still rises or falls. */
+static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
+{
+    Ir *ir = l->ir;
+    const bool closed = l->relief && i > 0 && i == count - 1 && ascending(ir, &stops[i - 1], 2, true);
+    return closed ? build_le(ir, t, stops[i].value) : build_lt(ir, t, stops[i].value);
+}
+
 /* As written: the first item whose value is above t decides. */
 static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
     Ref result = stops[count - 1].result;
     for (int i = count - 1; i >= 0; i--) {
-        Ref below = build_lt(ir, t, stops[i].value);
+        Ref below = is_below(l, t, stops, i, count);
         result = build_select(ir, below, segment(l, t, stops, i), result);
     }
     return result;
@@ -66,17 +86,6 @@ static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
         result = build_mix(ir, result, stops[i].result, build_clamp(ir, at, zero, one));
     }
     return result;
-}
-
-/* Known values of which none is below the one before; strictly: as floats, none is equal to it. */
-static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
-{
-    for (int i = 0; i < count; i++) {
-        const double *now = ir_known(ir, stops[i].value), *before = i ? ir_known(ir, stops[i - 1].value) : NULL;
-        if (!now || (before && (now[0] < before[0] || (strictly && (float)now[0] <= (float)before[0]))))
-            return false;
-    }
-    return true;
 }
 
 static bool cheap_arms(const Ir *ir, const Stop *stops, int count)

@@ -104,15 +104,26 @@ static bool is_smooth(Environment *environment, const Node *height, const double
     return true;
 }
 
-/* Derivatives of the height by u and v from differences. */
+/* The derivative along a direction (1 or 0 of u and of v) from a difference; from one side by the parabola through three points, since a
+ * straight line would be off by a part of how the slope itself changes there: noise has other curvatures to either side of a lattice point. */
+static double slope_along(Environment *environment, const Node *height, const double along[2], double h)
+{
+    double ahead = environment->oracle->ahead * h, behind = environment->oracle->behind * h;
+    double far = ahead != 0 ? ahead : behind, half = far / 2;
+    double at_far = height_at(environment, height, far * along[0], far * along[1]);
+    if (ahead != 0 && behind != 0)
+        return (at_far - height_at(environment, height, behind * along[0], behind * along[1])) / (ahead - behind);
+    double here = height_at(environment, height, 0, 0);
+    double at_half = height_at(environment, height, half * along[0], half * along[1]);
+    return (4 * (at_half - here) - (at_far - here)) / far;
+}
+
+/* Derivatives of the height by u and v. */
 static void slopes_of(Environment *environment, const Node *height, double slope[2])
 {
-    double h = slope_step(environment->surface);
-    double ahead = environment->oracle->ahead * h, behind = environment->oracle->behind * h;
-    double by_u = height_at(environment, height, ahead, 0) - height_at(environment, height, behind, 0);
-    double by_v = height_at(environment, height, 0, ahead) - height_at(environment, height, 0, behind);
-    slope[0] = by_u / (ahead - behind);
-    slope[1] = by_v / (ahead - behind);
+    const double h = slope_step(environment->surface);
+    slope[0] = slope_along(environment, height, (double[]){1, 0}, h);
+    slope[1] = slope_along(environment, height, (double[]){0, 1}, h);
     if (environment->oracle->judges &&
         !(is_smooth(environment, height, (double[]){h, 0}) && is_smooth(environment, height, (double[]){0, h})))
         environment->oracle->rough = true;

@@ -35,23 +35,24 @@ static double noise_at(const void *context, const double p[3], const double rest
     return clamp(2 * value[0], -1, 1);
 }
 
-static double octave_share(const void *context, double width)
+/* What is lost, a (1 - 1 / (1 + b w^2 + c w^4)) until that is all: no difference of ones for a narrow width. */
+static double lost(const void *context, double width, const double factor[3])
 {
-    double w = width * statistics(context).grain, q = w * w;
-    return fmax(1.43 / (1 + q * (.383 + .0467 * q)) - .43, 0);
+    double w = width * statistics(context).grain, bend = w * w * (factor[1] + factor[2] * w * w);
+    return isinf(bend) ? 1 : fmin(factor[0] * bend / (1 + bend), 1);
 }
 
-static double magnitude_share(const void *context, double width)
-{
-    double w = width * statistics(context).grain, q = w * w;
-    return fmax(1.35 / (1 + q * (1.08 + .19 * q)) - .35, 0);
-}
+static const double of_octave[] = {1.43, .383, .0467}, of_magnitude[] = {1.35, 1.08, .19};
+
+static double octave_share(const void *context, double width) { return 1 - lost(context, width, of_octave); }
+
+static double magnitude_share(const void *context, double width) { return 1 - lost(context, width, of_magnitude); }
 
 /* Variance that is left of an octave, beside its slope, whose mean square over an edge of 1 is `steep` of the variance. */
-static double left_out(const void *context, double share, double width, double steep)
+static double left_out(const void *context, double loss, double width, double steep)
 {
-    double w = width * statistics(context).grain;
-    return fmax(1 - share * share * (1 + w * w * steep / 12), 0);
+    double w = width * statistics(context).grain, share = 1 - loss;
+    return fmax(loss * (1 + share) - (share > 0 ? share * share * w * w * steep / 12 : 0), 0);
 }
 
 REFERENCE(noise)
@@ -118,7 +119,7 @@ REFERENCE(turbulenceVariance)
     result[0] = 0;
     for (int k = 0; k < octaves; k++) {
         double width = args[3] * fabs(pow(args[1], k));
-        result[0] += variance * pow(args[2], 2 * k) * left_out(context, octave_share(context, width), width, 4.73);
+        result[0] += variance * pow(args[2], 2 * k) * left_out(context, lost(context, width, of_octave), width, 4.73);
     }
 }
 
@@ -193,6 +194,6 @@ REFERENCE(graniteVariance)
     result[0] = 0;
     for (int k = 0; k < GRANITE_OCTAVES; k++) {
         double width = args[0] * ldexp(4, k);
-        result[0] += ldexp(.081, -2 * k) * left_out(context, magnitude_share(context, width), width, 14.6);
+        result[0] += ldexp(.081, -2 * k) * left_out(context, lost(context, width, of_magnitude), width, 14.6);
     }
 }

@@ -80,7 +80,7 @@ void main() {
     // bumpBlend.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpBlend.yaml:7 Blend
-    bool blend = localPosition.x < 1.0;
+    bool blend = localPosition.x <= 1.0;
     bool blend_2 = localPosition.x < -1.0;
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
     float blend_3 = (localPosition.x + 1.0) * 0.5;

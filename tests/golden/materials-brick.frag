@@ -103,13 +103,20 @@ float octaveMean(int count, float noiseRatio) {
     return 0.0;
 }
 
-// How much of an octave of noise is left in the mean over a square of a given edge, in periods of the octave. The best factor by
-// least squares is 1 / (1 + 0.383 w^2 + 0.0467 w^4), measured and fitted to 0.02; of it is taken what makes it end at 2 periods,
-// where an octave has little to do with its mean. 1 for no width; a width of any size squares to a float.
-float octaveShare(float width) {
+// How much of an octave of noise the mean over a square of a given edge loses, in periods of the octave. The best factor by least
+// squares is 1 / (1 + q), q = 0.383 w^2 + 0.0467 w^4, measured and fitted to 0.02; of it is taken what makes it end at 2 periods, where
+// an octave has little to do with its mean: 1.43 / (1 + q) - 0.43 are left, and these are lost. Exactly 0 for no width, and good to
+// its last bits for a narrow one; a width of any size squares to a float.
+float octaveLoss(float width) {
     float periods = min(width, 64.0) * noiseGrain;
     float w = periods * periods;
-    return max(1.43 / (1.0 + w * (0.383 + 0.0467 * w)) - 0.43, 0.0);
+    float q = w * (0.383 + 0.0467 * w);
+    return min(1.43 * q / (1.0 + q), 1.0);
+}
+
+// How much of an octave of noise is left in the mean over a square of a given edge; 1 for no width.
+float octaveShare(float width) {
+    return 1.0 - octaveLoss(width);
 }
 
 // Gradient by p of turbulenceFiltered(p, rest, ...), then its value. Error 5e-6 to the sum of noiseRatio^k frequencyRatio^k.
@@ -305,7 +312,7 @@ void main() {
     // brick.yaml:44 side
     float side_1 = -face;
     // brick.yaml:42 Blend
-    bool blend = up < 0.86;
+    bool blend = up <= 0.86;
     bool blend_2 = up < 0.7;
     float blend_3 = (up + 0.7) * 0.71428573;
     bool blend_4 = up < -0.7;
@@ -322,7 +329,7 @@ void main() {
     float along_5 = along_3 * -(bond_2.z * bond_11 * bond_6 * 0.5) + (wall_2.x * bond_8 + wall_2.x * bond_7);
     float along_6 = sqrt(along_5 * along_5 + along_4 * along_4);
     float along = rampMean(along_2, along_6);
-    bool side_2 = along < 0.94;
+    bool side_2 = along <= 0.94;
     float side_3 = (along - 0.86) * 12.5;
     bool side_4 = along < 0.86;
     float side_5 = (along + 0.86) * 0.5813953;

@@ -149,13 +149,20 @@ float octaveMean(int count, float noiseRatio) {
     return 0.0;
 }
 
-// How much of an octave of noise is left in the mean over a square of a given edge, in periods of the octave. The best factor by
-// least squares is 1 / (1 + 0.383 w^2 + 0.0467 w^4), measured and fitted to 0.02; of it is taken what makes it end at 2 periods,
-// where an octave has little to do with its mean. 1 for no width; a width of any size squares to a float.
-float octaveShare(float width) {
+// How much of an octave of noise the mean over a square of a given edge loses, in periods of the octave. The best factor by least
+// squares is 1 / (1 + q), q = 0.383 w^2 + 0.0467 w^4, measured and fitted to 0.02; of it is taken what makes it end at 2 periods, where
+// an octave has little to do with its mean: 1.43 / (1 + q) - 0.43 are left, and these are lost. Exactly 0 for no width, and good to
+// its last bits for a narrow one; a width of any size squares to a float.
+float octaveLoss(float width) {
     float periods = min(width, 64.0) * noiseGrain;
     float w = periods * periods;
-    return max(1.43 / (1.0 + w * (0.383 + 0.0467 * w)) - 0.43, 0.0);
+    float q = w * (0.383 + 0.0467 * w);
+    return min(1.43 * q / (1.0 + q), 1.0);
+}
+
+// How much of an octave of noise is left in the mean over a square of a given edge; 1 for no width.
+float octaveShare(float width) {
+    return 1.0 - octaveLoss(width);
 }
 
 // Gradient by p of turbulenceFiltered(p, rest, ...), then its value. Error 5e-6 to the sum of noiseRatio^k frequencyRatio^k.
@@ -319,7 +326,7 @@ void main() {
     float rows_4 = (((0.5 <= rows_3.x) != (0.5 <= rows_3.y)) != (0.5 <= rows_3.z) ? 1.0 : 0.0) - (rows_2 ? 1.0 : 0.0);
     float rows_5 = rows_4 * 20.0;
     // cobbles.yaml:18 stone
-    bool stone = along < 1.0;
+    bool stone = along <= 1.0;
     bool stone_2 = along < 0.0;
     // cobbles.yaml:16 across
     float across_1 = street.x + 0.5;
@@ -329,7 +336,7 @@ void main() {
     float across = across_4 * across_4;
     float across_5 = cos(across_3);
     float dome_3 = stone_2 ? 0.0 : stone ? across * along : across;
-    bool dome_4 = dome_3 < 1.0;
+    bool dome_4 = dome_3 <= 1.0;
     bool dome_5 = dome_3 < 0.45;
     float dome_6 = (dome_3 - 0.12) * 3.030303;
     bool dome_7 = dome_3 < 0.12;

@@ -83,11 +83,17 @@ const float noiseVariance = 0.25;
 const float noiseMagnitude = 0.412;
 const float noiseGrain = 1.0;
 
-// The same of the noise's magnitude, whose creases are finer: 1 / (1 + 1.08 w^2 + 0.19 w^4), made to end at 1.4 periods.
-float magnitudeShare(float width) {
+// The same of the noise's magnitude, whose creases are finer: q = 1.08 w^2 + 0.19 w^4, and it ends at 1.4 periods.
+float magnitudeLoss(float width) {
     float periods = min(width, 64.0) * noiseGrain;
     float w = periods * periods;
-    return max(1.35 / (1.0 + w * (1.08 + 0.19 * w)) - 0.35, 0.0);
+    float q = w * (1.08 + 0.19 * w);
+    return min(1.35 * q / (1.0 + q), 1.0);
+}
+
+// How much of an octave of the noise's magnitude is left.
+float magnitudeShare(float width) {
+    return 1.0 - magnitudeLoss(width);
 }
 
 // p + rest as a whole cell and a fraction in [0, 1). The cell is known modulo 65536 or exactly: both are exact.
