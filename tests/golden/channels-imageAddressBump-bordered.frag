@@ -64,11 +64,11 @@ void main() {
     // imageAddressBump.yaml:3 around
     vec2 around = (uv + vec2(0.7, 0.8)) * vec2(2.5);
     // imageAddressBump.yaml:5 ImageMap
-    vec2 image = pictureSize(imageTexture0);
-    float bumpMap_2 = imageSampled(imageTexture0, around, image).x;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(1.0 / image.x, 0.0) + around, image).x - bumpMap_2) * image.x * 0.02;
-    float bumpMap_4 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / image.y) + around, image).x - bumpMap_2) * image.y * 0.02;
-    vec3 bumpMap = cross(bumpMap_3 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_4 * cross(worldTangentU, bumpMap_1);
+    vec2 image_1 = pictureSize(imageTexture0);
+    float bumpMap_2 = imageSampled(imageTexture0, around, image_1).x;
+    float bumpMap_3 = (imageSampled(imageTexture0, vec2(1.0 / image_1.x, 0.0) + around, image_1).x - bumpMap_2) * image_1.x * 2.5;
+    float bumpMap_4 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / image_1.y) + around, image_1).x - bumpMap_2) * image_1.y * 2.5;
+    vec3 bumpMap = cross(bumpMap_3 * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_4 * 0.02 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }
