@@ -7,9 +7,10 @@ import path from 'node:path';
 
 const execute = promisify(execFile);
 
-// The examples; those that hold definitions alone, which others include, are none.
+// The examples; those that hold definitions alone, which others include, are none. Scenes may name their materials as others do, and all are
+// written into one folder: they are left out.
 export function exampleDocuments(root) {
-  const all = fs.readdirSync(path.join(root, 'examples'), {recursive: true}).filter(file => /\.(yaml|json)$/.test(file));
+  const all = fs.readdirSync(path.join(root, 'examples'), {recursive: true}).filter(file => /^(?!scenes\/).*\.(yaml|json)$/.test(file));
   const holdsMaterials = file => /^ *"?materials?"?:/m.test(fs.readFileSync(path.join(root, file), 'utf8'));
   return all.map(file => path.join('examples', file)).filter(holdsMaterials).sort();
 }
