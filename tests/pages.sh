@@ -72,7 +72,7 @@ done <commands
 cd "$root" || exit 1
 
 # docs/language.md
-mkdir "$work/images" && cp examples/tiles.png "$work/images/color.png" && cp examples/tiles.png "$work/images/packed.png" && cp examples/tiles.png "$work/images/label.png"
+mkdir "$work/images" && cp examples/tiles.png "$work/images/color.png" && cp examples/tiles.png "$work/images/packed.png" && cp examples/tiles.png "$work/images/label.png" && cp examples/tiles.png "$work/images/height.png"
 number=0
 while [ "$number" -lt "$(blocks docs/language.md yaml)" ]; do
     number=$((number + 1))

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What docs/materials.md and docs/from-other-tools.md show: every document compiles without a warning, and is not the same everywhere; every picture is
-# there: pictures.sh MATC MATVIEW [--update]. --update draws the pictures anew. Run from the project's root.
+# What docs/materials.md, docs/from-other-tools.md and docs/language.md show: every document compiles without a warning, and is not the same everywhere;
+# every picture is there: pictures.sh MATC MATVIEW [--update]. --update draws the pictures anew. Run from the project's root.
 set -u
 matc=$(realpath "$1")
 matview=$(realpath "$2")
@@ -9,20 +9,19 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 : >"$work/stderr"
 . tests/check.sh
-page=docs/from-other-tools.md
-pictures=docs/from-other-tools
-relief=--derivatives=analytic
-ten=$(sed -n "s/^matview $relief --contact=materials.png //p" docs/materials.md)
+ten=$(sed -n "s/^matview --contact=materials.png //p" docs/materials.md)
 
-# The documents of the page, each named after the picture above it; NAME.options has what the page says to matview
-cp examples/tiles.png "$work"
+# The documents of the pages below a picture, each named after it; NAME.options has what the page says to matview, NAME.picture where it is
+cp examples/tiles.png "$work" && mkdir "$work/images" && cp examples/tiles.png "$work/images/height.png"
 awk -v work="$work" '
     /^<!-- matview / { options = $0; gsub(/^<!-- matview | -->$/, "", options) }
-    /^!\[/ { name = $0; gsub(/^!\[|\].*/, "", name); print name; print options >(work "/" name ".options"); options = "" }
-    /^```/ { open = $0 == "```yaml"; next }
-    open { print >(work "/" name ".yaml") }' "$page" >"$work/names"
-check "twenty documents" test "$(wc -l <"$work/names")" = 20 -a "$(find "$work" -name '*.yaml' | wc -l)" = 20
-check "of twenty names" test "$(sort -u "$work/names" | wc -l)" = 20
+    /^!\[/ {
+        name = picture = $0; gsub(/^!\[|\].*/, "", name); gsub(/.*\(|\).*/, "", picture)
+        print name; print options >(work "/" name ".options"); print "docs/" picture >(work "/" name ".picture"); options = "" }
+    /^```/ { if (open) name = ""; open = $0 == "```yaml"; next }
+    open && name { print >(work "/" name ".yaml") }' docs/from-other-tools.md docs/language.md >"$work/names"
+check "twenty documents, and four of relief" test "$(wc -l <"$work/names")" = 24 -a "$(find "$work" -name '*.yaml' | wc -l)" = 24
+check "of as many names" test "$(sort -u "$work/names" | wc -l)" = 24
 check "ten materials" test "$(echo "$ten" | wc -w)" = 10
 # varies DOCUMENT: its values are not the same everywhere on a sphere, by the C reference
 points=$(awk 'BEGIN { for (i = 0; i < 12; i++) { u = (i + 0.5) / 12; v = (i * 5 % 12 + 0.5) / 12; a = 6.2831853 * u; b = 3.1415927 * (v - 0.5)
@@ -44,8 +43,8 @@ while read -r document; do
     check "$document varies" varies "$work/$document.yaml"
     check "and so does its picture" sh -c "! cmp -s '$work/$document.png' '$work/plain.png'"
     # shellcheck disable=SC2046
-    [ -z "$update" ] || "$matview" $relief --size=160 $(cat "$work/$document.options") "$work/$document.yaml" -o "$pictures/$document.png"
-    check "$document is in docs" test -s "$pictures/$document.png"
+    [ -z "$update" ] || "$matview" --size=160 $(cat "$work/$document.options") "$work/$document.yaml" -o "$(cat "$work/$document.picture")"
+    check "$document is in docs" test -s "$(cat "$work/$document.picture")"
 done <"$work/names"
 
 cd examples/materials || exit 1
@@ -58,7 +57,7 @@ for document in $ten; do
     check "and so does its picture" sh -c "! cmp -s '$work/ten/${document%.yaml}.png' '$work/plain.png'"
 done
 # shellcheck disable=SC2086
-[ -z "$update" ] || "$matview" $relief --contact=../../docs/materials.png $ten
+[ -z "$update" ] || "$matview" --contact=../../docs/materials.png $ten
 cd ../.. || exit 1
 check "their picture is in docs" test -s docs/materials.png
 
