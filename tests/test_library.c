@@ -231,7 +231,7 @@ static const struct {
     {"precision", "fast, balanced, exact"},
     {"noise", "lattice, groimp, simplex"},
     {"aa", "auto, none, box, aniso"},
-    {"derivatives", "finite, analytic"},
+    {"derivatives", "auto, finite, analytic"},
     {"coordinates", "plain, long"},
     {"powers", "squaring, pow, compensated"},
     {"trigonometry", "native, bounded"},

@@ -68,19 +68,21 @@ static double slope_step(const Surface *surface)
     return ldexp(size, -26);
 }
 
-/* How far the height in the middle is from the mean of those to either side, and what rounding makes of that. */
+/* How far the height to one side is from the line through those at the point and to the other side, and what rounding makes of that. */
 typedef struct {
     double bend, rounding;
 } Bend;
 
-/* Rounding is that of the height, and that of the point, whose coordinates are up to 2^26 / part of what it moves by. */
+/* The sides are not equally far: from the middle of a stair's step as many steps go up as down. Rounding is that of the height, and that
+ * of the point, whose coordinates are up to 2^26 / part of what it moves by. */
 static Bend bend_at(Environment *environment, const Node *height, const double move[2], double part)
 {
-    const double ulp = ldexp(1, -52), du = part * move[0], dv = part * move[1];
+    const double ulp = ldexp(1, -52), back = 0.618, du = part * move[0], dv = part * move[1];
     double here = height_at(environment, height, 0, 0);
-    double ahead = height_at(environment, height, du, dv), behind = height_at(environment, height, -du, -dv);
-    double of_height = 8 * ulp * fabs(here), of_point = 2 * ulp * fabs(ahead - behind) * ldexp(1 / part, 26);
-    return (Bend){fabs(ahead + behind - 2 * here), of_height + of_point};
+    double ahead = height_at(environment, height, du, dv),
+           behind = height_at(environment, height, -back * du, -back * dv);
+    double of_height = 12 * ulp * fabs(here), of_point = 4 * ulp * fabs(ahead - behind) * ldexp(1 / part, 26);
+    return (Bend){fabs(ahead - here - (here - behind) / back), of_height + of_point};
 }
 
 /* A smooth curve bends by the square of the step, and over a small part of it by no more than rounding; a stair bends by a whole
