@@ -43,7 +43,7 @@ void oracle_slope_span(Oracle *oracle, double behind, double ahead)
     oracle->ahead = ahead;
 }
 
-void oracle_judge_slopes(Oracle *oracle) { oracle->judges = true; }
+void oracle_judge_slopes(Oracle *oracle, bool judge) { oracle->judges = judge; }
 
 bool oracle_slopes_rough(Oracle *oracle)
 {

@@ -35,9 +35,9 @@ void oracle_derivatives(Oracle *oracle, Choice how);
 /* Derivatives of what is computed are differences over this many steps of 2^-26 of the surface's size, from behind the point to ahead of it:
  * -1 and 1 at first. From 0 on, or up to 0, they are those of one side. */
 void oracle_slope_span(Oracle *oracle, double behind, double ahead);
-/* From now on it is asked whether differences tell slopes: whether the heights around a point lie on a smooth curve. They do not where a
+/* From now on it is asked, or not, whether differences tell slopes: whether the heights around a point lie on a smooth curve. They do not where a
  * stair has a step or a million of them within the span: their mean slope is not the stair's, which is 0. */
-void oracle_judge_slopes(Oracle *oracle);
+void oracle_judge_slopes(Oracle *oracle, bool judge);
 /* Some heights did not, since this was asked last. */
 bool oracle_slopes_rough(Oracle *oracle);
 void oracle_close(Oracle *oracle);

@@ -73,14 +73,13 @@ typedef struct {
     double bend, rounding;
 } Bend;
 
-/* The sides are not equally far: from the middle of a stair's step as many steps go up as down. Rounding is that of the height, and that
- * of the point, whose coordinates are up to 2^26 / part of what it moves by. */
-static Bend bend_at(Environment *environment, const Node *height, const double move[2], double part)
+/* `here` is the height at the point. The sides are not equally far: from the middle of a stair's step as many steps go up as down.
+ * Rounding is that of the height, and that of the point, whose coordinates are up to 2^26 / part of what it moves by. */
+static Bend bend_at(Environment *environment, const Node *height, const double move[2], double part, double here)
 {
     const double ulp = ldexp(1, -52), back = 0.618, du = part * move[0], dv = part * move[1];
-    double here = height_at(environment, height, 0, 0);
-    double ahead = height_at(environment, height, du, dv),
-           behind = height_at(environment, height, -back * du, -back * dv);
+    double ahead = height_at(environment, height, du, dv);
+    double behind = height_at(environment, height, -back * du, -back * dv);
     double of_height = 12 * ulp * fabs(here), of_point = 4 * ulp * fabs(ahead - behind) * ldexp(1 / part, 26);
     return (Bend){fabs(ahead - here - (here - behind) / back), of_height + of_point};
 }
@@ -95,11 +94,12 @@ static bool is_smooth(Environment *environment, const Node *height, const double
     const double shrink = 0.41, widest = ldexp(1, -10); /* of maps whose periods are 1 and less, more tells nothing */
     if (fmax(move[0], move[1]) > widest)
         return false;
-    const Bend whole = bend_at(environment, height, move, 1);
+    const double here = height_at(environment, height, 0, 0);
+    const Bend whole = bend_at(environment, height, move, 1, here);
     double part = 1;
     for (int i = 0; i < PARTS; i++) {
         part *= shrink;
-        Bend bend = bend_at(environment, height, move, part);
+        Bend bend = bend_at(environment, height, move, part, here);
         if (bend.bend > 2 * part * part * whole.bend + bend.rounding)
             return false;
     }
@@ -131,6 +131,18 @@ static void slopes_of(Environment *environment, const Node *height, double slope
         environment->oracle->rough = true;
 }
 
+/* All channels of the frame after the tangents were raised, remembered; the one that is asked for. */
+static double raised_frame(Environment *environment, const Node *node, const Frame *frame, const double slope[2],
+                           int channel)
+{
+    static const Group groups[] = {GROUP_N, GROUP_DU, GROUP_DV};
+    for (int i = 0; i < 9; i++) {
+        int of = channel_id(groups[i / 3], i % 3);
+        memo_set(environment, node, of, raised(frame, slope[0], slope[1], of));
+    }
+    return raised(frame, slope[0], slope[1], channel);
+}
+
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)
 {
     bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
@@ -149,7 +161,7 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
         slope[0] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
         slope[1] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
     }
-    return raised(&frame, k * slope[0], k * slope[1], channel);
+    return raised_frame(environment, node, &frame, (double[]){k * slope[0], k * slope[1]}, channel);
 }
 
 /* Channels side by side. */

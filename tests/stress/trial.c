@@ -53,7 +53,6 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = job_noise(job.choice[AXIS_noise], job.target)});
     t->exact = job.choice[AXIS_derivatives] != CHOICE_derivatives_finite;
     oracle_derivatives(t->oracle, (Choice)job.choice[AXIS_derivatives]);
-    oracle_judge_slopes(t->oracle);
     t->count->nodes += t->graph->node_count;
     return true;
 }

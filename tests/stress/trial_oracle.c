@@ -38,7 +38,9 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
     const bool differs = t->exact && t->bumps[slot];
     memset(&w->room, 0, sizeof w->room);
     point_surface(point, front, &surface);
+    oracle_judge_slopes(t->oracle, true);
     oracle_material(t->oracle, t->material, &surface, &w->value);
+    oracle_judge_slopes(t->oracle, false);
     w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle) && !(differs && is_far(point));
     for (int i = 0; differs && i < SPAN_COUNT; i++) {
         oracle_slope_span(t->oracle, spans[i][0], spans[i][1]);
