@@ -41,6 +41,15 @@ static int cost_of(Ir *ir)
     return cost;
 }
 
+/* The same of what lowering made, which goes. */
+static int cost_of_lowered(Ir *ir)
+{
+    const int cost = cost_of(ir);
+    if (ir)
+        ir_done(ir);
+    return cost;
+}
+
 /* How many times the operations of points means may take: a tenth more, or what is free. */
 static double growth_of(int mean, int plain) { return mean / fmax(plain, free_cost); }
 
@@ -51,8 +60,8 @@ static double lowered_growth(Document *d, const Node *material, Pass pass)
     session.optimize = 1;
     const Job job = job_of("auto", pass);
     const LowerRequest what = {&session, d->graph, material, &job, opt_simplify};
-    const int plain = cost_of(lower_averaging(&what, 0, NULL));
-    return growth_of(cost_of(lower(&session, d->graph, material, &job, opt_simplify)), plain);
+    const int plain = cost_of_lowered(lower_averaging(&what, 0, NULL));
+    return growth_of(cost_of_lowered(lower(&session, d->graph, material, &job, opt_simplify)), plain);
 }
 
 /* Of programs as they are written, against those of --aa=none, which read pictures in the shader. */
