@@ -17,6 +17,8 @@ static double rest(double whole, double divisor) { return whole - divisor * floo
 /* A whole number as an index below size, or NOWHERE; a coordinate that is not finite has none, and 0 keeps the cast defined. */
 static int index_of(ReferenceWrap wrap, double whole, int size)
 {
+    if (whole >= 0 && whole < size)
+        return (int)whole;
     double index = whole;
     if (wrap == REFERENCE_REPEAT)
         index = rest(whole, size);
