@@ -133,6 +133,7 @@ static int make_powers(ErrorBench *bench, const MatcDocument *document, Power po
     MatcOptions options;
     int count = 0;
     matc_options_init(&options);
+    options.aa = "none"; /* a mean of the wave takes no powers */
     for (int i = 0; i < axis_choices(AXIS_powers) && count < MOST; i++) {
         variant_of(&options, &variant);
         variant.choice[AXIS_powers] = axis_table[AXIS_powers].first + i;
