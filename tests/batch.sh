@@ -387,7 +387,7 @@ echo file >"$work/file"
 check "a cache that cannot be" status 1 $fast --cache "$work/file/cache" -d "$work/no" examples/wood.yaml
 check "writes nothing" test ! -e "$work/no"
 mkdir "$work/full"
-(cd "$work/full" && touch $(awk 'BEGIN { for (i = 0; i < 256; i++) printf "%02x ", i }')) # in the place of its folders
+(cd "$work/full" && touch $(awk 'BEGIN { for (i = 0; i < 256; i++) printf "%02x ", i }')) # files, where its folders go
 check "a cache that keeps nothing" status 0 $fast -j2 --cache "$work/full" -d "$work/with" -MD $all
 check "is told once" test "$(grep -c 'warning: the cache' "$work/stderr")" = 1
 check "and no reason to fail" same "$work/without" "$work/with"

@@ -21,7 +21,7 @@ cat >"$work/lines.awk" <<'EOF_AWK'
 function alike(text, line,    words, printed) {
     return split(text, words) == split(line, printed) && words[1] == printed[1] && (words[2] == printed[2] || printed[2] ~ /^-/)
 }
-# The printed line, with numbers of the text in the place of each "-"; columns stay as they are.
+# The printed line, each "-" replaced by the text's number; columns stay as they are.
 function filled(text, line,    words, made, gap, word, i, more) {
     split(text, words)
     while (match(line, /[^ ]+/)) {

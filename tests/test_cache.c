@@ -210,7 +210,7 @@ static void an_entry_of_another_length_is_not_served(void **state)
     cache_close(cache);
 }
 
-/* Another entry's file, a folder, a link, a pipe and a huge file in the place of an entry. */
+/* An entry that is another entry's file, a folder, a link, a pipe, a huge file. */
 static void a_foreign_entry_is_not_served(void **state)
 {
     const Folder *folder = *state;

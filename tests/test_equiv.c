@@ -65,15 +65,7 @@ static bool has_bump(const Test *t, int material)
 }
 
 /* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200 radians a unit, (200 h)^2 / 6 is 1e-8. */
-static bool is_far(const Point *point)
-{
-    const float far = 100;
-    bool is = false;
-    for (int i = 0; i < 3; i++)
-        is |= fabsf(point->input[INPUT_X][i]) > far || fabsf(point->input[INPUT_P][i]) > far ||
-              fabsf(point->input[INPUT_U][i]) > far;
-    return is;
-}
+static const float far = 100;
 
 /* One slot at one level: every point and both sides. */
 static void check_values(Test *t, int material, Slot slot, int level, const Ir *ir)
@@ -87,7 +79,7 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
     for (int i = 0; i < 2 * t->count; i++) {
         bool front = i < t->count;
         int point = i % t->count;
-        if (differs && is_far(&t->points[point]))
+        if (differs && point_is_far(&t->points[point], far))
             continue;
         double inputs[INPUT_COUNT][4], result[MOST_OUTPUTS][4];
         evaluate_inputs(&t->points[point], front, inputs);

@@ -47,7 +47,7 @@ static const Row rows[] = {
     {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.46 v=0.2 y=2", 120, 0},
     {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.7 v=0.2 y=2", 0, 3},
     {"auto", "{ map: Checker, color1: " STEP("0, 3, 0") " }", "u=0.96 v=0.2 y=2", -120, 3},
-    /* along a checker: between the Blends along 0 and 1, of which the latter is beyond the last item */
+    /* along a checker: between the Blends along 0 and 1; 1 is beyond the last item */
     {"auto", RAMP(CHECKER), "u=0.46 v=0.2 y=2", 120, 0},
     {"auto", RAMP(CHECKER), "u=0.96 v=0.2 y=2", -120, 3},
     {"auto", RAMP("{ map: UVTransform, input: " CHECKER " }"), "u=0.96 v=0.2 y=2", -120, 3},

@@ -290,7 +290,8 @@ static bool put_line(ExrReader *d, int number, int width, const int at[2], Sampl
     return true;
 }
 
-/* In the place of the library's own: version 3.1.5 follows the channels that nobody wants to NULL, and takes A B G R for R G B A. */
+/* Unpacks a chunk, since version 3.1.5 of the library does not: it follows the channels that nobody wants to NULL, and takes A B G R for
+ * R G B A. */
 static exr_result_t unpack(exr_decode_pipeline_t *decode)
 {
     const Chunk *chunk = decode->decoding_user_data;

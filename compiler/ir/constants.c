@@ -59,7 +59,7 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
     return known;
 }
 
-/* In the place of a node that is computed from numbers alone. */
+/* The node, which is computed from numbers alone, becomes that number. */
 static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
 {
     IrNode *node = &ir->nodes[ref];

@@ -11,15 +11,7 @@ enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_NARROW, SPAN_COUNT };
 static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}, {-0.05, 0.04}};
 
 /* Farther out they are wide beside what maps do. */
-static bool is_far(const Point *point)
-{
-    const float far = 1000;
-    bool is = false;
-    for (int i = 0; i < 3; i++)
-        is |= fabsf(point->input[INPUT_X][i]) > far || fabsf(point->input[INPUT_P][i]) > far ||
-              fabsf(point->input[INPUT_U][i]) > far;
-    return is;
-}
+static const float far = 1000;
 
 static void judge_slope(TrialWanted *w, const SlotValues *sides, Slot slot, int lane)
 {
@@ -41,7 +33,7 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
     oracle_judge_slopes(t->oracle, true);
     oracle_material(t->oracle, t->material, &surface, &w->value);
     oracle_judge_slopes(t->oracle, false);
-    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle) && !(differs && is_far(point));
+    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle) && !(differs && point_is_far(point, far));
     for (int i = 0; differs && i < SPAN_COUNT; i++) {
         oracle_slope_span(t->oracle, spans[i][0], spans[i][1]);
         oracle_material(t->oracle, t->material, &surface, &sides[i]);

@@ -112,6 +112,15 @@ static void add_specials(Points *points)
     memset(add(points, 2)->input[INPUT_DV], 0, sizeof points->at->input[INPUT_DV]);
 }
 
+bool point_is_far(const Point *point, float distance)
+{
+    bool is = false;
+    for (int i = 0; i < 3; i++)
+        is |= fabsf(point->input[INPUT_X][i]) > distance || fabsf(point->input[INPUT_P][i]) > distance ||
+              fabsf(point->input[INPUT_U][i]) > distance;
+    return is;
+}
+
 void points_make_others(Point points[POINT_COUNT], int seed)
 {
     Points made = {points, 0, seed * POINT_COUNT};

@@ -18,6 +18,8 @@ enum { GRID_WIDTH = 32, GRID_HEIGHT = 20, POINT_COUNT = GRID_WIDTH * GRID_HEIGHT
 void points_make(Point points[POINT_COUNT]);
 /* Others of the same kinds; of seed 0 those. */
 void points_make_others(Point points[POINT_COUNT], int seed);
+/* Some position or coordinate is farther from 0. */
+bool point_is_far(const Point *point, float distance);
 
 extern const double point_ior; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);

@@ -80,16 +80,6 @@ static const float far_for_samplers = 100;
 /* Where a filter's points, each of which rounds by itself, lie apart by other distances than they should: a hull moves all of them alike. */
 static const float far_for_filters = 1000;
 
-static bool point_is_far(const Point *point, float far)
-{
-    float greatest = 0;
-    for (int i = 0; i < 3; i++) {
-        greatest = fmaxf(greatest, fabsf(point->input[INPUT_X][i]));
-        greatest = fmaxf(greatest, fmaxf(fabsf(point->input[INPUT_P][i]), fabsf(point->input[INPUT_U][i])));
-    }
-    return greatest > far;
-}
-
 /* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there stays within a rounding. */
 static bool point_on_edges(const Point *point)
 {
