@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/sanitized.h"
 #include "tests/value/bounds.h"
 #include "tests/value/documents.h"
 #include "tests/value/evaluate.h"
@@ -17,7 +18,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { STEP = 4, SAMPLES = POINT_COUNT / STEP };
+enum { STEP = 4 * SANITIZED_STEP, SAMPLES = POINT_COUNT / STEP };
 static const double bound = 1e-9;
 /* Slopes of what a displacement computes are differences in the oracle, over 2^-26 of the surface's size: rounding leaves 2^-26 of the
  * steepest of the parts that they are made of. */

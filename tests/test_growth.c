@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include "compiler/base/session.h"
 #include "tests/growth/growth.h"
+#include "tests/sanitized.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,11 +20,7 @@ enum { RUNS = 3, TRIES = 4 };
 
 static int smaller(int count)
 {
-#if defined(__SANITIZE_ADDRESS__)
-    return count / 4 + 1;
-#else
-    return count;
-#endif
+    return SANITIZED ? count / 4 + 1 : count;
 }
 
 /* The longer run is repeated only if it seems too long: what else the machine does can only add to it. */

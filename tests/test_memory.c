@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/base/text.h"
+#include "tests/sanitized.h"
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -135,10 +136,8 @@ static void test_documents(void **state)
 
 int main(void)
 {
-#if defined(__SANITIZE_ADDRESS__)
-    puts("SKIPPED: the address sanitizer has memory of its own");
-    return 77;
-#endif
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_documents)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    if (SANITIZED)
+        puts("SKIPPED: the address sanitizer has memory of its own");
+    return SANITIZED ? 77 : cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/base/file.h"
+#include "tests/sanitized.h"
 #include "tests/stress/modes.h"
 #include "tests/stress/stress.h"
 #include "tests/value/documents.h"
@@ -15,7 +16,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { PIXELS = 10, POINTS = 16 };
+enum { PIXELS = 10 / SANITIZED_STEP, POINTS = 16 };
 
 /* Documents that once had a fault, in every mode, with every pixel. */
 static void mended_documents_hold(void **state)

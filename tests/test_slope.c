@@ -8,6 +8,7 @@
 #include "compiler/ir/fold.h"
 #include "compiler/opt/opt.h"
 #include "compiler/lower/slope.h"
+#include "tests/sanitized.h"
 #include "tests/value/documents.h"
 #include "tests/value/points.h"
 #include "tests/value/evaluate.h"
@@ -19,7 +20,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { STEP = 3, MOST_NODES = 4096 };
+enum { STEP = 3 * SANITIZED_STEP, MOST_NODES = 4096 };
 static const double bound = 1e-6; /* of |slope - difference| / max(1, |difference|) */
 
 typedef struct {

@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include "compiler/base/session.h"
 #include "tests/growth/growth.h"
+#include "tests/sanitized.h"
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,11 +14,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#if defined(__SANITIZE_ADDRESS__)
-enum { FRAMES = 10 }; /* are so many times as large, at most */
-#else
-enum { FRAMES = 1 };
-#endif
+enum { FRAMES = SANITIZED ? 10 : 1 }; /* are so many times as large, at most */
 enum { STACK_KIB = 256 * FRAMES, HALF_STACK_KIB = STACK_KIB / 2 };
 enum { DEEPEST = LIMIT_GRAPH_DEPTH - 8, NESTED = LIMIT_DEPTH - 8 };
 

@@ -6,6 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/oracle/oracle.h"
+#include "tests/sanitized.h"
 #include "tests/value/documents.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,11 +14,7 @@
 #include <time.h>
 
 /* A step is some 5 ns; a busy machine and a sanitizer take several times as long. */
-#if defined(__SANITIZE_ADDRESS__)
-static const double MOST_NANOSECONDS = 500;
-#else
-static const double MOST_NANOSECONDS = 60;
-#endif
+static const double MOST_NANOSECONDS = SANITIZED ? 500 : 60;
 static const double LEAST_SECONDS = 2e-3; /* shorter ones tell nothing */
 enum { ITEMS = 20000, WAVES = 120, RELIEFS = 3 };
 

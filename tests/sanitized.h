@@ -1,0 +1,10 @@
+/* The sanitizers look for faults of memory and of arithmetic, which a few points find as well as many: there a test takes every
+ * SANITIZED_STEP-th. That all values agree is shown by the build without them. */
+#ifndef MATC_TEST_SANITIZED_H
+#define MATC_TEST_SANITIZED_H
+#if defined(__SANITIZE_ADDRESS__)
+enum { SANITIZED = 1, SANITIZED_STEP = 10 };
+#else
+enum { SANITIZED = 0, SANITIZED_STEP = 1 };
+#endif
+#endif
