@@ -90,6 +90,11 @@ bool pass_light_make(Render *render);
 void pass_light_draw(Render *render);
 bool pass_tone_make(Render *render);
 void pass_tone_draw(Render *render);
+
+/* A pass that lights surfaces: `body` is its own GLSL, behind what reads the G-buffer, the surface model and lighting.glsl. */
+bool lighting_make(Render *render, const char *body, ScreenPass *made);
+/* Binds what it reads, before it runs. */
+void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
 /* The texture of a target, and its number among those that are there together. */
 GLuint frame_texture(const Render *render, FrameTarget target, int texture);
 #endif

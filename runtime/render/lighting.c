@@ -1,0 +1,80 @@
+/* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's own, numbers, textures. */
+#include "runtime/render/frame.h"
+#include <stdlib.h>
+
+extern const char render_text_surface_phong[], render_text_lighting[];
+
+/* Units behind those of the G-buffer. */
+enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT };
+
+/* What stands for a layout where no surface has one. */
+static const char no_surface[] =
+    "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 pixel) { return Surface(0.0); }\n";
+
+static int targets_of(const Render *render)
+{
+    int count = 0;
+    while (set_format(&render->set, count))
+        count++;
+    return count;
+}
+
+static bool make_lights(Render *render)
+{
+    const int most = render->scene->light_count > 0 ? render->scene->light_count : 1;
+    const int row = most < VIEW_SPACE_LIGHT_ROW ? most : VIEW_SPACE_LIGHT_ROW;
+    const int rows = (most + VIEW_SPACE_LIGHT_ROW - 1) / VIEW_SPACE_LIGHT_ROW;
+    const size_t texels = (size_t)row * (size_t)rows * VIEW_SPACE_LIGHT_TEXELS;
+    float *floats = calloc(texels * 4, sizeof *floats);
+    if (!floats)
+        return gl_fail(render->gl, "out of memory");
+    render->light_count = view_space_lights(&render->space, render->scene, floats);
+    const TextureSpec spec = {.width = row * VIEW_SPACE_LIGHT_TEXELS, .height = rows, .lanes = 4, .floats = floats};
+    render->gl->ActiveTexture(GL_TEXTURE0 + LIGHTS_UNIT); /* making a texture binds it */
+    render->lights = texture_check(render->gl, &spec) ? texture_make(render->gl, &spec) : 0;
+    free(floats);
+    return render->lights != 0;
+}
+
+static void set(ScreenPass *pass, const char *name, const float values[4])
+{
+    material_set(&pass->material, &(MaterialValue){name, 4, values});
+}
+
+static void set_numbers(const Render *render, ScreenPass *pass)
+{
+    const int targets = targets_of(render);
+    char name[] = "matc_gbuffer0";
+    float ambient[4];
+    view_space_ambient(render->scene, ambient);
+    set(pass, "light_ray", render->space.ray);
+    set(pass, "light_view", render->space.depth);
+    set(pass, "light_ambient", ambient);
+    material_set_number(&pass->material, "light_count", (float)render->light_count);
+    for (int i = 0; i < targets; i++) {
+        name[sizeof name - 2] = (char)('0' + i);
+        screen_pass_sampler(pass, name, i);
+    }
+    screen_pass_sampler(pass, "light_depth", DEPTH_UNIT);
+    screen_pass_sampler(pass, "light_lights", LIGHTS_UNIT);
+}
+
+bool lighting_make(Render *render, const char *body, ScreenPass *made)
+{
+    const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
+                                          render_text_surface_phong, render_text_lighting, body},
+                                 .format = frame_format(render, FRAME_TARGET_light, 0),
+                                 .compute = render->compute};
+    if ((!render->lights && !make_lights(render)) || !screen_pass_make(render->store, &text, made))
+        return false;
+    set_numbers(render, made);
+    return true;
+}
+
+void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth)
+{
+    for (int i = 0; frame_format(render, surfaces, i); i++)
+        texture_bind(render->gl, frame_texture(render, surfaces, i), i);
+    texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
+    texture_bind(render->gl, render->lights, LIGHTS_UNIT);
+}

@@ -1,0 +1,46 @@
+// What a surface sends to the eye, summed over all lights, in the eye's space: for every pass that lights surfaces. view_space.h says what
+// the block and the texels hold. Before it stand the texts that declare Surface and the surface model.
+layout(std140) uniform Light {
+    vec4 light_ray;
+    vec4 light_view;
+    vec4 light_ambient;
+    int light_count;
+};
+uniform sampler2D light_lights;
+
+const int TEXELS = 4, ROW = 1024;
+
+vec4 lightTexel(int light, int texel)
+{
+    return texelFetch(light_lights, ivec2(light % ROW * TEXELS + texel, light / ROW), 0);
+}
+
+// What arrives of a light at a point, from the direction l.
+vec3 lightAt(int light, vec3 point, out vec3 l)
+{
+    vec4 place = lightTexel(light, 0);
+    vec2 cone = lightTexel(light, 3).xy;
+    vec3 way = place.xyz - place.w * point;
+    float square = max(dot(way, way), 1e-30);
+    l = way * inversesqrt(square);
+    float s = clamp(cone.x * -dot(l, lightTexel(light, 2).xyz) + cone.y, 0.0, 1.0);
+    return lightTexel(light, 1).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
+}
+
+// Of the surface whose depth is `depth`, which is greater than 0, at a pixel.
+vec3 lightOf(ivec2 pixel, float depth, Surface surface)
+{
+    bool orthographic = light_view.y > 0.0;
+    vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
+    vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
+    vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
+    Lit m = surfaceLit(surface);
+    vec3 reflected = reflect(-toEye, m.normal);
+    vec3 sum = m.emissive + m.ambient * light_ambient.xyz;
+    for (int i = 0; i < light_count; i++) {
+        vec3 l;
+        vec3 arrives = lightAt(i, point, l);
+        sum += arrives * surfaceLobe(m, reflected, l);
+    }
+    return sum;
+}
