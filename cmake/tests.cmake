@@ -47,7 +47,6 @@ foreach(file ${TESTS})
   set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   matc_test(${name} ${name})
 endforeach()
-matc_test(test_valid_spirv test_valid spirv)
 matc_test(test_gl_egl test_gl egl)
 
 # The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file. Those that do not read
@@ -86,12 +85,6 @@ matc_test(depfile sh tests/depfile.sh $<TARGET_FILE:matc>)
 matc_test(watch sh tests/watch.sh $<TARGET_FILE:matc>)
 matc_test(view sh tests/view.sh $<TARGET_FILE:matview>)
 matc_test(schema sh tests/schema/run.sh $<TARGET_FILE:matc> ${PROJECT_BINARY_DIR})
-matc_test(order sh tests/order.sh)
-matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
-matc_test(locale sh tests/locale.sh)
-matc_test(readmes sh tests/readmes.sh)
-matc_test(exports sh tests/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
-matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
 add_executable(tree_json tests/suites/tree.c)
 target_link_libraries(tree_json PRIVATE libmatc)
 set_target_properties(tree_json PROPERTIES LINKER_LANGUAGE CXX)
@@ -113,8 +106,15 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot l
   endforeach()
 endif()
 
-# The same text in every build: figures in docs/, and a second judge of what is for WebGL 2, ctest -L browser
+# The same in every build: what the sources are, what SPIR-V is, figures in docs/, a second judge of what is for WebGL 2 (ctest -L browser)
 if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
+  matc_test(order sh tests/order.sh)
+  matc_test(layers sh tests/layers.sh ${CMAKE_CURRENT_BINARY_DIR})
+  matc_test(locale sh tests/locale.sh)
+  matc_test(readmes sh tests/readmes.sh)
+  matc_test(exports sh tests/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
+  matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
+  matc_test(test_valid_spirv test_valid spirv)
   matc_test(pages sh tests/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(pictures sh tests/pictures.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)
   matc_test(figures sh tests/figures.sh ${PROJECT_BINARY_DIR})
