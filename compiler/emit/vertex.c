@@ -77,7 +77,8 @@ static void mark_used(const Interface *interface, bool *attribute, bool *uniform
 static void put_instances(Text *out)
 {
     text_format(out, "layout(location = %d) in uint matc_instance;\n", ATTRIBUTE_COUNT);
-    text_put(out, "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n};\n");
+    text_put(out,
+             "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n};\n");
     text_format(out, "layout(std140, binding = %d) readonly buffer Instances {\n    Instance matc_instances[];\n};\n",
                 INSTANCE_BUFFER);
     text_format(out, "layout(std140, binding = %d) uniform View {\n", DRAW_BLOCK);
@@ -98,8 +99,7 @@ static void put_own(Text *out, const bool *used)
 {
     text_put(out, "    mat4 matc_worldFromLocal = matc_instances[matc_instance].worldFromLocal;\n");
     if (used[UNIFORM_normal] || used[UNIFORM_eye_normal])
-        text_put(out,
-                 "    mat3 matc_worldNormalFromLocal = matc_instances[matc_instance].worldNormalFromLocal;\n");
+        text_put(out, "    mat3 matc_worldNormalFromLocal = matc_instances[matc_instance].worldNormalFromLocal;\n");
     text_put(out, "    matc_material = matc_instances[matc_instance].material;\n");
 }
 
