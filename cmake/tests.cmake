@@ -48,6 +48,7 @@ foreach(file ${TESTS})
   matc_test(${name} ${name})
 endforeach()
 matc_test(test_gl_egl test_gl egl)
+matc_test(test_gl_texture_egl test_gl_texture egl)
 
 # The stages that read ops.def, with the operation added that its head adds: it takes a row, and no other file. Those that do not read
 # it are as before also where they look into its tables: ir.h declares these without a length.
