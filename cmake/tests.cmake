@@ -40,7 +40,8 @@ foreach(file ${TESTS})
   if(name MATCHES "^test_journal")
     target_sources(${name} PRIVATE tests/journal/world.c)
   endif()
-  if(name STREQUAL test_kill)
+  if(name MATCHES "^test_kill")
+    target_sources(${name} PRIVATE tests/kill/world.c)
     target_compile_definitions(${name} PRIVATE STRIKE_LIBRARY="$<TARGET_FILE:strike>")
     add_dependencies(${name} strike matc)
   endif()
@@ -124,8 +125,8 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=300 add=20 test_valid=90 test_kill=60 test_shared=40 test_valid_spirv=40 order=40 test_layout=35 batch=30 suites=30 figures=30
-  test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_layout_auto=20 test_text=20 schema=20
+set(LONG test_value=300 add=20 test_valid=90 test_kill_failure=60 test_kill=40 test_shared=40 test_valid_spirv=40 order=40 test_layout=20 test_layout_claims=40 test_layout_valid=10 batch=30 suites=30 figures=30
+  test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_text=20 schema=20
   install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15 pictures=15 view=10)
 foreach(pair ${LONG})
   string(REPLACE "=" ";" pair ${pair})

@@ -2,7 +2,7 @@
 #ifndef TESTS_CACHE_FOLDER_H
 #define TESTS_CACHE_FOLDER_H
 #include "compiler/tool/cache.h"
-#include <ftw.h>
+#include "tests/value/folder.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,12 +14,6 @@ typedef struct {
     char root[PATH_ROOM / 2]; /* made for the test, removed after it */
     char path[PATH_ROOM];     /* of the cache, below it */
 } Folder;
-
-static inline int remove_file(const char *path, const struct stat *info, int kind, struct FTW *walk)
-{
-    (void)info, (void)kind, (void)walk;
-    return remove(path);
-}
 
 static inline int make_folder(void **state)
 {
@@ -35,7 +29,7 @@ static inline int make_folder(void **state)
 static inline int remove_folder(void **state)
 {
     Folder *folder = *state;
-    nftw(folder->root, remove_file, 16, FTW_DEPTH | FTW_PHYS);
+    folder_remove(folder->root);
     free(folder);
     return 0;
 }

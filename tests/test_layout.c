@@ -8,19 +8,9 @@
 #include "compiler/layout/layout.h"
 #include "compiler/oracle/oracle.h"
 #include "runtime/library/normal.h"
-#include "tests/value/documents.h"
+#include "tests/layout_values.h"
 #include "tests/value/gbuffer.h"
 #include "tests/value/half.h"
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
-enum { SETS = 16, FIRST_RANDOM = 8 };
 
 typedef struct {
     Drawer core, compat;
@@ -47,92 +37,6 @@ static int tear_down(void **state)
     drawer_close(&f->compat);
     free(f);
     return 0;
-}
-
-static double random_number(Fixture *f)
-{
-    f->seed = f->seed * 6364136223846793005u + 1442695040888963407u;
-    return (double)(f->seed >> 11) * 0x1p-53;
-}
-
-/* Every slot of a Phong, by lanes: in this order of the document below. */
-static const struct {
-    const char *key;
-    int lanes;
-} params[] = {{"diffuse", 4},   {"specular", 3},
-              {"shininess", 1}, {"transparency", 3},
-              {"ambient", 3},   {"diffuseTransparency", 3},
-              {"emissive", 3},  {"transparencyShininess", 1}};
-enum { PARAMS = sizeof params / sizeof *params };
-
-/* Sets of values: plain ones, hostile ones, then random ones in [0, 1], of which emissive is up to thousands. */
-static void make_values(Fixture *f, int set, double values[PARAMS][4])
-{
-    static const double hostile[] = {0,    1,     -1,   2,      1e6,  -1e6, 65504, 65519,  65520, 1e-6,
-                                     6e-5, 1e-30, 6e-8, 0.9999, 1e30, -0.0, 0.5,   1 / 3., 255,   1.0000001};
-    enum { HOSTILE = sizeof hostile / sizeof *hostile };
-    for (int i = 0; i < PARAMS; i++)
-        for (int lane = 0; lane < 4; lane++) {
-            double r = random_number(f);
-            bool bright = !strcmp(params[i].key, "emissive") && set % 2;
-            values[i][lane] = set >= FIRST_RANDOM ? (bright ? exp(24 * r - 12) : r) : hostile[(int)(r * HOSTILE)];
-            if (set == 0)
-                values[i][lane] = lane == 3;
-            if (lane == 3) /* alpha: a huge one leaves nothing of the transparency's digits */
-                values[i][lane] = set % 2 ? r : 1;
-            values[i][lane] = (float)values[i][lane];
-        }
-}
-
-/* What a document leaves out. */
-typedef enum { ALL, OPAQUE, CLEAR, GLOW, KEPT_COUNT } Kept;
-
-static bool leaves_out(Kept kept, const char *key)
-{
-    if (kept == OPAQUE)
-        return strstr(key, "ransparency") != NULL;
-    if (kept == GLOW)
-        return !strcmp(key, "diffuseTransparency");
-    return kept == CLEAR && (!strcmp(key, "emissive") || !strcmp(key, "ambient"));
-}
-
-static void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms, Kept kept)
-{
-    int size = snprintf(text, room, "material: Phong\n");
-    for (int i = 0; i < PARAMS; i++) {
-        int lanes = i == 0 && kept == OPAQUE ? 3 : params[i].lanes; /* alpha makes transparent */
-        if (leaves_out(kept, params[i].key))
-            continue;
-        size += snprintf(text + size, room - (size_t)size,
-                         uniforms ? "%s: { param: p%d, default: " : "%s: ", params[i].key, i);
-        for (int lane = 0; lane < lanes; lane++)
-            size += snprintf(text + size, room - (size_t)size, "%s%.17g",
-                             lane                  ? ", "
-                             : params[i].lanes > 1 ? "["
-                                                   : "",
-                             values[i][lane]);
-        size += snprintf(text + size, room - (size_t)size, "%s%s\n", lanes > 1 ? "]" : "", uniforms ? " }" : "");
-    }
-}
-
-/* The document in a file of its own, as documents are opened by path. */
-static void open_values(Document *d, double values[PARAMS][4], bool uniforms, Kept kept)
-{
-    char path[] = "/tmp/matc-layout-XXXXXX.yaml", text[8192];
-    int file = mkstemps(path, 5);
-    write_document(text, sizeof text, values, uniforms, kept);
-    assert_true(file >= 0 && write(file, text, strlen(text)) == (ssize_t)strlen(text));
-    close(file);
-    bool good = document_open(d, path);
-    remove(path);
-    if (!good)
-        fail_msg("%s\n%s", document_fault(d), text);
-}
-
-static void set_values(Document *d, double values[PARAMS][4])
-{
-    for (int i = 0; i < d->graph->uniform_count; i++)
-        document_set_uniform(d, i, values[atoi(d->graph->uniforms[i]->name + 1)]);
 }
 
 /* What a point's slots should be: the normal is that of eye space. */
@@ -307,7 +211,7 @@ static void check_uniforms(Fixture *f, Document *d, int layout, int target, int 
     if (!gbuffer_open(&g, drawer_for(f, (Target)target), d, 0, &options))
         fail_msg("%s", g.error);
     for (int set = 0; set < SETS; set++) {
-        make_values(f, set, values);
+        make_values(&f->seed, set, values);
         set_values(d, values);
         draw_and_check(f, d, &g, set % 3 != 1);
     }
@@ -320,7 +224,7 @@ static void what_is_packed_comes_back(void **state)
     double values[PARAMS][4];
     for (int kept = ALL; kept < KEPT_COUNT; kept++) {
         Document d;
-        make_values(f, FIRST_RANDOM, values);
+        make_values(&f->seed, FIRST_RANDOM, values);
         open_values(&d, values, true, (Kept)kept);
         for (int layout = 0; layout < LAYOUT_COUNT; layout++)
             for (int target = 0; target < TARGET_COUNT; target++)
@@ -341,7 +245,7 @@ static void constants_come_back(void **state)
     for (int set = 0; set < SETS; set++) {
         double values[PARAMS][4];
         Document d;
-        make_values(f, set, values);
+        make_values(&f->seed, set, values);
         open_values(&d, values, false, (Kept)(set % KEPT_COUNT));
         for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
             Gbuffer g;
@@ -356,63 +260,6 @@ static void constants_come_back(void **state)
         }
         document_close(&d);
     }
-}
-
-/* Nothing overlaps, and all lies within its target. */
-static void check_places(const LayoutRow *layout, int number)
-{
-    static unsigned char taken[LAYOUT_TARGETS][FIELD_LANES][32];
-    Placement placement;
-    memset(taken, 0, sizeof taken);
-    memset(taken[0][0], 1, (size_t)layout_case_bits(layout));
-    assert_null(layout_allocate(layout, number, &placement));
-    for (int k = 0; k < placement.count; k++) {
-        const Piece *piece = &placement.pieces[k];
-        const FormatRow *format = &format_table[layout->formats[piece->target]];
-        int lanes = format->words ? 1 : piece->size, bits = format->words ? piece->size : format->bits;
-        assert_true(piece->lane + lanes <= format->lanes && piece->shift + bits <= format->bits);
-        for (int lane = 0; lane < lanes; lane++)
-            for (int bit = 0; bit < bits; bit++)
-                assert_int_equal(taken[piece->target][piece->lane + lane][piece->shift + bit]++, 0);
-    }
-}
-
-/* The last case is for any material. */
-static void pieces_have_places_of_their_own(void **state)
-{
-    (void)state;
-    for (int i = 0; i < LAYOUT_COUNT; i++) {
-        const LayoutRow *row = &layout_table[i];
-        for (int slot = 0; slot < SLOT_COUNT; slot++)
-            assert_true(layout_has_slot(row, (Slot)slot) ==
-                        layout_case_has_slot(&row->cases[row->case_count - 1], (Slot)slot));
-        for (int number = 0; number < row->case_count; number++)
-            check_places(row, number);
-    }
-}
-
-static void old_glsl_has_no_whole_numbers(void **state)
-{
-    (void)state;
-    MatcOptions options;
-    matc_options_init(&options);
-    static const char text[] = "material: Phong\n";
-    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
-    options.layout = "integer";
-    options.target = "glsl110";
-    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
-    assert_false(matc_ok(program));
-    assert_non_null(
-        strstr(matc_program_diagnostics(program, MATC_TEXT), "layout integer packs whole numbers, which glsl110"));
-    matc_program_free(program);
-    options.target = NULL;
-    program = matc_compile(document, 0, MATC_FRAGMENT | MATC_REFLECT, &options);
-    assert_true(matc_ok(program));
-    assert_int_equal(matc_target_count(program), 3);
-    assert_string_equal(matc_target_format(program, 2), "RG32UI");
-    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL), "\"location\": 2, \"format\": \"RG32UI\""));
-    matc_program_free(program);
-    matc_document_free(document);
 }
 
 /* Layouts as a document of one's own will make them: every format, every encoding, at several widths. */
@@ -479,7 +326,7 @@ static void any_rows_are_a_layout(void **state)
     for (int set = 0; set < 4; set++) {
         double values[PARAMS][4];
         Document d;
-        make_values(f, FIRST_RANDOM * (set % 2) + set, values);
+        make_values(&f->seed, FIRST_RANDOM * (set % 2) + set, values);
         open_values(&d, values, false, ALL);
         for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
             try_row(f, &d, &rows[i]);
@@ -502,43 +349,11 @@ static void rows_that_do_not_fit_are_told(void **state)
     assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(floats)}, 0, &placement), floats);
 }
 
-/* Every layout in every GLSL that it has, for both passes that write one: glslang takes it, SPIR-V too. */
-static void every_layout_is_valid(void **state)
-{
-    (void)state;
-    MatcOptions options;
-    matc_options_init(&options);
-    static const char text[] = "material: Phong\ndiffuse: { map: Granite }\nemissive: { map: Wood }\n"
-                               "transparency: { param: clear, default: 0.5 }\ninput: { map: BumpMap }\n";
-    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
-    assert_int_equal(matc_material_count(document), 1);
-    for (int i = 0; i < LAYOUT_COUNT * TARGET_COUNT * 4; i++) {
-        const LayoutRow *layout = &layout_table[i / 4 % LAYOUT_COUNT];
-        int target = i / 4 / LAYOUT_COUNT;
-        options.layout = layout->name;
-        options.target = target_table[target].name;
-        options.optimize = i % 2 * 2;
-        options.pass = pass_table[i / 2 % 2 ? PASS_gbuffer : PASS_plane].name;
-        options.check = true;
-        if (!target_table[target].words && layout_has_words(layout))
-            continue;
-        MatcProgram *program = matc_compile(
-            document, 0, MATC_FRAGMENT | MATC_UNPACK | (target_table[target].spirv ? MATC_SPIRV : 0), &options);
-        if (!matc_ok(program))
-            fail_msg("%s, %s: %s", layout->name, options.target, matc_program_diagnostics(program, MATC_TEXT));
-        matc_program_free(program);
-    }
-    matc_document_free(document);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pieces_have_places_of_their_own),
         cmocka_unit_test(what_is_packed_comes_back),
         cmocka_unit_test(constants_come_back),
-        cmocka_unit_test(old_glsl_has_no_whole_numbers),
-        cmocka_unit_test(every_layout_is_valid),
         cmocka_unit_test(any_rows_are_a_layout),
         cmocka_unit_test(rows_that_do_not_fit_are_told),
     };

@@ -1,65 +1,14 @@
-/* --layout=auto: what is claimed of materials holds, the smallest layouts are small, and they keep what they promise. */
+/* --layout=auto: the smallest layouts are small, whatever the order of their materials, and every material has a case. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/layout/auto_layout.h"
 #include "compiler/layout/layout.h"
-#include "compiler/layout/custom.h"
-#include "compiler/document.h"
 #include "compiler/pipeline.h"
-#include "tests/stress/generate.h"
-#include "tests/value/kept.h"
+#include "tests/layout_set.h"
 #include "tests/value/read_whole.h"
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
-enum { MOST_DOCUMENTS = 32, TREES = 1500, TREE_POINTS = 12 };
-
-/* Documents, what their materials can be, and the layout for them. */
-typedef struct {
-    Document documents[MOST_DOCUMENTS];
-    int count;
-    MatcRanges ranges;
-    MatcLayout *layout;
-} Set;
-
-static void add_material(MatcRanges *ranges, const MatcDocument *document, int material, const MatcOptions *options)
-{
-    char *fault;
-    if (!matc_ranges_add(ranges, document, material, options, &fault))
-        fail_msg("%s", fault);
-}
-
-static void set_open(Set *set, const char *const *paths, int count, double error)
-{
-    *set = (Set){.count = count};
-    matc_ranges_init(&set->ranges);
-    for (int i = 0; i < count; i++) {
-        char path[512];
-        Document *d = &set->documents[i];
-        snprintf(path, sizeof path, SOURCE_FOLDER "/%s", paths[i]);
-        if (!document_open(d, path))
-            fail_msg("%s: %s", path, document_fault(d));
-        for (int k = 0; k < d->graph->material_count; k++)
-            add_material(&set->ranges, d->document, k, &d->options);
-    }
-    set->layout = matc_layout_for(&set->ranges, error, &set->documents[0].options);
-    assert_true(matc_layout_ok(set->layout));
-}
-
-static void set_close(Set *set)
-{
-    matc_layout_free(set->layout);
-    for (int i = 0; i < set->count; i++)
-        document_close(&set->documents[i]);
-}
 
 /* It is the same in every case that has it. */
 static const FieldRow *field_of(const Set *set, Slot slot)
@@ -71,9 +20,6 @@ static const FieldRow *field_of(const Set *set, Slot slot)
                 return &row->cases[number].fields[i];
     return NULL;
 }
-
-static const char *const lambert[] = {"tests/layouts/lambert.yaml"}, *const grays[] = {"tests/layouts/grays.yaml"},
-                         *const glow[] = {"tests/layouts/glow.yaml"}, *const mixed[] = {"tests/layouts/mixed.yaml"};
 
 /* Normal and three times eight bits; nothing else is in the layout, in its GLSL, or in the program. */
 static void diffuse_colors_take_eight_bytes(void **state)
@@ -329,145 +275,6 @@ static void none_is_told(void **state)
     matc_document_free(document);
 }
 
-/* What matters in a material, as the ranges of it alone say. */
-static void find_matters(const Document *d, int material, bool matters[SLOT_COUNT])
-{
-    MatcRanges one;
-    matc_ranges_init(&one);
-    add_material(&one, d->document, material, &d->options);
-    for (int slot = 0; slot < SLOT_COUNT; slot++)
-        matters[slot] = one.slot[slot].counted > 0;
-}
-
-static void check_set(Kept *kept, Drawer *drawer, const Set *set)
-{
-    for (int i = 0; i < set->count; i++) {
-        Document *d = (Document *)(uintptr_t)&set->documents[i];
-        MatcOptions options = d->options;
-        options.custom = set->layout;
-        for (int k = 0; k < d->graph->material_count; k++) {
-            bool matters[SLOT_COUNT];
-            find_matters(d, k, matters);
-            if (!kept_check(kept, drawer, &(KeptMaterial){d, k, &options}, matters))
-                fail_msg("%s, %s: %s\n%s", d->path, d->graph->materials[k].name, kept->error,
-                         matc_layout_report(set->layout));
-        }
-    }
-}
-
-static void what_is_packed_comes_back(void **state)
-{
-    (void)state;
-    static const char *const all[] = {"examples/materials/algorithmSwitch.yaml", "examples/materials/brick.yaml",
-                                      "examples/materials/brushedSteel.yaml",    "examples/materials/chess.json",
-                                      "examples/materials/glassChecker.yaml",    "examples/materials/lava.yaml",
-                                      "examples/materials/leopardSkin.yaml",     "examples/materials/malachite.json",
-                                      "examples/materials/marble.yaml",          "examples/materials/oak.yaml",
-                                      "examples/materials/phong.yaml",           "examples/materials/planet.yaml",
-                                      "examples/materials/polishedGranite.yaml", "examples/materials/rgba.yaml",
-                                      "examples/materials/rustedMetal.yaml",     "examples/materials/sideSwitch.yaml",
-                                      "examples/materials/sunSky.yaml",          "examples/materials/tiles.yaml"};
-    static const struct {
-        const char *const *paths;
-        int count;
-        double error;
-    } sets[] = {{lambert, 1, 0}, {lambert, 1, 0.01}, {grays, 1, 0},      {grays, 1, 0.0002},
-                {mixed, 1, 0},   {mixed, 1, 0.0005}, {mixed, 1, 0.02},   {glow, 1, 0},
-                {glow, 1, 0.03}, {all, 18, 0},       {&all[5], 3, 0.001}};
-    static Point points[POINT_COUNT];
-    Drawer drawer;
-    Kept kept = {0};
-    int cases = 0;
-    points_make(points);
-    assert_true(drawer_open(&drawer, true, points, POINT_COUNT));
-    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
-        Set set;
-        set_open(&set, sets[i].paths, sets[i].count, sets[i].error);
-        memset(kept.drawn, 0, sizeof kept.drawn);
-        check_set(&kept, &drawer, &set);
-        print_message("%d materials, error %g: %d bytes\n", set.ranges.materials, sets[i].error,
-                      matc_layout_bytes(set.layout));
-        for (int k = 0; k < set.layout->row->case_count && set.layout->row->case_count > 1; k++) {
-            char line[64]; /* of the report: it counts right */
-            snprintf(line, sizeof line, "\n%-25d %-18d normal", k, kept.drawn[k]);
-            assert_non_null(strstr(matc_layout_report(set.layout), line));
-            cases += kept.drawn[k] > 0;
-        }
-        set_close(&set);
-    }
-    drawer_close(&drawer);
-    print_message("%d materials, %d slots, %ld values, errors up to %.4f of their bounds\n", kept.materials,
-                  kept.fields, kept.values, kept.worst);
-    assert_true(kept.values > 100000 && kept.worst > 0.9 && cases > 8);
-}
-
-/* The oracle's value lies in the interval that is claimed, roundings aside. */
-static void compare_claim(const MatcRanges *ranges, const SlotValues *values, uint64_t tree)
-{
-    for (int slot = 0; slot < SLOT_COUNT; slot++) {
-        const SlotRow *row = &slot_table[slot];
-        const MatcSlotRange *range = &ranges->slot[slot];
-        for (int lane = 0; lane < type_table[row->type].lanes && range->counted; lane++) {
-            double value = fmin(fmax(values->lane[slot][lane], row->low), row->high);
-            double slack = 1e-5 * fmax(1, fabs(value));
-            if (!(value >= range->low[lane] - slack && value <= range->high[lane] + slack))
-                fail_msg("tree %d: %s lane %d is %.9g, claimed %.9g to %.9g", (int)tree, row->name, lane, value,
-                         range->low[lane], range->high[lane]);
-            if (range->alike && !(fabs(values->lane[slot][lane] - values->lane[slot][0]) <= slack))
-                fail_msg("tree %d: %s lanes %.9g, %.9g are not alike", (int)tree, row->name, values->lane[slot][0],
-                         values->lane[slot][lane]);
-        }
-    }
-}
-
-/* A random document; the slots' widths are summed up, to see that the claims are not empty. */
-static void check_tree(uint64_t tree, const Point *points, long *bounded, long *constant)
-{
-    Arena arena = {0};
-    Choices choices;
-    MatcRanges ranges;
-    Text text = text_new(&arena);
-    MatcOptions options;
-    matc_options_init(&options);
-    options.pixels = true;
-    options.read_file = generate_file;
-    choices_random(&choices, 11, tree);
-    generate_document(&choices, &text);
-    MatcDocument *document = matc_read("stress.yaml", text.at, text.size, &options);
-    assert_int_equal(matc_material_count(document), 1);
-    matc_ranges_init(&ranges);
-    add_material(&ranges, document, 0, &options);
-    Oracle *oracle = oracle_open(document->graph, &(ReferenceContext){0});
-    for (int i = 0; i < TREE_POINTS; i++) {
-        Surface surface;
-        SlotValues values;
-        point_surface(&points[(tree * 131 + (uint64_t)i * 53) % POINT_COUNT], i % 4 != 0, &surface);
-        oracle_material(oracle, document->graph->materials[0].node, &surface, &values);
-        compare_claim(&ranges, &values, tree);
-    }
-    for (int slot = SLOT_diffuse; slot < SLOT_COUNT; slot++) {
-        const MatcSlotRange *range = &ranges.slot[slot];
-        *constant += range->counted && range->low[0] == range->high[0];
-        *bounded += range->counted && range->low[0] < range->high[0] &&
-                    range->high[0] - range->low[0] < 0.999 * (slot_table[slot].high - slot_table[slot].low);
-    }
-    oracle_close(oracle);
-    matc_document_free(document);
-    arena_free(&arena);
-}
-
-static void claims_are_sound(void **state)
-{
-    (void)state;
-    static Point points[POINT_COUNT];
-    long bounded = 0, constant = 0;
-    points_make(points);
-    for (uint64_t tree = 0; tree < TREES; tree++)
-        check_tree(tree, points, &bounded, &constant);
-    print_message("%d trees: %ld slots constant, %ld in a part of what a surface can have\n", TREES, constant, bounded);
-    assert_true(constant > TREES && bounded > TREES / 10); /* the claims are not empty */
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -481,8 +288,6 @@ int main(void)
         cmocka_unit_test(mixed_sets_have_cases),
         cmocka_unit_test(none_is_without_a_case),
         cmocka_unit_test(none_is_told),
-        cmocka_unit_test(what_is_packed_comes_back),
-        cmocka_unit_test(claims_are_sound),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

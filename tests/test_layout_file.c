@@ -175,7 +175,7 @@ static void another_constant_is_told(void **state)
     matc_layout_free(layout);
 }
 
-/* The example layouts, with materials that they are for, in every case of theirs; test_layout_auto has mixed. */
+/* The example layouts, with materials that they are for, in every case of theirs; test_layout_claims has mixed. */
 static void examples_keep_what_they_promise(void **state)
 {
     (void)state;

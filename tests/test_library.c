@@ -1,135 +1,13 @@
-/* The library: options, several materials, textures, uniforms, threads, and that no fault is silent. */
+/* The library: several materials, textures, uniforms, threads, and that no fault is silent. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "compiler/matc.h"
 #include "grammar/tables.h"
+#include "tests/compile_text.h"
 #include <cjson/cJSON.h>
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-static MatcOptions quick(void)
-{
-    MatcOptions options;
-    matc_options_init(&options);
-    options.validate = false;
-    options.check = true;
-    return options;
-}
-
-static MatcDocument *read_text(const char *text, const MatcOptions *options)
-{
-    return matc_read("test.yaml", text, strlen(text), options);
-}
-
-static char *compile_text(const char *text, unsigned output, const MatcOptions *options)
-{
-    MatcDocument *document = read_text(text, options);
-    MatcProgram *program = matc_compile(document, 0, output, options);
-    if (!matc_ok(program))
-        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
-    assert_true(matc_ok(program));
-    char *result = strdup(matc_output(program, (MatcOutput)output, NULL));
-    matc_program_free(program);
-    matc_document_free(document);
-    return result;
-}
-
-static const char *const checker = "material: Phong\n"
-                                   "diffuse: { map: Checker, color1: 0.3, color2: { map: Granite } }\n"
-                                   "specular: { map: Granite }\n";
-
-static int count(const char *text, const char *word)
-{
-    int n = 0;
-    for (const char *at = text; (at = strstr(at, word)); at += strlen(word))
-        n++;
-    return n;
-}
-
-static void equal_subtrees_are_computed_once(void **state)
-{
-    (void)state;
-    MatcOptions options = quick();
-    char *text = compile_text(checker, MATC_FRAGMENT, &options);
-    assert_int_equal(count(text, "granite(localPosition)"), 1);
-    free(text);
-}
-
-static void a_filter_is_one_function(void **state)
-{
-    (void)state;
-    MatcOptions options = quick();
-    char *one =
-        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Wood } }\n", MATC_FRAGMENT, &options);
-    assert_int_equal(count(one, "smooth3DInput0("), 1 + 27); /* the definition and the calls */
-    assert_int_equal(count(one, "wood(p)"), 1);
-    char *two =
-        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, input: { map: Wood } } }\n",
-                     MATC_FRAGMENT, &options);
-    assert_int_equal(count(two, "wood(p)"), 1);
-    assert_int_equal(count(two, "smooth3DInput0("), 1 + 27);
-    assert_int_equal(count(two, "smooth3DInput1"),
-                     2 + 2); /* itself costly: it and its sum, a loop, each defined and called once */
-    free(one);
-    free(two);
-}
-
-/* A subtree that cannot matter leaves no trace. */
-static void dead_parts_are_pruned(void **state)
-{
-    (void)state;
-    static const char *const documents[] = {
-        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { value: 1 }] }\n",
-        "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
-        "material: Phong\nambient: { map: Granite }\n", /* thesis has no ambient */
-        "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
-    MatcOptions options = quick();
-    options.layout = "thesis";
-    for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
-        char *text = compile_text(documents[i], MATC_FRAGMENT, &options);
-        assert_null(strstr(text, "granite"));
-        assert_null(strstr(text, "urbulence"));
-        assert_null(strstr(text, "uv"));
-        free(text);
-    }
-}
-
-static void costly_arms_are_branches(void **state)
-{
-    (void)state;
-    MatcOptions options = quick();
-    char *text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n",
-                              MATC_FRAGMENT, &options);
-    const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
-    assert_non_null(branch);
-    assert_non_null(call);
-    assert_true(branch < call);
-    free(text);
-    text =
-        compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n", MATC_FRAGMENT, &options);
-    assert_null(strstr(text, "if ("));
-    free(text);
-}
-
-static void inputs_are_minimal(void **state)
-{
-    (void)state;
-    MatcOptions options = quick();
-    options.pass = "shadow";
-    char *text = compile_text("material: Phong\ndiffuse: { map: Granite }\n", MATC_FRAGMENT, &options);
-    assert_null(strstr(text, "in vec"));
-    assert_null(strstr(text, "discard"));
-    free(text);
-    text = compile_text("material: Phong\ntransparency: { map: Checker }\n", MATC_FRAGMENT, &options);
-    assert_non_null(strstr(text, "discard"));
-    assert_int_equal(count(text, "\nin "), 1);
-    free(text);
-}
 
 static void materials_are_listed(void **state)
 {
@@ -218,149 +96,13 @@ static void reflection_fits_the_shader(void **state)
     }
 }
 
-/* Every option that takes one of a few names, and those names as matc.h has them. */
-static const struct {
-    const char *option, *values;
-} named_options[] = {
-    {"target", "glsl110, glsl330, glsl450, essl300, spirv"},
-    {"pass", "gbuffer, plane, sky, shadow, depth, value"},
-    {"slot",
-     "normal, diffuse, alpha, specular, shininess, transparency, transparencyShininess, interpolatedTransparency, "
-     "diffuseTransparency, ambient, emissive, ior"},
-    {"layout", "thesis, radix, thin, integer, compact"},
-    {"precision", "fast, balanced, exact"},
-    {"noise", "lattice, groimp, simplex"},
-    {"aa", "auto, none, box, aniso"},
-    {"derivatives", "auto, finite, analytic"},
-    {"coordinates", "plain, long"},
-    {"powers", "squaring, pow, compensated"},
-    {"trigonometry", "native, bounded"},
-    {"constants", "auto, baked, uniform"},
-    {"normals", "eye, world"},
-};
-enum { NAMED_OPTIONS = sizeof named_options / sizeof *named_options };
-
-static void every_value_of_an_option_is_taken(void **state)
-{
-    (void)state;
-    for (int i = 0; i < NAMED_OPTIONS; i++) {
-        char values[256], *rest;
-        snprintf(values, sizeof values, "%s", named_options[i].values);
-        for (char *value = strtok_r(values, ", ", &rest); value; value = strtok_r(NULL, ", ", &rest)) {
-            MatcOptions options = quick();
-            assert_true(matc_options_set(&options, named_options[i].option, value));
-            assert_null(matc_options_fault(&options));
-        }
-    }
-    for (int axis = 0; axis < AXIS_COUNT; axis++) { /* none is left out above */
-        int rows = 0;
-        for (int i = 0; i < NAMED_OPTIONS; i++)
-            rows += !strcmp(named_options[i].option, axis_table[axis].name);
-        assert_int_equal(rows, 1);
-    }
-}
-
-/* The members that hold names, which the caller may have set to anything. */
-static void put_value(MatcOptions *options, const char *option, const char *value)
-{
-    const struct {
-        const char *option;
-        const char **member;
-    } members[] = {{"target", &options->target},
-                   {"pass", &options->pass},
-                   {"slot", &options->slot},
-                   {"layout", &options->layout},
-                   {"precision", &options->precision},
-                   {"noise", &options->noise},
-                   {"aa", &options->aa},
-                   {"derivatives", &options->derivatives},
-                   {"coordinates", &options->coordinates},
-                   {"powers", &options->powers},
-                   {"trigonometry", &options->trigonometry},
-                   {"constants", &options->constants},
-                   {"normals", &options->normals}};
-    for (size_t i = 0; i < sizeof members / sizeof *members; i++)
-        if (!strcmp(members[i].option, option))
-            *members[i].member = value;
-}
-
-/* None is set by its name, and a program that has one all the same says which values there are. */
-static void unknown_values_are_refused(void **state)
-{
-    (void)state;
-    static const char *const unknown[] = {"nonsense", "", "Auto", "none,box", "fast "};
-    for (int i = 0; i < NAMED_OPTIONS * 5; i++) {
-        const char *option = named_options[i / 5].option, *value = unknown[i % 5];
-        MatcOptions options = quick();
-        MatcDocument *document = read_text(checker, &options);
-        assert_false(matc_options_set(&options, option, value));
-        assert_null(matc_options_fault(&options));
-        put_value(&options, option, value);
-        assert_string_equal(matc_options_fault(&options), option);
-        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
-        char want[512];
-        snprintf(want, sizeof want, "error: %s: there is no '%s', but %s", option, value, named_options[i / 5].values);
-        assert_false(matc_ok(program));
-        if (!strstr(matc_program_diagnostics(program, MATC_TEXT), want))
-            fail_msg("'%s' is wanted, not '%s'", want, matc_program_diagnostics(program, MATC_TEXT));
-        matc_program_free(program);
-        matc_document_free(document);
-    }
-    MatcOptions options = quick();
-    assert_false(matc_options_set(&options, "nonsense", "auto"));
-    assert_false(matc_options_set(&options, "optimize", "2"));
-}
-
-/* A program that was compiled with fewer options: what lies behind its struct is not touched, what it lacks has its default. */
-static void older_options_work(void **state)
-{
-    (void)state;
-    enum { KNOWN = offsetof(MatcOptions, optimize) };
-    union {
-        MatcOptions options;
-        unsigned char bytes[sizeof(MatcOptions)];
-    } old;
-    memset(old.bytes, 0xaa, sizeof old.bytes);
-    matc_options_init_sized(&old.options, KNOWN);
-    assert_true(matc_options_set(&old.options, "pass", "shadow"));
-    for (size_t i = KNOWN; i < sizeof old.bytes; i++)
-        assert_int_equal(old.bytes[i], 0xaa);
-    assert_null(matc_options_fault(&old.options));
-    char *text = compile_text(checker, MATC_FRAGMENT, &old.options);
-    MatcOptions now;
-    matc_options_init(&now);
-    now.pass = "shadow";
-    char *same = compile_text(checker, MATC_FRAGMENT, &now);
-    assert_string_equal(text, same);
-    free(text);
-    free(same);
-    old.options.size = offsetof(MatcOptions, pass);
-    assert_false(matc_options_set(&old.options, "pass", "sky"));
-}
-
-/* And one that was compiled with more. */
-static void newer_options_work(void **state)
-{
-    (void)state;
-    struct {
-        MatcOptions options;
-        long more[4];
-    } newer;
-    memset(&newer, 0xaa, sizeof newer);
-    matc_options_init_sized(&newer.options, sizeof newer);
-    assert_int_equal(newer.options.size, sizeof newer);
-    assert_int_equal(newer.more[3], 0);
-    free(compile_text(checker, MATC_FRAGMENT, &newer.options));
-    assert_string_equal(matc_version(), MATC_VERSION);
-}
-
 /* Every cut of a document is either read or refused with a place; nothing else happens. */
 static void cut_documents_are_refused(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    for (size_t size = 0; size <= strlen(checker); size++) {
-        MatcDocument *document = matc_read("cut.yaml", checker, size, &options);
+    for (size_t size = 0; size <= strlen(checker_text); size++) {
+        MatcDocument *document = matc_read("cut.yaml", checker_text, size, &options);
         assert_true(matc_material_count(document) || matc_error_count(document));
         matc_document_free(document);
     }
@@ -422,8 +164,8 @@ static void threads_share_a_document(void **state)
     (void)state;
     enum { THREADS = 4 };
     MatcOptions options = quick();
-    char *expected = compile_text(checker, MATC_FRAGMENT, &options);
-    MatcDocument *document = read_text(checker, &options);
+    char *expected = compile_text(checker_text, MATC_FRAGMENT, &options);
+    MatcDocument *document = read_text(checker_text, &options);
     pthread_t threads[THREADS];
     Job jobs[THREADS];
     for (int i = 0; i < THREADS; i++) {
@@ -492,25 +234,11 @@ static void long_blends_are_searched(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(equal_subtrees_are_computed_once),
-        cmocka_unit_test(a_filter_is_one_function),
-        cmocka_unit_test(dead_parts_are_pruned),
-        cmocka_unit_test(costly_arms_are_branches),
-        cmocka_unit_test(inputs_are_minimal),
-        cmocka_unit_test(materials_are_listed),
-        cmocka_unit_test(uniforms_have_defaults),
-        cmocka_unit_test(noise_tables_are_textures),
-        cmocka_unit_test(reflection_fits_the_shader),
-        cmocka_unit_test(every_value_of_an_option_is_taken),
-        cmocka_unit_test(unknown_values_are_refused),
-        cmocka_unit_test(older_options_work),
-        cmocka_unit_test(newer_options_work),
-        cmocka_unit_test(cut_documents_are_refused),
-        cmocka_unit_test(evaluation_reads_back),
-        cmocka_unit_test(no_diagnostics_are_no_text),
-        cmocka_unit_test(threads_share_a_document),
-        cmocka_unit_test(deep_chains_are_bounded),
-        cmocka_unit_test(long_blends_are_searched),
+        cmocka_unit_test(materials_are_listed),       cmocka_unit_test(uniforms_have_defaults),
+        cmocka_unit_test(noise_tables_are_textures),  cmocka_unit_test(reflection_fits_the_shader),
+        cmocka_unit_test(cut_documents_are_refused),  cmocka_unit_test(evaluation_reads_back),
+        cmocka_unit_test(no_diagnostics_are_no_text), cmocka_unit_test(threads_share_a_document),
+        cmocka_unit_test(deep_chains_are_bounded),    cmocka_unit_test(long_blends_are_searched),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

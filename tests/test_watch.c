@@ -5,8 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/base/watch.h"
+#include "tests/value/folder.h"
 #include <fcntl.h>
-#include <ftw.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,12 +23,6 @@ typedef struct {
     const char *list[FILES];
     bool poll_only;
 } Fixture;
-
-static int remove_file(const char *path, const struct stat *info, int kind, struct FTW *walk)
-{
-    (void)info, (void)kind, (void)walk;
-    return remove(path);
-}
 
 static void sleep_ms(int ms) { nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000L}, NULL); }
 
@@ -91,7 +85,7 @@ static int make_without(void **state) { return make(state, true); }
 static int remove_all(void **state)
 {
     Fixture *f = *state;
-    nftw(f->root, remove_file, 16, FTW_DEPTH | FTW_PHYS);
+    folder_remove(f->root);
     free(f);
     return 0;
 }

@@ -2,9 +2,8 @@
 #include "batch_run.h"
 #include "batch_documents.h"
 #include "matbench.h"
-#include "tests/value/read_whole.h"
+#include "tests/value/folder.h"
 #include <fcntl.h>
-#include <ftw.h>
 #include <poll.h>
 #include <spawn.h>
 #include <stdio.h>
@@ -28,20 +27,13 @@ bool batch_folder_make(BatchFolder *folder, const char *matc)
     return (size_t)size < sizeof folder->path && mkdtemp(folder->path);
 }
 
-static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
-{
-    (void)info, (void)kind, (void)walk;
-    return remove(path);
-}
-
-static void remove_all(const char *path) { nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS); }
-void batch_folder_remove(const BatchFolder *folder) { remove_all(folder->path); }
+void batch_folder_remove(const BatchFolder *folder) { folder_remove(folder->path); }
 
 void batch_clear(const BatchFolder *folder, const char *name)
 {
     char path[BATCH_PATH];
     snprintf(path, sizeof path, "%s/%s", folder->path, name);
-    remove_all(path);
+    folder_remove(path);
 }
 
 static bool write_file(const char *path, const char *bytes, size_t size)

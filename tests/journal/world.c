@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/value/folder.h"
 #include <fcntl.h>
 #include <ftw.h>
 #include <stdio.h>
@@ -67,12 +68,6 @@ void world_assert_is(const World *w, const Bytes *wanted)
     bool same = now.size == wanted->size && !memcmp(now.at, wanted->at, now.size);
     bytes_free(&now);
     assert_true(same);
-}
-
-static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
-{
-    (void)info, (void)kind, (void)walk;
-    return remove(path);
 }
 
 const char *world_at(const World *w, const char *name)
@@ -170,7 +165,7 @@ int world_remove(void **state)
     World *w = *state;
     alarm(0);
     close(w->out);
-    nftw(w->root, remove_one, 16, FTW_DEPTH | FTW_PHYS);
+    folder_remove(w->root);
     bytes_free(&w->before);
     bytes_free(&w->ended);
     free(w->journal);

@@ -1,0 +1,59 @@
+/* Runs of matc over a folder, which are struck at one of their calls: ended before it, or the call fails (strike.c). Faults are those of the test. */
+#ifndef TESTS_KILL_WORLD_H
+#define TESTS_KILL_WORLD_H
+#include "compiler/base/bytes.h"
+#include <stdbool.h>
+
+enum { PATH_ROOM = 1024, MOST_ARGUMENTS = 20, MOST_CALLS = 1000, SCENARIOS = 7 };
+
+typedef struct {
+    const char *name;
+    const char *before[MOST_ARGUMENTS]; /* what was run earlier; none: nothing was */
+    const char *run[MOST_ARGUMENTS];
+    const char *faulty[MOST_ARGUMENTS]; /* the same with a document that has a fault; none: no such run */
+    bool index;                         /* out/manifest.json is an index of out */
+    bool cache;
+} Scenario;
+extern const Scenario scenarios[SCENARIOS];
+
+/* Below root: the documents, the folder "old" as it was before the run, and "now", in which matc runs. */
+typedef struct {
+    char root[PATH_ROOM / 4];
+    Bytes before, after;     /* the folder as it was before the run, and as it should be after it */
+    char *calls[MOST_CALLS]; /* names, in their order, from 1 */
+    long call_count;
+    int wrong, left;
+} World;
+
+/* Where a scenario was struck: at its n-th call. */
+typedef struct {
+    const Scenario *scenario;
+    long n;
+    const char *how;
+} Strike;
+
+/* Setup and teardown of a test, whose state is a World. */
+#define WORLD_TEST(name) cmocka_unit_test_setup_teardown(name, world_make, world_remove)
+int world_make(void **state);
+int world_remove(void **state);
+
+/* The folder before the run, and after it, and the calls: from a run that is not struck. */
+void world_prepare(World *w, const Scenario *s);
+/* "now" is as it was before the run. */
+void world_reset(const World *w);
+/* matc's exit status; -1: it was killed. At its call number `at`, from 1, it is struck as `how` says, words of strike.c; NULL: never. */
+int world_run(World *w, const char *const *arguments, long at, const char *how);
+/* What the last run said has that text. */
+bool world_says(const World *w, const char *what);
+/* Counts what is not fine, and says it. */
+void world_check(World *w, bool fine, const Strike *at, const char *what);
+
+/* A path below the root. */
+void world_path(const World *w, const char *name, char path[PATH_ROOM]);
+/* All names below a folder and all bytes, but for the cache's; without what only a next run removes, unless `hidden`. */
+Bytes world_tree(const char *path, bool hidden);
+/* "now" is such a tree. */
+bool world_is(const World *w, const Bytes *tree, bool hidden);
+/* A call's name is in a list, which ends with NULL. */
+bool call_is_one_of(const char *name, const char *const *names);
+#endif

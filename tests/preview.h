@@ -1,0 +1,125 @@
+/* The preview's pictures in memory, its cameras from their definition, and rays through pixels. */
+#ifndef TESTS_PREVIEW_H
+#define TESTS_PREVIEW_H
+#include "compiler/matc.h"
+#include "runtime/view/picture.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char view_text_screen[], view_text_light[], view_text_slot[];
+
+#define RADIANS (M_PI / 180)
+typedef struct {
+    double at[3];
+} Vector;
+
+static inline double dot(Vector a, Vector b) { return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2]; }
+static inline Vector scaled(Vector a, double factor)
+{
+    return (Vector){{a.at[0] * factor, a.at[1] * factor, a.at[2] * factor}};
+}
+static inline Vector added(Vector a, Vector b)
+{
+    return (Vector){{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2]}};
+}
+static inline Vector unit(Vector a) { return scaled(a, 1 / sqrt(dot(a, a))); }
+
+static inline Vector cross(Vector a, Vector b)
+{
+    const double *p = a.at, *q = b.at;
+    return (Vector){{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
+}
+
+static inline Vector from_angles(double azimuth, double elevation)
+{
+    return (Vector){{cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)}};
+}
+
+/* Where the camera stands, and its axes in the world: to the right, up, towards the viewer. The world's z is up. */
+typedef struct {
+    Vector position, right, up, back;
+    double tangent; /* of half the angle of the shorter side */
+    int width, height;
+} View;
+
+static inline View look(Vector position, Vector back, double half_angle, int width, int height)
+{
+    View view = {.position = position, .back = back, .tangent = tan(half_angle), .width = width, .height = height};
+    view.right = unit(cross((Vector){{0, 0, 1}}, back));
+    view.up = cross(back, view.right);
+    return view;
+}
+
+/* Through the middle of a pixel; row 0 is the lowest. */
+static inline Vector ray_of(const View *view, int x, int y)
+{
+    int shorter = view->width < view->height ? view->width : view->height;
+    double right = (2 * x + 1 - view->width) * view->tangent / shorter;
+    double up = (2 * y + 1 - view->height) * view->tangent / shorter;
+    return unit(added(added(scaled(view->right, right), scaled(view->up, up)), scaled(view->back, -1)));
+}
+
+/* A linear value as matview writes it. */
+static inline double byte_of(double linear)
+{
+    double c = fmin(fmax(linear, 0), 1);
+    return 255 * (c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055);
+}
+
+typedef struct {
+    MatcDocument *document;
+    MatcOptions options;
+    View view;
+    unsigned char *rgb;
+} Preview;
+
+/* Of which material, as what. */
+typedef struct {
+    const char *text, *pass, *normals, *slot;
+} Subject;
+
+/* A sample a pixel, in its middle. */
+static inline Preview draw_subject(const Subject *subject, int width, int height)
+{
+    const char *text = subject->text;
+    Preview p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
+    Picture drawn = {.rgb = p.rgb};
+    matc_options_init(&p.options);
+    p.options.pass = subject->pass;
+    p.options.layout = "integer";
+    p.options.normals = subject->normals;
+    p.document = matc_read("preview.yaml", text, strlen(text), &p.options);
+    assert_int_equal(matc_material_count(p.document), 1);
+    const PictureOptions options = {.compile = p.options,
+                                    .view = {.shape = SHAPE_sphere,
+                                             .width = width,
+                                             .height = height,
+                                             .supersampling = 1,
+                                             .screen_text = view_text_screen,
+                                             .light_text = view_text_light,
+                                             .slot_text = view_text_slot,
+                                             .slot = subject->slot,
+                                             .sky = !strcmp(subject->pass, "sky")}};
+    if (!picture_draw(p.document, 0, &options, &drawn))
+        fail_msg("%s%s", drawn.diagnostics, drawn.error);
+    free(drawn.diagnostics);
+    return p;
+}
+
+static inline Preview draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
+{
+    return draw_subject(&(Subject){text, pass, NULL, slot}, width, height);
+}
+
+static inline Preview draw(const char *text, const char *pass, int width, int height)
+{
+    return draw_slot(text, pass, NULL, width, height);
+}
+
+static inline void discard(Preview *p)
+{
+    matc_document_free(p->document);
+    free(p->rgb);
+}
+#endif

@@ -1,0 +1,47 @@
+/* A Rig for a test's state, whose faults are the test's, and scenes that are drawn by it. */
+#ifndef TESTS_RIG_STATE_H
+#define TESTS_RIG_STATE_H
+#include "tests/value/rig.h"
+#include "tests/value/scene.h"
+
+enum { SIDE = RIG_SIDE, PIXELS = RIG_PIXELS };
+#define RIG ((Rig *)*state)
+
+static inline int set_up(void **state)
+{
+    Rig *rig = *state = rig_new(true);
+    if (*rig->error)
+        print_error("%s\n", rig->error);
+    return *rig->error != 0;
+}
+
+static inline int tear_down(void **state)
+{
+    rig_free(*state);
+    return 0;
+}
+
+static inline Scene open_scene(Rig *rig, const char *text, const SceneOptions *options)
+{
+    Scene scene;
+    if (!scene_open(&scene, rig->store, text, options))
+        fail_msg("%s", scene.error);
+    return scene;
+}
+
+static inline void draw_scene(Rig *rig, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
+{
+    if (!rig_draw(rig, scene, space, mesh, target))
+        fail_msg("%s", rig->gl->error);
+}
+
+static inline SlotValues values_at(const Scene *scene, const Surface *surface)
+{
+    SlotValues values;
+    if (!scene_values(scene, surface, &values))
+        fail_msg("no values");
+    return values;
+}
+
+static inline double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; } /* of a pixel, in clip space */
+#endif

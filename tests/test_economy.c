@@ -1,0 +1,107 @@
+/* What a program computes once, in a branch, or not at all. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/compile_text.h"
+
+static int count(const char *text, const char *word)
+{
+    int n = 0;
+    for (const char *at = text; (at = strstr(at, word)); at += strlen(word))
+        n++;
+    return n;
+}
+
+static void equal_subtrees_are_computed_once(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *text = compile_text(checker_text, MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "granite(localPosition)"), 1);
+    free(text);
+}
+
+static void a_filter_is_one_function(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *one =
+        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Wood } }\n", MATC_FRAGMENT, &options);
+    assert_int_equal(count(one, "smooth3DInput0("), 1 + 27); /* the definition and the calls */
+    assert_int_equal(count(one, "wood(p)"), 1);
+    char *two =
+        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, input: { map: Wood } } }\n",
+                     MATC_FRAGMENT, &options);
+    assert_int_equal(count(two, "wood(p)"), 1);
+    assert_int_equal(count(two, "smooth3DInput0("), 1 + 27);
+    assert_int_equal(count(two, "smooth3DInput1"),
+                     2 + 2); /* itself costly: it and its sum, a loop, each defined and called once */
+    free(one);
+    free(two);
+}
+
+/* A subtree that cannot matter leaves no trace. */
+static void dead_parts_are_pruned(void **state)
+{
+    (void)state;
+    static const char *const documents[] = {
+        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { value: 1 }] }\n",
+        "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
+        "material: Phong\nambient: { map: Granite }\n", /* thesis has no ambient */
+        "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
+    MatcOptions options = quick();
+    options.layout = "thesis";
+    for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
+        char *text = compile_text(documents[i], MATC_FRAGMENT, &options);
+        assert_null(strstr(text, "granite"));
+        assert_null(strstr(text, "urbulence"));
+        assert_null(strstr(text, "uv"));
+        free(text);
+    }
+}
+
+static void costly_arms_are_branches(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    char *text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n",
+                              MATC_FRAGMENT, &options);
+    const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
+    assert_non_null(branch);
+    assert_non_null(call);
+    assert_true(branch < call);
+    free(text);
+    text =
+        compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n", MATC_FRAGMENT, &options);
+    assert_null(strstr(text, "if ("));
+    free(text);
+}
+
+static void inputs_are_minimal(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    options.pass = "shadow";
+    char *text = compile_text("material: Phong\ndiffuse: { map: Granite }\n", MATC_FRAGMENT, &options);
+    assert_null(strstr(text, "in vec"));
+    assert_null(strstr(text, "discard"));
+    free(text);
+    text = compile_text("material: Phong\ntransparency: { map: Checker }\n", MATC_FRAGMENT, &options);
+    assert_non_null(strstr(text, "discard"));
+    assert_int_equal(count(text, "\nin "), 1);
+    free(text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(equal_subtrees_are_computed_once),
+        cmocka_unit_test(a_filter_is_one_function),
+        cmocka_unit_test(dead_parts_are_pruned),
+        cmocka_unit_test(costly_arms_are_branches),
+        cmocka_unit_test(inputs_are_minimal),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,84 @@
+/* Runs of which each call in turn fails, alone and as on a full disk, and those on a disk that is not written: all or nothing. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/kill/world.h"
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A run that says that it failed has changed nothing and left nothing; one that says that it did not has done all. What it could not
+ * remove in the end is the only thing that may lie there, and the next run removes it. */
+static void check_failure(World *w, const Strike *at)
+{
+    const Scenario *s = at->scenario;
+    int status = world_run(w, s->run, at->n, at->how);
+    if (status == 1) {
+        world_check(w, world_says(w, "error: "), at, "it does not say why");
+        world_check(w, world_is(w, &w->before, true), at, "it failed and left a changed folder");
+    } else {
+        world_check(w, status == 0, at, "it ended otherwise");
+        world_check(w, world_is(w, &w->after, false), at, "it left another folder");
+        if (world_is(w, &w->after, true))
+            return;
+        w->left++;
+        world_check(w, world_run(w, s->run, 0, NULL) == 0 && world_is(w, &w->after, true), at,
+                    "the next run does not make it good");
+    }
+}
+
+/* Calls that a full disk lets fail. */
+static const char *const grows[] = {"openat",    "write",  "mkdir",  "mkdirat", "linkat",
+                                    "fdatasync", "writev", "pwrite", NULL};
+
+static void a_run_of_which_a_call_fails_does_all_or_nothing(void **state)
+{
+    static const int errors[] = {ENOSPC, EIO, EACCES};
+    World *w = *state;
+    char how[16];
+    for (int i = 0; i < SCENARIOS; i++) {
+        const Scenario *s = &scenarios[i];
+        world_prepare(w, s);
+        w->left = 0;
+        for (long n = 1; n <= w->call_count; n++) {
+            snprintf(how, sizeof how, "%d", errors[n % 3]);
+            world_reset(w);
+            check_failure(w, &(Strike){s, n, how});
+            if (!call_is_one_of(w->calls[n], grows))
+                continue;
+            world_reset(w);
+            check_failure(w, &(Strike){s, n, "full"});
+        }
+        printf("%s: %ld calls failed, %d of them while it removed what it had used\n", s->name, w->call_count, w->left);
+    }
+    assert_int_equal(w->wrong, 0);
+}
+
+/* A batch that is as it was looks, and no more: its folder may be another's, or on a disk that cannot be written. */
+static void an_unchanged_batch_writes_nothing(void **state)
+{
+    World *w = *state;
+    for (int i = 0; i < SCENARIOS; i++) {
+        const Scenario *s = &scenarios[i];
+        if (!s->index || s->cache || !strcmp(s->name, "a batch with textures and a depfile elsewhere"))
+            continue;
+        world_prepare(w, s);
+        const Strike at = {s, 1, "of a disk that is not written"};
+        world_check(w, world_run(w, s->run, 1, "readonly") == 0, &at, "it fails");
+        world_check(w, world_is(w, &w->after, true), &at, "it changes something");
+    }
+    assert_int_equal(w->wrong, 0);
+}
+
+/* A test's name, or a part of it and *: that one alone. */
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        WORLD_TEST(an_unchanged_batch_writes_nothing),
+        WORLD_TEST(a_run_of_which_a_call_fails_does_all_or_nothing),
+    };
+    cmocka_set_test_filter(argc > 1 ? argv[1] : NULL);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
