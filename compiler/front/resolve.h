@@ -45,7 +45,10 @@ const Node *resolve_map(Resolver *r, Tree *tree, bool *fault);
 const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);
 /* The value of one parameter. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
+/* Of one that holds neither maps nor materials; its default; what stands for null. resolve_leaf.c */
+bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 Value resolve_default(Resolver *r, const ParamRow *row);
+Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree);
 
 /* How many lanes a value may have. */
 typedef struct {
