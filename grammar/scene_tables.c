@@ -1,5 +1,5 @@
 /* The rows of scene.def as const arrays. */
-#include "tables.h"
+#include "scene_tables.h"
 #include <math.h>
 #include <stddef.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 #include "compiler/base/file.h"
 #include "compiler/matc.h"
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 #include <ctype.h>
 #include <ftw.h>
 #include <locale.h>

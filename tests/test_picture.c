@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 #include "runtime/view/picture.h"
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 #include "compiler/matc.h"
+#include "grammar/scene_tables.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -2,9 +2,10 @@
 #ifndef MATC_DESCRIBE_H
 #define MATC_DESCRIBE_H
 #include "compiler/base/diag.h"
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 #include "compiler/layout/layout.h"
 #include "compiler/base/text.h"
+#include "grammar/scene_tables.h"
 
 #define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
 

@@ -1,6 +1,7 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
 #include "compiler/front/doubt.h"
 #include "compiler/front/mistake.h"
+#include "grammar/scene_tables.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef MATC_JOB_H
 #define MATC_JOB_H
 #include "compiler/base/text.h"
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 #include "runtime/library/reference.h"
 
 typedef struct {

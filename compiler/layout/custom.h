@@ -2,7 +2,7 @@
 #ifndef MATC_CUSTOM_H
 #define MATC_CUSTOM_H
 #include "compiler/base/session.h"
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 
 struct MatcLayout {
     Arena arena;

@@ -2,7 +2,7 @@
 #ifndef MATC_LAYOUT_H
 #define MATC_LAYOUT_H
 #include "compiler/base/text.h"
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 
 enum { MOST_PIECES = 128 };
 

@@ -1,7 +1,7 @@
 /* What --help prints. Lists of targets, passes and layouts are those of the tables. */
 #include "compiler/tool/options.h"
 #include "compiler/base/text.h"
-#include "grammar/tables.h"
+#include "grammar/layout_tables.h"
 
 static const char before_target[] =
     "usage: matc [options] document...\n"

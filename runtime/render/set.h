@@ -2,6 +2,7 @@
  * share a text, and take their numbers from a buffer. */
 #ifndef MATC_RENDER_SET_H
 #define MATC_RENDER_SET_H
+#include "grammar/layout_tables.h"
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 

@@ -2,7 +2,7 @@
 #ifndef MATC_SCENE_H
 #define MATC_SCENE_H
 #include "compiler/matc.h"
-#include "grammar/tables.h"
+#include "grammar/scene_tables.h"
 #include "runtime/gl/shape.h"
 
 enum {
