@@ -6,7 +6,6 @@
 #include <cmocka.h>
 #include "compiler/base/session.h"
 #include "tests/growth/growth.h"
-#include "tests/sanitized.h"
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,8 +13,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-enum { FRAMES = SANITIZED ? 10 : 1 }; /* are so many times as large, at most */
-enum { STACK_KIB = 256 * FRAMES, HALF_STACK_KIB = STACK_KIB / 2 };
+enum { STACK_KIB = 256, HALF_STACK_KIB = STACK_KIB / 2 };
 enum { DEEPEST = LIMIT_GRAPH_DEPTH - 8, NESTED = LIMIT_DEPTH - 8 };
 
 typedef struct {
