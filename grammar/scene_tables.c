@@ -7,6 +7,7 @@
 #define PLAIN(sort)           .value = SCENE_VALUE_plain, .param.type = PARAM_##sort
 #define VALUE_Float           PLAIN(Float)
 #define VALUE_Int             PLAIN(Int)
+#define VALUE_Bool            PLAIN(Bool)
 #define VALUE_Vec3            PLAIN(Vec3)
 #define VALUE_Transform       PLAIN(Transform)
 #define VALUE_Material        .value = SCENE_VALUE_material, .param.type = PARAM_Material

@@ -3,6 +3,7 @@
  * with the renderer, and nothing else: no matrix, no shader, no compiler. */
 #ifndef MATC_FRAME_REFERENCE_H
 #define MATC_FRAME_REFERENCE_H
+#include "area_reference.h"
 #include "compiler/evaluate.h"
 #include "runtime/scene/scene.h"
 #include <embree3/rtcore.h>
@@ -250,6 +251,31 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
     return s <= 0 ? 0 : s >= 1 ? 1 / square : s * s * (3 - 2 * s) / square;
 }
 
+/* Light of a parallelogram: what its radiance is times for each lane. */
+static void reference_area(const SceneLight *light, const Hit *hit, const double reflected[3], const SlotValues *slots,
+                           double shares[3])
+{
+    AreaCase c = {.both_sides = light->both_sides}, behind;
+    for (int i = 0; i < 3; i++) {
+        c.corner[i] = light->position[i] - hit->world[i];
+        c.u[i] = light->edges[0][i];
+        c.v[i] = light->edges[1][i];
+        c.normal[i] = slots->lane[SLOT_normal][i];
+        c.w[i] = reflected[i];
+    }
+    behind = c;
+    for (int i = 0; i < 3; i++)
+        behind.normal[i] = -c.normal[i];
+    c.exponent = slots->lane[SLOT_shininess][0];
+    const double front = area_lambert(&c), back = area_lambert(&behind);
+    const double lobe = slots->lane[SLOT_specular][0] <= 0 ? 0
+                        : c.exponent == floor(c.exponent)  ? area_moment(&c)
+                                                           : area_integral(&c);
+    for (int i = 0; i < 3; i++)
+        shares[i] = slots->lane[SLOT_diffuse][i] * front + slots->lane[SLOT_specular][i] * lobe +
+                    slots->lane[SLOT_diffuseTransparency][i] * back;
+}
+
 /* semantics.md 4.1, of an opaque surface: emissive, ambient L; (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side, |n.l| k L on the other. */
 static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, const SlotValues *slots, double sum[3])
 {
@@ -263,6 +289,13 @@ static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, 
     }
     for (int k = 0; k < scene->light_count; k++) {
         const SceneLight *light = &scene->lights[k];
+        double shares[3];
+        if (light->kind == SCENE_Area) {
+            reference_area(light, hit, reflected, slots, shares);
+            for (int i = 0; i < 3; i++)
+                sum[i] += light->light[i] * shares[i];
+            continue;
+        }
         const double arrives = reference_arrives(light, hit->world, l), cosine = reference_dot(n, l);
         const double lobe = pow(fmax(reference_dot(reflected, l), 0), slots->lane[SLOT_shininess][0]);
         for (int i = 0; i < 3; i++) {

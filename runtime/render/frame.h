@@ -40,7 +40,6 @@ struct Render {
     bool compute, zero_to_one;
     Set set;
     ViewSpace space;
-    CullVolume volume; /* what is in view */
     Cache cache;
     Screen screen;
     bool has_screen;
@@ -49,7 +48,7 @@ struct Render {
     Framebuffer draws[FRAME_DRAW_COUNT];
     ScreenPass light, tone;
     GLuint lights; /* texels of view_space_lights */
-    int light_count;
+    int light_counts[VIEW_SPACE_SECTIONS];
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
 };

@@ -2,7 +2,7 @@
 #include "runtime/render/frame.h"
 #include <stdlib.h>
 
-extern const char render_text_surface_phong[], render_text_lighting[];
+extern const char render_text_light_area[], render_text_surface_phong[], render_text_lighting[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT };
@@ -28,7 +28,7 @@ static bool make_lights(Render *render)
     float *floats = calloc(texels * 4, sizeof *floats);
     if (!floats)
         return gl_fail(render->gl, "out of memory");
-    render->light_count = view_space_lights(&render->space, render->scene, floats);
+    view_space_lights(&render->space, render->scene, floats, render->light_counts);
     const TextureSpec spec = {.width = row * VIEW_SPACE_LIGHT_TEXELS, .height = rows, .lanes = 4, .floats = floats};
     render->gl->ActiveTexture(GL_TEXTURE0 + LIGHTS_UNIT); /* making a texture binds it */
     render->lights = texture_check(render->gl, &spec) ? texture_make(render->gl, &spec) : 0;
@@ -50,7 +50,8 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     set(pass, "light_ray", render->space.ray);
     set(pass, "light_view", render->space.depth);
     set(pass, "light_ambient", ambient);
-    material_set_number(&pass->material, "light_count", (float)render->light_count);
+    material_set_number(&pass->material, "light_points", (float)render->light_counts[VIEW_SPACE_POINTS]);
+    material_set_number(&pass->material, "light_areas", (float)render->light_counts[VIEW_SPACE_AREAS]);
     for (int i = 0; i < targets; i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
@@ -61,11 +62,15 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 
 bool lighting_make(Render *render, const char *body, ScreenPass *made)
 {
+    if (!render->lights && !make_lights(render))
+        return false;
+    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0;
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
+                                          areas ? "#define LIGHT_HAS_AREAS\n" : "", areas ? render_text_light_area : "",
                                           render_text_surface_phong, render_text_lighting, body},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute};
-    if ((!render->lights && !make_lights(render)) || !screen_pass_make(render->store, &text, made))
+    if (!screen_pass_make(render->store, &text, made))
         return false;
     set_numbers(render, made);
     return true;

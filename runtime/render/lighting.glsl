@@ -4,7 +4,7 @@ layout(std140) uniform Light {
     vec4 light_ray;
     vec4 light_view;
     vec4 light_ambient;
-    int light_count;
+    int light_points, light_areas;
 };
 uniform sampler2D light_lights;
 
@@ -27,6 +27,15 @@ vec3 lightAt(int light, vec3 point, out vec3 l)
     return lightTexel(light, 1).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
 }
 
+#ifdef LIGHT_HAS_AREAS
+// A parallelogram, as a point sees it.
+Area areaAt(int light, vec3 point)
+{
+    return areaSeen(lightTexel(light, 0).xyz - point, lightTexel(light, 2).xyz, lightTexel(light, 3).xyz,
+                    lightTexel(light, 1).w > 0.0);
+}
+#endif
+
 // Of the surface whose depth is `depth`, which is greater than 0, at a pixel.
 vec3 lightOf(ivec2 pixel, float depth, Surface surface)
 {
@@ -37,10 +46,14 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
     Lit m = surfaceLit(surface);
     vec3 reflected = reflect(-toEye, m.normal);
     vec3 sum = m.emissive + m.ambient * light_ambient.xyz;
-    for (int i = 0; i < light_count; i++) {
+    for (int i = 0; i < light_points; i++) {
         vec3 l;
         vec3 arrives = lightAt(i, point, l);
         sum += arrives * surfaceLobe(m, reflected, l);
     }
+#ifdef LIGHT_HAS_AREAS
+    for (int i = light_points; i < light_points + light_areas; i++)
+        sum += lightTexel(i, 1).xyz * surfaceArea(m, reflected, areaAt(i, point));
+#endif
     return sum;
 }

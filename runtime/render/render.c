@@ -91,12 +91,11 @@ static bool make_reader(Render *render)
 
 static bool make_scene(Render *render, const Scene *scene)
 {
-    const CacheSource source = {scene, &render->set, &render->space, render->options.unculled ? NULL : &render->volume};
+    const CacheSource source = {scene, &render->set, &render->space};
     render->scene = scene;
     render->size[0] = render->options.width ? render->options.width : scene->width;
     render->size[1] = render->options.height ? render->options.height : scene->height;
     view_space_make(&scene->camera, render->size, render->zero_to_one, &render->space);
-    cull_volume(&scene->camera, render->size, &render->volume);
     return set_make(render->gl, scene, &render->compile, &render->set) &&
            cache_make(render->store, &source, &render->cache) && frame_make(render) && make_reader(render);
 }

@@ -19,7 +19,6 @@ typedef struct {
     const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
     int width, height; /* of the picture; 0: as the scene says */
     bool fragment;     /* passes over all pixels are fragment programs, also where there is compute */
-    bool unculled;     /* what is out of view is drawn, too: for tests */
 } RenderOptions;
 
 /* Opens a renderer. NULL: see gl->error. */

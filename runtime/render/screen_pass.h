@@ -5,7 +5,7 @@
 #include "runtime/gl/screen.h"
 #include "runtime/render/material.h"
 
-enum { SCREEN_PASS_PIECES = 6 };
+enum { SCREEN_PASS_PIECES = 8 };
 
 typedef struct {
     const char *body[SCREEN_PASS_PIECES]; /* GLSL, read one after the other; NULL ends the list */

@@ -40,3 +40,17 @@ vec3 surfaceLobe(Lit m, vec3 reflected, vec3 l)
     float along = max(dot(reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
     return cosine * (m.diffuse + m.specular * pow(along, m.shininess));
 }
+
+#ifdef LIGHT_HAS_AREAS
+// The lobe's integral over a polygon of light, over pi, the cosine counted in.
+vec3 surfaceArea(Lit m, vec3 reflected, Area light)
+{
+    Area above = areaClip(light, m.normal);
+    vec3 sum = m.diffuse * areaCosine(above, m.normal);
+    if (any(greaterThan(m.specular, vec3(0.0))))
+        sum += m.specular * areaLobe(above, m.normal, reflected, m.shininess);
+    if (any(greaterThan(m.behind, vec3(0.0))))
+        sum += m.behind * areaCosine(areaClip(light, -m.normal), -m.normal);
+    return sum;
+}
+#endif

@@ -81,25 +81,41 @@ static void cone_of(const SceneLight *light, float out[4])
     out[1] = light->kind == SCENE_Spot ? (float)(-light->outer_cosine / width) : 1;
 }
 
-int view_space_lights(const ViewSpace *space, const Scene *scene, float *texels)
+static void put_light(const ViewSpace *space, const SceneLight *light, float out[VIEW_SPACE_LIGHT_TEXELS][4])
+{
+    const bool far = light->kind == SCENE_Directional;
+    const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
+    memset(out, 0, VIEW_SPACE_LIGHT_TEXELS * sizeof *out);
+    to_eye(space, far ? back : light->position, far ? 0 : 1, out[0]);
+    for (int lane = 0; lane < 3; lane++)
+        out[1][lane] = (float)light->light[lane];
+    if (light->kind == SCENE_Area) {
+        to_eye(space, light->edges[0], 0, out[2]);
+        to_eye(space, light->edges[1], 0, out[3]);
+        out[1][3] = light->both_sides;
+        return;
+    }
+    to_eye(space, light->direction, 0, out[2]);
+    cone_of(light, out[3]);
+}
+
+/* -1: it has no texels. */
+static int light_section(const SceneLight *light)
+{
+    return light->kind == SCENE_Ambient ? -1 : light->kind == SCENE_Area ? VIEW_SPACE_AREAS : VIEW_SPACE_POINTS;
+}
+
+void view_space_lights(const ViewSpace *space, const Scene *scene, float *texels, int counts[VIEW_SPACE_SECTIONS])
 {
     int count = 0;
-    for (int i = 0; i < scene->light_count; i++) {
-        const SceneLight *light = &scene->lights[i];
-        const bool far = light->kind == SCENE_Directional;
-        const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
-        float(*out)[4] = (float(*)[4])(texels + (size_t)count * VIEW_SPACE_LIGHT_TEXELS * 4);
-        if (light->kind == SCENE_Ambient)
-            continue;
-        memset(out, 0, VIEW_SPACE_LIGHT_TEXELS * sizeof *out);
-        to_eye(space, far ? back : light->position, far ? 0 : 1, out[0]);
-        for (int lane = 0; lane < 3; lane++)
-            out[1][lane] = (float)light->light[lane];
-        to_eye(space, light->direction, 0, out[2]);
-        cone_of(light, out[3]);
-        count++;
+    for (int section = 0; section < VIEW_SPACE_SECTIONS; section++) {
+        const int before = count;
+        for (int i = 0; i < scene->light_count; i++)
+            if (light_section(&scene->lights[i]) == section)
+                put_light(space, &scene->lights[i],
+                          (float(*)[4])(texels + (size_t)count++ * VIEW_SPACE_LIGHT_TEXELS * 4));
+        counts[section] = count - before;
     }
-    return count;
 }
 
 void view_space_ambient(const Scene *scene, float ambient[4])

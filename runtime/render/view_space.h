@@ -17,10 +17,14 @@ typedef struct {
 /* `zero_to_one`: the driver has glClipControl. */
 void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made);
 
-/* Lights but for ambient ones, in texels of four floats, VIEW_SPACE_LIGHT_TEXELS each; returns their count.
+/* Lights come section by section, so that a loop has one kind of formula. */
+enum { VIEW_SPACE_POINTS /* and spots, and directional ones */, VIEW_SPACE_AREAS, VIEW_SPACE_SECTIONS };
+
+/* Lights but for ambient ones, in texels of four floats, VIEW_SPACE_LIGHT_TEXELS each, and how many each section has.
  *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
- *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine */
-int view_space_lights(const ViewSpace *space, const Scene *scene, float *texels);
+ *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine
+ * Of an Area: 0 its corner; 1 radiance, w: it shines to both sides; 2, 3 its edges u, v. */
+void view_space_lights(const ViewSpace *space, const Scene *scene, float *texels, int counts[VIEW_SPACE_SECTIONS]);
 /* The sum of the ambient ones. */
 void view_space_ambient(const Scene *scene, float ambient[4]);
 #endif

@@ -42,6 +42,8 @@ typedef struct {
     double direction[3];               /* in which it shines; unit length */
     double light[3];                   /* intensity times color */
     double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
+    double edges[2][3];                /* of an Area: u, v */
+    bool both_sides;                   /* of an Area */
 } SceneLight;
 
 typedef struct {

@@ -14,6 +14,7 @@ static const LightRow rows[SCENE_KIND_COUNT] = {
     [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity},
     [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity},
     [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity},
+    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity},
     [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity},
 };
 
@@ -26,6 +27,17 @@ static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light
     if (inner <= outer)
         return;
     diag_add(r->session, scene_thing_span(thing, S_Spot_innerAngle), DIAG_scene_cone);
+    r->fine = false;
+}
+
+static void read_area(SceneReader *r, const SceneThing *thing, SceneLight *light)
+{
+    scene_thing_vector(thing, S_Area_u, light->edges[0]);
+    scene_thing_vector(thing, S_Area_v, light->edges[1]);
+    light->both_sides = scene_thing_number(thing, S_Area_bothSides) != 0;
+    if (scene_vector_span(light->edges[0], light->edges[1]))
+        return;
+    diag_add(r->session, scene_thing_span(thing, S_Area_v), DIAG_scene_flat, "u and v span nothing");
     r->fine = false;
 }
 
@@ -48,6 +60,8 @@ static void read_light(SceneReader *r, const SceneThing *thing)
     }
     if (thing->kind == SCENE_Spot)
         read_cone(r, thing, &light);
+    if (thing->kind == SCENE_Area)
+        read_area(r, thing, &light);
     size_t count = (size_t)scene->light_count;
     ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
     scene->light_count = (int)count;

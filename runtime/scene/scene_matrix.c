@@ -99,3 +99,12 @@ bool scene_vector_normalize(double v[3])
         v[i] /= length;
     return true;
 }
+
+bool scene_vector_span(const double u[3], const double v[3])
+{
+    double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, cross[3];
+    if (!scene_vector_normalize(a) || !scene_vector_normalize(b))
+        return false;
+    scene_vector_cross(a, b, cross);
+    return scene_vector_dot(cross, cross) > 1e-12;
+}

@@ -15,4 +15,6 @@ double scene_vector_dot(const double a[3], const double b[3]);
 void scene_vector_cross(const double a[3], const double b[3], double result[3]);
 /* False: it has no length, or none that is a number. */
 bool scene_vector_normalize(double v[3]);
+/* Both have a length, and are not on one line. */
+bool scene_vector_span(const double u[3], const double v[3]);
 #endif

@@ -71,15 +71,8 @@ static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneMat
 
 static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
-    double u[3], v[3], cross[3];
-    memcpy(u, object->numbers, sizeof u);
-    memcpy(v, object->numbers + 3, sizeof v);
-    bool fine = thing->kind != SCENE_Parallelogram;
-    if (!fine && scene_vector_normalize(u) && scene_vector_normalize(v)) {
-        scene_vector_cross(u, v, cross);
-        fine = scene_vector_dot(cross, cross) > 1e-12;
-    }
-    return fine || fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat, "u and v span nothing");
+    return thing->kind != SCENE_Parallelogram || scene_vector_span(object->numbers, object->numbers + 3) ||
+           fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat, "u and v span nothing");
 }
 
 /* Its own, or that of what is around it. */
