@@ -6,57 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "frame_reference.h"
-#include "runtime/render/render.h"
+#include "tests/frame/frame_draw.h"
 #include <stdio.h>
-
-/* The layout `integer`, exact powers, no averages over pixels: the reference has points. */
-static MatcOptions exact_options(void)
-{
-    MatcOptions options;
-    matc_options_init(&options);
-    options.layout = "integer";
-    options.precision = "exact";
-    options.aa = "none";
-    options.pixels = true;
-    return options;
-}
-
-static Scene *read_scene(const char *text, const MatcOptions *options, MatcDocument **document)
-{
-    Scene *scene = NULL;
-    *document = scene_read("scene.yaml", text, strlen(text), options, &scene);
-    if (!scene)
-        fail_msg("%s", matc_diagnostics(*document, MATC_TEXT));
-    return scene;
-}
-
-static GlContext *open_context(void)
-{
-    char error[512] = "";
-    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-    if (!gl)
-        fail_msg("%s", error);
-    return gl;
-}
-
-static void forget(Scene *scene, MatcDocument *document)
-{
-    scene_free(scene);
-    matc_document_free(document);
-}
-
-/* Floats of a view, from malloc. */
-static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *options)
-{
-    Render *render = render_open(gl, options);
-    if (!render || !render_scene(render, scene) || !render_frame(render))
-        fail_msg("%s", gl->error);
-    float *rgba = calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *rgba);
-    if (!render_read(render, rgba))
-        fail_msg("%s", gl->error);
-    render_close(render);
-    return rgba;
-}
 
 /* -- against the reference */
 
@@ -185,16 +136,16 @@ static void compare(const Scene *scene, const MatcOptions *options, const float 
 static void compare_all(const MatcOptions *options, double median)
 {
     static Spread spread;
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     int faults = 0;
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++) {
         MatcDocument *document;
-        Scene *scene = read_scene(pictures[i].text, options, &document);
-        float *rgba = draw(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+        Scene *scene = frame_scene(pictures[i].text, options, &document);
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
         compare(scene, options, rgba, &spread);
         faults += !is_close(pictures[i].name, median, &spread);
         free(rgba);
-        forget(scene, document);
+        frame_forget(scene, document);
     }
     gl_close(gl);
     assert_int_equal(faults, 0);
@@ -204,7 +155,7 @@ static void compare_all(const MatcOptions *options, double median)
 static void against_the_reference(void **state)
 {
     (void)state;
-    const MatcOptions options = exact_options();
+    const MatcOptions options = frame_exact_options();
     compare_all(&options, 8e-6);
 }
 
@@ -217,7 +168,7 @@ static void in_floats(void **state)
                                "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
                                "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
                                "- { slot: diffuseTransparency, encoding: full }\n";
-    MatcOptions options = exact_options();
+    MatcOptions options = frame_exact_options();
     options.layout = NULL;
     MatcLayout *layout = matc_layout_read("floats.yaml", text, sizeof text - 1, &options);
     if (!matc_layout_ok(layout))
@@ -231,15 +182,15 @@ static void in_floats(void **state)
 static void every_way(void **state)
 {
     (void)state;
-    const MatcOptions options = exact_options();
+    const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = read_scene(pictures[4].text, &options, &document);
+    Scene *scene = frame_scene(pictures[4].text, &options, &document);
     const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
-    GlContext *gl = open_context();
-    float *compute = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
-    float *fragment = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .fragment = true});
+    GlContext *gl = frame_context();
+    float *compute = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *fragment = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .fragment = true});
     gl->ClipControl = NULL;
-    float *old = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *old = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
     size_t apart = 0;
     for (size_t i = 0; i < lanes; i++) {
         assert_true(fabsf(compute[i] - fragment[i]) <= 1e-6f * fabsf(compute[i]) + 1e-7f);
@@ -250,7 +201,7 @@ static void every_way(void **state)
     free(fragment);
     free(old);
     gl_close(gl);
-    forget(scene, document);
+    frame_forget(scene, document);
 }
 
 /* -- the depth of planes */
@@ -260,14 +211,14 @@ static void planes_are_deep(void **state)
 {
     (void)state;
     enum { SIZE = 256 };
-    const MatcOptions options = exact_options();
+    const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = read_scene(
+    Scene *scene = frame_scene(
         "image: { width: 256, height: 256 }\ncamera: { camera: Perspective, position: [0, 0, 1], target: [0, 1, 1], "
         "angle: 90, near: .25 }\nobjects: [{ object: Plane, material: { material: Phong } }]\n",
         &options, &document);
-    GlContext *gl = open_context();
-    float *rgba = draw(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+    GlContext *gl = frame_context();
+    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {
             const double down = -(2 * y + 1 - SIZE) / (double)SIZE; /* of the ray whose length along the view is 1 */
@@ -276,7 +227,7 @@ static void planes_are_deep(void **state)
         }
     free(rgba);
     gl_close(gl);
-    forget(scene, document);
+    frame_forget(scene, document);
 }
 
 /* -- calls */
@@ -320,19 +271,20 @@ static void count_calls(GlContext *gl)
     COUNT(GenTextures)
     COUNT(GenFramebuffers)
     COUNT(GenVertexArrays)
-    COUNT(LinkProgram) COUNT(GetIntegerv) COUNT(GetProgramiv) COUNT(TexParameteri) COUNT(FramebufferTexture2D)
-        COUNT(Uniform1fv) COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv)
-            COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute)
-                calls = draws = 0;
+    COUNT(LinkProgram)
+    COUNT(GetIntegerv)
+    COUNT(GetProgramiv) COUNT(TexParameteri) COUNT(FramebufferTexture2D) COUNT(Uniform1fv) COUNT(Uniform2fv)
+        COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv)
+            COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky. */
 static void a_second_frame_only_draws(void **state)
 {
     (void)state;
-    const MatcOptions options = exact_options();
+    const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = read_scene(
+    Scene *scene = frame_scene(
         CAMERA POINT
         "materials: { a: { material: Phong, diffuse: .2 }, b: { material: Phong, diffuse: .4 }, "
         "c: { material: Phong, diffuse: { map: Wood } } }\nobjects:\n- { object: Sphere, material: a }\n"
@@ -340,7 +292,7 @@ static void a_second_frame_only_draws(void **state)
         "- { object: Box, material: a, transform: { scale: -2 } }\n- { object: Plane, material: b }\n"
         "sky: { material: RGBA, b: .5 }\n",
         &options, &document);
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     count_calls(gl);
     Render *render = render_open(gl, &(RenderOptions){.compile = &options});
     assert_non_null(render);
@@ -357,7 +309,7 @@ static void a_second_frame_only_draws(void **state)
     assert_true(gl_check(gl, "three frames"));
     render_close(render);
     gl_close(gl);
-    forget(scene, document);
+    frame_forget(scene, document);
 }
 
 /* -- what there is */
@@ -366,18 +318,18 @@ static void a_second_frame_only_draws(void **state)
 static void programs_are_shared(void **state)
 {
     (void)state;
-    const MatcOptions options = exact_options();
+    const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene =
-        read_scene("image: { width: 90, height: 30 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 1 }\n"
-                   "lights: [{ light: Ambient }]\nobjects:\n"
-                   "- { object: Box, material: { material: Phong, ambient: [.1, .2, .3] }, transform: { translation: "
-                   "[-1, 0, 0] } }\n"
-                   "- { object: Box, material: { material: Phong, ambient: [.4, .5, .6] } }\n"
-                   "- { object: Box, material: { material: Phong, ambient: [.7, .8, .9] }, transform: { translation: "
-                   "[1, 0, 0] } }\n",
-                   &options, &document);
-    GlContext *gl = open_context();
+    Scene *scene = frame_scene(
+        "image: { width: 90, height: 30 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 1 }\n"
+        "lights: [{ light: Ambient }]\nobjects:\n"
+        "- { object: Box, material: { material: Phong, ambient: [.1, .2, .3] }, transform: { translation: "
+        "[-1, 0, 0] } }\n"
+        "- { object: Box, material: { material: Phong, ambient: [.4, .5, .6] } }\n"
+        "- { object: Box, material: { material: Phong, ambient: [.7, .8, .9] }, transform: { translation: "
+        "[1, 0, 0] } }\n",
+        &options, &document);
+    GlContext *gl = frame_context();
     Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
     float *rgba = calloc(90 * 30, 4 * sizeof *rgba);
     assert_non_null(rgba);
@@ -391,7 +343,7 @@ static void programs_are_shared(void **state)
     free(rgba);
     render_close(render);
     gl_close(gl);
-    forget(scene, document);
+    frame_forget(scene, document);
 }
 
 /* What a view does not need does not run, and is not there. */
@@ -404,10 +356,10 @@ static void views_need_less(void **state)
                  {"normal", "surface", "shown     RGBA8                     not there"},
                  {"light", "surface", "tone      light           shown           not run: nobody needs it"},
                  {NULL, "surface", "plane     depth, gbuffer  depth, gbuffer  not run: nothing to do"}};
-    const MatcOptions options = exact_options();
+    const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = read_scene(pictures[0].text, &options, &document);
-    GlContext *gl = open_context();
+    Scene *scene = frame_scene(pictures[0].text, &options, &document);
+    GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Render *render =
             render_open(gl, &(RenderOptions){.compile = &options, .view = cases[i].view, .width = 30, .height = 20});
@@ -421,7 +373,7 @@ static void views_need_less(void **state)
     assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
     assert_string_equal(gl->error, "there is no view 'deep': shown, light, depth, or a slot");
     gl_close(gl);
-    forget(scene, document);
+    frame_forget(scene, document);
 }
 
 /* The middle of a plane that faces the eye: sRGB of a clamped or filmic value, by hand. */
@@ -436,8 +388,8 @@ static void tones(void **state)
                  {"Clamp, exposure: 3", 1},
                  {"Filmic", 0.6473},
                  {"Filmic, exposure: 10", 1}};
-    const MatcOptions options = exact_options();
-    GlContext *gl = open_context();
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
         MatcDocument *document;
@@ -447,12 +399,12 @@ static void tones(void **state)
                  "RGBA, r: 1, g: 1, b: 1 } }]\n"
                  "toneMapping: { toneMapping: %s }\n",
                  cases[i].mapping);
-        Scene *scene = read_scene(text, &options, &document);
-        float *rgba = draw(gl, scene, &(RenderOptions){.compile = &options});
+        Scene *scene = frame_scene(text, &options, &document);
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
         if (!(fabs(rgba[4 * 36] - cases[i].shown) < .0025))
             fail_msg("%s: %g", cases[i].mapping, rgba[4 * 36]);
         free(rgba);
-        forget(scene, document);
+        frame_forget(scene, document);
     }
     gl_close(gl);
 }
@@ -469,11 +421,11 @@ static void faults(void **state)
         {"image: { width: 16384, height: 2 }\nlights: []\n", NULL},
         {"lights: []\n", NULL},
     };
-    const MatcOptions options = exact_options();
-    GlContext *gl = open_context();
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
-        Scene *scene = read_scene(cases[i].text, &options, &document);
+        Scene *scene = frame_scene(cases[i].text, &options, &document);
         Render *render = render_open(gl, &(RenderOptions){.compile = &options});
         const bool done = render_scene(render, scene) && render_frame(render);
         assert_int_equal(done, cases[i].said == NULL);
@@ -481,7 +433,7 @@ static void faults(void **state)
             assert_string_equal(gl->error, cases[i].said);
         render_close(render);
         assert_true(gl_check(gl, "all of it"));
-        forget(scene, document);
+        frame_forget(scene, document);
     }
     gl_close(gl);
 }

@@ -58,6 +58,25 @@ check "says what ran" says '^light     depth, gbuffer  light           [0-9.]*$'
 check "and is the same picture" same scene view
 check "--emit=frame" status 0 $scene --emit=frame
 check "says what would" grep -q '^plane     depth, gbuffer  depth, gbuffer  there is an infinite plane$' "$work/stdout"
+check "16 bits" status 0 $scene --bits=16 -o "$work/deep.png"
+check "are said in the file" test "$(od -An -tu1 -j24 -N1 "$work/deep.png" | tr -d ' ')" = 16
+check "OpenEXR" status 0 $scene -o "$work/scene.exr"
+check "is that" test "$(od -An -tx1 -N4 "$work/scene.exr" | tr -d ' ')" = 762f3101
+check "by its format, through a pipe" eval "$scene --format=exr -o - 2>/dev/null | cmp -s - '$work/scene.exr'"
+check "of floats" status 0 $scene --bits=32 --view=normal -o "$work/floats.exr"
+check "in a folder" status 0 $scene --format=exr -d "$work"
+check "has its name" cmp -s "$work/solids.exr" "$work/scene.exr"
+check "in tiles" status 0 $matview --size=1200 --memory=1 --progress --view=depth examples/scenes/solids.yaml -o "$work/tiles.png"
+check "says how far it is" says 'of 750 rows drawn'
+check "no progress in a pipe" status 0 $scene -o "$work/view.png"
+check "at all" test ! -s "$work/stderr"
+check "to a folder that is not there" status 1 $scene -o "$work/no/scene.png"
+check "is told by the file's name" says 'no/scene.png: No such file'
+for option in --format=gif --bits=12 --bits=32 --memory=0 "--format=exr --bits=8"; do
+    check "$option is wrong usage" status 2 $scene $option -o "$work/none.png"
+    check "and draws nothing" test ! -e "$work/none.png"
+done
+check "--bits of a material" status 2 $draw --bits=16 $example -o "$work/none.png"
 for option in --shape=cube --samples=2 --camera=top --slot=normal --pass=sky --emit=ir; do
     check "$option is not for a scene" status 2 $scene $option -o "$work/none.png"
     check "and draws nothing" test ! -e "$work/none.png"

@@ -20,9 +20,9 @@ static const struct {
     GLenum format;
     bool words;
 } known[] = {
-    {"RGBA8", GL_RGBA8, false},      {"RGBA16F", GL_RGBA16F, false}, {"RGBA32F", GL_RGBA32F, false},
-    {"R32UI", GL_R32UI, true},       {"RG32UI", GL_RG32UI, true},    {"RGBA32UI", GL_RGBA32UI, true},
-    {"RGBA16UI", GL_RGBA16UI, true},
+    {"RGBA8", GL_RGBA8, false},      {"RGBA16", GL_RGBA16, false},    {"RGBA16F", GL_RGBA16F, false},
+    {"RGBA32F", GL_RGBA32F, false},  {"R32UI", GL_R32UI, true},       {"RG32UI", GL_RG32UI, true},
+    {"RGBA32UI", GL_RGBA32UI, true}, {"RGBA16UI", GL_RGBA16UI, true},
 };
 enum { FORMAT_COUNT = sizeof known / sizeof *known };
 

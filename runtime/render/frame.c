@@ -104,12 +104,28 @@ static bool make_draw(Render *render, FrameDraw draw)
     return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
 }
 
+static int least(int a, int b) { return a < b ? a : b; }
+
+/* A tile has as many whole rows as there is memory for; blocks of 2 x 2 pixels stay together. */
+static void set_size(Render *render)
+{
+    const RenderOptions *options = &render->options;
+    const size_t memory = options->memory ? options->memory : RENDER_MEMORY;
+    const int width = least(render->whole[0], render->gl->max_texture_size & ~1);
+    const size_t rows = memory / ((size_t)width * (size_t)frame_all_bytes(render)) & ~(size_t)1;
+    const int most = least(render->whole[1], render->gl->max_texture_size & ~1);
+    const int height = rows < RENDER_TILE_LEAST ? RENDER_TILE_LEAST : rows < (size_t)most ? (int)rows : most;
+    render->size[0] = least(width, options->tile[0] ? options->tile[0] : width);
+    render->size[1] = least(most, options->tile[1] ? options->tile[1] : height);
+}
+
 bool frame_make(Render *render)
 {
     FramePlanPass rows[FRAME_PLAN_MOST];
     int classes[FRAME_TARGET_COUNT];
     const FramePlanRequest request = frame_request(render, rows, classes);
     frame_plan(&request, &render->plan);
+    set_size(render);
     bool fine = make_memory(render);
     for (int draw = 0; fine && draw < FRAME_DRAW_COUNT; draw++)
         fine = make_draw(render, (FrameDraw)draw);
@@ -124,6 +140,12 @@ void frame_draw(Render *render)
     for (int i = 0; i < PASS_COUNT_HERE; i++)
         if (render->plan.runs >> i & 1)
             frame_passes[i].draw(render);
+}
+
+void frame_place(Render *render)
+{
+    view_space_place(&render->space, render->whole, render->at);
+    lighting_place(render, &render->light);
 }
 
 void frame_delete(Render *render)

@@ -36,7 +36,9 @@ struct Render {
     MatcOptions compile;
     RenderOptions options;
     const Scene *scene;
-    int size[2];
+    int size[2];  /* of the targets: of a tile */
+    int whole[2]; /* of the picture */
+    int at[2];    /* the tile's lower left corner in it */
     bool compute, zero_to_one;
     Set set;
     ViewSpace space;
@@ -67,8 +69,15 @@ int frame_pass_count(void);
 
 /* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
 const char *frame_format(const Render *render, FrameTarget target, int texture);
-int frame_bytes(const Render *render, FrameTarget target); /* of a pixel */
+int frame_bytes(const Render *render, FrameTarget target);   /* of a pixel */
+bool frame_shares(const Render *render, FrameTarget target); /* its memory is that of one before it */
+int frame_all_bytes(const Render *render);                   /* of a pixel, in all memory there is */
 const char *frame_target_name(FrameTarget target);
+
+/* Draws to these targets from now on, by the picture's coordinates. */
+void frame_use(const Render *render, FrameDraw draw);
+/* Tells the passes where the tile is. */
+void frame_place(Render *render);
 
 /* Decides what runs, and makes targets and programs of that. */
 bool frame_make(Render *render);
@@ -93,6 +102,8 @@ void pass_tone_draw(Render *render);
 
 /* A pass that lights surfaces: `body` is its own GLSL, behind what reads the G-buffer, the surface model and lighting.glsl. */
 bool lighting_make(Render *render, const char *body, ScreenPass *made);
+/* Tells it where the tile is, if it is made. */
+void lighting_place(const Render *render, ScreenPass *pass);
 /* Binds what it reads, before it runs. */
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
 /* The texture of a target, and its number among those that are there together. */

@@ -1,4 +1,4 @@
-/* Names, formats and textures of a frame's targets. */
+/* Names, formats and textures of a frame's targets; drawing to them. */
 #include "runtime/render/frame.h"
 #include <string.h>
 
@@ -10,6 +10,8 @@ const char *frame_target_name(FrameTarget target) { return names[target]; }
 static bool is_exact(const Render *render)
 {
     const double degrees = 0.005;
+    if (render->options.deep)
+        return true;
     const LayoutRow *layout = set_layout(&render->set, &render->compile);
     for (int i = 0; i < layout->cases[0].field_count; i++) {
         const FieldRow *field = &layout->cases[0].fields[i];
@@ -23,7 +25,7 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
     const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = is_exact(render) ? "RGBA32F" : "RGBA16F",
-                                                 [FRAME_TARGET_shown] = "RGBA8"};
+                                                 [FRAME_TARGET_shown] = render->options.deep ? "RGBA16" : "RGBA8"};
     if (target == FRAME_TARGET_gbuffer)
         return texture < FRAMEBUFFER_COLORS ? set_format(&render->set, texture) : NULL;
     return texture == 0 ? one[target] : NULL;
@@ -32,7 +34,7 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
 static const struct {
     const char *format;
     int bytes;
-} sizes[] = {{"DEPTH32F", 4}, {"RGBA8", 4},  {"RGBA16F", 8},   {"RGBA32F", 16},
+} sizes[] = {{"DEPTH32F", 4}, {"RGBA8", 4},  {"RGBA16", 8},    {"RGBA16F", 8}, {"RGBA32F", 16},
              {"R32UI", 4},    {"RG32UI", 8}, {"RGBA32UI", 16}, {"RGBA16UI", 8}};
 
 int frame_bytes(const Render *render, FrameTarget target)
@@ -44,8 +46,32 @@ int frame_bytes(const Render *render, FrameTarget target)
     return bytes;
 }
 
+bool frame_shares(const Render *render, FrameTarget target)
+{
+    const int *memory = render->plan.memory;
+    bool shared = false;
+    for (int k = 0; k < (int)target; k++)
+        shared |= memory[target] >= 0 && memory[k] == memory[target];
+    return shared;
+}
+
+int frame_all_bytes(const Render *render)
+{
+    int bytes = 0;
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++)
+        if (render->plan.memory[i] >= 0 && !frame_shares(render, (FrameTarget)i))
+            bytes += frame_bytes(render, (FrameTarget)i);
+    return bytes;
+}
+
 GLuint frame_texture(const Render *render, FrameTarget target, int texture)
 {
     const int piece = render->plan.memory[target];
     return piece < 0 ? 0 : render->memory[piece].textures[texture];
+}
+
+void frame_use(const Render *render, FrameDraw draw)
+{
+    framebuffer_use(render->gl, &render->draws[draw]);
+    render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
 }

@@ -41,6 +41,12 @@ static void set(ScreenPass *pass, const char *name, const float values[4])
     material_set(&pass->material, &(MaterialValue){name, 4, values});
 }
 
+void lighting_place(const Render *render, ScreenPass *pass)
+{
+    if (pass->material.store)
+        set(pass, "light_ray", render->space.ray);
+}
+
 static void set_numbers(const Render *render, ScreenPass *pass)
 {
     const int targets = targets_of(render);

@@ -21,7 +21,7 @@ static void clear(const GlContext *gl, const Framebuffer *framebuffer)
 static void begin(const Render *render, FrameDraw draw, GLenum test)
 {
     const GlContext *gl = render->gl;
-    framebuffer_use(gl, &render->draws[draw]);
+    frame_use(render, draw);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(test);
     if (render->zero_to_one)

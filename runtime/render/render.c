@@ -89,13 +89,23 @@ static bool make_reader(Render *render)
     return render->has_reader;
 }
 
+static void set_size(Render *render, const Scene *scene)
+{
+    const RenderOptions *options = &render->options;
+    const int whole[2] = {options->width ? options->width : scene->width,
+                          options->height ? options->height : scene->height};
+    for (int i = 0; i < 2; i++) {
+        render->whole[i] = whole[i];
+        render->at[i] = 0;
+    }
+}
+
 static bool make_scene(Render *render, const Scene *scene)
 {
     const CacheSource source = {scene, &render->set, &render->space};
     render->scene = scene;
-    render->size[0] = render->options.width ? render->options.width : scene->width;
-    render->size[1] = render->options.height ? render->options.height : scene->height;
-    view_space_make(&scene->camera, render->size, render->zero_to_one, &render->space);
+    set_size(render, scene);
+    view_space_make(&scene->camera, render->whole, render->zero_to_one, &render->space);
     return set_make(render->gl, scene, &render->compile, &render->set) &&
            cache_make(render->store, &source, &render->cache) && frame_make(render) && make_reader(render);
 }
@@ -117,8 +127,28 @@ bool render_frame(Render *render)
     return true;
 }
 
-int render_width(const Render *render) { return render->size[0]; }
-int render_height(const Render *render) { return render->size[1]; }
+int render_lanes(const Render *render)
+{
+    const char *view = render->options.view;
+    if (!view || !strcmp(view, "shown") || !strcmp(view, "light"))
+        return 4;
+    const int lanes = strcmp(view, "depth") ? type_table[slot_table[find_slot(view)].type].lanes : 1;
+    return lanes == 2 ? 3 : lanes;
+}
+
+void render_move(Render *render, int x, int y)
+{
+    if (render->at[0] == x && render->at[1] == y)
+        return;
+    render->at[0] = x;
+    render->at[1] = y;
+    frame_place(render);
+}
+
+int render_width(const Render *render) { return render->whole[0]; }
+int render_height(const Render *render) { return render->whole[1]; }
+int render_tile_width(const Render *render) { return render->size[0]; }
+int render_tile_height(const Render *render) { return render->size[1]; }
 
 /* From the end on, as lanes are written before they are read. */
 static bool read_depth(Render *render, float *rgba)
@@ -195,25 +225,29 @@ static void put_passes(Text *out, const Render *render, const double *seconds)
 
 static void put_memory(Text *out, const Render *render)
 {
-    int whole = 0;
     text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
         Text formats = text_new(out->arena);
-        bool shared = false;
+        const bool shared = frame_shares(render, target);
         text_put(&formats, "");
         for (int t = 0; frame_format(render, target, t); t++)
             text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
-        for (int k = 0; k < i; k++)
-            shared |= render->plan.memory[i] >= 0 && render->plan.memory[k] == render->plan.memory[i];
         if (render->plan.memory[i] < 0)
             text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
         else
             text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),
                         shared ? ", shared" : "");
-        whole += render->plan.memory[i] >= 0 && !shared ? frame_bytes(render, target) : 0;
     }
-    text_format(out, "%-8s  %-24s  %d\n", "", "", whole);
+    text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
+}
+
+static void put_tiles(Text *out, const Render *render)
+{
+    const int *whole = render->whole, *tile = render->size;
+    if (tile[0] < whole[0] || tile[1] < whole[1])
+        text_format(out, "\n%d tiles of %d x %d pixels: the times are of the last one\n",
+                    ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]), tile[0], tile[1]);
 }
 
 static char *finish(Text *out)
@@ -250,8 +284,9 @@ char *render_stats(Render *render)
     }
     put_passes(&out, render, seconds);
     put_memory(&out, render);
+    put_tiles(&out, render);
     text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
-                render->size[0], render->size[1], render->scene->object_count, render->cache.triangles,
+                render->whole[0], render->whole[1], render->scene->object_count, render->cache.triangles,
                 render->cache.mesh_count, render->cache.plane_count, render->scene->light_count);
     text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
                 render->scene->material_count, render->set.count, render->set.texts,

@@ -13,11 +13,16 @@
 
 typedef struct Render Render;
 
+enum { RENDER_MEMORY = 256 << 20, RENDER_TILE_LEAST = 16 /* rows of a tile, however little memory there may be */ };
+
 typedef struct {
     const MatcOptions
         *compile;      /* how programs compute; layout NULL: the smallest that holds the scene's materials. Copied */
     const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
     int width, height; /* of the picture; 0: as the scene says */
+    bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
+    size_t memory;     /* bytes that targets may take, 0: RENDER_MEMORY; a picture that takes more is drawn in tiles */
+    int tile[2];       /* at most so many pixels at once; 0: as many as the memory holds */
     bool fragment;     /* passes over all pixels are fragment programs, also where there is compute */
 } RenderOptions;
 
@@ -31,9 +36,17 @@ bool render_scene(Render *render, const Scene *scene);
 /* Draws. A frame after the first of a scene makes no GL call but those that bind, clear, draw and dispatch. */
 bool render_frame(Render *render);
 
+/* Of the picture, and of what is drawn at once. */
 int render_width(const Render *render);
 int render_height(const Render *render);
-/* The view, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. */
+int render_tile_width(const Render *render);
+int render_tile_height(const Render *render);
+/* The next frame begins with that pixel of the picture, from its lower left corner; even numbers, so that pixels keep their neighbours in
+ * a block of 2 x 2. What lies beyond the picture is drawn, too, and of no use. */
+void render_move(Render *render, int x, int y);
+/* Of the view: 4 where it is of light, 1 of depth, as the slot has it, and 3 where that has 2. */
+int render_lanes(const Render *render);
+/* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. */
 bool render_read(Render *render, float *rgba);
 
 /* The passes: what each reads and writes, which run, and why not; targets, their bytes and which share memory. From malloc. */

@@ -10,7 +10,10 @@ enum { GROUP = 8, HEAD_ROOM = 128 };
 static const struct {
     const char *name, *qualifier;
     GLenum format;
-} formats[] = {{"RGBA16F", "rgba16f", GL_RGBA16F}, {"RGBA32F", "rgba32f", GL_RGBA32F}, {"RGBA8", "rgba8", GL_RGBA8}};
+} formats[] = {{"RGBA16F", "rgba16f", GL_RGBA16F},
+               {"RGBA32F", "rgba32f", GL_RGBA32F},
+               {"RGBA8", "rgba8", GL_RGBA8},
+               {"RGBA16", "rgba16", GL_RGBA16}};
 
 static int find_format(const char *name)
 {

@@ -64,6 +64,12 @@ void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_
            sizeof made->depth);
 }
 
+void view_space_place(ViewSpace *space, const int size[2], const int at[2])
+{
+    for (int i = 0; i < 2; i++)
+        space->ray[2 + i] = (float)(size[i] - 2 * at[i]);
+}
+
 /* Of a point, w 1, or a direction, w 0. */
 static void to_eye(const ViewSpace *space, const double from[3], double w, float out[4])
 {

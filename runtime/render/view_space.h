@@ -8,14 +8,17 @@ enum { VIEW_SPACE_LIGHT_TEXELS = 4, VIEW_SPACE_LIGHT_ROW = 1024 /* lights in a r
 
 typedef struct {
     Spaces spaces; /* world_from_local is the identity */
-    float ray
-        [4]; /* of pixel p: (2 p + 1 - size) * xy are the ray's x and y where z = -1; orthographic: the point's. zw: size */
+    /* Of pixel p: (2 p + 1 - zw) * xy are the ray's x and y where z = -1; orthographic: the point's. zw: the picture's size, less twice
+     * the pixel from which p counts. */
+    float ray[4];
     float depth[4]; /* x: near, or the depth of an orthographic view; y: 1 where it is orthographic */
     double eye_from_world[16];
 } ViewSpace;
 
 /* `zero_to_one`: the driver has glClipControl. */
 void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made);
+/* Pixels count from that one of the picture from now on. Exact: the rays of a tile are those of the picture. */
+void view_space_place(ViewSpace *space, const int size[2], const int at[2]);
 
 /* Lights come section by section, so that a loop has one kind of formula. */
 enum { VIEW_SPACE_POINTS /* and spots, and directional ones */, VIEW_SPACE_AREAS, VIEW_SPACE_SECTIONS };

@@ -1,5 +1,6 @@
 /* From arguments to a Command. */
 #include "runtime/view/command.h"
+#include "runtime/gl/png_write.h"
 #include "compiler/choice.h"
 #include "runtime/view/slot.h"
 #include <errno.h>
@@ -37,6 +38,11 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of a scene\n"
     "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
+    "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
+    "too\n"
+    "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
+    "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
+    "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
     "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
     "  --emit=frame         the passes and their targets, and no picture\n"
     "of both\n"
@@ -57,7 +63,7 @@ static const char *read_number(const char *text, long most, int *number)
     errno = 0;
     long value = strtol(text, &end, 10);
     if (*end || end == text || errno || value < 1 || value > most)
-        return "--size and --samples want a number from 1, of at most 8192 and 8";
+        return "--size and --samples want a number from 1, of at most 16384 and 8";
     *number = (int)value;
     return NULL;
 }
@@ -68,6 +74,35 @@ static const char *add_param(Command *command, const char *text)
     if (picture->param_count == PARAM_LIMIT)
         return "--param: no more than 64 of them";
     return param_read(text, &command->params[picture->param_count++], command->message);
+}
+
+/* NULL, or `fault` where it is no whole number from least to most. */
+static const char *read_whole(const char *text, const long range[2], int *number, const char *fault)
+{
+    char *end;
+    errno = 0;
+    const long value = strtol(text, &end, 10);
+    if (*end || end == text || errno || value < range[0] || value > range[1])
+        return fault;
+    *number = (int)value;
+    return NULL;
+}
+
+static const char *set_scene(Command *command, const char *name, const char *value)
+{
+    if (!strcmp(name, "--memory"))
+        return read_whole(value, (const long[]){1, 1 << 20}, &command->memory, "--memory: MiB, from 1");
+    if (!strcmp(name, "--bits"))
+        return read_whole(value, (const long[]){8, 32}, &command->bits, "--bits: 8, 16 or 32");
+    if (!strcmp(name, "--format")) {
+        command->formatted = true;
+        command->format = !strcmp(value, "exr") ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;
+        return !strcmp(value, "exr") || !strcmp(value, "png") ? NULL : "--format: png or exr";
+    }
+    if (strcmp(name, "--emit") != 0)
+        return "no such option";
+    command->graph = !strcmp(value, "frame");
+    return command->graph ? NULL : "--emit: frame";
 }
 
 static const char *set_view(Command *command, const char *name, const char *value)
@@ -81,19 +116,15 @@ static const char *set_view(Command *command, const char *name, const char *valu
     if (!strcmp(name, "--samples"))
         return read_number(value, VIEW_SUPERSAMPLING_LIMIT, &view->supersampling);
     if (!strcmp(name, "--size"))
-        return read_number(value, VIEW_SIZE_LIMIT, &view->width);
+        return read_number(value, PNG_SIZE_LIMIT, &view->width);
     if (!strcmp(name, "--camera"))
         command->viewpoint = value;
     else if (!strcmp(name, "--slot"))
         view->slot = value;
     else if (!strcmp(name, "--view"))
         command->view = value;
-    else if (!strcmp(name, "--emit"))
-        command->graph = !strcmp(value, "frame");
     else
-        return "no such option";
-    if (!strcmp(name, "--emit") && !command->graph)
-        return "--emit: frame";
+        return set_scene(command, name, value);
     return NULL;
 }
 
@@ -124,11 +155,9 @@ static bool read_flag(Command *command, const char *arg)
     const struct {
         const char *name;
         bool *flag;
-    } flags[] = {{"--help", &command->help},
-                 {"-h", &command->help},
-                 {"--version", &command->version},
-                 {"--stats", &command->stats},
-                 {"--watch", &command->watch}};
+    } flags[] = {{"--help", &command->help},         {"-h", &command->help},
+                 {"--version", &command->version},   {"--stats", &command->stats},
+                 {"--progress", &command->progress}, {"--watch", &command->watch}};
     for (size_t i = 0; i < sizeof flags / sizeof *flags; i++)
         if (!strcmp(arg, flags[i].name))
             return *flags[i].flag = true;
@@ -168,19 +197,29 @@ const char *command_read(Command *command, int argc, char **argv)
 }
 
 /* NULL, or the option that a scene has no use for. */
-const char *command_check_scene(const Command *command)
+const char *command_check_scene(const Command *command, const Scene *scene)
 {
     const ViewOptions *view = &command->picture.view;
     if (command->contact || command->mesh || command->material || command->viewpoint || command->shaped || view->slot ||
         view->sky || command->picture.param_count)
         return "a scene has its own objects, materials and camera: it takes none of --shape, --samples, --mesh, "
                "--material, --param, --camera, --slot, --pass, --contact";
+    if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
+        return "--size: the picture would be higher than 16384 pixels";
+    if (command->bits && command->bits != 16 && command->bits != (command->format == PICTURE_FORMAT_exr ? 32 : 8))
+        return "--bits: 8 or 16 of a PNG, 16 or 32 of an EXR";
     return NULL;
 }
 
 const char *command_check_material(const Command *command)
 {
-    return command->view || command->stats || command->graph ? "--view, --stats and --emit=frame are of scenes" : NULL;
+    if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
+        return "--size times --samples is more than 8192";
+    if (command->view || command->stats || command->graph)
+        return "--view, --stats and --emit=frame are of scenes";
+    return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress
+               ? "--format, --bits, --memory and --progress are of scenes; a material's picture is a PNG"
+               : NULL;
 }
 
 /* What is seen, and from where. */
@@ -195,8 +234,6 @@ static const char *check_view(Command *command)
     view->height = view->width;
     if (compile->pass && !view->sky && strcmp(compile->pass, "gbuffer") != 0)
         return "--pass: gbuffer or sky";
-    if (view->width > VIEW_SIZE_LIMIT / view->supersampling)
-        return "--size times --samples is more than 8192";
     if (view->slot && !slot_look_find(view->slot))
         return "--slot names none; matc --list has all";
     if (view->sky && (view->slot || command->viewpoint))
@@ -225,6 +262,9 @@ static const char *check_choices(Command *command)
 const char *command_check(Command *command)
 {
     command->picture.params = command->params;
+    const size_t size = command->output ? strlen(command->output) : 0;
+    if (!command->formatted && size > 4 && !strcmp(command->output + size - 4, ".exr"))
+        command->format = PICTURE_FORMAT_exr;
     const char *fault = check_choices(command);
     if (!fault)
         fault = check_view(command);

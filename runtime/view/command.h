@@ -1,7 +1,9 @@
 /* matview's command line, as data. */
 #ifndef MATC_VIEW_COMMAND_H
 #define MATC_VIEW_COMMAND_H
+#include "runtime/scene/scene.h"
 #include "runtime/view/picture.h"
+#include "runtime/view/picture_file.h"
 #include "runtime/view/sheet.h"
 
 typedef struct {
@@ -13,8 +15,11 @@ typedef struct {
     int input_count;
     const char *output, *folder, *contact, *mesh, *material, *viewpoint;
     GlKind gl;
-    int size;                  /* as it was asked for; 0: it was not */
-    const char *view;          /* of a scene: what is shown of it */
+    int size;             /* as it was asked for; 0: it was not */
+    const char *view;     /* of a scene: what is shown of it */
+    PictureFormat format; /* of a scene's picture: as it is named, or as the output's name ends */
+    int bits, memory;     /* of a scene: of a lane, and MiB; 0: not asked for */
+    bool formatted, progress;
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     bool watch, help, version;
     Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
@@ -28,7 +33,7 @@ const char *command_read(Command *command, int argc, char **argv);
 /* Whether they go together; completes what follows from them. NULL, or what is wrong. */
 const char *command_check(Command *command);
 /* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */
-const char *command_check_scene(const Command *command);
+const char *command_check_scene(const Command *command, const Scene *scene);
 const char *command_check_material(const Command *command);
 void command_free(Command *command);
 #endif

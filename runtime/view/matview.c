@@ -1,6 +1,8 @@
 /* The program matview: draws pictures of materials. The only file here that prints. */
 #include "compiler/base/file.h"
 #include "compiler/base/output.h"
+#include "compiler/base/progress.h"
+#include "compiler/base/session.h"
 #include "compiler/base/text.h"
 #include "compiler/base/watch.h"
 #include "runtime/view/command.h"
@@ -70,8 +72,8 @@ static void path_of(const Command *command, const char *name, char *path)
     if (command->output)
         snprintf(path, LONGEST_PATH, "%s", command->output);
     else
-        snprintf(path, LONGEST_PATH, "%s%s%s.png", command->folder ? command->folder : "", command->folder ? "/" : "",
-                 name);
+        snprintf(path, LONGEST_PATH, "%s%s%s.%s", command->folder ? command->folder : "", command->folder ? "/" : "",
+                 name, command->format == PICTURE_FORMAT_exr ? "exr" : "png");
 }
 
 static bool write_picture(const PngPicture *picture, const char *path)
@@ -140,35 +142,60 @@ static int choose_and_draw(const Command *command, MatcDocument *document, const
     return status;
 }
 
+/* What stands on the terminal's last line. */
+typedef struct {
+    double last;
+} Shown;
+
+static void show_rows(void *user, int done, int rows)
+{
+    Shown *shown = user;
+    char what[64];
+    Arena arena = {0};
+    Text text = text_new(&arena);
+    snprintf(what, sizeof what, "%d of %d rows drawn", done, rows);
+    fputs(progress_line(&text, what, session_now(), &shown->last), stderr);
+    arena_free(&arena);
+}
+
 static ScenePictureOptions scene_options(const Command *command, const Scene *scene)
 {
     const int width = command->size ? command->size : scene->width;
     const long height = ((long)scene->height * width + scene->width / 2) / scene->width;
-    return (ScenePictureOptions){{.compile = &command->picture.compile,
-                                  .view = command->view,
-                                  .width = width,
-                                  .height = height > 0 ? (int)height : 1},
+    return (ScenePictureOptions){.render = {.compile = &command->picture.compile,
+                                            .view = command->view,
+                                            .width = width,
+                                            .height = height > 0 ? (int)height : 1,
+                                            .memory = (size_t)command->memory << 20},
                                  .stats = command->stats,
-                                 .graph = command->graph};
+                                 .graph = command->graph,
+                                 .format = command->format,
+                                 .bits = command->bits,
+                                 .progress = command->progress || isatty(STDERR_FILENO) ? show_rows : NULL};
 }
 
 static int draw_scene(const Command *command, const Scene *scene, const char *input)
 {
-    char path[LONGEST_PATH], name[LONGEST_NAME], *words;
-    PngPicture picture;
-    const char *fault = command_check_scene(command);
+    char path[LONGEST_PATH], name[LONGEST_NAME];
+    Shown shown = {0};
+    ScenePicture picture;
+    const char *fault = command_check_scene(command, scene);
     if (fault)
         return usage(fault);
-    const ScenePictureOptions options = scene_options(command, scene);
-    if (!scene_picture_draw(command->picture.view.gl, scene, &options, &picture, &words))
-        return complain(input, command->picture.view.gl->error);
+    ScenePictureOptions options = scene_options(command, scene);
     name_of(input, NULL, name);
     path_of(command, name, path);
-    fputs(words ? words : "", options.graph ? stdout : stderr);
-    const bool done = options.graph || write_picture(&picture, path);
-    free(words);
-    free(picture.bytes);
-    return done ? FINE : FAULT;
+    options.path = path;
+    options.user = &shown;
+    const bool done = scene_picture_draw(command->picture.view.gl, scene, &options, &picture);
+    fputs(progress_erase(&shown.last), stderr);
+    if (!done)
+        return complain(picture.faulty ? picture.faulty : input, command->picture.view.gl->error);
+    fputs(picture.words ? picture.words : "", options.graph ? stdout : stderr);
+    if (!options.graph && strcmp(path, "-") != 0)
+        puts(path);
+    free(picture.words);
+    return FINE;
 }
 
 /* What the picture is made of: also of a document that could not be read. */

@@ -1,0 +1,70 @@
+/* A temporary file, and the writer of a format. */
+#include "runtime/view/picture_file.h"
+#include "compiler/base/output.h"
+#include "compiler/base/text.h"
+#include <errno.h>
+#include <stdlib.h>
+#include <sys/mman.h>
+
+struct PictureFile {
+    const PictureWriter *writer;
+    void *state;
+    FILE *out;
+    int missing; /* rows */
+};
+
+PictureFile *picture_file_open(const PictureSpec *spec, const char **why)
+{
+    PictureFile *file = calloc(1, sizeof *file);
+    if (!file)
+        abort();
+    file->writer = spec->format == PICTURE_FORMAT_png ? &picture_png : &picture_exr;
+    file->missing = spec->height;
+    file->out = tmpfile();
+    *why = file->out ? NULL : text_error(errno);
+    if (file->out)
+        file->state = file->writer->open(spec, file->out, why);
+    if (file->state)
+        return file;
+    picture_file_close(file);
+    return NULL;
+}
+
+const char *picture_file_row(PictureFile *file, const float *rgba)
+{
+    file->missing--;
+    return file->writer->row(file->state, rgba);
+}
+
+/* The pages come from the file as they are read. */
+static const char *put(FILE *out, const char *path)
+{
+    const off_t size = fseeko(out, 0, SEEK_END) ? -1 : ftello(out);
+    if (size <= 0)
+        return text_error(errno ? errno : EIO);
+    void *bytes = mmap(NULL, (size_t)size, PROT_READ, MAP_PRIVATE, fileno(out), 0);
+    if (bytes == MAP_FAILED)
+        return text_error(errno);
+    const char *why = output_write(path, bytes, (size_t)size);
+    munmap(bytes, (size_t)size);
+    return why;
+}
+
+const char *picture_file_finish(PictureFile *file, const char *path)
+{
+    const char *why = file->missing ? "rows are missing" : file->writer->finish(file->state);
+    if (!why && fflush(file->out))
+        why = text_error(errno);
+    return why ? why : put(file->out, path);
+}
+
+void picture_file_close(PictureFile *file)
+{
+    if (!file)
+        return;
+    if (file->state)
+        file->writer->close(file->state);
+    if (file->out)
+        fclose(file->out);
+    free(file);
+}

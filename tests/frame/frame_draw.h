@@ -1,0 +1,13 @@
+/* Scenes drawn for tests: what fails ends the test, with its reason. */
+#ifndef MATC_FRAME_DRAW_H
+#define MATC_FRAME_DRAW_H
+#include "runtime/render/render.h"
+
+/* The layout `integer`, exact powers, no averages over pixels: references have points. */
+MatcOptions frame_exact_options(void);
+Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **document);
+GlContext *frame_context(void);
+/* Floats of a view, from malloc. */
+float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);
+void frame_forget(Scene *scene, MatcDocument *document);
+#endif
