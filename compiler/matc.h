@@ -76,6 +76,8 @@ typedef struct {
     const char *warnings;     /* those that are not said, or are errors: "no-NAME,error=NAME,error", in any number; the last one
                                  that speaks of a warning counts. NULL (default): all are said. matc_explain("warnings") */
     const char *normals;      /* of a G-buffer: "eye" (default), "world" */
+    bool instances; /* "glsl450", passes that draw triangles: one call draws many objects, of any material that shares the program. Matrices
+                       and numbers come from storage buffers, by the attribute matc_instance (docs/renderer.md); no MATC_REFLECT then */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);

@@ -129,7 +129,7 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         const char *unpack = emit_unpack(session, &p->job);
         keep(p, MATC_UNPACK, unpack, strlen(unpack));
     }
-    if (outputs & MATC_REFLECT) {
+    if (outputs & MATC_REFLECT && !p->job.instances) {
         const Reflected reflected = {&made->interface, named->name, matc_opacity(p), made->fragment};
         const char *json = emit_reflection(session, p->ir, &p->job, &reflected);
         keep(p, MATC_REFLECT, json, strlen(json));
@@ -161,6 +161,7 @@ static bool fill_spirv(MatcProgram *p)
     const char *log = "", *fragment = p->products.fragment;
     size_t size = 0;
     Job vulkan = p->job;
+    vulkan.instances = false;
     if (!target_table[vulkan.target].spirv) {
         Interface interface;
         vulkan.target = TARGET_spirv;

@@ -18,7 +18,7 @@ typedef struct {
 const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size);
 /* The vertex program that feeds it: only the varyings in use. */
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
-/* GLSL that reads the layout back: struct Surface and unpackSurface(). */
+/* GLSL that reads the layout back: struct Surface, unpackTexels() of what the targets hold, unpackSurface() of where. */
 const char *emit_unpack(Session *session, const Job *job);
 /* A program that is made, as its reflection tells of it. */
 typedef struct {

@@ -6,6 +6,8 @@
 void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface);
 /* Bindings of targets that have them: one block of plain uniforms for each program, and the textures where no block is. */
 enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_BLOCK = 17 };
+/* Storage buffers of programs that draw instances: matrices, and the numbers of all materials that share the program. */
+enum { INSTANCE_BUFFER = 0, NUMBER_BUFFER = 1 };
 /* The block of numbers that tell materials of one program apart (constants.h). */
 #define CONSTANT_BLOCK_NAME "Constants"
 /* Of the program's texture of that number. */

@@ -59,19 +59,37 @@ void emit_varying(Text *out, Target target, Input input, const char *word)
                 row->glsl);
 }
 
-/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole: its offsets are promised. */
-static void put_constants(Text *out, const Ir *ir, Target target)
+static void put_members(Text *out, const Ir *ir, const char *prefix)
 {
-    bool block = target_table[target].blocks;
+    for (size_t i = 0; i < ir->constant_count; i++)
+        text_format(out, "%s%s %s;\n", prefix, type_table[ir->constants[i].type].name, ir->constants[i].name);
+}
+
+/* The numbers of all materials that share the program; which is an instance's own, its vertices say. */
+static void put_numbers(Text *out, const Ir *ir)
+{
+    text_format(out, "layout(location = %d) flat in uint matc_material;\nstruct Numbers {\n",
+                emit_input_location(INPUT_COUNT));
+    put_members(out, ir, "    ");
+    text_format(out, "};\nlayout(std140, binding = %d) readonly buffer " CONSTANT_BLOCK_NAME " {\n", NUMBER_BUFFER);
+    text_put(out, "    Numbers matc_numbers[];\n};\n");
+}
+
+/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole: its offsets are promised. */
+static void put_constants(Text *out, const Ir *ir, const Job *job)
+{
+    bool block = target_table[job->target].blocks;
     if (!ir->constant_count)
         return;
-    if (target_table[target].locations)
+    if (job->instances) {
+        put_numbers(out, ir);
+        return;
+    }
+    if (target_table[job->target].locations)
         text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n", CONSTANT_BLOCK);
     else if (block)
         text_put(out, "layout(std140) uniform " CONSTANT_BLOCK_NAME " {\n");
-    for (size_t i = 0; i < ir->constant_count; i++)
-        text_format(out, "%s%s %s;\n", block ? "    " : "uniform ", type_table[ir->constants[i].type].name,
-                    ir->constants[i].name);
+    put_members(out, ir, block ? "    " : "uniform ");
     text_put(out, block ? "};\n" : "");
 }
 
@@ -143,7 +161,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
         text_put(out, uniforms.at);
         text_put(out, block ? "};\n" : "");
     }
-    put_constants(out, ir, job->target);
+    put_constants(out, ir, job);
     put_samplers(session, out, ir, job, interface);
     for (int i = 0; i < ir->output_count; i++)
         if (ir->outputs[i].kind == OUT_color && target_table[job->target].in_out)

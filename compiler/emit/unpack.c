@@ -151,14 +151,24 @@ static void put_samplers(Text *out, const Job *job)
     text_char(out, '\n');
 }
 
-static void put_fetches(Text *out, const Job *job)
+/* "uvec4 target0, vec4 target1" */
+static void put_parameters(Text *out, const Job *job)
 {
-    bool fetches = target_table[job->target].words;
     for (int i = 0; i < layout_targets(job->layout); i++)
-        text_format(out,
-                    fetches ? "    %s target%d = texelFetch(matc_gbuffer%d, pixel, 0);\n"
-                            : "    %s target%d = texture2D(matc_gbuffer%d, coordinate);\n",
-                    format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i, i);
+        text_format(out, "%s%s target%d", i ? ", " : "", format_table[job->layout->formats[i]].words ? "uvec4" : "vec4",
+                    i);
+}
+
+/* From where the targets lie. */
+static void put_fetching(Text *out, const Job *job)
+{
+    const bool fetches = target_table[job->target].words;
+    text_format(out, "\nSurface unpackSurface(%s) {\n    return unpackTexels(",
+                fetches ? "ivec2 pixel" : "vec2 coordinate");
+    for (int i = 0; i < layout_targets(job->layout); i++)
+        text_format(out, fetches ? "%stexelFetch(matc_gbuffer%d, pixel, 0)" : "%stexture2D(matc_gbuffer%d, coordinate)",
+                    i ? ", " : "", i);
+    text_put(out, ");\n}\n");
 }
 
 /* The pieces of a case, then the slots that it leaves out. */
@@ -193,17 +203,18 @@ const char *emit_unpack(Session *session, const Job *job)
 {
     const TargetRow *target = &target_table[job->target];
     Text out = text_new(session->arena);
-    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is %s.\n\n",
-                job->layout->name, in_space(job));
+    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is %s.\n\n", job->layout->name,
+                in_space(job));
     if (target->precision)
         text_format(&out, "precision %s float;\nprecision %s int;\n", target->precision, target->precision);
     put_samplers(&out, job);
     put_struct(&out, job);
     put_chunks(session, &out, job);
-    text_format(&out, "Surface unpackSurface(%s) {\n", target->words ? "ivec2 pixel" : "vec2 coordinate");
-    put_fetches(&out, job);
-    text_put(&out, "    Surface surface;\n");
+    text_put(&out, "Surface unpackTexels(");
+    put_parameters(&out, job);
+    text_put(&out, ") {\n    Surface surface;\n");
     put_cases(&out, job->layout);
     text_put(&out, "    return surface;\n}\n");
+    put_fetching(&out, job);
     return out.at;
 }

@@ -32,7 +32,7 @@ static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 t
 static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
                                        "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
 static const char *const screen_uniforms[] = {"mat4 matc_worldFromClip"};
-enum { ATTRIBUTE_COUNT = 5, UNIFORM_COUNT = 4 };
+enum { ATTRIBUTE_COUNT = 5, UNIFORM_normal = 2, UNIFORM_eye_normal = 3, UNIFORM_COUNT = 4 };
 
 static void put_attributes(Text *out, Target target, const bool *used)
 {
@@ -73,19 +73,54 @@ static void mark_used(const Interface *interface, bool *attribute, bool *uniform
     }
 }
 
+/* An instance has its place in a buffer; what all instances share, a view, is a block. */
+static void put_instances(Text *out)
+{
+    text_format(out, "layout(location = %d) in uint matc_instance;\n", ATTRIBUTE_COUNT);
+    text_put(out,
+             "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n};\n");
+    text_format(out, "layout(std140, binding = %d) readonly buffer Instances {\n    Instance matc_instances[];\n};\n",
+                INSTANCE_BUFFER);
+    text_format(out, "layout(std140, binding = %d) uniform View {\n", DRAW_BLOCK);
+    text_put(out, "    mat4 matc_clipFromWorld;\n    mat3 matc_eyeNormalFromWorld;\n};\n");
+    text_format(out, "layout(location = %d) flat out uint matc_material;\n", emit_input_location(INPUT_COUNT));
+}
+
+/* No buffer has what depends on an object and on the view. */
+static const char *expression_of(const Feed *feed, const Job *job)
+{
+    return job->instances && feed->input == INPUT_eyeN
+               ? "matc_eyeNormalFromWorld * (matc_worldNormalFromLocal * normal)"
+               : feed->expression;
+}
+
+/* Under the names that uniforms have elsewhere. */
+static void put_own(Text *out, const bool *used)
+{
+    text_put(out, "    mat4 matc_worldFromLocal = matc_instances[matc_instance].worldFromLocal;\n");
+    if (used[UNIFORM_normal] || used[UNIFORM_eye_normal])
+        text_put(out, "    mat3 matc_worldNormalFromLocal = matc_instances[matc_instance].worldNormalFromLocal;\n");
+    text_put(out, "    matc_material = matc_instances[matc_instance].material;\n");
+}
+
 static void rasterised(Text *out, const Job *job, const Interface *interface)
 {
     bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
     mark_used(interface, attribute, uniform);
     put_attributes(out, job->target, attribute);
-    put_uniforms(out, job->target, uniform, uniforms, UNIFORM_COUNT);
+    if (job->instances)
+        put_instances(out);
+    else
+        put_uniforms(out, job->target, uniform, uniforms, UNIFORM_COUNT);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             emit_varying(out, job->target, feeds[i].input, "out");
     text_put(out, "\nvoid main() {\n");
+    if (job->instances)
+        put_own(out, uniform);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
-            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, feeds[i].expression);
+            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(&feeds[i], job));
     text_put(out, "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
 }
 

@@ -86,10 +86,13 @@
     F(BINDIMAGETEXTURE, BindImageTexture)                                                                              \
     F(CLIPCONTROL, ClipControl)                                                                                        \
     F(DISPATCHCOMPUTE, DispatchCompute)                                                                                \
+    F(DRAWELEMENTSINSTANCEDBASEINSTANCE, DrawElementsInstancedBaseInstance)                                            \
     F(MEMORYBARRIER, MemoryBarrier)                                                                                    \
     F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                \
     F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                        \
     F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                                        \
     F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex)                                                                      \
-    F(UNIFORMBLOCKBINDING, UniformBlockBinding)
+    F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                        \
+    F(VERTEXATTRIBDIVISOR, VertexAttribDivisor)                                                                        \
+    F(VERTEXATTRIBIPOINTER, VertexAttribIPointer)
 #endif

@@ -68,6 +68,24 @@ void mesh_draw(const GlContext *gl, const Mesh *mesh)
     gl->BindVertexArray(0);
 }
 
+void mesh_attach(const GlContext *gl, const Mesh *mesh, GLuint buffer)
+{
+    gl->BindVertexArray(mesh->array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, buffer);
+    gl->EnableVertexAttribArray(MESH_ATTRIBUTE_instance);
+    gl->VertexAttribIPointer(MESH_ATTRIBUTE_instance, 1, GL_UNSIGNED_INT, 0, NULL);
+    gl->VertexAttribDivisor(MESH_ATTRIBUTE_instance, 1);
+    gl->BindVertexArray(0);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+void mesh_draw_instances(const GlContext *gl, const Mesh *mesh, int first, int count)
+{
+    gl->BindVertexArray(mesh->array);
+    gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_INT, NULL, count, (GLuint)first);
+    gl->BindVertexArray(0);
+}
+
 void mesh_delete(const GlContext *gl, Mesh *mesh)
 {
     gl->DeleteVertexArrays(1, &mesh->array); /* GL ignores the name 0 */

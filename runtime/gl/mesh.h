@@ -11,7 +11,8 @@ enum {
     MESH_ATTRIBUTE_texcoord,
     MESH_ATTRIBUTE_tangentU,
     MESH_ATTRIBUTE_tangentV,
-    MESH_ATTRIBUTE_count
+    MESH_ATTRIBUTE_count,
+    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count /* a whole number, one for each instance */
 };
 
 /* "position", "normal", "texcoord", "tangentU", "tangentV": for programs that declare no locations. */
@@ -30,6 +31,10 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
 
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);
+
+/* Where instances find their numbers: words of a buffer, that of the first instance of a draw first. OpenGL 4.2. */
+void mesh_attach(const GlContext *gl, const Mesh *mesh, GLuint buffer);
+void mesh_draw_instances(const GlContext *gl, const Mesh *mesh, int first, int count);
 
 /* Safe on an empty one. */
 void mesh_delete(const GlContext *gl, Mesh *mesh);

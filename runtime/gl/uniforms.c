@@ -80,6 +80,11 @@ static bool read_blocks(GlContext *gl, GLuint program, GlUniforms *found)
         gl->GetActiveUniformBlockiv(program, (GLuint)i, GL_UNIFORM_BLOCK_DATA_SIZE, &found->block_sizes[i]);
         gl->UniformBlockBinding(program, (GLuint)i, (GLuint)i);
     }
+    const GLuint view =
+        count && gl->GetUniformBlockIndex ? gl->GetUniformBlockIndex(program, "View") : GL_INVALID_INDEX;
+    found->view = view == GL_INVALID_INDEX ? -1 : (int)view;
+    if (found->view >= 0)
+        gl->UniformBlockBinding(program, view, UNIFORMS_VIEW);
     return true;
 }
 

@@ -18,7 +18,10 @@ typedef struct {
     int count;
     int *block_sizes; /* bytes of block i, which has the binding point i */
     int block_count;
+    int view; /* the block View, which is no program's own: it has the binding point UNIFORMS_VIEW. -1: there is none */
 } GlUniforms;
+
+enum { UNIFORMS_VIEW = 16 }; /* programs have fewer blocks */
 
 /* Those that the driver did not drop, and the blocks' binding points are set. On false *found is empty, see gl->error. */
 bool uniforms_read(GlContext *gl, GLuint program, GlUniforms *found);

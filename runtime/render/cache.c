@@ -1,19 +1,40 @@
-/* The scene is walked once; equal solids become one mesh. */
+/* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one kind. */
 #include "runtime/render/cache.h"
-#include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
 #include <string.h>
+
+/* Things by what makes them alike. */
+typedef struct {
+    HashIndex index;
+    Key *keys;
+} Known;
 
 typedef struct {
     Store *store;
     GlContext *gl;
     const CacheSource *source;
     Cache *cache;
-    HashIndex meshes; /* by what makes them alike */
-    Key *keys;        /* of the meshes */
+    Known meshes, kinds;
+    int *kind_of, *row_of; /* by material; kind_of -1: not met */
 } Maker;
+
+/* -1: it is not known. */
+static int find(const Known *known, Key key)
+{
+    HashProbe probe = hash_probe(&known->index, (uint32_t)key.low);
+    while (hash_probe_next(&probe))
+        if (key_equal(known->keys[probe.number], key))
+            return (int)probe.number;
+    return -1;
+}
+
+static void add(Known *known, Key key, int number)
+{
+    known->keys[number] = key;
+    hash_index_add(NULL, &known->index, (uint32_t)key.low, (uint32_t)number);
+}
 
 /* Objects with one key have one mesh. */
 static Key mesh_key(const SceneObject *object)
@@ -24,14 +45,23 @@ static Key mesh_key(const SceneObject *object)
     return key_of_bytes(parts, sizeof parts);
 }
 
-static bool make_mesh(Maker *m, const SceneObject *object, Mesh *made)
+static bool make_mesh_of(Maker *m, const Shape *shape)
 {
-    if (object->kind == SCENE_Mesh)
-        return mesh_make_of(m->gl, &m->source->scene->meshes[object->mesh].shape, made);
+    Cache *cache = m->cache;
+    if (!mesh_make_of(m->gl, shape, &cache->meshes[cache->mesh_count]))
+        return false;
+    cache->boxes[cache->mesh_count++] = cull_box(shape);
+    return true;
+}
+
+static bool make_mesh(Maker *m, const SceneObject *object)
+{
     Shape shape;
+    if (object->kind == SCENE_Mesh)
+        return make_mesh_of(m, &m->source->scene->meshes[object->mesh].shape);
     if (!scene_solid(object, &shape))
         return gl_fail(m->gl, "out of memory");
-    const bool done = mesh_make_of(m->gl, &shape, made);
+    const bool done = make_mesh_of(m, &shape);
     shape_free(&shape);
     return done;
 }
@@ -39,133 +69,207 @@ static bool make_mesh(Maker *m, const SceneObject *object, Mesh *made)
 /* The place of its mesh among the cache's, or -1. */
 static int mesh_of(Maker *m, const SceneObject *object)
 {
-    Cache *cache = m->cache;
     const Key key = mesh_key(object);
-    HashProbe probe = hash_probe(&m->meshes, (uint32_t)key.low);
-    while (hash_probe_next(&probe))
-        if (key_equal(m->keys[probe.number], key))
-            return (int)probe.number;
-    if (!make_mesh(m, object, &cache->meshes[cache->mesh_count]))
+    const int known = find(&m->meshes, key);
+    if (known >= 0)
+        return known;
+    if (!make_mesh(m, object))
         return -1;
-    m->keys[cache->mesh_count] = key;
-    hash_index_add(NULL, &m->meshes, (uint32_t)key.low, (uint32_t)cache->mesh_count);
-    return cache->mesh_count++;
+    add(&m->meshes, key, m->cache->mesh_count - 1);
+    return m->cache->mesh_count - 1;
 }
 
-static bool make_material(Maker *m, int material, const char *pass, Material *made)
+static bool make_material(Maker *m, const SetProgram *program, Material *made)
 {
     const Set *set = m->source->set;
-    const SetProgram *program = set_find(set, material, pass);
     const ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
     return material_make(m->store, program->program, &text, made);
 }
 
-/* Images of the origin, and of the steps of x and y. */
-static void set_plane(const SceneMatrix *matrix, Spaces *spaces)
+/* The numbers of all programs of a text, one behind the other. */
+static bool make_numbers(Maker *m, const SetProgram *program, GLuint *buffer)
 {
-    static const int columns[3] = {12, 0, 4};
-    for (int i = 0; i < 9; i++)
-        spaces->plane[i / 3][i % 3] = (float)matrix->m[columns[i / 3] + i % 3];
+    const Set *set = m->source->set;
+    const GlContext *gl = m->gl;
+    const size_t size = (size_t)matc_constant_bytes(set->programs[program->text].program);
+    char *rows = calloc((size_t)set_rows(set, program->text) + 1, size);
+    if (!rows)
+        return gl_fail(m->gl, "out of memory");
+    for (int i = 0; i < set->count; i++)
+        if (set->programs[i].text == program->text)
+            matc_constant_block(set->programs[i].program, rows + size * (size_t)set->programs[i].row);
+    gl->GenBuffers(1, buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)size * set_rows(set, program->text), rows, GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+    free(rows);
+    return gl_check(m->gl, "making a buffer of numbers");
 }
 
-static bool make_drawable(Maker *m, int number, Drawable *made)
-{
-    const SceneObject *object = &m->source->scene->objects[number];
-    const bool plane = object->kind == SCENE_Plane;
-    Spaces spaces = m->source->space->spaces;
-    *made = (Drawable){.mesh = -1, .object = number};
-    for (int i = 0; i < 16; i++)
-        spaces.world_from_local.m[i] = (float)object->world_from_local.m[i];
-    made->mirrored = scene_matrix_determinant(&object->world_from_local) < 0;
-    if (plane)
-        set_plane(&object->world_from_local, &spaces);
-    if (!make_material(m, object->material, plane ? "plane" : "gbuffer", &made->material))
-        return false;
-    spaces_set(&spaces, &made->material);
-    if (plane)
-        return true;
-    made->mesh = mesh_of(m, object);
-    if (made->mesh >= 0)
-        return true;
-    material_delete(&made->material);
-    return false;
-}
-
-static bool make_drawables(Maker *m)
+/* A kind of this material, whose program is that; the same one, if what it would be drawn with is the same. */
+static int add_kind(Maker *m, const SetProgram *program, CacheKind *kind)
 {
     Cache *cache = m->cache;
-    for (int i = 0; i < m->source->scene->object_count; i++) {
-        const bool plane = m->source->scene->objects[i].kind == SCENE_Plane;
-        int *count = plane ? &cache->plane_count : &cache->surface_count;
-        Drawable *drawable = (plane ? cache->planes : cache->surfaces) + *count;
-        if (!make_drawable(m, i, drawable))
-            return false;
-        cache->triangles += plane ? 0 : cache->meshes[drawable->mesh].index_count / 3;
-        ++*count;
+    GLuint *numbers = &cache->numbers[program->text];
+    const int own = matc_uniform_count(program->program) || !cache->instances ? cache->kind_count : -1;
+    const Key parts[] = {material_key(&kind->material),
+                         {(uint64_t)(int64_t)own, 0}}; /* whose uniforms are set by themselves */
+    const Key key = key_of_bytes(parts, sizeof parts);
+    const int known = find(&m->kinds, key);
+    if (known >= 0) {
+        material_delete(&kind->material);
+        return known;
     }
+    cache->kinds[cache->kind_count] = *kind; /* from here on it is the cache's */
+    add(&m->kinds, key, cache->kind_count++);
+    if (cache->instances && matc_constant_count(program->program) && !*numbers && !make_numbers(m, program, numbers))
+        return -1;
+    cache->kinds[cache->kind_count - 1].numbers = *numbers;
+    return cache->kind_count - 1;
+}
+
+/* The place of an object's kind among the cache's, or -1. Without instances each object has its own, for its matrices. */
+static int kind_of(Maker *m, int material)
+{
+    CacheKind kind = {.numbers = 0};
+    if (m->cache->instances && m->kind_of[material] >= 0)
+        return m->kind_of[material];
+    const SetProgram *program = set_find(m->source->set, material, "gbuffer");
+    if (!make_material(m, program, &kind.material))
+        return -1;
+    m->row_of[material] = program->row;
+    return m->kind_of[material] = add_kind(m, program, &kind);
+}
+
+static bool add_surface(Maker *m, int number)
+{
+    const SceneObject *object = &m->source->scene->objects[number];
+    CachePlace place = {.object = number};
+    place.kind = kind_of(m, object->material);
+    place.mesh = place.kind < 0 ? -1 : mesh_of(m, object);
+    if (place.mesh < 0)
+        return false;
+    place.row = m->row_of[object->material];
+    place.program = m->cache->kinds[place.kind].material.program->name;
+    m->cache->triangles += m->cache->meshes[place.mesh].index_count / 3;
+    m->cache->places[m->cache->place_count++] = place;
+    return true;
+}
+
+static bool add_plane(Maker *m, int number)
+{
+    CachePlane *plane = &m->cache->planes[m->cache->plane_count];
+    const int material = m->source->scene->objects[number].material;
+    plane->object = number;
+    if (!make_material(m, set_find(m->source->set, material, "plane"), &plane->material))
+        return false;
+    m->cache->plane_count++;
+    return true;
+}
+
+static bool add_objects(Maker *m)
+{
+    const Scene *scene = m->source->scene;
+    for (int i = 0; i < scene->material_count; i++)
+        m->kind_of[i] = -1;
+    for (int i = 0; i < scene->object_count; i++)
+        if (!(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
+            return false;
     return true;
 }
 
 static bool make_sky(Maker *m)
 {
     Cache *cache = m->cache;
-    if (m->source->scene->sky < 0)
-        return true;
-    cache->has_sky = make_material(m, m->source->scene->sky, "sky", &cache->sky);
-    if (cache->has_sky)
-        spaces_set(&m->source->space->spaces, &cache->sky);
-    return cache->has_sky;
+    const int sky = m->source->scene->sky;
+    cache->has_sky = sky >= 0 && make_material(m, set_find(m->source->set, sky, "sky"), &cache->sky);
+    return sky < 0 || cache->has_sky;
 }
 
 static bool make_room(Maker *m)
 {
-    const size_t count = (size_t)m->source->scene->object_count + 1;
-    m->cache->meshes = calloc(count, sizeof *m->cache->meshes);
-    m->cache->surfaces = calloc(count, sizeof *m->cache->surfaces);
-    m->cache->planes = calloc(count, sizeof *m->cache->planes);
-    m->keys = calloc(count, sizeof *m->keys);
-    return (m->cache->meshes && m->cache->surfaces && m->cache->planes && m->keys) || gl_fail(m->gl, "out of memory");
+    Cache *cache = m->cache;
+    const Scene *scene = m->source->scene;
+    const size_t objects = (size_t)scene->object_count + 1, materials = (size_t)scene->material_count + 1;
+    const size_t kinds = cache->instances ? materials : objects;
+    cache->number_count = m->source->set->count;
+    cache->kinds = calloc(kinds, sizeof *cache->kinds);
+    cache->numbers = calloc((size_t)cache->number_count + 1, sizeof *cache->numbers);
+    cache->meshes = calloc(objects, sizeof *cache->meshes);
+    cache->boxes = calloc(objects, sizeof *cache->boxes);
+    cache->places = calloc(objects, sizeof *cache->places);
+    cache->place_of = calloc(objects, sizeof *cache->place_of);
+    cache->surfaces = calloc(objects, sizeof *cache->surfaces);
+    cache->planes = calloc(objects, sizeof *cache->planes);
+    cache->list = calloc(2 * objects, sizeof *cache->list);
+    m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
+    m->kinds.keys = calloc(kinds, sizeof *m->kinds.keys);
+    m->kind_of = calloc(materials, sizeof *m->kind_of);
+    m->row_of = calloc(materials, sizeof *m->row_of);
+    return (cache->kinds && cache->numbers && cache->meshes && cache->boxes && cache->places && cache->place_of &&
+            cache->surfaces && cache->planes && cache->list && m->meshes.keys && m->kinds.keys && m->kind_of &&
+            m->row_of) ||
+           gl_fail(m->gl, "out of memory");
 }
 
-/* A change of program costs most, then one of textures and buffers, which each has, then one of the mesh. */
-static int compare(const void *a, const void *b)
+static void forget(Maker *m)
 {
-    const Drawable *x = a, *y = b;
-    const GLuint p = x->material.program->name, q = y->material.program->name;
-    if (p != q)
-        return p < q ? -1 : 1;
-    if (x->mesh != y->mesh)
-        return x->mesh < y->mesh ? -1 : 1;
-    return x->object < y->object ? -1 : 1;
+    hash_index_free(&m->meshes.index);
+    hash_index_free(&m->kinds.index);
+    free(m->meshes.keys);
+    free(m->kinds.keys);
+    free(m->kind_of);
+    free(m->row_of);
+}
+
+/* Meshes find the numbers of instances in the list. */
+static bool make_buffers(Maker *m)
+{
+    Cache *cache = m->cache;
+    const GlContext *gl = m->gl;
+    if (!cache->instances)
+        return true;
+    gl->GenBuffers(1, &cache->matrices);
+    gl->GenBuffers(1, &cache->words);
+    gl->GenBuffers(1, &cache->view);
+    for (int i = 0; i < cache->mesh_count; i++)
+        mesh_attach(gl, &cache->meshes[i], cache->words);
+    return gl_check(m->gl, "making buffers of instances");
 }
 
 bool cache_make(Store *store, const CacheSource *source, Cache *made)
 {
     Maker maker = {.store = store, .gl = store_context(store), .source = source, .cache = made};
-    *made = (Cache){0};
-    const bool done = make_room(&maker) && make_drawables(&maker) && make_sky(&maker);
-    hash_index_free(&maker.meshes);
-    free(maker.keys);
-    if (!done) {
+    *made = (Cache){.instances = source->set->instances};
+    const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
+                      cache_arrange(maker.gl, source, made);
+    forget(&maker);
+    if (!done)
         cache_delete(maker.gl, made);
-        return false;
-    }
-    qsort(made->surfaces, (size_t)made->surface_count, sizeof *made->surfaces, compare);
-    return true;
+    return done;
 }
 
 void cache_delete(GlContext *gl, Cache *cache)
 {
-    for (int i = 0; i < cache->surface_count; i++)
-        material_delete(&cache->surfaces[i].material);
+    for (int i = 0; i < cache->kind_count; i++)
+        material_delete(&cache->kinds[i].material);
     for (int i = 0; i < cache->plane_count; i++)
         material_delete(&cache->planes[i].material);
     for (int i = 0; i < cache->mesh_count; i++)
         mesh_delete(gl, &cache->meshes[i]);
     if (cache->has_sky)
         material_delete(&cache->sky);
+    if (cache->numbers)
+        gl->DeleteBuffers(cache->number_count, cache->numbers); /* GL ignores the name 0 */
+    gl->DeleteBuffers(3, (const GLuint[]){cache->matrices, cache->words, cache->view});
+    free(cache->kinds);
+    free(cache->numbers);
     free(cache->meshes);
+    free(cache->boxes);
+    free(cache->places);
+    free(cache->place_of);
     free(cache->surfaces);
     free(cache->planes);
+    free(cache->list);
     *cache = (Cache){0};
 }

@@ -1,35 +1,81 @@
-/* A scene on the driver's side: each mesh once, and each object with its program, its buffer and its mesh, in the order of the programs. */
+/* A scene on the driver's side: each mesh once, each program once with the numbers of all its materials, and objects in groups that one
+ * call draws. Where the driver can: instances, whose matrices and numbers lie in buffers; else each object is a group of its own. */
 #ifndef MATC_RENDER_CACHE_H
 #define MATC_RENDER_CACHE_H
 #include "runtime/gl/mesh.h"
+#include "runtime/render/cull.h"
 #include "runtime/render/set.h"
 #include "runtime/render/view_space.h"
 
+/* Materials that are drawn alike but for their numbers: one program, the same textures and uniforms. */
 typedef struct {
-    Material material; /* with the object's matrices */
-    int mesh;          /* in Cache.meshes; -1 for a plane */
-    bool mirrored;     /* its triangles turn the other way round */
-    int object;        /* in Scene.objects */
+    Material material; /* without instances: with an object's matrices */
+    GLuint numbers;    /* buffer of the numbers of all materials of the program; 0: there are none */
+} CacheKind;
+
+/* What one call draws: objects of one kind, one mesh, and one turn of its triangles. */
+typedef struct {
+    int kind, mesh;       /* in Cache.kinds, Cache.meshes */
+    bool mirrored;        /* its triangles turn the other way round */
+    int first, count;     /* in Cache.places, and in the first half of Cache.list */
+    int first_seen, seen; /* of these, those in view: in the second half */
 } Drawable;
 
+/* Where an object is among those that are drawn. */
 typedef struct {
+    int object;          /* in Scene.objects */
+    int kind, mesh, row; /* `row`: of the kind's numbers */
+    GLuint program;
+    bool mirrored;
+} CachePlace;
+
+typedef struct {
+    Material material;
+    int object;
+} CachePlane;
+
+typedef struct {
+    bool instances; /* objects are drawn as instances */
+    CacheKind *kinds;
+    int kind_count;
+    GLuint *numbers; /* by program of the set: a buffer, or 0 */
+    int number_count;
     Mesh *meshes;
+    CullBox *boxes; /* of the meshes */
     int mesh_count;
-    Drawable *surfaces, *planes; /* sorted by program, then mesh */
-    int surface_count, plane_count;
+    CachePlace *places; /* of the objects but planes, sorted by program, kind, mesh */
+    int place_count;
+    int *place_of; /* by object; -1: it has none */
+    Drawable *surfaces;
+    int surface_count;
+    CachePlane *planes;
+    int plane_count;
     Material sky;
     bool has_sky;
     long triangles; /* of all surfaces */
+    uint32_t *list; /* places: all of them, then those in view; a buffer has the same */
+    int seen;
+    GLuint matrices, words, view; /* buffers: of places, of the list, of the block View */
 } Cache;
 
 typedef struct {
     const Scene *scene;
     const Set *set;
     const ViewSpace *space;
+    const CullVolume *volume; /* what is seen; NULL: all */
 } CacheSource;
 
 /* False: see the context's error; *made is empty then. */
 bool cache_make(Store *store, const CacheSource *source, Cache *made);
 /* Safe on an empty one, which it leaves behind. */
 void cache_delete(GlContext *gl, Cache *cache);
+
+/* The view is another. Nothing is made. cache_view.c, as is what follows. */
+bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
+/* So many objects from `first` on stand elsewhere. */
+bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int first, int count);
+/* Sorts the places into drawables, and writes all buffers. */
+bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
+/* Draws the surfaces in view, each with its program. */
+void cache_draw(GlContext *gl, Cache *cache);
 #endif

@@ -42,6 +42,7 @@ struct Render {
     bool compute, zero_to_one;
     Set set;
     ViewSpace space;
+    CullVolume volume; /* what is in view */
     Cache cache;
     Screen screen;
     bool has_screen;

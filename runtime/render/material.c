@@ -209,16 +209,35 @@ static void use_uniform(const GlContext *gl, const GlUniform *uniform, const flo
     held->known = true;
 }
 
-void material_use(Material *m)
+void material_use_after(Material *m, const Material *before)
 {
     const GlContext *gl = context(m);
     const GlUniforms *all = uniforms_of(m);
-    gl->UseProgram(m->program->name);
+    if (!before || before->program != m->program)
+        gl->UseProgram(m->program->name);
     for (int i = 0; i < m->texture_count; i++)
-        texture_bind(gl, m->textures[i]->name, i);
+        if (!before || i >= before->texture_count || before->textures[i] != m->textures[i])
+            texture_bind(gl, m->textures[i]->name, i);
     for (int i = 0; i < all->count; i++)
         if (all->at[i].block < 0)
             use_uniform(gl, &all->at[i], m->values[i], &m->program->held[i]);
     for (int i = 0; i < all->block_count; i++)
-        use_block(gl, i, all->block_sizes[i], &m->blocks[i]);
+        if (i != all->view)
+            use_block(gl, i, all->block_sizes[i], &m->blocks[i]);
+}
+
+void material_use(Material *m) { material_use_after(m, NULL); }
+
+Key material_key(const Material *m)
+{
+    const GlUniforms *all = uniforms_of(m);
+    Key key = key_of_bytes(&m->program, sizeof m->program);
+    const Key shared[] = {key, key_of_bytes(m->textures, sizeof m->textures),
+                          key_of_bytes(m->values, (size_t)all->count * sizeof *m->values)};
+    key = key_of_bytes(shared, sizeof shared);
+    for (int i = 0; i < all->block_count; i++) {
+        const Key parts[] = {key, key_of_bytes(m->blocks[i].bytes, (size_t)all->block_sizes[i])};
+        key = key_of_bytes(parts, sizeof parts);
+    }
+    return key;
 }

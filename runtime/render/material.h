@@ -2,6 +2,7 @@
  * compiler and driver, for the viewer, the measuring, the tests and the benchmarks. Of a store, whose context is current. */
 #ifndef MATC_RENDER_MATERIAL_H
 #define MATC_RENDER_MATERIAL_H
+#include "compiler/base/hash.h"
 #include "compiler/matc.h"
 #include "runtime/render/store.h"
 
@@ -42,6 +43,11 @@ bool material_set_numbers(Material *material, const MatcProgram *program);
 /* Bytes of a block, in std140, from its start. False if the program has no such block. */
 bool material_write(Material *material, const char *block, const void *bytes, size_t size);
 
-/* Makes its program the current one, binds its textures and buffers, and hands over what it does not hold already. */
+/* Makes its program the current one, binds its textures and buffers, and hands over what it does not hold already. The block View is
+ * whoever draws' own (uniforms.h). */
 void material_use(Material *material);
+/* The same, where `before` was used last, and nothing else since: what both have is not bound again. */
+void material_use_after(Material *material, const Material *before);
+/* What tells it from others: its program, textures, uniforms and numbers, as they are now. */
+Key material_key(const Material *material);
 #endif

@@ -40,19 +40,9 @@ static void end(const Render *render)
 
 void pass_surface_draw(Render *render)
 {
-    const GlContext *gl = render->gl;
-    bool mirrored = false;
     begin(render, FRAME_DRAW_surface, GL_GREATER);
-    clear(gl, &render->draws[FRAME_DRAW_surface]);
-    for (int i = 0; i < render->cache.surface_count; i++) {
-        Drawable *drawable = &render->cache.surfaces[i];
-        if (drawable->mirrored != mirrored)
-            gl->FrontFace((mirrored = drawable->mirrored) ? GL_CW : GL_CCW);
-        material_use(&drawable->material);
-        mesh_draw(gl, &render->cache.meshes[drawable->mesh]);
-    }
-    if (mirrored)
-        gl->FrontFace(GL_CCW);
+    clear(render->gl, &render->draws[FRAME_DRAW_surface]);
+    cache_draw(render->gl, &render->cache);
     end(render);
 }
 

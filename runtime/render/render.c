@@ -102,10 +102,11 @@ static void set_size(Render *render, const Scene *scene)
 
 static bool make_scene(Render *render, const Scene *scene)
 {
-    const CacheSource source = {scene, &render->set, &render->space};
+    const CacheSource source = {scene, &render->set, &render->space, render->options.unculled ? NULL : &render->volume};
     render->scene = scene;
     set_size(render, scene);
     view_space_make(&scene->camera, render->whole, render->zero_to_one, &render->space);
+    cull_volume(&scene->camera, render->whole, &render->volume);
     return set_make(render->gl, scene, &render->compile, &render->set) &&
            cache_make(render->store, &source, &render->cache) && frame_make(render) && make_reader(render);
 }

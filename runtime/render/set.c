@@ -1,5 +1,6 @@
 /* Ranges of all materials, a layout for them, keys of all programs, groups of one shape, texts. */
 #include "runtime/render/set.h"
+#include "runtime/render/instances.h"
 #include "compiler/base/hash.h"
 #include "compiler/layout/custom.h"
 #include <stdlib.h>
@@ -187,6 +188,14 @@ static bool write_group(Maker *m, int first, const int *members, int count)
     return fine;
 }
 
+static void number_rows(Set *set, int first)
+{
+    int rows = 0;
+    for (int i = first; i < set->count; i++)
+        if (set->programs[i].text == first)
+            set->programs[i].row = rows++;
+}
+
 /* One text for all that share it. */
 static bool write_text(Maker *m, int first)
 {
@@ -199,6 +208,7 @@ static bool write_text(Maker *m, int first)
         part(set, first);
         found = 0;
     }
+    number_rows(set, first);
     const bool fine = found >= 0 ? write_group(m, first, members, found ? count : 0) : gl_fail(m->gl, "out of memory");
     free(members);
     set->texts++;
@@ -224,7 +234,9 @@ bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_opti
 {
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
     *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330"};
+    made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;
+    maker.options.instances = made->instances;
     maker.options.validate = false; /* the driver does */
     if (make(&maker))
         return true;
@@ -247,6 +259,14 @@ const SetProgram *set_find(const Set *set, int material, const char *pass)
         if (set->programs[i].material == material && !strcmp(set->programs[i].pass, pass))
             return &set->programs[i];
     return NULL;
+}
+
+int set_rows(const Set *set, int text)
+{
+    int rows = 0;
+    for (int i = text; i < set->count; i++)
+        rows += set->programs[i].text == text;
+    return rows;
 }
 
 const char *set_vertex(const Set *set, const SetProgram *program)

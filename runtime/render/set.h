@@ -11,6 +11,7 @@ typedef struct {
     const char *pass;     /* "gbuffer", "plane", "sky" */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
+    int row;              /* among those of that text */
 } SetProgram;
 
 typedef struct {
@@ -19,7 +20,8 @@ typedef struct {
     const char *unpack; /* GLSL that reads the layout back; NULL: there is no surface */
     SetProgram *programs;
     int count;
-    int texts; /* so many different ones */
+    int texts;      /* so many different ones */
+    bool instances; /* programs of surfaces draw instances (instances.h) */
 } Set;
 
 /* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. False: see gl->error. *made is empty then. */
@@ -28,6 +30,8 @@ void set_free(Set *set);
 
 /* The program of a material in a pass; there is one. */
 const SetProgram *set_find(const Set *set, int material, const char *pass);
+/* So many programs are drawn with the text of one. */
+int set_rows(const Set *set, int text);
 /* Texts to draw with. */
 const char *set_vertex(const Set *set, const SetProgram *program);
 const char *set_fragment(const Set *set, const SetProgram *program);

@@ -50,9 +50,7 @@ float rootFromBits(uint code, int bits) {
     return root * root;
 }
 
-Surface unpackSurface(ivec2 pixel) {
-    uvec4 target0 = texelFetch(matc_gbuffer0, pixel, 0);
-    uvec4 target1 = texelFetch(matc_gbuffer1, pixel, 0);
+Surface unpackTexels(uvec4 target0, uvec4 target1) {
     Surface surface;
     uint number = target0.x & 1u;
     if (number == 0u) {
@@ -77,4 +75,8 @@ Surface unpackSurface(ivec2 pixel) {
         surface.shininess = float(10.0);
     }
     return surface;
+}
+
+Surface unpackSurface(ivec2 pixel) {
+    return unpackTexels(texelFetch(matc_gbuffer0, pixel, 0), texelFetch(matc_gbuffer1, pixel, 0));
 }

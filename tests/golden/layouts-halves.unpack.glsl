@@ -51,9 +51,7 @@ vec2 unpackRadix(float value) {
     return min(vec2(code - 247.0 * y, y) / vec2(246.0, 247.0), 1.0);
 }
 
-Surface unpackSurface(ivec2 pixel) {
-    vec4 target0 = texelFetch(matc_gbuffer0, pixel, 0);
-    vec4 target1 = texelFetch(matc_gbuffer1, pixel, 0);
+Surface unpackTexels(vec4 target0, vec4 target1) {
     Surface surface;
     surface.normal = octahedralFromRadix(target0.x);
     surface.shininess = target0.y;
@@ -70,4 +68,8 @@ Surface unpackSurface(ivec2 pixel) {
     surface.emissive.y = target1.z;
     surface.emissive.z = target1.w;
     return surface;
+}
+
+Surface unpackSurface(ivec2 pixel) {
+    return unpackTexels(texelFetch(matc_gbuffer0, pixel, 0), texelFetch(matc_gbuffer1, pixel, 0));
 }

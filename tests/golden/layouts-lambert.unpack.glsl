@@ -41,12 +41,15 @@ float rootFromBits(uint code, int bits) {
     return root * root;
 }
 
-Surface unpackSurface(ivec2 pixel) {
-    uvec4 target0 = texelFetch(matc_gbuffer0, pixel, 0);
+Surface unpackTexels(uvec4 target0) {
     Surface surface;
     surface.normal = octahedralFromBits(target0.x & 16777215u, 12);
     surface.diffuse.x = rootFromBits(target0.x >> 24, 8);
     surface.diffuse.y = rootFromBits(target0.y & 255u, 8);
     surface.diffuse.z = rootFromBits(target0.y >> 8 & 255u, 8);
     return surface;
+}
+
+Surface unpackSurface(ivec2 pixel) {
+    return unpackTexels(texelFetch(matc_gbuffer0, pixel, 0));
 }

@@ -73,8 +73,7 @@ vec3 sharedExponentFromBits(uint code, int bits) {
     return vec3(m) * uintBitsToFloat((code >> (3 * bits)) + uint(112 - bits) << 23);
 }
 
-Surface unpackSurface(ivec2 pixel) {
-    uvec4 target0 = texelFetch(matc_gbuffer0, pixel, 0);
+Surface unpackTexels(uvec4 target0) {
     Surface surface;
     uint number = target0.x & 3u;
     if (number == 0u) {
@@ -149,4 +148,8 @@ Surface unpackSurface(ivec2 pixel) {
         surface.emissive = vec3(0.0);
     }
     return surface;
+}
+
+Surface unpackSurface(ivec2 pixel) {
+    return unpackTexels(texelFetch(matc_gbuffer0, pixel, 0));
 }
