@@ -1,11 +1,14 @@
 /* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the normal at a point, which the programs are
- * held to by test_value and test_stress. And where a displacement has none, that is said. */
+ * held to by test_value and test_stress. Steps of programs, in floats far from the origin. And where a displacement has no slope, that is
+ * said. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "compiler/matc.h"
+#include "tests/stress/spread.h"
+#include "tests/value/documents.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -99,6 +102,63 @@ static void slopes_are_those_of_closed_forms(void **state)
     }
 }
 
+/* The normal of a program in floats. */
+static void float_normal(Document *d, const char *derivatives, const Point *point, double n[3])
+{
+    static ReferenceTexture textures[EVALUATE_TEXTURES];
+    MatcOptions options = d->options;
+    Job job;
+    double inputs[INPUT_COUNT][4];
+    Evaluation e;
+    options.pass = "value";
+    options.slot = "normal";
+    options.aa = "none";
+    options.derivatives = derivatives;
+    assert_null(choice_job(&options, &job));
+    Session session = {.options = &options, .arena = &d->arena, .optimize = 2};
+    const Ir *ir = compile_ir(&session, d->graph, d->graph->materials[0].node, &job);
+    assert_true(ir && evaluate_textures(&d->arena, ir, textures));
+    evaluate_inputs(point, true, inputs);
+    evaluate_float(ir, &(ReferenceContext){ir->noise, textures}, (const double(*)[4])inputs, &e);
+    memcpy(n, e.value[0], 3 * sizeof *n);
+}
+
+/* All maps that jump or are pictures repeat. Far out floats lie 1/2000 apart, and a step of .005 would be one tenth off. */
+static void steps_are_as_wide_far_from_the_origin(void **state)
+{
+    (void)state;
+    static const char *const derivatives[] = {"auto", "finite"};
+    static const char *const displacements[] = {CHECKER, "{ map: VolumeChecker }", "{ map: Carpenter, noise: 0.2 }",
+                                                "{ map: Mandel, iterations: 9 }", "{ map: Julia, iterations: 9 }"};
+    static const float places[][2] = {
+        {1.373046875f, 1.478515625f}, {-2.123046875f, -1.001953125f}, {3.474609375f, 2.998046875f}};
+    for (size_t i = 0; i < 2 * sizeof displacements / sizeof *displacements; i++) {
+        const char *displacement = displacements[i / 2];
+        char text[1000];
+        Document d;
+        snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, strength: 0.01, displacement: %s }\n",
+                 displacement);
+        assert_true(document_open_text(&d, text));
+        for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+            double near[3], far[3];
+            for (int out = 0; out < 2; out++) {
+                Point p = {{{0}}};
+                for (int lane = 0; lane < 2; lane++) {
+                    const float turns = places[k][lane] < 0 ? -4096 : 4096;
+                    p.input[INPUT_U][lane] = p.input[INPUT_X][lane] = places[k][lane] + (out ? turns : 0);
+                }
+                p.input[INPUT_N][2] = p.input[INPUT_DU][0] = p.input[INPUT_DV][1] = 1;
+                p.input[INPUT_XU][0] = p.input[INPUT_XV][1] = 1;
+                float_normal(&d, derivatives[i % 2], &p, out ? far : near);
+            }
+            if (fabs(far[0] - near[0]) > 1e-6 || fabs(far[1] - near[1]) > 1e-6)
+                fail_msg("%s, %s at %g %g: %g %g %g, and far out %g %g %g", derivatives[i % 2], displacement,
+                         places[k][0], places[k][1], near[0], near[1], near[2], far[0], far[1], far[2]);
+        }
+        document_close(&d);
+    }
+}
+
 static bool says_flat(const char *displacement, const char *derivatives, int optimize)
 {
     MatcOptions options;
@@ -151,6 +211,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes_are_those_of_closed_forms),
+        cmocka_unit_test(steps_are_as_wide_far_from_the_origin),
         cmocka_unit_test(what_has_no_slope_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

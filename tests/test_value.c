@@ -8,6 +8,7 @@
 #include <cmocka.h>
 #include "tests/sanitized.h"
 #include "tests/value/draw.h"
+#include "tests/value/rounding.h"
 #include "tests/value/sampler.h"
 #include "tests/value/verdicts.h"
 #include "tests/value/ways.h"
@@ -117,15 +118,6 @@ static void forget(Subject *s)
     }
 }
 
-static const char *input_names = "u v  x y z  px py pz";
-
-static void describe_point(const Point *p, char *text, size_t room)
-{
-    const float(*i)[3] = p->input;
-    snprintf(text, room, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0],
-             i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0], i[INPUT_P][1], i[INPUT_P][2]);
-}
-
 /* One slot of one material, made in one way. */
 typedef struct {
     Subject *subject;
@@ -150,6 +142,17 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
     return 3 * width / fmax(1, fabs(hull->value.lane[c->slot][lane])) + c->bound < SHARP;
 }
 
+/* How far a drawn number lies outside of its hull or, of a bump, outside of what rounding makes of its program. */
+static double miss_of(const Case *c, const DrawnNumber *drawn)
+{
+    MatcOptions options = c->subject->document->options;
+    double miss = hull_miss(drawn->hull, c->slot, drawn->lane, drawn->number);
+    if (miss <= c->bound || !isfinite(drawn->number) || c->slot != SLOT_normal || !c->subjects->has[KIND_BumpMap])
+        return miss;
+    way_options(c->way, c->slot, &options);
+    return fmin(miss, rounding_miss(c->subject->document, c->subject->material, &options, drawn, c->bound));
+}
+
 /* The worst lane of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
@@ -164,9 +167,10 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     for (int i = 0; i < JUDGED; i++) {
         const bool judged = way_judges(c->way, c->subjects, &w->run->points[i]);
         for (int k = 0; k < lanes; k++) {
-            double miss = hull_miss(&hulls[i], c->slot, k, rgba[4 * i + k]);
             if (!judged && isfinite(rgba[4 * i + k]))
                 continue;
+            const DrawnNumber drawn = {c->slot, k, &w->run->points[i], front, &hulls[i], rgba[4 * i + k]};
+            const double miss = miss_of(c, &drawn);
             sharp += is_sharp(&hulls[i], c, k);
             bad += miss > c->bound;
             if (miss > worst) {
@@ -182,7 +186,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     if (!bad)
         return;
     char at[200];
-    describe_point(&w->run->points[point], at, sizeof at);
+    point_describe(&w->run->points[point], at, sizeof at);
     verdicts_fault(
         &w->run->verdicts, name, worst,
         "%s: %d values; worst %.2g, bound %.2g (%s): drawn %.9g, oracle %.9g in [%.9g, %.9g] at point %d: %s",
@@ -261,15 +265,7 @@ static void check_program(Worker *w, const Case *c, MatcProgram *program)
 static void check_way(Worker *w, const Case *c)
 {
     MatcOptions options = c->subject->document->options;
-    options.pass = "value";
-    options.slot = slot_table[c->slot].name;
-    options.target = target_table[c->way->target].name;
-    const ChoiceRow *choice = &choice_table[c->way->choice];
-    options.aa = "none";
-    matc_options_set(&options, axis_table[choice->axis].name, choice->name);
-    options.optimize = c->way->optimize;
-    options.constants = c->way->buffered ? "uniform" : "baked";
-    options.validate = false;
+    way_options(c->way, c->slot, &options);
     MatcProgram *program = matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
     char name[160], way[64];
     name_slot(c, name, sizeof name);
@@ -343,8 +339,7 @@ static void *work(void *user)
     if (!w)
         abort();
     w->run = run;
-    if (!drawer_open(&w->core, true, run->points, JUDGED) ||
-        !drawer_open(&w->compat, false, run->points, JUDGED)) {
+    if (!drawer_open(&w->core, true, run->points, JUDGED) || !drawer_open(&w->compat, false, run->points, JUDGED)) {
         verdicts_fault(&run->verdicts, "no context", 1e9, "%s%s", w->core.error, w->compat.error);
         free(w);
         return NULL;
@@ -385,7 +380,7 @@ static void examples_draw_what_they_mean(void **state)
     verdicts_print(seen);
     assert_true(seen->fault_count || getenv("VALUE_ONLY") || seen->sharp > 0.85 * (double)seen->values);
     if (seen->fault_count)
-        fail_msg("%d slots are wrong; points are given as %s", seen->fault_count, input_names);
+        fail_msg("%d slots are wrong; points are given as u v  x y z  px py pz", seen->fault_count);
 }
 
 int main(void)

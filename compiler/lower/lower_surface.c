@@ -212,13 +212,31 @@ static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
     return ir_const(l->ir, TYPE_vec2, (double[]){texture->width, texture->height});
 }
 
-/* After how much of u and v all is the same again, exactly; 0: never. A relief is not on both sides of 0, and the sampler would take a
- * dropped turn for a wide footprint. */
+/* A relief is the same after whole turns, but its sides of 0 differ: to -2 ... 2, on the side where uv is.
+ *   5.3 - (5 - 1) = 1.3;  -3.002 - (-4 + 2) = -1.002, and a step of .005 from there stays on that side */
+static Ref near_zero(Ir *ir, Ref uv)
+{
+    Ref turns = build_floor(ir, uv);
+    Ref kept = build_clamp(ir, turns, build_all(ir, TYPE_vec2, -2), build_all(ir, TYPE_vec2, 1));
+    return build_sub(ir, uv, build_sub(ir, turns, kept));
+}
+
+/* After how much of u and v all of a picture is the same again, exactly; 0: never, and the sampler would take a dropped turn for a wide
+ * footprint. */
 static double turn_of(const Sampled *sampled)
 {
-    if (sampled->texture.kind != TEXTURE_image || sampled->texture.sampled)
+    if (sampled->texture.sampled)
         return 0;
     return sampled->address == WORD_Address_repeat ? 1 : sampled->address == WORD_Address_mirror ? 2 : 0;
+}
+
+/* uv + step, or where the same stands: far from the origin the step would be lost. */
+static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
+{
+    if (sampled->texture.kind == TEXTURE_carpenter)
+        return build_add(l->ir, near_zero(l->ir, uv), step);
+    const double turn = turn_of(sampled);
+    return turn > 0 ? stepped(l, uv, step, turn) : build_add(l->ir, uv, step);
 }
 
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
@@ -228,8 +246,7 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
     Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
     Ref h = sampled->step > 0 ? build_float(ir, sampled->step) : build_div(ir, build_float(ir, 1), lane);
     Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
-    const double turn = turn_of(sampled);
-    Ref beyond = turn > 0 ? stepped(l, uv, step, turn) : build_add(ir, uv, step);
+    Ref beyond = beyond_of(l, sampled, uv, step);
     Ref here = lanes_of(l, sampled, area_picture_near(l, picture, uv, uv));
     Ref there = lanes_of(l, sampled, area_picture_near(l, picture, beyond, uv));
     Ref rise = build_sub(ir, there, here);

@@ -72,6 +72,8 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpCheckerOfMaps.yaml:8 Carpenter
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    vec2 carpenter_1 = floor(uv);
+    vec2 carpenter_2 = uv - (carpenter_1 - clamp(carpenter_1, vec2(-2.0), vec2(1.0)));
     // bumpCheckerOfMaps.yaml:7 Checker
     vec2 checker = fract(uv * vec2(4.0, 2.0));
     bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
@@ -81,8 +83,8 @@ void main() {
     float checker_6 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
     float checker_7 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 2.0;
     float checker_8 = carpenter - 0.4;
-    float checker_9 = checker_8 * checker_6 + (checker_2 ? (carpenterRelief(carpenterTexture0, uv + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0);
-    float checker_10 = checker_8 * checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, uv + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0);
+    float checker_9 = checker_8 * checker_6 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0);
+    float checker_10 = checker_8 * checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0);
     vec3 bumpMap = cross(checker_9 * 0.04 * bumpMap_1 + worldTangentU, worldTangentV) + checker_10 * 0.04 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2353489559u, 903908492u);

@@ -1,5 +1,6 @@
 /* Points and hulls. */
 #include "points.h"
+#include <stdio.h>
 #include <string.h>
 
 const double point_ior = 1.25;
@@ -260,6 +261,13 @@ bool point_is_extreme(const Point *point)
             if (fabsf(point->input[inputs[i]][lane]) >= limit)
                 return true;
     return false;
+}
+
+void point_describe(const Point *p, char *text, size_t room)
+{
+    const float(*i)[3] = p->input;
+    snprintf(text, room, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0],
+             i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0], i[INPUT_P][1], i[INPUT_P][2]);
 }
 
 double hull_miss(const Hull *hull, Slot slot, int lane, double number)

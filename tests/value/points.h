@@ -21,6 +21,9 @@ void points_make_others(Point points[POINT_COUNT], int seed);
 /* Some position or coordinate is farther from 0. */
 bool point_is_far(const Point *point, float distance);
 
+/* u v  x y z  px py pz. */
+void point_describe(const Point *point, char *text, size_t room);
+
 extern const double point_ior; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);
 

@@ -38,6 +38,19 @@ const char *way_name(const Way *way, bool front, char text[64])
     return text;
 }
 
+void way_options(const Way *way, Slot slot, MatcOptions *options)
+{
+    const ChoiceRow *choice = &choice_table[way->choice];
+    options->pass = "value";
+    options->slot = slot_table[slot].name;
+    options->target = target_table[way->target].name;
+    options->aa = "none";
+    matc_options_set(options, axis_table[choice->axis].name, choice->name);
+    options->optimize = way->optimize;
+    options->constants = way->buffered ? "uniform" : "baked";
+    options->validate = false;
+}
+
 bool way_matters(const Way *way, const Subjects *subjects)
 {
     const Choice choice = way->choice;

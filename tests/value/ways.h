@@ -16,6 +16,8 @@ extern const Way way_table[];
 extern const int way_count;
 
 const char *way_name(const Way *way, bool front, char text[64]);
+/* Over a document's own. */
+void way_options(const Way *way, Slot slot, MatcOptions *options);
 /* Whether its choice can change what the subjects make. */
 bool way_matters(const Way *way, const Subjects *subjects);
 /* How far a value may lie outside of its hull, in units of max(1, |oracle|). */

@@ -1,0 +1,23 @@
+/* What rounding may make of a slot's value: its program as IR, each of whose operations errs at random as much as it may. A point's own
+ * bound, for values that no bound of a map can hold: the slope of a picture amplifies what its coordinate was rounded by, as often as the
+ * picture is repeated there. */
+#ifndef MATC_VALUE_ROUNDING_H
+#define MATC_VALUE_ROUNDING_H
+#include "tests/value/documents.h"
+#include "tests/value/points.h"
+
+/* A drawn number, and what it should be. */
+typedef struct {
+    Slot slot;
+    int lane;
+    const Point *point;
+    bool front;
+    const Hull *hull;
+    double number;
+} DrawnNumber;
+
+/* How far the number lies outside of what rounding makes of the program that the options choose, in units of max(1, |value|). A program that
+ * has another value than the oracle without any rounding, by more than `bound` outside of the hull, has no excuse: INFINITY. */
+double rounding_miss(Document *document, int material, const MatcOptions *options, const DrawnNumber *drawn,
+                     double bound);
+#endif
