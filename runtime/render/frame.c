@@ -146,6 +146,7 @@ void frame_place(Render *render)
 {
     view_space_place(&render->space, render->whole, render->at);
     lighting_place(render, &render->light);
+    pass_tone_place(render);
 }
 
 void frame_delete(Render *render)
@@ -153,6 +154,8 @@ void frame_delete(Render *render)
     GlContext *gl = render->gl;
     screen_pass_delete(&render->light);
     screen_pass_delete(&render->tone);
+    measure_delete(gl, &render->measured);
+    measure_delete(gl, &render->adapted);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
         framebuffer_delete(gl, &render->draws[draw]);
     for (int piece = 0; piece < FRAME_PLAN_MOST; piece++) {

@@ -3,6 +3,7 @@
 #define MATC_RENDER_FRAME_H
 #include "runtime/render/cache.h"
 #include "runtime/render/frame_plan.h"
+#include "runtime/render/measure.h"
 #include "runtime/render/reader.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
@@ -49,6 +50,7 @@ struct Render {
     FramePlan plan;
     FrameMemory memory[FRAME_PLAN_MOST];
     Framebuffer draws[FRAME_DRAW_COUNT];
+    Measure measured, adapted; /* what tone mapping asks of the picture, and of what it makes of that */
     ScreenPass light, tone;
     GLuint lights; /* texels of view_space_lights */
     int light_counts[VIEW_SPACE_SECTIONS];
@@ -105,6 +107,7 @@ void pass_tone_draw(Render *render);
 bool lighting_make(Render *render, const char *body, ScreenPass *made);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
+void pass_tone_place(Render *render);
 /* Binds what it reads, before it runs. */
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
 /* The texture of a target, and its number among those that are there together. */

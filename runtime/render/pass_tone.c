@@ -1,23 +1,91 @@
-/* The pass tone: from light to the picture. Its GLSL is pass_tone.glsl. */
+/* The pass tone: from light to the picture. Its GLSL is pass_tone.glsl, behind tone.glsl; what some kinds ask of the whole picture is
+ * reduced before. */
 #include "runtime/render/frame.h"
+#include <stdio.h>
 
-extern const char render_text_pass_tone[];
+extern const char render_text_tone[], render_text_pass_tone[];
+
+enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT };
+
+static bool measures(const Scene *scene)
+{
+    return scene->tone == SCENE_Linear || scene->tone == SCENE_ReinhardDevlin || scene->tone == SCENE_Drago;
+}
+
+static bool adapts(const Scene *scene) { return scene->tone == SCENE_ReinhardDevlin; }
+
+static void set_numbers(const Render *render, ScreenPass *pass)
+{
+    const Scene *scene = render->scene;
+    float numbers[4];
+    for (int i = 0; i < 4; i++)
+        numbers[i] = (float)scene->tone_numbers[i];
+    material_set_number(&pass->material, "tone_exposure", (float)scene->exposure);
+    material_set_number(&pass->material, "tone_tiles", scene->tiles);
+    material_set_number(&pass->material, "tone_pixels", (float)render->size[0] * (float)render->size[1]);
+    material_set(&pass->material, &(MaterialValue){"tone_numbers", 4, numbers});
+    screen_pass_sampler(pass, "tone_measured", MEASURED_UNIT);
+    screen_pass_sampler(pass, "tone_adapted", ADAPTED_UNIT);
+}
+
+/* A second reduction is of what the first one's result makes of all pixels. */
+static bool make_measures(Render *render, const char *kind)
+{
+    const char *const first[] = {kind, render_text_tone, NULL};
+    const char *const second[] = {kind, "#define MEASURE_ADAPTED\n", render_text_tone, NULL};
+    if (!measures(render->scene))
+        return true;
+    if (!measure_make(render->store, render->size, render->compute, first, &render->measured))
+        return false;
+    set_numbers(render, &render->measured.passes[0]);
+    if (!adapts(render->scene))
+        return true;
+    if (!measure_make(render->store, render->size, render->compute, second, &render->adapted))
+        return false;
+    set_numbers(render, &render->adapted.passes[0]);
+    return true;
+}
+
+void pass_tone_place(Render *render)
+{
+    if (!render->tone.material.store)
+        return;
+    material_set_number(&render->tone.material, "tone_x", (float)render->at[0]);
+    material_set_number(&render->tone.material, "tone_y", (float)render->at[1]);
+}
 
 bool pass_tone_make(Render *render)
 {
-    const ScreenPassText text = {.body = {render_text_pass_tone},
+    char kind[96];
+    if (measures(render->scene) && (render->size[0] < render->whole[0] || render->size[1] < render->whole[1]))
+        return gl_fail(render->gl,
+                       "the tone mapping %s asks for the whole picture, which would be drawn in tiles: it wants "
+                       "more memory, or a smaller picture",
+                       scene_kind_table[render->scene->tone].name);
+    snprintf(kind, sizeof kind, "#define TONE_%s\n%s", scene_kind_table[render->scene->tone].name,
+             measures(render->scene) ? "#define TONE_MEASURES\n" : "");
+    const ScreenPassText text = {.body = {kind, render_text_tone, render_text_pass_tone},
                                  .format = frame_format(render, FRAME_TARGET_shown, 0),
                                  .compute = render->compute};
-    if (!screen_pass_make(render->store, &text, &render->tone))
+    if (!make_measures(render, kind) || !screen_pass_make(render->store, &text, &render->tone))
         return false;
-    material_set_number(&render->tone.material, "tone_exposure", (float)render->scene->exposure);
-    material_set_number(&render->tone.material, "tone_filmic", render->scene->tone == SCENE_Filmic);
-    screen_pass_sampler(&render->tone, "tone_light", 0);
+    set_numbers(render, &render->tone);
+    screen_pass_sampler(&render->tone, "tone_light", LIGHT_UNIT);
+    pass_tone_place(render);
     return true;
 }
 
 void pass_tone_draw(Render *render)
 {
-    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_light, 0), 0);
+    const GLuint light = frame_texture(render, FRAME_TARGET_light, 0);
+    if (render->measured.count) {
+        measure_run(&render->measured, light, &render->screen);
+        texture_bind(render->gl, measure_result(&render->measured), MEASURED_UNIT);
+    }
+    if (render->adapted.count) {
+        measure_run(&render->adapted, light, &render->screen);
+        texture_bind(render->gl, measure_result(&render->adapted), ADAPTED_UNIT);
+    }
+    texture_bind(render->gl, light, LIGHT_UNIT);
     screen_pass_run(&render->tone, &render->draws[FRAME_DRAW_shown], &render->screen);
 }

@@ -1,14 +1,5 @@
-// The pass tone: linear light becomes an sRGB colour, by the formulas of scene.def.
-layout(std140) uniform Tone {
-    float tone_exposure;
-    int tone_filmic;
-};
+// The pass tone: linear light becomes an sRGB colour. Before it stands tone.glsl.
 uniform sampler2D tone_light;
-
-vec3 toneFilmic(vec3 x)
-{
-    return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-}
 
 // IEC 61966-2-1
 vec3 toneEncoded(vec3 c)
@@ -18,7 +9,9 @@ vec3 toneEncoded(vec3 c)
 
 vec4 passPixel(ivec2 pixel)
 {
-    vec3 c = max(texelFetch(tone_light, pixel, 0).xyz * tone_exposure, 0.0);
-    if (tone_filmic != 0) c = toneFilmic(min(c, 1e6));
-    return vec4(toneEncoded(min(c, 1.0)), 1.0);
+    vec4 light = texelFetch(tone_light, pixel, 0);
+    vec3 shown = toneEncoded(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0));
+    ivec2 tile = pixel + ivec2(tone_x, tone_y) >> 4;
+    if (tone_tiles != 0 && light.w <= 0.0) shown = vec3((tile.x + tile.y & 1) != 0 ? 0.4 : 0.6); // nothing is there
+    return vec4(shown, 1.0);
 }

@@ -68,7 +68,9 @@ typedef struct Scene {
     int mesh_count;
     int sky;                  /* in materials, or -1 */
     SceneKind tone;           /* of the sort toneMapping */
-    double exposure;          /* a factor */
+    double exposure;          /* a factor; 1 where the kind has none */
+    double tone_numbers[4];   /* ReinhardDevlin: its params; Drago: bias */
+    bool tiles;               /* where nothing is seen */
     MatcDocument **documents; /* further files of materials */
     int document_count;
 } Scene;

@@ -13,6 +13,7 @@ static void read_image(SceneReader *r, Tree *tree)
         return;
     r->scene->width = (int)scene_thing_number(&thing, S_Image_width);
     r->scene->height = (int)scene_thing_number(&thing, S_Image_height);
+    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0;
 }
 
 static void read_tone(SceneReader *r, Tree *tree)
@@ -22,9 +23,18 @@ static void read_tone(SceneReader *r, Tree *tree)
         scene_thing_default(r, SCENE_SORT_toneMapping, &thing);
     else if (!scene_thing_read(r, tree, SCENE_SORT_toneMapping, &thing))
         return;
-    const int exposure = thing.kind == SCENE_Clamp ? S_Clamp_exposure : S_Filmic_exposure;
-    r->scene->tone = thing.kind;
-    r->scene->exposure = exp2(scene_thing_number(&thing, exposure));
+    static const int first[SCENE_KIND_COUNT] = {
+        [SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity, [SCENE_Drago] = S_Drago_bias};
+    static const int numbers[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1};
+    static const int exposures[SCENE_KIND_COUNT] = {[SCENE_Clamp] = S_Clamp_exposure,
+                                                    [SCENE_Filmic] = S_Filmic_exposure,
+                                                    [SCENE_Linear] = S_Linear_exposure,
+                                                    [SCENE_Drago] = S_Drago_exposure};
+    Scene *scene = r->scene;
+    scene->tone = thing.kind;
+    scene->exposure = exposures[thing.kind] ? exp2(scene_thing_number(&thing, exposures[thing.kind])) : 1;
+    for (int i = 0; i < numbers[thing.kind]; i++)
+        scene->tone_numbers[i] = scene_thing_number(&thing, first[thing.kind] + i);
 }
 
 /* A plane and a sky are seen along rays from one point. */

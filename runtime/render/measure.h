@@ -1,0 +1,22 @@
+/* What tone mapping asks of a whole picture: greatest lanes, sums, logarithms; reduced by the driver, sixteenth by sixteenth. */
+#ifndef MATC_RENDER_MEASURE_H
+#define MATC_RENDER_MEASURE_H
+#include "runtime/render/screen_pass.h"
+
+enum { MEASURE_BLOCK = 16, MEASURE_STEPS = 4 /* to one from a side of 16384 */ };
+
+typedef struct {
+    int count; /* of steps */
+    ScreenPass passes[MEASURE_STEPS];
+    Framebuffer targets[MEASURE_STEPS]; /* the last has the three texels that tone.glsl tells of */
+} Measure;
+
+/* `texts` come before measure.glsl: tone.glsl and what it is told; NULL ends the list. */
+bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts, Measure *made);
+/* Of a texture of that size. What else the first step reads is bound by the caller. */
+void measure_run(Measure *measure, GLuint picture, const Screen *screen);
+/* The texture of the result. */
+GLuint measure_result(const Measure *measure);
+/* Safe on an empty one, which it leaves behind. */
+void measure_delete(GlContext *gl, Measure *measure);
+#endif
