@@ -10,6 +10,15 @@ static const ReferenceTexture *texture_of(const void *context, double index)
     return &((const ReferenceContext *)context)->textures[(int)index];
 }
 
+/* The same to a function that fetches texels. */
+static ReferenceTexture fetched_of(const void *context, double index)
+{
+    ReferenceTexture texture = *texture_of(context, index);
+    if (texture.sampler_wraps)
+        texture.wrap = REFERENCE_REPEAT;
+    return texture;
+}
+
 enum { NOWHERE = -1 };
 
 static double rest(double whole, double divisor) { return whole - divisor * floor(whole / divisor); }
@@ -74,28 +83,33 @@ static void mixed(const ReferenceTexture *texture, const double at[2], const dou
 
 REFERENCE(imageNearest)
 {
-    const ReferenceTexture *texture = texture_of(context, args[0]);
-    double column = floor(in_texels(texture, args[1], texture->width));
-    double row = floor(in_texels(texture, args[2], texture->height));
-    if (texture->wrap == REFERENCE_REPEAT) {
+    const ReferenceTexture texture = fetched_of(context, args[0]);
+    double column = floor(in_texels(&texture, args[1], texture.width));
+    double row = floor(in_texels(&texture, args[2], texture.height));
+    if (texture.wrap == REFERENCE_REPEAT) {
         /* The fraction of a tiny negative number rounds to 1, which belongs to the last texel. */
-        column = fmin(column, texture->width - 1);
-        row = fmin(row, texture->height - 1);
+        column = fmin(column, texture.width - 1);
+        row = fmin(row, texture.height - 1);
     }
-    texel(texture, column, row, result);
+    texel(&texture, column, row, result);
 }
 
-REFERENCE(imageBilinear)
+static void bilinear(const ReferenceTexture *texture, const double uv[2], double result[LANES])
 {
-    const ReferenceTexture *texture = texture_of(context, args[0]);
-    const double at[2] = {in_texels(texture, args[1], texture->width), in_texels(texture, args[2], texture->height)};
+    const double at[2] = {in_texels(texture, uv[0], texture->width), in_texels(texture, uv[1], texture->height)};
     const double low[2] = {floor(at[0]), floor(at[1])};
     const double weight[2] = {at[0] - low[0], at[1] - low[1]};
     mixed(texture, low, weight, result);
 }
 
+REFERENCE(imageBilinear)
+{
+    const ReferenceTexture texture = fetched_of(context, args[0]);
+    bilinear(&texture, &args[1], result);
+}
+
 /* The sampler's own weights are those of the four texels. */
-REFERENCE(imageSampled) { reference_imageBilinear(context, args, result); }
+REFERENCE(imageSampled) { bilinear(texture_of(context, args[0]), &args[1], result); }
 
 REFERENCE(pictureSize)
 {
@@ -132,10 +146,10 @@ static void mixed_along(const ReferenceTexture *texture, const double at[2], con
 
 REFERENCE(imageAlong)
 {
-    const ReferenceTexture *texture = texture_of(context, args[0]);
-    const double at[2] = {in_texels(texture, args[1], texture->width), in_texels(texture, args[2], texture->height)};
+    const ReferenceTexture texture = fetched_of(context, args[0]);
+    const double at[2] = {in_texels(&texture, args[1], texture.width), in_texels(&texture, args[2], texture.height)};
     const double low[2] = {floor(at[0]), floor(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
-    mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, result);
+    mixed_along(&texture, low, weight, (double[]){args[5] * texture.width, args[6] * texture.height}, result);
 }
 
 REFERENCE(reliefAlong)
@@ -156,8 +170,8 @@ static void footprint_mean(const void *context, const double *args, double *resu
         result[lane] = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[LANES];
-        double at[5] = {args[0], args[1] + a * args[5] + b * args[7], args[2] + a * args[6] + b * args[8]};
-        reference_imageBilinear(context, at, sample);
+        const double at[2] = {args[1] + a * args[5] + b * args[7], args[2] + a * args[6] + b * args[8]};
+        bilinear(texture_of(context, args[0]), at, sample);
         for (int lane = 0; lane < LANES; lane++)
             result[lane] += sample[lane] / (SIDE * SIDE);
     }
@@ -176,7 +190,7 @@ REFERENCE(imageSampledOver)
 {
     const double *size = &args[3], *right = &args[5], *up = &args[7];
     if (fmax(texels_across(size, right), texels_across(size, up)) <= 1)
-        reference_imageBilinear(context, args, result);
+        bilinear(texture_of(context, args[0]), &args[1], result);
     else
         footprint_mean(context, args, result);
 }

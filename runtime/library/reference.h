@@ -25,6 +25,8 @@ typedef struct {
     const uint16_t *words; /* a word over 65535 is the value; NULL when bytes or floats are set */
     bool srgb;             /* the first three lanes are decoded */
     ReferenceWrap wrap;    /* what stands beyond the edges */
+    bool
+        sampler_wraps; /* of a program: the wrap is its sampler's, and what fetches texels repeats them; else it is every function's */
 } ReferenceTexture;
 
 /* Which lattice noise stands below every noise-like function. */

@@ -31,6 +31,7 @@ bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVA
             textures[i].floats = image_floats(t->image);
             textures[i].srgb = t->srgb;
             textures[i].wrap = (ReferenceWrap)(t->wrap - WORD_Address_repeat);
+            textures[i].sampler_wraps = true;
         } else {
             textures[i].floats = bake(arena, t);
         }
