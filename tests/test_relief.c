@@ -103,7 +103,7 @@ static void slopes_are_those_of_closed_forms(void **state)
 }
 
 /* The normal of a program in floats. */
-static void float_normal(Document *d, const char *derivatives, const Point *point, double n[3])
+static void float_normal(Document *d, const char *derivatives, int optimize, const Point *point, double n[3])
 {
     static ReferenceTexture textures[EVALUATE_TEXTURES];
     MatcOptions options = d->options;
@@ -115,12 +115,21 @@ static void float_normal(Document *d, const char *derivatives, const Point *poin
     options.aa = "none";
     options.derivatives = derivatives;
     assert_null(choice_job(&options, &job));
-    Session session = {.options = &options, .arena = &d->arena, .optimize = 2};
+    Session session = {.options = &options, .arena = &d->arena, .optimize = optimize};
     const Ir *ir = compile_ir(&session, d->graph, d->graph->materials[0].node, &job);
     assert_true(ir && evaluate_textures(&d->arena, ir, textures));
     evaluate_inputs(point, true, inputs);
     evaluate_float(ir, &(ReferenceContext){ir->noise, textures}, (const double(*)[4])inputs, &e);
     memcpy(n, e.value[0], 3 * sizeof *n);
+}
+
+/* At 0, its normal z and its tangents x and y. */
+static Point flat_point(void)
+{
+    Point p = {{{0}}};
+    p.input[INPUT_N][2] = p.input[INPUT_DU][0] = p.input[INPUT_DV][1] = 1;
+    p.input[INPUT_XU][0] = p.input[INPUT_XV][1] = 1;
+    return p;
 }
 
 /* All maps that jump or are pictures repeat. Far out floats lie 1/2000 apart, and a step of .005 would be one tenth off. */
@@ -142,18 +151,49 @@ static void steps_are_as_wide_far_from_the_origin(void **state)
         for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
             double near[3], far[3];
             for (int out = 0; out < 2; out++) {
-                Point p = {{{0}}};
+                Point p = flat_point();
                 for (int lane = 0; lane < 2; lane++) {
                     const float turns = places[k][lane] < 0 ? -4096 : 4096;
                     p.input[INPUT_U][lane] = p.input[INPUT_X][lane] = places[k][lane] + (out ? turns : 0);
                 }
-                p.input[INPUT_N][2] = p.input[INPUT_DU][0] = p.input[INPUT_DV][1] = 1;
-                p.input[INPUT_XU][0] = p.input[INPUT_XV][1] = 1;
-                float_normal(&d, derivatives[i % 2], &p, out ? far : near);
+                float_normal(&d, derivatives[i % 2], 2, &p, out ? far : near);
             }
             if (fabs(far[0] - near[0]) > 1e-6 || fabs(far[1] - near[1]) > 1e-6)
                 fail_msg("%s, %s at %g %g: %g %g %g, and far out %g %g %g", derivatives[i % 2], displacement,
                          places[k][0], places[k][1], near[0], near[1], near[2], far[0], far[1], far[2]);
+        }
+        document_close(&d);
+    }
+}
+
+/* A Blend along cos x, whose last item is at 1: in floats the cosine is 1 up to x = 2.4e-4, and the Blend falls there by 9000 sin x. Ten items
+ * are searched, two are mixed, or walked. */
+static void peaks_of_waves_at_the_last_item_have_slopes(void **state)
+{
+    (void)state;
+    static const char *const blends[] = {
+        "[{ value: 0, input: 0 }, { value: 1, input: 9000 }]",
+        "[{ value: 0, input: 0 }, { value: 0.1, input: 900 }, { value: 0.2, input: 1800 }, { value: 0.3, input: 2700 },"
+        " { value: 0.4, input: 3600 }, { value: 0.5, input: 4500 }, { value: 0.6, input: 5400 },"
+        " { value: 0.7, input: 6300 }, { value: 0.8, input: 7200 }, { value: 1, input: 9000 }]"};
+    static const char *const derivatives[] = {"auto", "analytic"};
+    for (int i = 0; i < 8; i++) {
+        char text[1000];
+        Document d;
+        snprintf(
+            text, sizeof text,
+            "material: Phong\ninput: { map: BumpMap, displacement: { map: Blend, blend: %s, input: { map: Gradient, "
+            "waveForm: Cos } } }\n",
+            blends[i / 4]);
+        assert_true(document_open_text(&d, text));
+        for (int k = -3; k <= 3; k++) {
+            Point p = flat_point();
+            double n[3];
+            const float x = p.input[INPUT_X][0] = (float)k * 7e-5f;
+            float_normal(&d, derivatives[i % 2], i & 2, &p, n);
+            if (fabs(n[0] / n[2] - 0.02 * 9000 * sin(x)) > 1e-6)
+                fail_msg("%s, -O%d, %s at %g: %g %g %g", derivatives[i % 2], i & 2, blends[i / 4], (double)x, n[0],
+                         n[1], n[2]);
         }
         document_close(&d);
     }
@@ -212,6 +252,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes_are_those_of_closed_forms),
         cmocka_unit_test(steps_are_as_wide_far_from_the_origin),
+        cmocka_unit_test(peaks_of_waves_at_the_last_item_have_slopes),
         cmocka_unit_test(what_has_no_slope_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -40,12 +40,12 @@ static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
     return true;
 }
 
-/* Whether t has not come to item i of so many. In a displacement the last segment has its end, too: a wave that rises to 1 and falls again is
- * 1 for many floats around its peak, and at all but one of them it still rises or falls. */
+/* Whether t has not come to item i of so many. The last segment has its end, too, which is as the item, and has a slope: a wave that rises to 1
+ * and falls again is 1 for many floats around its peak, and at all but one of them it still rises or falls. */
 static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
 {
     Ir *ir = l->ir;
-    const bool closed = l->relief && i > 0 && i == count - 1 && ascending(ir, &stops[i - 1], 2, true);
+    const bool closed = i > 0 && i == count - 1 && ascending(ir, &stops[i - 1], 2, true);
     return closed ? build_le(ir, t, stops[i].value) : build_lt(ir, t, stops[i].value);
 }
 
@@ -68,7 +68,7 @@ static Ref blend_search(Lower *l, Ref t, Segments s)
     if (s.first == s.last)
         return s.first == s.count ? s.stops[s.count - 1].result : segment(l, t, s.stops, s.first);
     const int middle = s.first + (s.last - s.first) / 2;
-    Ref below = build_lt(ir, t, s.stops[middle].value);
+    Ref below = is_below(l, t, s.stops, middle, s.count);
     Ref low = blend_search(l, t, (Segments){s.stops, s.count, s.first, middle});
     return build_select(ir, below, low, blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
 }

@@ -72,7 +72,7 @@ void main() {
     // blendOfPositions.yaml:11 XYZTransform
     vec3 diffuse_xyzTransform2 = localPosition * 6.0;
     // blendOfPositions.yaml:8 Blend
-    bool diffuse_blend_1 = localPosition.x < 1.0;
+    bool diffuse_blend_1 = localPosition.x <= 1.0;
     bool diffuse_blend_2 = localPosition.x < -1.0;
     float diffuse_blend_3 = (localPosition.x + 1.0) * 0.5;
     vec3 diffuse_blend = diffuse_blend_1 ? (diffuse_blend_2 ? diffuse_xyzTransform : mix(diffuse_xyzTransform, diffuse_xyzTransform2, diffuse_blend_3)) : diffuse_xyzTransform2;

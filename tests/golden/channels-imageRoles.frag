@@ -98,7 +98,7 @@ void main() {
     float diffuse_blend = imageSampled(imageTexture0, uv * vec2(3.0, 1.0), diffuse_image).x;
     // imageRoles.yaml:7 ImageMap
     vec3 diffuse_image2 = imageSampled(imageTexture1, uv, pictureSize(imageTexture1)).xyz;
-    vec3 diffuse = diffuse_blend < 1.0 ? (diffuse_blend < 0.0 ? vec3(0.014443844, 0.029556835, 0.051269457) : mix(vec3(0.014443844, 0.029556835, 0.051269457), diffuse_image2, diffuse_blend)) : diffuse_image2;
+    vec3 diffuse = diffuse_blend <= 1.0 ? (diffuse_blend < 0.0 ? vec3(0.014443844, 0.029556835, 0.051269457) : mix(vec3(0.014443844, 0.029556835, 0.051269457), diffuse_image2, diffuse_blend)) : diffuse_image2;
     // imageRoles.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;

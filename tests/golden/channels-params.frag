@@ -115,7 +115,7 @@ void main() {
     float diffuse_julia = sin(lift + contrast * julia(diffuse_xyzTransform, steps, real, imaginary));
     // params.yaml:4 Blend
     vec4 diffuse_blend_1 = vec4(vec3(bright), 1.0);
-    vec4 diffuse_blend = diffuse_julia < 1.0 ? (diffuse_julia < -1.0 ? dark : mix(dark, diffuse_blend_1, (diffuse_julia + 1.0) * 0.5)) : diffuse_blend_1;
+    vec4 diffuse_blend = diffuse_julia <= 1.0 ? (diffuse_julia < -1.0 ? dark : mix(dark, diffuse_blend_1, (diffuse_julia + 1.0) * 0.5)) : diffuse_blend_1;
     vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;

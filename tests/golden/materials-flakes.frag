@@ -230,7 +230,7 @@ void main() {
     // flakes.yaml:5 clouds
     float clouds = turbulence((localPosition + vec3(3.7, 1.9, 5.1)) * 90.0, 1, 2.0, 1.0);
     // flakes.yaml:9 Blend
-    vec3 diffuse_blend = clouds < 0.85 ? (clouds < 0.25 ? paint : mix(paint, vec3(0.55201143, 0.051269457, 0.02842604), (clouds - 0.25) * 1.6666666)) : vec3(0.55201143, 0.051269457, 0.02842604);
+    vec3 diffuse_blend = clouds <= 0.85 ? (clouds < 0.25 ? paint : mix(paint, vec3(0.55201143, 0.051269457, 0.02842604), (clouds - 0.25) * 1.6666666)) : vec3(0.55201143, 0.051269457, 0.02842604);
     // flakes.yaml:7 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float bumpMap_2 = glitter * 0.02;

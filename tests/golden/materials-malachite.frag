@@ -143,7 +143,7 @@ void main() {
     // malachite.json:5 Blend
     float diffuse_blend_1 = bands + 1.0;
     vec3 diffuse_blend_2 = bands < -0.1 ? (bands < -1.0 ? vec3(0.0, 0.035601314, 0.023153367) : mix(vec3(0.0, 0.035601314, 0.023153367), vec3(0.008023193, 0.19461784, 0.107023105), diffuse_blend_1 * 1.1111112)) : mix(vec3(0.008023193, 0.19461784, 0.107023105), bright, (bands + 0.1) * 1.6666666);
-    vec3 diffuse_blend = bands < 0.5 ? diffuse_blend_2 : bands < 0.8 ? mix(bright, vec3(0.008023193, 0.19461784, 0.107023105), (bands - 0.5) * 3.3333333) : vec3(0.008023193, 0.19461784, 0.107023105);
+    vec3 diffuse_blend = bands < 0.5 ? diffuse_blend_2 : bands <= 0.8 ? mix(bright, vec3(0.008023193, 0.19461784, 0.107023105), (bands - 0.5) * 3.3333333) : vec3(0.008023193, 0.19461784, 0.107023105);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // malachite.json:15 Blend

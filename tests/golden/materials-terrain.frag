@@ -248,11 +248,11 @@ void main() {
         // terrain.yaml:10 rock
         vec3 rock = mix(vec3(0.10224173, 0.08437621, 0.070360094), vec3(0.2663556, 0.22696587, 0.18782078), meadow_1);
         vec3 diffuse_blend_4 = height < 0.54 ? (height < 0.46 ? forest : mix(forest, rock, (height - 0.46) * 12.5)) : rock;
-        diffuse_blend = height < 0.72 ? diffuse_blend_4 : height < 0.78 ? mix(rock, vec3(0.9046612, 0.92158186, 0.9386857), (height - 0.72) * 16.666666) : vec3(0.9046612, 0.92158186, 0.9386857);
+        diffuse_blend = height < 0.72 ? diffuse_blend_4 : height <= 0.78 ? mix(rock, vec3(0.9046612, 0.92158186, 0.9386857), (height - 0.72) * 16.666666) : vec3(0.9046612, 0.92158186, 0.9386857);
     }
     // terrain.yaml:6 relief
     bool relief = height < -0.05;
-    bool relief_2 = height < 1.2;
+    bool relief_2 = height <= 1.2;
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // terrain.yaml:27 Blend
     float specular_blend = mix(0.5, 0.02, clamp((height + 0.02) * 50.0, 0.0, 1.0));
