@@ -44,12 +44,42 @@ for page in $pages; do
     cat "$work/named" >>"$work/files"
 done
 
-# For C, rows change the numbers and counts of kinds, parameters, functions and targets: an object is another one only where its
-# source is, or speaks of these. The others are those of the build folder that are younger than every header; without one, all are
-# compiled.
-changed='(KIND|P|TARGET|SUBJECT)_.*|(PARAM|FUNCTION)_COUNT|FN_none|FN_FIRST_MAP|(materials|maps|rules|slopes|targets)[.]def'
-anew=$(cd "$copy" && grep -rlwE --include='*.c' "$changed" compiler grammar runtime tests && cat "$work/files")
-newest=$(find compiler grammar runtime tests \( -name '*.h' -o -name '*.def' \) -exec ls -t {} + | sed -n 1p)
+# For C, rows change the numbers of enumerators, and the compiler says of which. A file is compiled anew where it names one of these, pastes
+# names of their kind, reads a table that the pages change, or includes a header that does. Every other object is that of the build folder,
+# unless something that it was made of is younger there. Without a build folder all are compiled.
+# numbers FOLDER: "name number" of every enumerator of its tables
+numbers() {
+    printf '#include "grammar/%s"\n' layout_tables.h scene_tables.h >"$work/tables.c"
+    cc -E -P -I"$1" "$work/tables.c" >"$work/numbers.c"
+    tr -d '\n' <"$work/numbers.c" | grep -o 'enum *{[^}]*}' | sed 's/^enum *{//' | tr ',' '\n' | sed -nE 's/^ *([A-Za-z]\w*).*/\1/p' >"$work/enumerators"
+    { echo 'int printf(const char *, ...); int main(void) {' && sed 's/.*/printf("& %d\\n", (int)&);/' "$work/enumerators" && echo 'return 0; }'; } >>"$work/numbers.c"
+    cc -std=c11 -o "$work/numbers" "$work/numbers.c" && "$work/numbers" | LC_ALL=C sort
+}
+numbers . >"$work/before"
+numbers "$copy" >"$work/after"
+LC_ALL=C comm -3 "$work/before" "$work/after" | sed 's/^\t//; s/ .*//' | sort -u >"$work/names"
+{ sed 's/_.*/_##/; s/^/\\b/' "$work/names" && sed -n 's,^grammar/\(.*\)[.]def$,/\1[.]def",p' "$work/files"; } | sort -u >"$work/parts"
+
+# Files of the copy that have to be compiled anew; headers bring those that include them
+search() { (cd "$copy" && grep -r --include='*.[ch]' "$@" compiler runtime tests || true); }
+{ search -lwFf "$work/names" && search -lEf "$work/parts" && (cd "$copy" && ls grammar/*.c) && cat "$work/files"; } | sort -u >"$work/anew"
+known=0
+while [ "$known" != "$(wc -l <"$work/anew")" ]; do
+    known=$(wc -l <"$work/anew")
+    sed -n 's,^\(.*/\)*\([^/]*[.]h\)$,\2",p' "$work/anew" >"$work/headers"
+    { cat "$work/anew" && search -lFf "$work/headers"; } | sort -u >"$work/more"
+    mv "$work/more" "$work/anew"
+done
+
+# "object" of every object of the build folder that nothing it was made of is younger than
+find compiler grammar runtime tests -type f -printf '%T@ %p\n' >"$work/times"
+: >"$work/fresh"
+[ -z "$build" ] || ninja -C "$build" -t deps | awk -v root="$PWD/" -v times="$work/times" '
+    function end() { if (object != "" && fresh) print object }
+    BEGIN { while ((getline line <times) > 0) { split(line, word, " "); at[word[2]] = word[1] } }
+    /^[^ ].*: #deps/ { end(); object = $1; sub(/:$/, "", object); made = $6 / 1e9; fresh = /\(VALID\)/; next }
+    NF == 1 { sub(/^(\.\.\/)+/, "", $1); if (index($1, root) == 1) $1 = substr($1, length(root) + 1); if ($1 in at && at[$1] > made) fresh = 0 }
+    END { end() }' >"$work/fresh"
 cat >"$work/compile" <<'end'
 last=
 for word; do
@@ -57,14 +87,16 @@ for word; do
     last=$word
 done
 name=${source#"$copy"/}
+[ "$name" != "$source" ] || exec "$@" # it is generated
 case "$newline$anew$newline" in *"$newline$name$newline"*) exec "$@" ;; esac
-[ "$name" != "$source" ] && [ "$build/$object" -nt "$source" ] && [ "$build/$object" -nt "$newest" ] || exec "$@"
-: >"$depends"
-exec cp "$build/$object" "$object"
+case "$newline$fresh$newline" in *"$newline$object$newline"*) : >"$depends" && exec cp "$build/$object" "$object" ;; esac
+exec "$@"
 end
 newline='
 '
-export build copy anew newline newest="$PWD/$newest"
+anew=$(cat "$work/anew")
+fresh=$(cat "$work/fresh")
+export build copy anew fresh newline
 
 # Without optimisation: matc is built once and runs little
 set -- -DCMAKE_BUILD_TYPE=None -DMATC_REFERENCE=OFF -DBUILD_SHARED_LIBS=OFF -DCMAKE_C_FLAGS=-O0
