@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "compiler/base/session.h"
 #include "grammar/tables.h"
 #include "tests/compile_text.h"
 #include <cjson/cJSON.h>
@@ -211,6 +212,32 @@ static void deep_chains_are_bounded(void **state)
     }
 }
 
+/* Waves too deep to be resolved, beside maps of just the depth that is allowed: what is said is said of the waves alone. */
+static void what_is_too_deep_leaves_its_neighbours_their_depth(void **state)
+{
+    (void)state;
+    enum { DEPTH = LIMIT_DEPTH - 1 }; /* of the maps: the material is the one above them */
+    char *text = NULL;
+    size_t size;
+    MatcOptions options = quick();
+    FILE *out = open_memstream(&text, &size);
+    fputs("defs:\n  w0: &w0 Sin\n  m0: &m0 { map: Wood }\n", out);
+    for (int i = 1; i <= LIMIT_DEPTH; i++)
+        fprintf(out, "  w%d: &w%d { wave: Chain, first: *w%d }\n", i, i, i - 1);
+    for (int i = 1; i < DEPTH; i++)
+        fprintf(out, "  m%d: &m%d { map: UVTransform, input: *m%d }\n", i, i, i - 1);
+    fprintf(out, "material: Phong\nspecular: { map: Gradient, waveForm: *w%d }\ndiffuse: *m%d\n", LIMIT_DEPTH,
+            DEPTH - 1);
+    fclose(out);
+    MatcDocument *document = read_text(text, &options);
+    assert_int_equal(matc_material_count(document), 0);
+    const char *said = matc_diagnostics(document, MATC_TEXT), *first = strstr(said, "nested deeper than");
+    assert_non_null(first);
+    assert_null(strstr(first + 1, "nested deeper than"));
+    matc_document_free(document);
+    free(text);
+}
+
 /* Long lists: an ordered one is searched by halving, so neither the shader nor the compiler nests deeply. */
 static void long_blends_are_searched(void **state)
 {
@@ -234,11 +261,17 @@ static void long_blends_are_searched(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(materials_are_listed),       cmocka_unit_test(uniforms_have_defaults),
-        cmocka_unit_test(noise_tables_are_textures),  cmocka_unit_test(reflection_fits_the_shader),
-        cmocka_unit_test(cut_documents_are_refused),  cmocka_unit_test(evaluation_reads_back),
-        cmocka_unit_test(no_diagnostics_are_no_text), cmocka_unit_test(threads_share_a_document),
-        cmocka_unit_test(deep_chains_are_bounded),    cmocka_unit_test(long_blends_are_searched),
+        cmocka_unit_test(materials_are_listed),
+        cmocka_unit_test(uniforms_have_defaults),
+        cmocka_unit_test(noise_tables_are_textures),
+        cmocka_unit_test(reflection_fits_the_shader),
+        cmocka_unit_test(cut_documents_are_refused),
+        cmocka_unit_test(evaluation_reads_back),
+        cmocka_unit_test(no_diagnostics_are_no_text),
+        cmocka_unit_test(threads_share_a_document),
+        cmocka_unit_test(deep_chains_are_bounded),
+        cmocka_unit_test(what_is_too_deep_leaves_its_neighbours_their_depth),
+        cmocka_unit_test(long_blends_are_searched),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

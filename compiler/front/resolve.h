@@ -55,6 +55,8 @@ typedef struct {
     int least, most;
 } LaneCount;
 
+/* False, and a diagnostic: a float of GLSL does not hold the number of that tree. */
+bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double number);
 /* A number, a list of numbers, a colour or a param; `what` is for messages. */
 bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value);
 /* "#rgb", a name, or one of them in srgb() or linear(); linear light. resolve_color.c */
@@ -63,7 +65,9 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value);
 bool resolve_color_space(Resolver *r, const Tree *document);
 /* What stands in that source is sRGB where nothing else is said. */
 bool resolve_is_srgb(const Resolver *r, uint32_t file);
+/* NULL for null. resolve_wave.c */
 bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
+/* resolve_transform.c */
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */

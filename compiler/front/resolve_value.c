@@ -1,15 +1,14 @@
-/* Values of parameters: numbers, params, waves, transformations, items. */
+/* Numbers, lists of them, colours and params, as values of parameters. */
+#include "compiler/base/text.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/reserved.h"
-#include "compiler/base/text.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
 
-static const LaneCount one_lane = {1, 1};
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
-static bool fits_float(Resolver *r, const char *what, const Tree *tree, double number)
+bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double number)
 {
     if (fabs(number) <= FLT_MAX)
         return true;
@@ -36,7 +35,7 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCou
             diag_add(r->session, item->span, DIAG_not_number, what, tree_describe(r->session, item));
             return false;
         }
-        if (!fits_float(r, what, item, value->number[i]))
+        if (!resolve_fits_float(r, what, item, value->number[i]))
             return false;
     }
     value->type = type_of_lanes[tree->count];
@@ -134,7 +133,7 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
     if (tree_number(tree, &number)) {
         value->type = TYPE_float;
         value->number[0] = number;
-        return fits_float(r, what, tree, number);
+        return resolve_fits_float(r, what, tree, number);
     }
     if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
         mistake_hex(r, tree, tree->text))
@@ -150,169 +149,4 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
     diag_add(r->session, tree->span, DIAG_wrong_type, what,
              lanes.most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->session, tree));
     return false;
-}
-
-static const char *wave_name(const void *user, int i)
-{
-    (void)user;
-    return i == WAVE_COUNT ? "Chain" : wave_table[i].name;
-}
-
-static bool wave_kind(Resolver *r, const Tree *name, WaveKind *kind)
-{
-    for (int i = 0; name->kind == TREE_scalar && i <= WAVE_COUNT; i++)
-        if (!strcmp(wave_name(NULL, i), name->text)) {
-            *kind = (WaveKind)i;
-            return true;
-        }
-    if (name->kind != TREE_scalar)
-        diag_add(r->session, name->span, DIAG_wrong_type, "a wave", "a name or `{ wave: name }`",
-                 tree_describe(r->session, name));
-    else
-        diag_add(r->session, name->span, DIAG_unknown_wave, name->text,
-                 diag_suggest(r->session, name->text, wave_name, NULL, WAVE_COUNT + 1));
-    return false;
-}
-
-static bool chain_member(Resolver *r, const Member *member, Wave *wave)
-{
-    if (!strcmp(member->key, "first"))
-        return resolve_wave(r, member->value, &wave->first);
-    if (!strcmp(member->key, "second"))
-        return resolve_wave(r, member->value, &wave->second);
-    if (!strcmp(member->key, "factor"))
-        return resolve_number(r, "factor", member->value, one_lane, &wave->factor);
-    if (!strcmp(member->key, "shift"))
-        return resolve_number(r, "shift", member->value, one_lane, &wave->shift);
-    diag_add(r->session, member->span, DIAG_unknown_key, "Chain", member->key, "");
-    return false;
-}
-
-static bool chain(Resolver *r, const Tree *tree, Wave *wave)
-{
-    bool fine = true;
-    for (uint32_t i = 0; i < tree->count; i++)
-        if (strcmp(tree->members[i].key, "wave") != 0)
-            fine &= chain_member(r, &tree->members[i], wave);
-    return fine;
-}
-
-static int wave_length(const Wave *wave) { return wave ? wave->length : 0; }
-
-/* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number, second: wave } */
-bool resolve_wave(Resolver *r, Tree *tree, const Wave **result)
-{
-    *result = tree->made == MADE_wave ? tree->wave : NULL;
-    if (tree_is_null(tree) || *result)
-        return true;
-    if (tree->failed)
-        return false;
-    if (++r->depth > LIMIT_DEPTH) {
-        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
-        return false;
-    }
-    Wave *wave = ARENA_NEW(r->session->arena, Wave);
-    wave->factor = (Value){.kind = VALUE_number, .type = TYPE_float, .number = {1}};
-    wave->shift = (Value){.kind = VALUE_number, .type = TYPE_float};
-    const Member *name = tree_find(tree, "wave");
-    bool fine = wave_kind(r, name ? name->value : tree, &wave->kind);
-    if (fine && name && wave->kind == WAVE_Chain)
-        fine = chain(r, tree, wave);
-    else if (fine && name && tree->count > 1) {
-        const Member *extra = &tree->members[&tree->members[0] == name];
-        diag_add(r->session, extra->span, DIAG_unknown_key, wave_name(NULL, (int)wave->kind), extra->key, "");
-        fine = false;
-    }
-    r->depth--;
-    wave->length = wave->kind == WAVE_Chain ? wave_length(wave->first) + wave_length(wave->second) : 1;
-    if (wave->length > LIMIT_WAVES) {
-        diag_add(r->session, tree->span, DIAG_wave_too_long, LIMIT_WAVES);
-        fine = false;
-    }
-    tree->failed = !fine;
-    *result = fine ? wave : NULL;
-    if (fine) {
-        tree->wave = wave;
-        tree->made = MADE_wave;
-    }
-    return fine;
-}
-
-static bool matrix(Resolver *r, const Tree *tree, Transform *transform)
-{
-    if (tree->kind == TREE_list && tree->count != 16) {
-        diag_add(r->session, tree->span, DIAG_wrong_count, "matrix", "16 numbers, by rows", (int)tree->count);
-        return false;
-    }
-    if (tree->kind != TREE_list) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, "matrix", "a list of 16 numbers, by rows",
-                 tree_describe(r->session, tree));
-        return false;
-    }
-    for (int i = 0; i < 16; i++) {
-        if (!tree_number(tree->items[i], &transform->matrix[i])) {
-            diag_add(r->session, tree->items[i]->span, DIAG_not_number, "matrix",
-                     tree_describe(r->session, tree->items[i]));
-            return false;
-        }
-        if (!fits_float(r, "matrix", tree->items[i], transform->matrix[i]))
-            return false;
-    }
-    const double *last = transform->matrix + 12;
-    if (last[0] == 0 && last[1] == 0 && last[2] == 0 && last[3] == 1)
-        return true;
-    diag_add(r->session, tree->span, DIAG_bad_matrix);
-    return false;
-}
-
-static const char *transform_key(const void *user, int i)
-{
-    (void)user;
-    static const char *const keys[] = {"translation", "rotation", "scale", "shear", "matrix"};
-    return keys[i];
-}
-
-/* transform: { scale: s } | { translation: v } | { matrix: [16] } | any of translation, rotation, scale, shear */
-bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
-{
-    if (tree->kind != TREE_object || !tree->count) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, "transform",
-                 "an object with scale, translation, rotation, shear or matrix", tree_describe(r->session, tree));
-        return false;
-    }
-    const Value zero = {.kind = VALUE_number, .type = TYPE_vec3};
-    transform->translation = transform->rotation = transform->shear = zero;
-    transform->scale = (Value){.kind = VALUE_number, .type = TYPE_float, .number = {1}};
-    Value *const parts[] = {&transform->translation, &transform->rotation, &transform->scale, &transform->shear};
-    bool fine = true;
-    for (uint32_t i = 0; i < tree->count; i++) {
-        const Member *member = &tree->members[i];
-        int key = 0;
-        while (key < 5 && strcmp(transform_key(NULL, key), member->key) != 0)
-            key++;
-        if (key == 5) {
-            diag_add(r->session, member->span, DIAG_unknown_key, "a transform", member->key,
-                     diag_suggest(r->session, member->key, transform_key, NULL, 5));
-            fine = false;
-        } else if (key == 4) {
-            fine &= matrix(r, member->value, transform);
-            transform->kind = TRANSFORM_matrix;
-            if (tree->count > 1) {
-                diag_add(r->session, tree->members[i == 0].span, DIAG_unknown_key, "a transform with a matrix",
-                         tree->members[i == 0].key, "");
-                fine = false;
-            }
-        } else {
-            /* a lone number is meant for scale only; a param may have one lane or three */
-            bool list = member->value->kind == TREE_list, one = key == 2 && !list;
-            bool param = member->value->kind == TREE_object;
-            const LaneCount lanes = {one ? 1 : 3, one && !param ? 1 : 3};
-            fine &= resolve_number(r, member->key, member->value, lanes, parts[key]);
-            transform->kind = tree->count > 1   ? TRANSFORM_components
-                              : key == 0        ? TRANSFORM_translation
-                              : key == 2 && one ? TRANSFORM_scale
-                                                : TRANSFORM_components;
-        }
-    }
-    return fine;
 }
