@@ -65,6 +65,7 @@
     F(SHADERSOURCE, ShaderSource)                                                                                      \
     F(TEXIMAGE2D, TexImage2D)                                                                                          \
     F(TEXPARAMETERI, TexParameteri)                                                                                    \
+    F(TEXSUBIMAGE2D, TexSubImage2D)                                                                                    \
     F(UNIFORM1FV, Uniform1fv)                                                                                          \
     F(UNIFORM1IV, Uniform1iv)                                                                                          \
     F(UNIFORM2FV, Uniform2fv)                                                                                          \

@@ -91,6 +91,13 @@ GLuint texture_make(GlContext *gl, const TextureSpec *spec)
     return 0;
 }
 
+void texture_rewrite(const GlContext *gl, GLuint texture, const TextureSpec *spec)
+{
+    gl->BindTexture(GL_TEXTURE_2D, texture);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, spec->width, spec->height, spec->lanes == 4 ? GL_RGBA : GL_RED, GL_FLOAT,
+                      spec->floats);
+}
+
 void texture_bind(const GlContext *gl, GLuint texture, int unit)
 {
     gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);

@@ -7,13 +7,13 @@
 /* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. One of bytes, words and floats is set. */
 typedef struct {
     int width, height;
-    int lanes;             /* 1 or 4 */
-    const uint8_t *bytes;  /* a byte over 255 is the value: R8, RGBA8 */
-    const float *floats;   /* R32F, RGBA32F */
-    bool linear;           /* filter; false: nearest */
-    GLint wrap;            /* beyond the edges; a border is 0 in all lanes; 0: the texel at the edge */
-    bool mipmaps;          /* make them, and filter linearly in and between them */
-    int anisotropy;        /* samples along a footprint's longer side, at most; as many as the driver can, 0 or 1: one */
+    int lanes;            /* 1 or 4 */
+    const uint8_t *bytes; /* a byte over 255 is the value: R8, RGBA8 */
+    const float *floats;  /* R32F, RGBA32F */
+    bool linear;          /* filter; false: nearest */
+    GLint wrap;           /* beyond the edges; a border is 0 in all lanes; 0: the texel at the edge */
+    bool mipmaps;         /* make them, and filter linearly in and between them */
+    int anisotropy;       /* samples along a footprint's longer side, at most; as many as the driver can, 0 or 1: one */
     const uint16_t *words; /* a word over 65535 is the value: RGBA16 */
     GLint format;          /* the internal one, where several can hold the numbers: SRGB8_ALPHA8; 0: as said above */
 } TextureSpec;
@@ -29,6 +29,9 @@ bool texture_check(GlContext *gl, const TextureSpec *spec);
 
 /* The texture stays bound to the active unit. 0: see gl->error. Delete with gl->DeleteTextures. */
 GLuint texture_make(GlContext *gl, const TextureSpec *spec);
+
+/* Other floats for such a texture, which was made of as many. It stays bound to the active unit. */
+void texture_rewrite(const GlContext *gl, GLuint texture, const TextureSpec *spec);
 
 /* Binds a texture to a unit, for the sampler uniform of that number. */
 void texture_bind(const GlContext *gl, GLuint texture, int unit);

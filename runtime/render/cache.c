@@ -11,12 +11,21 @@ typedef struct {
     Key *keys;
 } Known;
 
+/* A mesh of a file, by what is in it. */
+static Key shape_key(const Shape *shape)
+{
+    const Key parts[] = {key_of_bytes(shape->vertices, (size_t)shape->vertex_count * sizeof *shape->vertices),
+                         key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices)};
+    return key_of_bytes(parts, sizeof parts);
+}
+
 typedef struct {
     Store *store;
     GlContext *gl;
     const CacheSource *source;
-    Cache *cache;
+    Cache *before, *cache;
     Known meshes, kinds;
+    Key *file_keys;        /* of the scene's meshes */
     int *kind_of, *row_of; /* by material; kind_of -1: not met */
 } Maker;
 
@@ -36,13 +45,26 @@ static void add(Known *known, Key key, int number)
     hash_index_add(NULL, &known->index, (uint32_t)key.low, (uint32_t)number);
 }
 
-/* Objects with one key have one mesh. */
-static Key mesh_key(const SceneObject *object)
+/* Objects with one key have one mesh, in this scene and in the next. */
+static Key mesh_key(const Maker *m, const SceneObject *object)
 {
-    const double parts[SCENE_NUMBERS + 2] = {object->kind,       object->mesh,       object->numbers[0],
-                                             object->numbers[1], object->numbers[2], object->numbers[3],
-                                             object->numbers[4], object->numbers[5]};
-    return key_of_bytes(parts, sizeof parts);
+    double parts[SCENE_NUMBERS + 1] = {object->kind};
+    memcpy(parts + 1, object->numbers, sizeof object->numbers);
+    return object->kind == SCENE_Mesh ? m->file_keys[object->mesh] : key_of_bytes(parts, sizeof parts);
+}
+
+/* Takes the mesh of that key out of the cache before. */
+static bool take_mesh(Maker *m, Key key)
+{
+    Cache *before = m->before, *cache = m->cache;
+    for (int i = 0; before && i < before->mesh_count; i++)
+        if (before->meshes[i].array && key_equal(before->mesh_keys[i], key)) {
+            cache->meshes[cache->mesh_count] = before->meshes[i];
+            cache->boxes[cache->mesh_count++] = before->boxes[i];
+            before->meshes[i] = (Mesh){0};
+            return true;
+        }
+    return false;
 }
 
 static bool make_mesh_of(Maker *m, const Shape *shape)
@@ -69,11 +91,11 @@ static bool make_mesh(Maker *m, const SceneObject *object)
 /* The place of its mesh among the cache's, or -1. */
 static int mesh_of(Maker *m, const SceneObject *object)
 {
-    const Key key = mesh_key(object);
+    const Key key = mesh_key(m, object);
     const int known = find(&m->meshes, key);
     if (known >= 0)
         return known;
-    if (!make_mesh(m, object))
+    if (!take_mesh(m, key) && !make_mesh(m, object))
         return -1;
     add(&m->meshes, key, m->cache->mesh_count - 1);
     return m->cache->mesh_count - 1;
@@ -172,6 +194,8 @@ static bool add_objects(Maker *m)
     const Scene *scene = m->source->scene;
     for (int i = 0; i < scene->material_count; i++)
         m->kind_of[i] = -1;
+    for (int i = 0; i < scene->mesh_count; i++)
+        m->file_keys[i] = shape_key(&scene->meshes[i].shape);
     for (int i = 0; i < scene->object_count; i++)
         if (!(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
             return false;
@@ -202,13 +226,14 @@ static bool make_room(Maker *m)
     cache->surfaces = calloc(objects, sizeof *cache->surfaces);
     cache->planes = calloc(objects, sizeof *cache->planes);
     cache->list = calloc(2 * objects, sizeof *cache->list);
-    m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
+    cache->mesh_keys = m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
+    m->file_keys = calloc((size_t)scene->mesh_count + 1, sizeof *m->file_keys);
     m->kinds.keys = calloc(kinds, sizeof *m->kinds.keys);
     m->kind_of = calloc(materials, sizeof *m->kind_of);
     m->row_of = calloc(materials, sizeof *m->row_of);
     return (cache->kinds && cache->numbers && cache->meshes && cache->boxes && cache->places && cache->place_of &&
             cache->surfaces && cache->planes && cache->list && m->meshes.keys && m->kinds.keys && m->kind_of &&
-            m->row_of) ||
+            m->row_of && m->file_keys) ||
            gl_fail(m->gl, "out of memory");
 }
 
@@ -216,8 +241,8 @@ static void forget(Maker *m)
 {
     hash_index_free(&m->meshes.index);
     hash_index_free(&m->kinds.index);
-    free(m->meshes.keys);
     free(m->kinds.keys);
+    free(m->file_keys);
     free(m->kind_of);
     free(m->row_of);
 }
@@ -237,9 +262,9 @@ static bool make_buffers(Maker *m)
     return gl_check(m->gl, "making buffers of instances");
 }
 
-bool cache_make(Store *store, const CacheSource *source, Cache *made)
+bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made)
 {
-    Maker maker = {.store = store, .gl = store_context(store), .source = source, .cache = made};
+    Maker maker = {.store = store, .gl = store_context(store), .source = source, .before = before, .cache = made};
     *made = (Cache){.instances = source->set->instances};
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
                       cache_arrange(maker.gl, source, made);
@@ -266,6 +291,7 @@ void cache_delete(GlContext *gl, Cache *cache)
     free(cache->numbers);
     free(cache->meshes);
     free(cache->boxes);
+    free(cache->mesh_keys);
     free(cache->places);
     free(cache->place_of);
     free(cache->surfaces);

@@ -42,6 +42,7 @@ typedef struct {
     int number_count;
     Mesh *meshes;
     CullBox *boxes; /* of the meshes */
+    Key *mesh_keys; /* of what they are made of */
     int mesh_count;
     CachePlace *places; /* of the objects but planes, sorted by program, kind, mesh */
     int place_count;
@@ -65,8 +66,8 @@ typedef struct {
     const CullVolume *volume; /* what is seen; NULL: all */
 } CacheSource;
 
-/* False: see the context's error; *made is empty then. */
-bool cache_make(Store *store, const CacheSource *source, Cache *made);
+/* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */
+bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made);
 /* Safe on an empty one, which it leaves behind. */
 void cache_delete(GlContext *gl, Cache *cache);
 
@@ -74,6 +75,8 @@ void cache_delete(GlContext *gl, Cache *cache);
 bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
 /* So many objects from `first` on stand elsewhere. */
 bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int first, int count);
+/* Sets a uniform of a material. False: no program of it has one of that name and so many lanes. */
+bool cache_set(const CacheSource *source, Cache *cache, int material, const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
 /* Draws the surfaces in view, each with its program. */

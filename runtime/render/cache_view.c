@@ -182,6 +182,19 @@ bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int firs
     return !cache->instances || high < 0 || write_places(gl, source, cache, low, high - low + 1);
 }
 
+bool cache_set(const CacheSource *source, Cache *cache, int material, const MaterialValue *value)
+{
+    const Scene *scene = source->scene;
+    bool found = false;
+    for (int i = 0; i < cache->place_count; i++)
+        if (scene->objects[cache->places[i].object].material == material)
+            found |= material_set(&cache->kinds[cache->places[i].kind].material, value);
+    for (int i = 0; i < cache->plane_count; i++)
+        if (scene->objects[cache->planes[i].object].material == material)
+            found |= material_set(&cache->planes[i].material, value);
+    return (cache->has_sky && scene->sky == material && material_set(&cache->sky, value)) || found;
+}
+
 /* -- drawing */
 
 void cache_draw(GlContext *gl, Cache *cache)

@@ -135,6 +135,12 @@ bool frame_make(Render *render)
     return fine;
 }
 
+bool frame_change(Render *render, unsigned what)
+{
+    const bool lit = render->light.material.store != NULL;
+    return !lit || !(what & (RENDER_CAMERA | RENDER_LIGHTS)) || lighting_change(render, &render->light);
+}
+
 void frame_draw(Render *render)
 {
     for (int i = 0; i < PASS_COUNT_HERE; i++)

@@ -85,6 +85,8 @@ void frame_place(Render *render);
 /* Decides what runs, and makes targets and programs of that. */
 bool frame_make(Render *render);
 void frame_draw(Render *render);
+/* Brings up to date what depends on that (a sum of RenderChange), but for the cache. */
+bool frame_change(Render *render, unsigned what);
 void frame_delete(Render *render);
 /* What the plan was asked for. The passes are written to `rows`. */
 FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
@@ -108,6 +110,8 @@ bool lighting_make(Render *render, const char *body, ScreenPass *made);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
 void pass_tone_place(Render *render);
+/* The camera or lights are others; there are as many. */
+bool lighting_change(Render *render, ScreenPass *pass);
 /* Binds what it reads, before it runs. */
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
 /* The texture of a target, and its number among those that are there together. */

@@ -19,7 +19,8 @@ static int targets_of(const Render *render)
     return count;
 }
 
-static bool make_lights(Render *render)
+/* Texels of lights, into the texture that is there, or a new one. */
+static bool write_lights(Render *render)
 {
     const int most = render->scene->light_count > 0 ? render->scene->light_count : 1;
     const int row = most < VIEW_SPACE_LIGHT_ROW ? most : VIEW_SPACE_LIGHT_ROW;
@@ -31,7 +32,10 @@ static bool make_lights(Render *render)
     view_space_lights(&render->space, render->scene, floats, render->light_counts);
     const TextureSpec spec = {.width = row * VIEW_SPACE_LIGHT_TEXELS, .height = rows, .lanes = 4, .floats = floats};
     render->gl->ActiveTexture(GL_TEXTURE0 + LIGHTS_UNIT); /* making a texture binds it */
-    render->lights = texture_check(render->gl, &spec) ? texture_make(render->gl, &spec) : 0;
+    if (render->lights)
+        texture_rewrite(render->gl, render->lights, &spec);
+    else
+        render->lights = texture_check(render->gl, &spec) ? texture_make(render->gl, &spec) : 0;
     free(floats);
     return render->lights != 0;
 }
@@ -68,7 +72,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 
 bool lighting_make(Render *render, const char *body, ScreenPass *made)
 {
-    if (!render->lights && !make_lights(render))
+    if (!render->lights && !write_lights(render))
         return false;
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0;
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
@@ -79,6 +83,14 @@ bool lighting_make(Render *render, const char *body, ScreenPass *made)
     if (!screen_pass_make(render->store, &text, made))
         return false;
     set_numbers(render, made);
+    return true;
+}
+
+bool lighting_change(Render *render, ScreenPass *pass)
+{
+    if (!write_lights(render))
+        return false;
+    set_numbers(render, pass);
     return true;
 }
 

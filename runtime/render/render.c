@@ -100,24 +100,81 @@ static void set_size(Render *render, const Scene *scene)
     }
 }
 
-static bool make_scene(Render *render, const Scene *scene)
+static CacheSource source_of(const Render *render)
 {
-    const CacheSource source = {scene, &render->set, &render->space, render->options.unculled ? NULL : &render->volume};
-    render->scene = scene;
-    set_size(render, scene);
-    view_space_make(&scene->camera, render->whole, render->zero_to_one, &render->space);
-    cull_volume(&scene->camera, render->whole, &render->volume);
-    return set_make(render->gl, scene, &render->compile, &render->set) &&
-           cache_make(render->store, &source, &render->cache) && frame_make(render) && make_reader(render);
+    return (CacheSource){render->scene, &render->set, &render->space,
+                         render->options.unculled ? NULL : &render->volume};
 }
 
+static void look(Render *render)
+{
+    const SceneCamera *camera = &render->scene->camera;
+    view_space_make(camera, render->whole, render->zero_to_one, &render->space);
+    view_space_place(&render->space, render->whole, render->at);
+    cull_volume(camera, render->whole, &render->volume);
+}
+
+static bool make_scene(Render *render, const Scene *scene, Cache *before)
+{
+    render->scene = scene;
+    set_size(render, scene);
+    look(render);
+    const CacheSource source = source_of(render);
+    return set_make(render->gl, scene, &render->compile, &render->set) &&
+           cache_make(render->store, &source, before, &render->cache) && frame_make(render) && make_reader(render);
+}
+
+/* What the scene before was drawn with goes when all is there for the next: programs and pictures of both are not made again. */
 bool render_scene(Render *render, const Scene *scene)
 {
+    Cache before = render->cache;
+    ScreenPass passes[] = {render->light, render->tone};
+    render->cache = (Cache){0};
+    render->light = render->tone = (ScreenPass){0};
     forget_scene(render);
-    if (make_scene(render, scene))
-        return true;
-    forget_scene(render);
-    return false;
+    const bool done = make_scene(render, scene, &before);
+    cache_delete(render->gl, &before);
+    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
+        screen_pass_delete(&passes[i]);
+    if (!done)
+        forget_scene(render);
+    return done;
+}
+
+static bool has_scene(const Render *render)
+{
+    return render->scene || gl_fail(render->gl, "there is no scene to change");
+}
+
+bool render_changed(Render *render, unsigned what)
+{
+    if (!has_scene(render))
+        return false;
+    if (what & RENDER_CAMERA) {
+        look(render);
+        const CacheSource source = source_of(render);
+        cache_view(render->gl, &source, &render->cache);
+    }
+    return frame_change(render, what) && gl_check(render->gl, "changing a scene");
+}
+
+bool render_changed_objects(Render *render, int first, int count)
+{
+    if (!has_scene(render))
+        return false;
+    const CacheSource source = source_of(render);
+    if (first < 0 || count < 0 || first > render->scene->object_count - count)
+        return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
+    return cache_move(render->gl, &source, &render->cache, first, count) && gl_check(render->gl, "moving objects");
+}
+
+bool render_param(Render *render, int material, const char *name, const float *lanes, int count)
+{
+    if (!has_scene(render))
+        return false;
+    const CacheSource source = source_of(render);
+    return cache_set(&source, &render->cache, material, &(MaterialValue){name, count, lanes}) ||
+           gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
 }
 
 bool render_frame(Render *render)

@@ -32,9 +32,22 @@ Render *render_open(GlContext *gl, const RenderOptions *options);
 /* With all that it made. NULL is nothing. */
 void render_close(Render *render);
 
-/* Makes what drawing the scene takes; the scene is not kept, but is there until the next one, or the end. Further frames need no more. */
+/* Makes what drawing the scene takes; the scene is not kept, but is there until the next one, or the end. Further frames need no more.
+ * Programs, pictures and meshes that the scene before had are not made again; what nobody needs any more goes. */
 bool render_scene(Render *render, const Scene *scene);
-/* Draws. A frame after the first of a scene makes no GL call but those that bind, clear, draw and dispatch. */
+
+/* What the caller may change in the scene that is drawn, where it stands. No program, picture, mesh or target is made for it. */
+typedef enum {
+    RENDER_CAMERA = 1, /* all of it */
+    RENDER_LIGHTS = 2  /* their numbers; a light stays of its kind */
+} RenderChange;
+/* Tells what was changed: a sum of RenderChange. */
+bool render_changed(Render *render, unsigned what);
+/* So many objects from `first` on have other matrices. */
+bool render_changed_objects(Render *render, int first, int count);
+/* Sets a param of a material, by its place in scene->materials. False: none of its programs has a param of that name and so many lanes, 1 to 4. */
+bool render_param(Render *render, int material, const char *name, const float *lanes, int count);
+/* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was changed since the one before. */
 bool render_frame(Render *render);
 
 /* Of the picture, and of what is drawn at once. */

@@ -1,0 +1,159 @@
+/* Scenes that change, against scenes that are drawn anew; what each change makes and writes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_calls.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_random.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool same(const float *a, const float *b, const Scene *scene)
+{
+    return !memcmp(a, b, (size_t)scene->width * (size_t)scene->height * 4 * sizeof *a);
+}
+
+typedef struct {
+    const MatcOptions options;
+    GlContext *gl;
+    MatcDocument *document;
+    Scene *scene;
+    Render *render;
+} Changing;
+
+static Changing open_changing(const char *text)
+{
+    Changing c = {.options = frame_exact_options(), .gl = frame_context()};
+    c.scene = frame_scene(text, &c.options, &c.document);
+    frame_count_calls(c.gl);
+    c.render = render_open(c.gl, &(RenderOptions){.compile = &c.options, .view = "light"});
+    assert_true(c.render && render_scene(c.render, c.scene) && render_frame(c.render));
+    frame_calls = (FrameCalls){0};
+    return c;
+}
+
+static void close_changing(Changing *c)
+{
+    assert_true(gl_check(c->gl, "all changes"));
+    render_close(c->render);
+    gl_close(c->gl);
+    frame_forget(c->scene, c->document);
+}
+
+static float *read_frame(const Changing *c)
+{
+    float *rgba = calloc((size_t)c->scene->width * (size_t)c->scene->height, 4 * sizeof *rgba);
+    assert_non_null(rgba);
+    assert_true(render_frame(c->render) && render_read(c->render, rgba));
+    return rgba;
+}
+
+/* Nothing was made for the change, so many bytes were written, and the picture is that of a renderer that sees the scene for the first time. */
+static void assert_as_new(const Changing *c, long most)
+{
+    assert_int_equal(frame_calls.made, 0);
+    if (frame_calls.bytes > most)
+        fail_msg("%ld bytes in %d calls", frame_calls.bytes, frame_calls.written);
+    float *changed = read_frame(c);
+    GlContext *gl = frame_context();
+    float *new = frame_floats(gl, c->scene, &(RenderOptions){.compile = &c->options, .view = "light"});
+    assert_true(same(changed, new, c->scene));
+    gl_close(gl);
+    assert_true(gl_use(c->gl));
+    free(changed);
+    free(new);
+    frame_calls = (FrameCalls){0};
+}
+
+static void changes(void **unused)
+{
+    (void)unused;
+    char *text = frame_random_text(7, 120, false);
+    Changing c = open_changing(text);
+    Scene *scene = c.scene;
+    scene->objects[3].world_from_local.m[12] += .25;
+    assert_true(render_changed_objects(c.render, 3, 1));
+    assert_as_new(&c, 128 + 4 * 120); /* its row, and who is in view */
+    for (int i = 0; i < scene->object_count; i++)
+        scene->objects[i].world_from_local.m[14] += .1 * i / scene->object_count;
+    assert_true(render_changed_objects(c.render, 0, scene->object_count));
+    assert_as_new(&c, (128 + 4) * 120);
+    for (int i = 0; i < 3; i++)
+        scene->objects[9].world_from_local.m[i] *= -1; /* its triangles turn round: another group */
+    assert_true(render_changed_objects(c.render, 9, 1));
+    assert_as_new(&c, (128 + 12) * 120);
+    scene->camera.position[0] += 1;
+    assert_true(render_changed(c.render, RENDER_CAMERA));
+    assert_as_new(&c, 112 + 4 * 120);
+    scene->lights[0].light[1] *= .5;
+    scene->lights[0].position[2] += 1;
+    scene->lights[1].light[0] *= 2;
+    assert_true(render_changed(c.render, RENDER_LIGHTS));
+    assert_as_new(&c, 0);
+    assert_false(render_changed_objects(c.render, 100, 21));
+    assert_string_equal(c.gl->error, "there are no objects 100 to 120");
+    close_changing(&c);
+    free(text);
+}
+
+/* Params of a material are its own, though others have its program. */
+static void params(void **unused)
+{
+    (void)unused;
+    Changing c = open_changing(
+        "image: { width: 20, height: 10 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 1 }\n"
+        "lights: [{ light: Ambient }]\nobjects:\n"
+        "- { object: Box, material: { material: Phong, ambient: { param: shine, default: .2 } }, transform: { "
+        "translation: [-.5, 0, 0] } }\n"
+        "- { object: Box, material: { material: Phong, ambient: { param: shine, default: .2 } }, transform: { "
+        "translation: [.5, 0, 0] } }\n");
+    const int second = c.scene->objects[1].material;
+    assert_true(render_param(c.render, second, "shine", &(float){.8f}, 1));
+    assert_int_equal(frame_calls.made, 0);
+    float *rgba = read_frame(&c);
+    assert_true(fabsf(rgba[4 * 105] - .2f) < 1e-3f && fabsf(rgba[4 * 115] - .8f) < 1e-3f); /* 10 bits */
+    assert_false(render_param(c.render, second, "shin", &(float){.8f}, 1));
+    assert_string_equal(c.gl->error, "no program of the material has a param 'shin' of 1 lanes");
+    assert_false(render_param(c.render, second, "shine", (float[3]){0}, 3));
+    free(rgba);
+    close_changing(&c);
+}
+
+/* The next scene has the programs and meshes of the one before; those that it lacks go. */
+static void the_next_scene(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "image: { width: 32, height: 32 }\nlights: [{ light: Point, position: [3, -3, 3], intensity: 9 }]\nobjects:\n"
+        "- { object: Sphere, material: { material: Phong, diffuse: .5 } }\n"
+        "- { object: Box, material: { material: Phong, diffuse: { map: Checker } }, transform: { translation: [%d, 0, "
+        "0] } }\n";
+    char first[1024], next[1024];
+    snprintf(first, sizeof first, text, 1);
+    snprintf(next, sizeof next, text, -1);
+    Changing c = open_changing(first);
+    MatcDocument *document;
+    Scene *scene = frame_scene(next, &c.options, &document);
+    const int before = frame_calls.programs;
+    frame_calls = (FrameCalls){0};
+    assert_int_equal(before, 0);
+    assert_true(render_scene(c.render, scene));
+    assert_int_equal(frame_calls.programs, 0);
+    frame_forget(c.scene, c.document);
+    c.scene = scene;
+    c.document = document;
+    frame_calls = (FrameCalls){0};
+    assert_as_new(&c, 0);
+    close_changing(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(params),
+                                       cmocka_unit_test(the_next_scene)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,194 @@
+/* Many objects: instances against objects drawn one by one, and against what is not culled; how many calls it takes. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/render/cull.h"
+#include "runtime/scene/scene_matrix.h"
+#include "tests/frame/frame_calls.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_random.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool same(const float *a, const float *b, const Scene *scene)
+{
+    return !memcmp(a, b, (size_t)scene->width * (size_t)scene->height * 4 * sizeof *a);
+}
+
+/* -- what is out of view */
+
+/* A picture with culling is the picture without, bit for bit, with instances and without them. */
+static void nothing_in_view_is_left_out(void **unused)
+{
+    (void)unused;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (int round = 0; round < 9; round++) {
+        MatcDocument *document;
+        char *text = frame_random_text((uint64_t)round + 1, 150, round % 3 == 2);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *culled = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        float *whole =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .unculled = true});
+        assert_true(same(culled, whole, scene));
+        free(culled);
+        free(whole);
+        free(text);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+/* Unit boxes beside the view, a little out of it and a little in it; angles by closed forms. */
+static void boxes_at_the_planes(void **unused)
+{
+    (void)unused;
+    const SceneCamera camera = {.kind = SCENE_Perspective,
+                                .position = {10, 20, 30},
+                                .right = {1, 0, 0},
+                                .up = {0, 0, 1},
+                                .back = {0, -1, 0},
+                                .half = 1,
+                                .near = 2};
+    const CullBox box = {{-1, -1, -1}, {1, 1, 1}};
+    static const struct {
+        double x, y, z; /* of the centre, from the eye: to the right, ahead, up */
+        bool seen;
+    } cases[] = {{0, 10, 0, true},      {0, -10, 0, false},   {0, .99, 0, false},     {0, 1.01, 0, true},
+                 {23.01, 10, 0, false}, {22.99, 10, 0, true}, {-23.01, 10, 0, false}, {-22.99, 10, 0, true},
+                 {0, 10, 12.01, false}, {0, 10, 11.99, true}, {0, 10, -12.01, false}, {0, 10, -11.99, true}};
+    CullVolume volume;
+    cull_volume(&camera, (const int[]){200, 100}, &volume); /* twice as wide as high: tangents 2 and 1 */
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        SceneMatrix matrix = scene_matrix_identity();
+        matrix.m[12] = 10 + cases[i].x;
+        matrix.m[13] = 20 + cases[i].y;
+        matrix.m[14] = 30 + cases[i].z;
+        assert_int_equal(cull_sees(&volume, &box, &matrix), cases[i].seen);
+    }
+}
+
+/* -- instances */
+
+/* By uniforms, object by object, the same is drawn: depth bit for bit, light but for a step of a normal's code. */
+static void instances_or_not(void **unused)
+{
+    (void)unused;
+    const MatcOptions options = frame_exact_options();
+    for (int round = 0; round < 2; round++) {
+        MatcDocument *document;
+        char *text = frame_random_text((uint64_t)round + 100, 100, round == 1);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *pictures[2][2];
+        for (int way = 0; way < 2; way++) {
+            GlContext *gl = frame_context();
+            gl->VertexAttribDivisor = way ? NULL : gl->VertexAttribDivisor;
+            pictures[0][way] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+            pictures[1][way] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            gl_close(gl);
+        }
+        assert_true(same(pictures[0][0], pictures[0][1], scene));
+        for (int i = 0; i < scene->width * scene->height * 4; i++)
+            assert_true(fabsf(pictures[1][0][i] - pictures[1][1][i]) <= 1e-3f * (1 + pictures[1][0][i]));
+        for (int i = 0; i < 4; i++)
+            free(pictures[i / 2][i % 2]);
+        free(text);
+        frame_forget(scene, document);
+    }
+}
+
+/* What is written is GLSL, whatever the material reads of its surface; glslang links both texts. */
+static void instances_are_valid(void **unused)
+{
+    (void)unused;
+    static const char *const materials[] = {
+        "material: Phong\ndiffuse: { map: Blend, input: { map: Wood }, blend: [{ value: 0, input: .2 }, { value: 2, "
+        "input: .3 }] }\n",
+        "material: Phong\ndiffuse: { map: Checker, color1: .3, input: { map: BumpMap, displacement: { map: Wood } } "
+        "}\n",
+        "material: RGBA\nr: .4\na: { param: alpha, default: .5 }\n",
+    };
+    static const char *const passes[] = {"gbuffer", "shadow", "depth", "value", "plane", "sky"};
+    for (size_t i = 0; i < sizeof materials / sizeof *materials * 6; i++) {
+        MatcOptions options;
+        matc_options_init(&options);
+        options.target = "glsl450";
+        options.constants = "uniform";
+        options.instances = true;
+        options.pass = passes[i % 6];
+        MatcDocument *document = matc_read("m.yaml", materials[i / 6], strlen(materials[i / 6]), &options);
+        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_REFLECT, &options);
+        if (!matc_ok(program))
+            fail_msg("%s", matc_program_diagnostics(program, MATC_TEXT));
+        const bool drawn = i % 6 < 4;
+        assert_int_equal(drawn, strstr(matc_output(program, MATC_VERTEX, NULL), "matc_instance;") != NULL);
+        assert_int_equal(drawn, matc_output(program, MATC_REFLECT, NULL) == NULL);
+        matc_program_free(program);
+        matc_document_free(document);
+    }
+}
+
+/* -- calls */
+
+enum { TEXT = 1 << 17 };
+
+/* n materials that differ in numbers, on n boxes. */
+static char *rows_text(int count)
+{
+    char *text = malloc(TEXT);
+    size_t size =
+        (size_t)snprintf(text, TEXT, "image: { width: 16, height: 16 }\nlights: [{ light: Ambient }]\nobjects:\n");
+    for (int i = 0; i < count; i++)
+        size += (size_t)snprintf(
+            text + size, TEXT - size,
+            "- { object: Box, transform: { translation: [%g, 0, 0] }, material: { material: Phong, ambient: "
+            "[%g, .5, .2] } }\n",
+            i * .01, (i + 1.) / (count + 1));
+    return text;
+}
+
+/* Eight times the objects and materials are as many calls of every kind, and eight times the bytes. */
+static void calls_do_not_grow(void **unused)
+{
+    (void)unused;
+    const MatcOptions options = frame_exact_options();
+    int drawn[2], made[2], programs[2];
+    for (int i = 0; i < 2; i++) {
+        MatcDocument *document;
+        char *text = rows_text(i ? 400 : 50);
+        Scene *scene = frame_scene(text, &options, &document);
+        GlContext *gl = frame_context();
+        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+        frame_count_calls(gl);
+        assert_true(render && render_scene(render, scene));
+        made[i] = frame_calls.made;
+        frame_calls = (FrameCalls){0};
+        assert_true(render_frame(render));
+        drawn[i] = frame_calls.drawn;
+        programs[i] = frame_calls.programs;
+        render_close(render);
+        gl_close(gl);
+        free(text);
+        frame_forget(scene, document);
+    }
+    assert_int_equal(drawn[0], 1);
+    assert_int_equal(drawn[1], 1);
+    assert_int_equal(programs[0], programs[1]);
+    assert_int_equal(made[0], made[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_in_view_is_left_out),
+        cmocka_unit_test(boxes_at_the_planes),
+        cmocka_unit_test(instances_or_not),
+        cmocka_unit_test(instances_are_valid),
+        cmocka_unit_test(calls_do_not_grow),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
