@@ -1,0 +1,204 @@
+"""A world by Cycles: Lambert's surfaces, each light in a picture of its own, since Cycles takes one of them at random for a sample. Light
+without extent leaves to chance only where in a pixel a sample lies, and that is within 0.005 pixels of its middle."""
+import math
+import os
+import tempfile
+
+import bpy
+import mathutils
+import numpy
+
+import world
+
+SAMPLES = 64
+
+
+def begin(scenery, samples):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.samples, cycles.use_adaptive_sampling, cycles.use_denoising = samples, False, False
+    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", .01  # at the middle of the pixel; a box is 1 wide, whatever is said
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = cycles.light_sampling_threshold = 0
+    cycles.max_bounces = cycles.diffuse_bounces = 0
+    cycles.transparent_max_bounces = cycles.min_transparent_bounces = cycles.min_light_bounces = 64
+    render = scene.render
+    render.resolution_x, render.resolution_y, render.resolution_percentage = scenery.width, scenery.height, 100
+    render.threads_mode, render.threads = "FIXED", 1
+    render.dither_intensity = 0
+    settings = render.image_settings
+    settings.file_format, settings.color_depth, settings.color_mode = "OPEN_EXR", "32", "RGB"
+    scene.view_settings.view_transform = "Raw"
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.use_nodes = True
+    scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 0
+    add_camera(scene, scenery)
+    return scene
+
+
+def matrix_of(axes, position):
+    matrix = numpy.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = axes, position
+    return mathutils.Matrix(matrix.tolist())
+
+
+def add_camera(scene, scenery):
+    seen = bpy.data.cameras.new("camera")
+    seen.sensor_fit = "HORIZONTAL" if scenery.width < scenery.height else "VERTICAL"
+    seen.clip_start, seen.clip_end = .001, 1e5
+    if scenery.camera.flat:
+        seen.type, seen.ortho_scale = "ORTHO", 2 * scenery.camera.half
+    else:
+        seen.angle = 2 * math.atan(scenery.camera.half)
+        seen.sensor_width = seen.sensor_height = 32
+        seen.lens = 16 / scenery.camera.half
+    eye = bpy.data.objects.new("camera", seen)
+    eye.matrix_world = matrix_of(scenery.camera.axes, scenery.camera.position)
+    scene.collection.objects.link(eye)
+    scene.camera = eye
+
+
+class Shader:
+    """Nodes of a material; `tree.add` adds closures up."""
+
+    def __init__(self, name):
+        self.made = bpy.data.materials.new(name)
+        self.made.use_nodes = True
+        self.tree = self.made.node_tree
+        self.tree.nodes.clear()
+        self.sum = None
+
+    def node(self, kind, **inputs):
+        made = self.tree.nodes.new(kind)
+        for name, value in inputs.items():
+            if hasattr(value, "node"):
+                self.tree.links.new(value, made.inputs[name])
+            else:
+                made.inputs[name].default_value = value
+        return made
+
+    def add(self, closure):
+        if self.sum:
+            both = self.node("ShaderNodeAddShader")
+            self.tree.links.new(self.sum, both.inputs[0])
+            self.tree.links.new(closure.outputs[0], both.inputs[1])
+            closure = both
+        self.sum = closure.outputs[0]
+
+    def done(self):
+        self.tree.links.new(self.sum, self.node("ShaderNodeOutputMaterial").inputs["Surface"])
+        return self.made
+
+
+def rgba(lanes):
+    return (*map(float, lanes), 1.)
+
+
+def lambert(scenery, material):
+    """What answers light: diffuse on its side, diffuseTransparency on the other."""
+    shader = Shader("lambert")
+    shader.add(shader.node("ShaderNodeBsdfDiffuse", Color=rgba(world.slot(material, "diffuse"))))
+    if "diffuseTransparency" in material:
+        shader.add(shader.node("ShaderNodeBsdfTranslucent", Color=rgba(world.slot(material, "diffuseTransparency"))))
+    return shader.done()
+
+
+def shining(scenery, material):
+    """What needs no light from anywhere: emissive, and the answer to ambient light."""
+    ambient = sum((light["light"] for light in scenery.lights if light["kind"] == "Ambient"), numpy.zeros(3))
+    shader = Shader("shining")
+    shader.add(shader.node("ShaderNodeEmission", Color=rgba(world.slot(material, "emissive") + world.slot(material, "ambient") * ambient)))
+    return shader.done()
+
+
+def facing(scenery, material):
+    """The normal, from -1 to 1, as a colour from 0 to 1."""
+    shader = Shader("facing")
+    half = shader.node("ShaderNodeVectorMath")
+    half.operation = "MULTIPLY_ADD"
+    shader.tree.links.new(shader.node("ShaderNodeNewGeometry").outputs["Normal"], half.inputs[0])
+    half.inputs[1].default_value = half.inputs[2].default_value = (.5, .5, .5)
+    shader.add(shader.node("ShaderNodeEmission", Color=half.outputs[0]))
+    return shader.done()
+
+
+def add_objects(scene, scenery, shading):
+    for number, thing in enumerate(scenery.objects):
+        points, faces, uv = world.flat_mesh(thing, scenery.folder)
+        mesh = bpy.data.meshes.new("mesh")
+        placed = numpy.column_stack((points, numpy.ones(len(points)))) @ thing["matrix"].T  # an object's own matrix would lose its shear
+        mesh.from_pydata(placed[:, :3].tolist(), [], faces)
+        if uv:
+            mesh.uv_layers.new().data.foreach_set("uv", numpy.ravel([corner for face in uv for corner in face]))
+        mesh.materials.append(shading(scenery, thing["material"]))
+        scene.collection.objects.link(bpy.data.objects.new("object", mesh))
+
+
+def add_light(scene, light, shadow):
+    """Cycles' power of a point is 4 pi times its radiant intensity, a sun's its irradiance; white Lambert surfaces send back 1 / pi of it."""
+    kind = light["kind"]
+    made = bpy.data.lights.new("light", {"Point": "POINT", "Spot": "SPOT", "Directional": "SUN"}[kind])
+    made.color = tuple(light["light"] / light["light"].max())
+    made.energy = float(light["light"].max()) * math.pi * (1 if kind == "Directional" else 4 * math.pi)
+    made.use_shadow = made.cycles.cast_shadow = shadow
+    if kind == "Directional":
+        made.angle = 0
+    else:
+        made.shadow_soft_size = 0
+    placed = bpy.data.objects.new("light", made)
+    back = -world.unit(light.get("direction", (0, 0, -1)))
+    right = world.unit(numpy.cross((0, 1, 0) if abs(back[1]) < .9 else (1, 0, 0), back))
+    placed.matrix_world = matrix_of(numpy.column_stack((right, numpy.cross(back, right), back)), light.get("position", (0, 0, 0)))
+    scene.collection.objects.link(placed)
+
+
+def picture(scene):
+    """Height x width x 3, from the top."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene.render.filepath = os.path.join(folder, "picture.exr")
+        bpy.ops.render.render(write_still=True)
+        image = bpy.data.images.load(scene.render.filepath)
+        image.colorspace_settings.name = "Raw"
+        texels = numpy.empty(len(image.pixels), numpy.float32)
+        image.pixels.foreach_get(texels)
+        width, height = image.size
+        bpy.data.images.remove(image)
+    return texels.reshape(height, width, -1)[::-1, :, :3].astype(float)
+
+
+def shaded(scenery, shading, light=None, shadow=False):
+    scene = begin(scenery, SAMPLES if light else 1)
+    add_objects(scene, scenery, shading)
+    if light:
+        add_light(scene, light, shadow)
+    return picture(scene)
+
+
+def numbered(scenery):
+    """Each object's number, in a colour of its own; 0 where nothing is."""
+    numbers = {id(thing): number for number, thing in enumerate(scenery.objects)}
+    scene = begin(scenery, 1)
+    order = iter(range(1, 1 + len(scenery.objects)))
+
+    def shading(scenery, material):
+        shader = Shader("number")
+        shader.add(shader.node("ShaderNodeEmission", Color=rgba((next(order),) * 3)))
+        return shader.done()
+    add_objects(scene, scenery, shading)
+    return picture(scene)
+
+
+def render(scenery, shadows):
+    """Light, and pictures whose steps are edges."""
+    numbers = numbered(scenery)
+    steps = [numbers, 2 * shaded(scenery, facing)]
+    light = shaded(scenery, shining)
+    for source in scenery.lights:
+        if source["kind"] == "Ambient":
+            continue
+        free = shaded(scenery, lambert, source)
+        cast = shaded(scenery, lambert, source, True) if shadows else free
+        steps.append((cast.max(axis=2, keepdims=True) >= .5 * free.max(axis=2, keepdims=True)).astype(float))
+        light += cast
+    return light, steps, numbers[..., 0] > 0

@@ -1,0 +1,51 @@
+"""What a renderer gave, as a file: linear light in R, G and B as floats, and in A which pixels are compared. Rows go from the top."""
+import struct
+import zlib
+
+import numpy
+
+STEP = 2. ** -22  # light is rounded to multiples of it, which makes the file half as large, and is 1.2e-7 at most
+
+
+def edges(*pictures):
+    """Where one of the pictures differs within a pixel: another object, another face, another shadow."""
+    height, width = pictures[0].shape[:2]
+    found = numpy.zeros((height, width), bool)
+    for picture in pictures:
+        padded = numpy.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
+        for y in range(3):
+            for x in range(3):
+                found |= numpy.abs(padded[y:y + height, x:x + width] - picture).max(axis=2) > .3
+    return found
+
+
+def attribute(name, kind, value):
+    return name.encode() + b"\0" + kind.encode() + b"\0" + struct.pack("<i", len(value)) + value
+
+
+def write_exr(path, light, compared):
+    """Floats, compressed by ZIP: 16 rows a block, bytes of one weight together, each less the one before."""
+    height, width = compared.shape
+    planes = [compared.astype("<f4")] + [numpy.round(light[..., lane] / STEP).astype("f8") * STEP for lane in (2, 1, 0)]
+    window = struct.pack("<4i", 0, 0, width - 1, height - 1)
+    channels = b"".join(name + b"\0" + struct.pack("<iiii", 2, 0, 1, 1) for name in (b"A", b"B", b"G", b"R")) + b"\0"
+    header = struct.pack("<ii", 20000630, 2) + attribute("channels", "chlist", channels) + attribute("compression", "compression", b"\3")
+    header += attribute("dataWindow", "box2i", window) + attribute("displayWindow", "box2i", window)
+    header += attribute("lineOrder", "lineOrder", b"\0") + attribute("pixelAspectRatio", "float", struct.pack("<f", 1))
+    header += attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0))
+    header += attribute("screenWindowWidth", "float", struct.pack("<f", 1)) + b"\0"
+    blocks = []
+    for y in range(0, height, 16):
+        raw = b"".join(plane[row].astype("<f4").tobytes() for row in range(y, min(y + 16, height)) for plane in planes)
+        parted = numpy.frombuffer(raw[0::2] + raw[1::2], numpy.uint8).astype(int)
+        parted[1:] = (parted[1:] - parted[:-1] + 128) & 255
+        packed = zlib.compress(parted.astype(numpy.uint8).tobytes(), 9)
+        packed = packed if len(packed) < len(raw) else raw
+        blocks.append(struct.pack("<ii", y, len(packed)) + packed)
+    at = len(header) + 8 * len(blocks)
+    with open(path, "wb") as file:
+        file.write(header)
+        for block in blocks:
+            file.write(struct.pack("<Q", at))
+            at += len(block)
+        file.write(b"".join(blocks))

@@ -1,0 +1,27 @@
+"""Renders the references: `blender -b --factory-startup -P tests/reference/render.py -- [NAME ...]`. Without a name, all; README.md says more."""
+import glob
+import os
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)
+import picture  # noqa: E402
+import world  # noqa: E402
+
+
+def render(path):
+    by = __import__("by_" + os.path.basename(os.path.dirname(path)))
+    scenery = world.World(path)
+    for suffix, shadows in (("", False), ("_shadows", True)):
+        light, steps, there = by.render(scenery, shadows)
+        compared = there & ~picture.edges(*steps)
+        file = path[:-len(".yaml")] + suffix + ".exr"
+        picture.write_exr(file, light, compared)
+        print("%-60s %6d bytes, %.0f %% of pixels compared, light up to %.3g" %
+              (os.path.relpath(file, HERE), os.path.getsize(file), 100 * compared.mean(), light[compared].max()), file=sys.stderr)
+
+
+names = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+for path in sorted(glob.glob(os.path.join(HERE, "*", "*.yaml"))):
+    if not names or os.path.basename(path)[:-len(".yaml")] in names:
+        render(path)

@@ -1,0 +1,238 @@
+/* Frames against pictures that Cycles and POV-Ray made of the same documents: tests/reference/README.md. The light of each pixel, but along
+ * edges and where nothing is, which a picture's alpha says. Then frames with faults that somebody might make: none of them may pass. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/reference_picture.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FOLDER SOURCE_FOLDER "/tests/reference/"
+
+enum { FLOATS, INTEGER, DEFAULT, LAYOUTS, MOST_TEXT = 1 << 16 };
+static const char *const layouts[LAYOUTS] = {"floats", "integer", "default"};
+
+/* How close frames have to be: half of the pixels, and 99.9 %. */
+typedef struct {
+    double middle[LAYOUTS], most[LAYOUTS];
+} Bounds;
+
+#define STEP (1 / 255.)
+/* Cycles computes in floats. POV-Ray's files have 16 bits, half a step of which is 7.6e-6, and a reference is a sum of them. The layout
+ * `integer` has normals within 0.0037 degrees. What is round is round for POV-Ray, and has 192 corners for us: highlights are off most. */
+static const Bounds cycles = {{2e-6, 8e-6, STEP}, {1e-4, 1e-4, STEP}},
+                    povray = {{1e-5, 2e-5, STEP}, {1e-4, 1e-4, STEP}},
+                    povray_round = {{1e-5, 2e-5, STEP}, {5e-4, 5e-4, STEP}};
+
+typedef struct {
+    const char *scene, *picture;
+    const Bounds *bounds;
+} PictureCase;
+
+static const PictureCase cases[] = {
+    {"cycles/matt", "cycles/matt", &cycles},
+    {"povray/glossy", "povray/glossy", &povray_round},
+    {"povray/lights", "povray/lights", &povray},
+    {"povray/flat", "povray/flat", &povray},
+};
+enum { CASES = sizeof cases / sizeof *cases };
+
+static char *read_text(const char *path, size_t *size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        fail_msg("%s is not there", path);
+    char *text = calloc(1, MOST_TEXT);
+    *size = fread(text, 1, MOST_TEXT - 1, file);
+    fclose(file);
+    return text;
+}
+
+static ReferencePicture read_picture(const char *name)
+{
+    ReferencePicture picture;
+    if (!reference_picture_read(name, &picture))
+        fail_msg("%s", matc_diagnostics(picture.document, MATC_TEXT));
+    return picture;
+}
+
+/* -- frames */
+
+static const char floats[] = "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
+                             "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
+                             "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
+                             "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
+                             "- { slot: diffuseTransparency, encoding: full }\n";
+
+/* The light of a scene's frame, from malloc; as large as the picture. */
+static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePicture *picture, const MatcOptions *options)
+{
+    char path[512];
+    size_t size;
+    Scene *scene = NULL;
+    snprintf(path, sizeof path, "%s%s.yaml", FOLDER, pair->scene);
+    char *text = read_text(path, &size);
+    MatcDocument *document = scene_read(path, text, size, options, &scene);
+    if (!scene)
+        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+    assert_int_equal(scene->width, picture->width);
+    assert_int_equal(scene->height, picture->height);
+    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+    frame_forget(scene, document);
+    free(text);
+    return rgba;
+}
+
+static float *draw_by(GlContext *gl, const PictureCase *pair, const ReferencePicture *picture, int layout)
+{
+    MatcOptions options = frame_exact_options();
+    options.layout = layout == INTEGER ? "integer" : NULL;
+    MatcLayout *read = matc_layout_read("floats.yaml", floats, sizeof floats - 1, &options);
+    assert_true(matc_layout_ok(read));
+    if (layout == FLOATS)
+        options.custom = read;
+    float *rgba = draw(gl, pair, picture, &options);
+    matc_layout_free(read);
+    return rgba;
+}
+
+/* -- both */
+
+typedef struct {
+    int count;           /* of pixels that are compared */
+    double middle, most; /* half of them, and 99.9 %, are within */
+} Differences;
+
+static int ascending(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The greatest of three lanes. */
+static double difference(const float *a, const float *b)
+{
+    double greatest = 0;
+    for (int lane = 0; lane < 3; lane++)
+        greatest = isnan(a[lane]) ? INFINITY : fmax(greatest, fabs((double)a[lane] - b[lane]));
+    return greatest;
+}
+
+static Differences compare(const ReferencePicture *picture, const float *rgba)
+{
+    const int pixels = picture->width * picture->height;
+    double *found = malloc((size_t)pixels * sizeof *found);
+    Differences result = {0};
+    for (int i = 0; i < pixels; i++)
+        if (picture->rgba[4 * i + 3] > .5f)
+            found[result.count++] = difference(rgba + 4 * i, picture->rgba + 4 * i);
+    qsort(found, (size_t)result.count, sizeof *found, ascending);
+    assert_true(result.count > pixels / 4); /* nothing compared would prove nothing */
+    result.middle = found[result.count / 2];
+    result.most = found[(int)(result.count * .999)];
+    free(found);
+    return result;
+}
+
+static bool is_close(const Differences *found, const Bounds *bounds, int layout)
+{
+    return found->middle <= bounds->middle[layout] && found->most <= bounds->most[layout];
+}
+
+static int compare_case(GlContext *gl, const PictureCase *pair)
+{
+    int faults = 0;
+    ReferencePicture picture = read_picture(pair->picture);
+    for (int layout = 0; layout < LAYOUTS; layout++) {
+        float *rgba = draw_by(gl, pair, &picture, layout);
+        const Differences found = compare(&picture, rgba);
+        print_message("| %s | %s | %d | %.1e | %.1e |\n", pair->picture, layouts[layout], found.count, found.middle,
+                      found.most);
+        faults += !is_close(&found, pair->bounds, layout);
+        free(rgba);
+    }
+    reference_picture_free(&picture);
+    return faults;
+}
+
+static void against_other_renderers(void **state)
+{
+    (void)state;
+    int faults = 0;
+    GlContext *gl = frame_context();
+    print_message(
+        "| picture | layout | pixels | median difference | 99.9 %% within |\n| --- | --- | --- | --- | --- |\n");
+    for (int i = 0; i < CASES; i++)
+        faults += compare_case(gl, &cases[i]);
+    gl_close(gl);
+    assert_int_equal(faults, 0);
+}
+
+/* -- what must not pass, by the widest bounds */
+
+enum { MIRRORED, UPSIDE_DOWN, MOVED, DOUBLED, ENCODED, SWAPPED, BRIGHTER, FAULTS };
+
+/* Where a pixel of a frame with the fault comes from. */
+static int source_of(const ReferencePicture *picture, int i, int fault)
+{
+    const int x = i % picture->width, y = i / picture->width;
+    switch (fault) {
+    case MIRRORED:
+        return i - x + picture->width - 1 - x;
+    case UPSIDE_DOWN:
+        return (picture->height - 1 - y) * picture->width + x;
+    case MOVED:
+        return x ? i - 1 : i;
+    default:
+        return i;
+    }
+}
+
+static float lane_of(const float *rgba, int lane, int fault)
+{
+    switch (fault) {
+    case DOUBLED:
+        return 2 * rgba[lane];
+    case ENCODED:
+        return powf(fmaxf(rgba[lane], 0), 1 / 2.2f);
+    case SWAPPED:
+        return rgba[2 - lane];
+    case BRIGHTER: /* by what a factor of pi that is rounded might be */
+        return 1.02f * rgba[lane];
+    default:
+        return rgba[lane];
+    }
+}
+
+static void faults_are_seen(void **state)
+{
+    (void)state;
+    GlContext *gl = frame_context();
+    for (int k = 0; k < CASES; k++) {
+        ReferencePicture picture = read_picture(cases[k].picture);
+        const int pixels = picture.width * picture.height;
+        float *rgba = draw_by(gl, &cases[k], &picture, DEFAULT), *faulty = malloc((size_t)pixels * 4 * sizeof *faulty);
+        for (int fault = 0; fault < FAULTS; fault++) {
+            for (int i = 0; i < 4 * pixels; i++)
+                faulty[i] = i % 4 == 3 ? 1 : lane_of(rgba + 4 * source_of(&picture, i / 4, fault), i % 4, fault);
+            const Differences found = compare(&picture, faulty);
+            if (is_close(&found, cases[k].bounds, DEFAULT))
+                fail_msg("%s: fault %d is not seen: %g, %g", cases[k].picture, fault, found.middle, found.most);
+        }
+        free(rgba);
+        free(faulty);
+        reference_picture_free(&picture);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(against_other_renderers), cmocka_unit_test(faults_are_seen)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
