@@ -26,6 +26,7 @@ typedef struct {
     double distance; /* infinite: nothing */
     int object;
     double world[3], local[3], uv[2], normal[3], tangents[2][3];
+    double facet[3]; /* the normal of the triangle, or of the plane */
     bool front;
 } Hit;
 
@@ -165,6 +166,7 @@ static void reference_triangle(const SceneObject *object, const Shape *shape, un
     }
     reference_cross(a, b, face);
     hit->front = reference_dot(face, ray.way) < 0;
+    reference_normal(&object->world_from_local, face, hit->facet);
     reference_fill(object, corner, st, hit);
 }
 
@@ -188,6 +190,7 @@ static void reference_plane(const SceneObject *object, const Ray *world, Hit *hi
     }
     reference_image(&object->world_from_local, hit->local, 1, hit->world);
     reference_normal(&object->world_from_local, z, hit->normal);
+    memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }
 
 static Hit reference_hit(const Tracer *tracer, const Ray *ray)
@@ -415,7 +418,7 @@ static bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hit
 }
 
 /* What pixel x, y should be. */
-static Sample reference_sample(const Tracer *tracer, int x, int y, const MatcOptions *options)
+static inline Sample reference_sample(const Tracer *tracer, int x, int y, const MatcOptions *options)
 {
     Sample sample;
     const Ray ray = reference_ray(tracer->scene, x + .5, y + .5);

@@ -141,7 +141,7 @@ static void compare_all(const MatcOptions *options, double median)
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++) {
         MatcDocument *document;
         Scene *scene = frame_scene(pictures[i].text, options, &document);
-        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
         compare(scene, options, rgba, &spread);
         faults += !is_close(pictures[i].name, median, &spread);
         free(rgba);
@@ -251,6 +251,7 @@ COUNTED(calls, void, GetIntegerv, (GLenum a, GLint *b), (a, b))
 COUNTED(calls, void, GetProgramiv, (GLuint a, GLenum b, GLint *c), (a, b, c))
 COUNTED(calls, void, TexParameteri, (GLenum a, GLenum b, GLint c), (a, b, c))
 COUNTED(calls, void, FramebufferTexture2D, (GLenum a, GLenum b, GLenum c, GLuint d, GLint e), (a, b, c, d, e))
+COUNTED(calls, void, FramebufferTextureLayer, (GLenum a, GLenum b, GLuint c, GLint d, GLint e), (a, b, c, d, e))
 COUNTED(calls, void, Uniform1fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
 COUNTED(calls, void, Uniform2fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
 COUNTED(calls, void, Uniform3fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
@@ -274,11 +275,11 @@ static void count_calls(GlContext *gl)
     COUNT(GenTextures)
     COUNT(GenFramebuffers)
     COUNT(GenVertexArrays)
+    COUNT(FramebufferTextureLayer)
     COUNT(LinkProgram)
-    COUNT(GetIntegerv)
-    COUNT(GetProgramiv) COUNT(TexParameteri) COUNT(FramebufferTexture2D) COUNT(Uniform1fv) COUNT(Uniform2fv)
-        COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv)
-            COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
+    COUNT(GetIntegerv) COUNT(GetProgramiv) COUNT(TexParameteri) COUNT(FramebufferTexture2D) COUNT(Uniform1fv)
+        COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv)
+            COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky. */
@@ -302,7 +303,8 @@ static void a_second_frame_only_draws(void **state)
     assert_true(render_scene(render, scene));
     assert_true(render_frame(render));
     assert_true(calls > 0);
-    assert_int_equal(draws, 3 + 1 + 1 + 2); /* surfaces, the spheres at once; the plane, the sky, light and tone */
+    /* six shadow maps of four objects; surfaces, the spheres at once; the plane, the sky, light and tone */
+    assert_int_equal(draws, 6 * 4 + 3 + 1 + 1 + 2);
     for (int i = 0; i < 2; i++) {
         calls = draws = 0;
         assert_true(render_frame(render));
@@ -355,7 +357,7 @@ static void views_need_less(void **state)
     (void)state;
     static const struct {
         const char *view, *runs, *rests;
-    } cases[] = {{"depth", "surface", "light     depth, gbuffer  light           not run: nobody needs it"},
+    } cases[] = {{"depth", "surface", "light     depth, gbuffer, shadow  light           not run: nobody needs it"},
                  {"normal", "surface", "shown     RGBA8                     not there"},
                  {"light", "surface", "tone      light           shown           not run: nobody needs it"},
                  {NULL, "surface", "plane     depth, gbuffer  depth, gbuffer  not run: nothing to do"}};

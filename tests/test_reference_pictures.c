@@ -82,7 +82,7 @@ static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePictur
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
     assert_int_equal(scene->width, picture->width);
     assert_int_equal(scene->height, picture->height);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
     frame_forget(scene, document);
     free(text);
     return rgba;

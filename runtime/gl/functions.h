@@ -42,6 +42,7 @@
     F(ENDQUERY, EndQuery)                                                                                              \
     F(FINISH, Finish)                                                                                                  \
     F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D)                                                                      \
+    F(FRAMEBUFFERTEXTURELAYER, FramebufferTextureLayer)                                                                \
     F(FRONTFACE, FrontFace)                                                                                            \
     F(GENBUFFERS, GenBuffers)                                                                                          \
     F(GENFRAMEBUFFERS, GenFramebuffers)                                                                                \
@@ -60,10 +61,12 @@
     F(GETUNIFORMLOCATION, GetUniformLocation)                                                                          \
     F(LINKPROGRAM, LinkProgram)                                                                                        \
     F(PIXELSTOREI, PixelStorei)                                                                                        \
+    F(POLYGONOFFSET, PolygonOffset)                                                                                    \
     F(READBUFFER, ReadBuffer)                                                                                          \
     F(READPIXELS, ReadPixels)                                                                                          \
     F(SHADERSOURCE, ShaderSource)                                                                                      \
     F(TEXIMAGE2D, TexImage2D)                                                                                          \
+    F(TEXIMAGE3D, TexImage3D)                                                                                          \
     F(TEXPARAMETERI, TexParameteri)                                                                                    \
     F(TEXSUBIMAGE2D, TexSubImage2D)                                                                                    \
     F(UNIFORM1FV, Uniform1fv)                                                                                          \

@@ -4,6 +4,7 @@
 
 #define DEPTH   (1u << FRAME_TARGET_depth)
 #define GBUFFER (1u << FRAME_TARGET_gbuffer)
+#define SHADOW  (1u << FRAME_TARGET_shadow)
 #define LIGHT   (1u << FRAME_TARGET_light)
 #define SHOWN   (1u << FRAME_TARGET_shown)
 
@@ -15,7 +16,12 @@ const FramePass frame_passes[] = {
      pass_surface_draw,
      "always: what is not drawn is clear"},
     {{"plane", 0, 0, DEPTH | GBUFFER}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane"},
-    {{"light", DEPTH | GBUFFER, LIGHT, 0},
+    {{"shadow", 0, SHADOW, 0},
+     pass_shadow_needed,
+     pass_shadow_make,
+     pass_shadow_draw,
+     "a light's shadows are cast; once, then they are kept"},
+    {{"light", DEPTH | GBUFFER | SHADOW, LIGHT, 0},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
@@ -30,8 +36,9 @@ int frame_pass_count(void) { return PASS_COUNT_HERE; }
 /* Two targets can share memory if both are one texture of one format. */
 static int class_of(const Render *render, FrameTarget target)
 {
-    for (int other = 0; target != FRAME_TARGET_gbuffer && other < (int)target; other++)
-        if (other != FRAME_TARGET_gbuffer &&
+    const bool alone = target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_shadow;
+    for (int other = 0; !alone && other < (int)target; other++)
+        if (other != FRAME_TARGET_gbuffer && other != FRAME_TARGET_shadow &&
             !strcmp(frame_format(render, (FrameTarget)other, 0), frame_format(render, target, 0)))
             return other;
     return (int)target;
@@ -43,7 +50,8 @@ static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
-        if (target != FRAME_TARGET_gbuffer && !strcmp(view, frame_target_name((FrameTarget)target)))
+        if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&
+            !strcmp(view, frame_target_name((FrameTarget)target)))
             return 1u << target;
     return view ? GBUFFER : SHOWN;
 }
@@ -168,6 +176,7 @@ void frame_delete(Render *render)
         gl->DeleteTextures(render->memory[piece].count, render->memory[piece].textures);
         render->memory[piece] = (FrameMemory){0};
     }
+    pass_shadow_delete(render);
     gl->DeleteTextures(1, &render->lights); /* GL ignores the name 0 */
     render->lights = 0;
     render->plan = (FramePlan){0};

@@ -7,10 +7,12 @@
 #include "runtime/render/reader.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
+#include "runtime/render/shadow_views.h"
 
 typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
+    FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_light,
     FRAME_TARGET_shown,
     FRAME_TARGET_COUNT
@@ -30,6 +32,16 @@ typedef struct {
     GLuint textures[FRAMEBUFFER_COLORS];
     int count;
 } FrameMemory;
+
+typedef struct {
+    ShadowViews views;
+    GLuint maps;        /* an array of depths, a layer for each view */
+    GLuint table;       /* texels of the views, four each: their rows from the eye's space; near, texel */
+    GLuint planes;      /* texels of infinite planes in the eye's space */
+    GLuint framebuffer; /* of the layer that is drawn */
+    Material solid;     /* draws depth alone; stays until the renderer goes */
+    bool drawn;         /* the maps hold the scene */
+} ShadowMaps;
 
 struct Render {
     GlContext *gl;
@@ -54,6 +66,7 @@ struct Render {
     ScreenPass light, tone;
     GLuint lights; /* texels of view_space_lights */
     int light_counts[VIEW_SPACE_SECTIONS];
+    ShadowMaps shadows;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
 };
@@ -99,6 +112,10 @@ bool pass_plane_needed(const Render *render);
 void pass_plane_draw(Render *render);
 bool pass_sky_needed(const Render *render);
 void pass_sky_draw(Render *render);
+bool pass_shadow_needed(const Render *render);
+bool pass_shadow_make(Render *render);
+void pass_shadow_draw(Render *render);
+void pass_shadow_delete(Render *render);
 bool pass_light_needed(const Render *render);
 bool pass_light_make(Render *render);
 void pass_light_draw(Render *render);
@@ -114,6 +131,20 @@ void pass_tone_place(Render *render);
 bool lighting_change(Render *render, ScreenPass *pass);
 /* Binds what it reads, before it runs. */
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
+
+/* What lights see, before any pass is made. */
+bool shadow_make_views(Render *render);
+/* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
+bool shadow_change(Render *render, bool drawn_again);
+/* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
+enum { SHADOW_DEFINITIONS = 256, SHADOW_UNITS = 3 };
+const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS]);
+bool shadow_make_tables(Render *render);
+/* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. */
+void shadow_put_lights(const Render *render, float *texels);
+/* SHADOW_UNITS units from `unit` on. */
+void shadow_samplers(ScreenPass *pass, int unit);
+void shadow_bind(const Render *render, int unit);
 /* The texture of a target, and its number among those that are there together. */
 GLuint frame_texture(const Render *render, FrameTarget target, int texture);
 #endif

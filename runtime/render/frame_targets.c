@@ -2,7 +2,7 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "light", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow", "light", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 

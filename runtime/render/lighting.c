@@ -5,7 +5,7 @@
 extern const char render_text_light_area[], render_text_surface_phong[], render_text_lighting[];
 
 /* Units behind those of the G-buffer. */
-enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT };
+enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SHADOW_UNIT };
 
 /* What stands for a layout where no surface has one. */
 static const char no_surface[] =
@@ -30,6 +30,7 @@ static bool write_lights(Render *render)
     if (!floats)
         return gl_fail(render->gl, "out of memory");
     view_space_lights(&render->space, render->scene, floats, render->light_counts);
+    shadow_put_lights(render, floats);
     const TextureSpec spec = {.width = row * VIEW_SPACE_LIGHT_TEXELS, .height = rows, .lanes = 4, .floats = floats};
     render->gl->ActiveTexture(GL_TEXTURE0 + LIGHTS_UNIT); /* making a texture binds it */
     if (render->lights)
@@ -68,16 +69,19 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     }
     screen_pass_sampler(pass, "light_depth", DEPTH_UNIT);
     screen_pass_sampler(pass, "light_lights", LIGHTS_UNIT);
+    shadow_samplers(pass, SHADOW_UNIT);
 }
 
 bool lighting_make(Render *render, const char *body, ScreenPass *made)
 {
-    if (!render->lights && !write_lights(render))
+    char defined[SHADOW_DEFINITIONS];
+    if ((!render->lights && !write_lights(render)) || !shadow_make_tables(render))
         return false;
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0;
+    const char *const shadows = shadow_text(render, defined);
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? "#define LIGHT_HAS_AREAS\n" : "", areas ? render_text_light_area : "",
-                                          render_text_surface_phong, render_text_lighting, body},
+                                          render_text_surface_phong, defined, shadows, render_text_lighting, body},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute};
     if (!screen_pass_make(render->store, &text, made))
@@ -100,4 +104,5 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
         texture_bind(render->gl, frame_texture(render, surfaces, i), i);
     texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
     texture_bind(render->gl, render->lights, LIGHTS_UNIT);
+    shadow_bind(render, SHADOW_UNIT);
 }

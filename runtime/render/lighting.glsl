@@ -43,13 +43,20 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
     vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
+    float pixelSize = 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z);
     Lit m = surfaceLit(surface);
     vec3 reflected = reflect(-toEye, m.normal);
     vec3 sum = m.emissive + m.ambient * light_ambient.xyz;
     for (int i = 0; i < light_points; i++) {
         vec3 l;
         vec3 arrives = lightAt(i, point, l);
-        sum += arrives * surfaceLobe(m, reflected, l);
+        vec3 sent = arrives * surfaceLobe(m, reflected, l);
+#if defined SHADOW_MAPS || defined SHADOW_PLANES
+        if (sent.x + sent.y + sent.z > 0.0)
+            sent *= shadowShare(lightTexel(i, 0), ivec2(lightTexel(i, 3).zw), point,
+                                dot(m.normal, l) < 0.0 ? -m.normal : m.normal, pixelSize);
+#endif
+        sum += sent;
     }
 #ifdef LIGHT_HAS_AREAS
     for (int i = light_points; i < light_points + light_areas; i++)

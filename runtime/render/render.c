@@ -61,6 +61,7 @@ void render_close(Render *render)
         gl->UseProgram(0);
         gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
         forget_scene(render);
+        material_delete(&render->shadows.solid);
     }
     if (render->has_screen)
         screen_delete(gl, &render->screen);
@@ -121,7 +122,8 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
     look(render);
     const CacheSource source = source_of(render);
     return set_make(render->gl, scene, &render->compile, &render->set) &&
-           cache_make(render->store, &source, before, &render->cache) && frame_make(render) && make_reader(render);
+           cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
+           frame_make(render) && make_reader(render);
 }
 
 /* What the scene before was drawn with goes when all is there for the next: programs and pictures of both are not made again. */
@@ -155,7 +157,8 @@ bool render_changed(Render *render, unsigned what)
         const CacheSource source = source_of(render);
         cache_view(render->gl, &source, &render->cache);
     }
-    return frame_change(render, what) && gl_check(render->gl, "changing a scene");
+    return shadow_change(render, what & RENDER_LIGHTS) && frame_change(render, what) &&
+           gl_check(render->gl, "changing a scene");
 }
 
 bool render_changed_objects(Render *render, int first, int count)
@@ -165,7 +168,8 @@ bool render_changed_objects(Render *render, int first, int count)
     const CacheSource source = source_of(render);
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
-    return cache_move(render->gl, &source, &render->cache, first, count) && gl_check(render->gl, "moving objects");
+    return cache_move(render->gl, &source, &render->cache, first, count) && shadow_change(render, true) &&
+           gl_check(render->gl, "moving objects");
 }
 
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count)
@@ -281,11 +285,20 @@ static void put_passes(Text *out, const Render *render, const double *seconds)
     }
 }
 
+static void put_maps(Text *out, const Render *render)
+{
+    const int size = render->scene->shadow_size, count = render->shadows.views.count;
+    text_format(out, "shadow    %d maps of %d x %d, DEPTH32F, %ld bytes\n", count, size, size,
+                (long)count * size * size * (long)sizeof(float));
+}
+
 static void put_memory(Text *out, const Render *render)
 {
     text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
+        if (target == FRAME_TARGET_shadow)
+            continue; /* its pixels are its own */
         Text formats = text_new(out->arena);
         const bool shared = frame_shares(render, target);
         text_put(&formats, "");
@@ -298,6 +311,8 @@ static void put_memory(Text *out, const Render *render)
                         shared ? ", shared" : "");
     }
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
+    if (render->plan.there >> FRAME_TARGET_shadow & 1)
+        put_maps(out, render);
 }
 
 static void put_tiles(Text *out, const Render *render)
@@ -332,6 +347,7 @@ char *render_stats(Render *render)
     Text out = text_new(&arena);
     double seconds[FRAME_PLAN_MOST] = {0};
     render->gl->Finish();
+    render->shadows.drawn = false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
         const double start = session_now();
         if (!(render->plan.runs >> i & 1))

@@ -23,6 +23,7 @@ typedef struct {
     bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
     size_t memory;     /* bytes that targets may take, 0: RENDER_MEMORY; a picture that takes more is drawn in tiles */
     int tile[2];       /* at most so many pixels at once; 0: as many as the memory holds */
+    bool no_shadows;   /* no light casts any */
     bool fragment;     /* passes over all pixels are fragment programs, also where there is compute */
     bool unculled;     /* what is out of view is drawn, too: for tests */
 } RenderOptions;

@@ -44,6 +44,7 @@ typedef struct {
     double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
     double edges[2][3];                /* of an Area: u, v */
     bool both_sides;                   /* of an Area */
+    bool shadows;                      /* objects cast shadows in its light */
 } SceneLight;
 
 typedef struct {
@@ -71,6 +72,8 @@ typedef struct Scene {
     double exposure;          /* a factor; 1 where the kind has none */
     double tone_numbers[4];   /* ReinhardDevlin: its params; Drago: bias */
     bool tiles;               /* where nothing is seen */
+    int shadow_size;          /* texels of a shadow map's edge */
+    int shadow_filter;        /* texels over which a shadow's edge is spread; 0: none */
     MatcDocument **documents; /* further files of materials */
     int document_count;
 } Scene;

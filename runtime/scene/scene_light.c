@@ -7,15 +7,16 @@
 
 /* Params of each kind; -1: it has none. */
 typedef struct {
-    int position, direction, color, intensity;
+    int position, direction, color, intensity, shadows;
 } LightRow;
 
 static const LightRow rows[SCENE_KIND_COUNT] = {
-    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity},
-    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity},
-    [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity},
-    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity},
-    [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity},
+    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity, S_Point_shadows},
+    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity, S_Spot_shadows},
+    [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity,
+                           S_Directional_shadows},
+    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, -1},
+    [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1},
 };
 
 static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light)
@@ -58,6 +59,7 @@ static void read_light(SceneReader *r, const SceneThing *thing)
             r->fine = false;
         }
     }
+    light.shadows = row->shadows >= 0 && scene_thing_number(thing, row->shadows) != 0;
     if (thing->kind == SCENE_Spot)
         read_cone(r, thing, &light);
     if (thing->kind == SCENE_Area)

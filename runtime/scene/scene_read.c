@@ -37,6 +37,17 @@ static void read_tone(SceneReader *r, Tree *tree)
         scene->tone_numbers[i] = scene_thing_number(&thing, first[thing.kind] + i);
 }
 
+static void read_shadow_maps(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_shadowMaps, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_shadowMaps, &thing))
+        return;
+    r->scene->shadow_size = (int)scene_thing_number(&thing, S_ShadowMaps_size);
+    r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
+}
+
 /* A plane and a sky are seen along rays from one point. */
 static void check_rays(SceneReader *r, const SceneThing *document)
 {
@@ -62,6 +73,7 @@ static void read_scene(SceneReader *r, Tree *document)
     read_image(r, scene_thing_given(&thing, S_Scene_image));
     scene_camera_read(r, scene_thing_given(&thing, S_Scene_camera));
     read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
+    read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
     if (scene_thing_given(&thing, S_Scene_objects))
         scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
     if (scene_thing_given(&thing, S_Scene_lights))

@@ -38,6 +38,7 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of a scene\n"
     "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
+    "  --shadows=HOW        maps (default), none: no light casts any\n"
     "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
     "too\n"
     "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
@@ -98,6 +99,11 @@ static const char *set_scene(Command *command, const char *name, const char *val
         command->formatted = true;
         command->format = !strcmp(value, "exr") ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;
         return !strcmp(value, "exr") || !strcmp(value, "png") ? NULL : "--format: png or exr";
+    }
+    if (!strcmp(name, "--shadows")) {
+        command->shadows = true;
+        command->no_shadows = !strcmp(value, "none");
+        return command->no_shadows || !strcmp(value, "maps") ? NULL : "--shadows: maps or none";
     }
     if (strcmp(name, "--emit") != 0)
         return "no such option";
@@ -215,8 +221,8 @@ const char *command_check_material(const Command *command)
 {
     if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
         return "--size times --samples is more than 8192";
-    if (command->view || command->stats || command->graph)
-        return "--view, --stats and --emit=frame are of scenes";
+    if (command->view || command->stats || command->graph || command->shadows)
+        return "--view, --shadows, --stats and --emit=frame are of scenes";
     return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress
                ? "--format, --bits, --memory and --progress are of scenes; a material's picture is a PNG"
                : NULL;

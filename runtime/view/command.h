@@ -21,6 +21,7 @@ typedef struct {
     int bits, memory;     /* of a scene: of a lane, and MiB; 0: not asked for */
     bool formatted, progress;
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
+    bool shadows, no_shadows;  /* of a scene: --shadows was given, and is none */
     bool watch, help, version;
     Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
     struct WatchList *watched; /* files that were met; or NULL */

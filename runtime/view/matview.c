@@ -164,6 +164,7 @@ static ScenePictureOptions scene_options(const Command *command, const Scene *sc
     const long height = ((long)scene->height * width + scene->width / 2) / scene->width;
     return (ScenePictureOptions){.render = {.compile = &command->picture.compile,
                                             .view = command->view,
+                                            .no_shadows = command->no_shadows,
                                             .width = width,
                                             .height = height > 0 ? (int)height : 1,
                                             .memory = (size_t)command->memory << 20},

@@ -1,0 +1,125 @@
+// What of a light reaches a point, by its shadow maps and by infinite planes. shadow_views.h says what a view's rows are; here they start
+// from the eye's space. SHADOW_SIZE texels has an edge of a map, SHADOW_FILTER is over how many a shadow's edge is spread.
+//
+// The bias. A map knows depth at the centres of texels. Each tap is compared at the depth of the receiver's point, moved beside it to the
+// tap's centre: by up to (SHADOW_FILTER + 1) / 2 texels along x and y, sqrt(2) times that aside. So
+//  - the point is lifted along its normal by so much, and a quarter of a texel for the rasteriser's 1/256: no tap goes below its tangent
+//    plane, and what is convex never shades itself, however the light grazes it;
+//  - the map is drawn with a polygon offset of (SHADOW_FILTER + 1) times a triangle's slope: a point in front of a triangle's plane is in
+//    front of what the map has of it, so that walls do not shade the floor before them.
+// A shadow is lost only where what casts it is nearer than that, a texel and a half with the default filter, measured across its plane.
+const int SHADOW_ROW = 1024;
+
+#ifdef SHADOW_MAPS
+uniform sampler2DArray shadow_maps;
+uniform sampler2D shadow_views;
+
+const float SHADOW_LIFT = 0.70711 * float(SHADOW_FILTER + 1) + 0.25; // texels
+
+vec4 shadowRow(int view, int row)
+{
+    return texelFetch(shadow_views, ivec2(view % SHADOW_ROW * 4 + row, view / SHADOW_ROW), 0);
+}
+
+vec3 shadowPlace(int view, vec4 point)
+{
+    return vec3(dot(shadowRow(view, 0), point), dot(shadowRow(view, 1), point), dot(shadowRow(view, 2), point));
+}
+
+// From the axes of a cube's first face, y, z, x, to those of the face that a place is seen on.
+vec3 shadowOnFace(vec3 place, out int face)
+{
+    vec3 size = abs(place);
+    int axis = size.z >= size.x && size.z >= size.y ? 0 : size.x >= size.y ? 1 : 2;
+    vec3 turned = axis == 0 ? place : axis == 1 ? place.yzx : place.zxy;
+    face = 2 * axis + int(turned.z < 0.0);
+    return vec3(turned.xy, abs(turned.z));
+}
+
+// And back.
+vec3 shadowOffFace(vec3 place, int face)
+{
+    vec3 turned = vec3(place.xy, face % 2 == 0 ? place.z : -place.z);
+    return face < 2 ? turned : face < 4 ? turned.zxy : turned.yzx;
+}
+
+float shadowTexel(int map, ivec2 texel, float depth)
+{
+    return depth >= texelFetch(shadow_maps, ivec3(texel, map), 0).x ? 1.0 : 0.0;
+}
+
+// A texel beyond the edge of a face is one of a neighbour's: that which its centre falls into.
+float shadowBeyond(int first, int face, vec3 place, ivec2 texel, float near)
+{
+    vec2 at = (vec2(2 * texel + 1) / float(SHADOW_SIZE) - 1.0) * place.z;
+    int other;
+    vec3 there = shadowOnFace(shadowOffFace(vec3(at, place.z), face), other);
+    ivec2 found = ivec2((there.xy / there.z * 0.5 + 0.5) * float(SHADOW_SIZE));
+    return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), near / there.z);
+}
+
+// The share of a square of SHADOW_FILTER texels around the point that the light reaches.
+float shadowFiltered(int first, bool cube, vec3 place, vec4 how)
+{
+    int face = 0;
+    vec3 turned = cube ? shadowOnFace(place, face) : place;
+    float depth = how.x > 0.0 ? how.x / turned.z : max(turned.z, 0.0);
+    vec2 at = ((how.x > 0.0 ? turned.xy / turned.z : turned.xy) * 0.5 + 0.5) * float(SHADOW_SIZE);
+    if (how.x > 0.0 && turned.z <= 0.0) return 1.0; // behind a spot
+    vec2 corner = clamp(at, -16.0, float(SHADOW_SIZE) + 16.0) - 0.5 * float(SHADOW_FILTER);
+    ivec2 low = ivec2(floor(corner));
+    vec2 part = SHADOW_FILTER > 0 ? corner - vec2(low) : vec2(0.0);
+    float sum = 0.0;
+    for (int y = 0; y <= SHADOW_FILTER; y++)
+        for (int x = 0; x <= SHADOW_FILTER; x++) {
+            ivec2 texel = low + ivec2(x, y);
+            float weight = (x == 0 ? 1.0 - part.x : x == SHADOW_FILTER ? part.x : 1.0) *
+                           (y == 0 ? 1.0 - part.y : y == SHADOW_FILTER ? part.y : 1.0);
+            bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(SHADOW_SIZE)));
+            sum += weight * (inside ? shadowTexel(first + face, texel, depth)
+                             : cube ? shadowBeyond(first, face, turned, texel, how.x)
+                                    : 1.0);
+        }
+    return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
+}
+
+// `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are `count` from `first` on.
+float shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
+{
+    vec4 how = shadowRow(first, 3);
+    vec3 place = shadowPlace(first, vec4(point, 1.0));
+    vec3 size = abs(place);
+    bool cube = count > 1;
+    float away = how.x > 0.0 ? cube ? max(max(size.x, size.y), size.z) : size.z : 1.0;
+    vec3 lifted = point + normal * (SHADOW_LIFT * how.y * away + pixel / 64.0);
+    return shadowFiltered(first, cube, shadowPlace(first, vec4(lifted, 1.0)), how);
+}
+#endif
+
+#ifdef SHADOW_PLANES
+uniform sampler2D shadow_planes;
+
+// A plane stands between a point and a light if they are on its two sides. A point of the plane itself is on both.
+bool shadowPlanes(vec4 light, vec3 point)
+{
+    for (int i = 0; i < SHADOW_PLANES; i++) {
+        vec4 plane = texelFetch(shadow_planes, ivec2(i % SHADOW_ROW, i / SHADOW_ROW), 0);
+        float here = dot(plane, vec4(point, 1.0));
+        if (here * dot(plane, light) < 0.0 && abs(here) > 4e-6 * (length(point) + abs(plane.w))) return true;
+    }
+    return false;
+}
+#endif
+
+// The share of a light that reaches a point. `views` has the first of its views, or -1, and how many; it casts no shadow if that is less.
+float shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
+{
+    if (views.y < 0) return 1.0;
+#ifdef SHADOW_PLANES
+    if (shadowPlanes(light, point)) return 0.0;
+#endif
+#ifdef SHADOW_MAPS
+    if (views.y > 0) return shadowMapped(views.x, views.y, point, normal, pixel);
+#endif
+    return 1.0;
+}

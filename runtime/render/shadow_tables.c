@@ -1,0 +1,171 @@
+/* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
+#include "runtime/render/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_shadow[];
+
+enum { VIEW_TEXELS = 4, ROW = 1024 /* views, or planes, in a row of their texture */ };
+
+/* A row from the world, as one from the eye's space, which is turned and moved. */
+static void from_eye(const double *eye_from_world, const double row[4], float out[4])
+{
+    double last = row[3];
+    for (int i = 0; i < 3; i++) {
+        double sum = 0;
+        for (int k = 0; k < 3; k++)
+            sum += row[k] * eye_from_world[4 * k + i];
+        last -= sum * eye_from_world[12 + i];
+        out[i] = (float)sum;
+    }
+    out[3] = (float)last;
+}
+
+static void put_view(const Render *render, const ShadowView *view, float (*texels)[4])
+{
+    for (int row = 0; row < 3; row++)
+        from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
+    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel}, sizeof texels[3]);
+}
+
+/* Its normal, and what makes points of it 0. */
+static void put_plane(const Render *render, const SceneMatrix *m, float texel[4])
+{
+    double row[4];
+    scene_vector_cross(m->m, m->m + 4, row);
+    scene_vector_normalize(row);
+    row[3] = -scene_vector_dot(row, m->m + 12);
+    from_eye(render->space.eye_from_world, row, texel);
+}
+
+/* `count` times `texels` texels, ROW times a row, into the texture that is there, or a new one. */
+static bool write_table(GlContext *gl, const float (*from)[4], const int extents[2], GLuint *table)
+{
+    const int count = extents[0], row = count < ROW ? count : ROW;
+    const TextureSpec spec = {
+        .width = row * extents[1], .height = (count + ROW - 1) / ROW, .lanes = 4, .floats = from[0]};
+    if (*table)
+        texture_rewrite(gl, *table, &spec);
+    else
+        *table = texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
+    return *table != 0;
+}
+
+static bool write_views(Render *render)
+{
+    ShadowMaps *maps = &render->shadows;
+    float(*texels)[4] = calloc(((size_t)maps->views.count + ROW) * VIEW_TEXELS, sizeof *texels);
+    if (!texels)
+        return gl_fail(render->gl, "out of memory");
+    for (int i = 0; i < maps->views.count; i++)
+        put_view(render, &maps->views.views[i], texels + (size_t)i * VIEW_TEXELS);
+    const bool done =
+        write_table(render->gl, (const float(*)[4])texels, (int[]){maps->views.count, VIEW_TEXELS}, &maps->table);
+    free(texels);
+    return done;
+}
+
+static bool write_planes(Render *render)
+{
+    float(*texels)[4] = calloc((size_t)render->cache.plane_count + ROW, sizeof *texels);
+    if (!texels)
+        return gl_fail(render->gl, "out of memory");
+    for (int i = 0; i < render->cache.plane_count; i++)
+        put_plane(render, &render->scene->objects[render->cache.planes[i].object].world_from_local, texels[i]);
+    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){render->cache.plane_count, 1},
+                                  &render->shadows.planes);
+    free(texels);
+    return done;
+}
+
+/* -- for the lighting of surfaces */
+
+/* A light casts shadows, for which infinite planes need no map. */
+static bool has_planes(const Render *render)
+{
+    bool casts = false;
+    for (int i = 0; i < render->scene->light_count; i++)
+        casts |= render->scene->lights[i].shadows;
+    return casts && !render->options.no_shadows && render->cache.plane_count > 0;
+}
+
+bool shadow_make_views(Render *render)
+{
+    return render->options.no_shadows || shadow_views_make(render->scene, &render->cache, &render->shadows.views) ||
+           gl_fail(render->gl, "out of memory");
+}
+
+bool shadow_make_tables(Render *render)
+{
+    const ShadowMaps *maps = &render->shadows;
+    return (!pass_shadow_needed(render) || maps->table || write_views(render)) &&
+           (!has_planes(render) || maps->planes || write_planes(render));
+}
+
+bool shadow_change(Render *render, bool drawn_again)
+{
+    ShadowMaps *maps = &render->shadows;
+    const int before = maps->views.count;
+    if (drawn_again) {
+        shadow_views_free(&maps->views);
+        if (!shadow_make_views(render))
+            return false;
+        maps->drawn = false;
+    }
+    if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.material.store))
+        return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
+                       before);
+    return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
+}
+
+const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
+{
+    const bool maps = pass_shadow_needed(render), planes = has_planes(render);
+    int size = 0;
+    *defined = 0;
+    if (maps)
+        size = snprintf(defined, SHADOW_DEFINITIONS,
+                        "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
+                        render->scene->shadow_size, render->scene->shadow_filter);
+    if (planes)
+        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
+                 render->cache.plane_count);
+    return maps || planes ? render_text_shadow : "";
+}
+
+void shadow_put_lights(const Render *render, float *texels)
+{
+    const Scene *scene = render->scene;
+    float *next = texels + 4 * (VIEW_SPACE_LIGHT_TEXELS - 1) + 2;
+    for (int i = 0; i < scene->light_count; i++) {
+        if (scene->lights[i].kind == SCENE_Ambient || scene->lights[i].kind == SCENE_Area)
+            continue;
+        const bool casts = scene->lights[i].shadows && !render->options.no_shadows;
+        const bool mapped = casts && pass_shadow_needed(render);
+        next[0] = mapped ? (float)render->shadows.views.lights[i].first : 0;
+        next[1] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
+        next += 4 * VIEW_SPACE_LIGHT_TEXELS;
+    }
+}
+
+void shadow_samplers(ScreenPass *pass, int unit)
+{
+    screen_pass_sampler(pass, "shadow_maps", unit);
+    screen_pass_sampler(pass, "shadow_views", unit + 1);
+    screen_pass_sampler(pass, "shadow_planes", unit + 2);
+}
+
+void shadow_bind(const Render *render, int unit)
+{
+    const GlContext *gl = render->gl;
+    const ShadowMaps *maps = &render->shadows;
+    if (maps->table) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);
+        texture_bind(gl, maps->table, unit + 1);
+    }
+    if (maps->planes)
+        texture_bind(gl, maps->planes, unit + 2);
+}

@@ -1,0 +1,196 @@
+/* Fits views to lights and to the boxes around what casts shadows. */
+#include "runtime/render/shadow_views.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CORNERS = 8 };
+
+static const double widest = 0.5;         /* cosine: a spot with a wider cone has a cube, whose texels are finer */
+static const double nearest = 1.0 / 4096; /* of the distance to the farthest object: what is nearer casts no shadow */
+
+typedef struct {
+    const Scene *scene;
+    ShadowViews *made;
+    double (*corners)[3]; /* of boxes around what casts shadows, in the world */
+    int count;
+} Fit;
+
+static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_from_local)
+{
+    const double *m = world_from_local->m, *const ends[2] = {box->low, box->high};
+    for (int i = 0; i < CORNERS; i++, fit->count++) {
+        const double at[3] = {ends[i & 1][0], ends[i >> 1 & 1][1], ends[i >> 2 & 1][2]};
+        for (int lane = 0; lane < 3; lane++)
+            fit->corners[fit->count][lane] = m[lane] * at[0] + m[4 + lane] * at[1] + m[8 + lane] * at[2] + m[12 + lane];
+    }
+}
+
+/* A row that is 0 at `origin`. */
+static void set_row(const double axis[3], double scale, const double origin[3], double row[4])
+{
+    for (int lane = 0; lane < 3; lane++)
+        row[lane] = scale * axis[lane];
+    row[3] = -scale * scene_vector_dot(axis, origin);
+}
+
+/* Two directions at right angles to `back` and to each other. */
+static void axes_around(const double along[3], double x[3], double y[3])
+{
+    const int least = fabs(along[0]) <= fabs(along[1]) && fabs(along[0]) <= fabs(along[2]) ? 0
+                      : fabs(along[1]) <= fabs(along[2])                                   ? 1
+                                                                                           : 2;
+    double helper[3] = {0};
+    helper[least] = 1;
+    scene_vector_cross(helper, along, x);
+    scene_vector_normalize(x);
+    scene_vector_cross(along, x, y);
+}
+
+/* -- point and spot */
+
+/* How near the view begins: at the nearest box around an object, but no nearer than a share of the distance to the farthest. Nearer, and depth
+ * far away would be lost; further, and objects. */
+static double near_of(const Fit *fit, const double position[3])
+{
+    double least = INFINITY, most = 0;
+    for (int object = 0; object < fit->count; object += CORNERS) {
+        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, square = 0;
+        for (int i = 0; i < CORNERS; i++) {
+            const double *corner = fit->corners[object + i];
+            double distance = 0;
+            for (int lane = 0; lane < 3; lane++) {
+                low[lane] = fmin(low[lane], corner[lane]);
+                high[lane] = fmax(high[lane], corner[lane]);
+                distance = hypot(distance, corner[lane] - position[lane]);
+            }
+            most = fmax(most, distance);
+        }
+        for (int lane = 0; lane < 3; lane++) {
+            const double out = fmax(fmax(low[lane] - position[lane], position[lane] - high[lane]), 0);
+            square += out * out;
+        }
+        least = fmin(least, sqrt(square));
+    }
+    const double along = least / sqrt(3); /* of a cube's view, at its corner, as far as that */
+    return fmax(fmax(along * 0.99, most * nearest), 1e-30);
+}
+
+static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[SHADOW_VIEWS_CUBE])
+{
+    const double near = near_of(fit, light->position);
+    for (int face = 0; face < SHADOW_VIEWS_CUBE; face++) {
+        const int axis = face / 2;
+        double axes[3][3] = {{0}};
+        axes[0][(axis + 1) % 3] = axes[1][(axis + 2) % 3] = axes[2][axis] = 1;
+        for (int row = 0; row < 3; row++)
+            set_row(axes[row], row == 2 && face % 2 ? -1 : 1, light->position, views[face].rows[row]);
+        views[face].near = near;
+        views[face].texel = 2.0 / fit->scene->shadow_size;
+        views[face].mirrored = face % 2 == 0; /* x, y and z of a right-handed view: z comes towards it */
+    }
+}
+
+/* Room beside the cone for what the filter reads. */
+static double widened(const Scene *scene) { return 1 + 2.0 * (scene->shadow_filter + 2) / scene->shadow_size; }
+
+static void fit_cone(const Fit *fit, const SceneLight *light, ShadowView *view)
+{
+    const double cosine = fmax(light->outer_cosine, widest);
+    const double half = fmax(sqrt(1 - fmin(cosine * cosine, 1)) / cosine, 1e-6) * widened(fit->scene);
+    double x[3], y[3];
+    axes_around(light->direction, x, y);
+    set_row(x, 1 / half, light->position, view->rows[0]);
+    set_row(y, 1 / half, light->position, view->rows[1]);
+    set_row(light->direction, 1, light->position, view->rows[2]);
+    view->near = near_of(fit, light->position);
+    view->texel = 2 * half / fit->scene->shadow_size;
+    view->mirrored = true;
+}
+
+/* -- directional */
+
+static void range_of(const Fit *fit, const double axis[3], double range[2])
+{
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (int i = 0; i < fit->count; i++) {
+        const double along = scene_vector_dot(axis, fit->corners[i]);
+        range[0] = fmin(range[0], along);
+        range[1] = fmax(range[1], along);
+    }
+}
+
+/* All that casts shadows, from the side. */
+static void fit_box(const Fit *fit, const SceneLight *light, ShadowView *view)
+{
+    double axes[3][3], ranges[3][2], most = 1e-30;
+    memcpy(axes[2], light->direction, sizeof axes[2]);
+    axes_around(axes[2], axes[0], axes[1]);
+    for (int i = 0; i < 3; i++) {
+        range_of(fit, axes[i], ranges[i]);
+        most = fmax(most, ranges[i][1] - ranges[i][0]);
+    }
+    for (int i = 0; i < 2; i++) {
+        const double half = fmax((ranges[i][1] - ranges[i][0]) / 2, 1e-4 * most) * widened(fit->scene);
+        set_row(axes[i], 1 / half, (double[]){0, 0, 0}, view->rows[i]);
+        view->rows[i][3] = -(ranges[i][0] + ranges[i][1]) / 2 / half;
+        view->texel = fmax(view->texel, 2 * half / fit->scene->shadow_size);
+    }
+    const double deep = 2 * fmax(ranges[2][1] - ranges[2][0], 1e-4 * most);
+    set_row(axes[2], -1 / deep, (double[]){0, 0, 0}, view->rows[2]);
+    view->rows[2][3] = 1 + ranges[2][0] / deep;
+    view->mirrored = true;
+}
+
+/* -- */
+
+static bool has_cube(const SceneLight *light)
+{
+    return light->kind == SCENE_Point || (light->kind == SCENE_Spot && light->outer_cosine <= widest);
+}
+
+static void fit_light(Fit *fit, int number)
+{
+    const SceneLight *light = &fit->scene->lights[number];
+    ShadowView *views = fit->made->views + fit->made->count;
+    const bool cube = has_cube(light);
+    if (!light->shadows)
+        return;
+    if (cube)
+        fit_cube(fit, light, views);
+    else if (light->kind == SCENE_Spot)
+        fit_cone(fit, light, views);
+    else
+        fit_box(fit, light, views);
+    fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : 1};
+    fit->made->count += fit->made->lights[number].count;
+}
+
+bool shadow_views_make(const Scene *scene, const Cache *cache, ShadowViews *made)
+{
+    Fit fit = {.scene = scene, .made = made};
+    const size_t lights = (size_t)scene->light_count + 1;
+    made->count = 0;
+    made->views = calloc(lights * SHADOW_VIEWS_CUBE, sizeof *made->views);
+    made->lights = calloc(lights, sizeof *made->lights);
+    fit.corners = calloc((size_t)cache->place_count * CORNERS + 1, sizeof *fit.corners);
+    const bool done = made->views && made->lights && fit.corners;
+    for (int i = 0; done && i < cache->place_count; i++)
+        add_corners(&fit, &cache->boxes[cache->places[i].mesh],
+                    &scene->objects[cache->places[i].object].world_from_local);
+    for (int i = 0; done && fit.count && i < scene->light_count; i++)
+        fit_light(&fit, i);
+    free(fit.corners);
+    if (!done)
+        shadow_views_free(made);
+    return done;
+}
+
+void shadow_views_free(ShadowViews *views)
+{
+    free(views->views);
+    free(views->lights);
+    *views = (ShadowViews){0};
+}

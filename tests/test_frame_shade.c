@@ -1,0 +1,309 @@
+/* Shadows against rays of Embree, for each kind of light, from straight above to half a degree over the ground. A picture with shadows over
+ * one without is the share of light that arrives. It is that of the ray wherever no end of a shadow is near: where points of the surface's
+ * tangent plane, a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what is dark is acne. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame_reference.h"
+#include "tests/frame/frame_draw.h"
+#include <stdio.h>
+
+#define PI 3.14159265358979323846
+
+/* -- rays to lights */
+
+/* Towards a light; its length is the distance, or infinite. */
+static double way_to(const SceneLight *light, const double point[3], double way[3])
+{
+    for (int i = 0; i < 3; i++)
+        way[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - point[i];
+    const double length = sqrt(reference_dot(way, way));
+    reference_normalize(way);
+    return light->kind == SCENE_Directional ? INFINITY : length;
+}
+
+/* An infinite plane is between: it is met before the light. */
+static bool is_behind_plane(const Scene *scene, const double from[3], const double way[3], double distance)
+{
+    Hit hit = {.distance = distance};
+    Ray ray;
+    memcpy(ray.at, from, sizeof ray.at);
+    memcpy(ray.way, way, sizeof ray.way);
+    for (int i = 0; i < scene->object_count; i++)
+        if (scene->objects[i].kind == SCENE_Plane)
+            reference_plane(&scene->objects[i], &ray, &hit);
+    return hit.distance < distance;
+}
+
+/* From a point a little off a surface, on the light's side of it. */
+static bool is_lit(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3])
+{
+    struct RTCIntersectContext context;
+    double way[3], from[3];
+    const double distance = way_to(light, point, way);
+    const double off = (reference_dot(facet, way) < 0 ? -1 : 1) * 3e-5;
+    for (int i = 0; i < 3; i++)
+        from[i] = point[i] + off * facet[i];
+    struct RTCRay ray = {.org_x = (float)from[0],
+                         .org_y = (float)from[1],
+                         .org_z = (float)from[2],
+                         .dir_x = (float)way[0],
+                         .dir_y = (float)way[1],
+                         .dir_z = (float)way[2],
+                         .tfar = (float)distance,
+                         .mask = ~0u};
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(tracer->traced, &context, &ray);
+    return ray.tfar > 0 && !is_behind_plane(tracer->scene, from, way, distance);
+}
+
+/* A step on the tangent plane that is `step` across the light's way, at an angle around it. */
+static void beside(const Hit *hit, const double way[3], double step, double angle, double moved[3])
+{
+    const int least = fabs(way[0]) < fabs(way[1])   ? fabs(way[0]) < fabs(way[2]) ? 0 : 2
+                      : fabs(way[1]) < fabs(way[2]) ? 1
+                                                    : 2;
+    double helper[3] = {0}, x[3], y[3], across[3];
+    helper[least] = 1;
+    reference_cross(helper, way, x);
+    reference_normalize(x);
+    reference_cross(way, x, y);
+    for (int i = 0; i < 3; i++)
+        across[i] = step * (cos(angle) * x[i] + sin(angle) * y[i]);
+    const double along = -reference_dot(across, hit->facet) / reference_dot(way, hit->facet);
+    for (int i = 0; i < 3; i++)
+        moved[i] = hit->world[i] + across[i] + along * way[i];
+}
+
+/* -- pictures */
+
+enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
+
+#define VIEW                                                                                                           \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
+    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
+/* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. */
+#define THINGS                                                                                                         \
+    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, .8] } }\n"                      \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } }\n"                  \
+    "- { object: Box, size: [.5, .5, .5], material: m, transform: { translation: [1.1, .5, 1.25] } }\n"                \
+    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
+    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, .8] } }\n"            \
+    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: m, transform: { translation: [-2.2, -.6, 0] " \
+    "} }\n"
+#define GROUND                                                                                                         \
+    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
+    "-4, 0] } }\n"
+#define PLANE "objects:\n- { object: Plane, material: m }\n"
+
+typedef struct {
+    int lit, dark;   /* compared, outside of bands */
+    int band;        /* within */
+    int acne, leaks; /* wrong ones */
+} Count;
+
+/* How far a light's texel reaches at a point: what the documents say of maps, and no code of the renderer's. */
+static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
+{
+    const double reach = 11.5; /* across all objects, about */
+    double way[3];
+    const double distance = way_to(light, point, way);
+    const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
+                            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
+                            : 1;
+    return (light->kind == SCENE_Directional ? reach : 2 * wide * distance) / scene->shadow_size;
+}
+
+/* Texels around a point in which all has to agree. */
+static double band_of(const Scene *scene) { return 3.0 * (scene->shadow_filter + 1); }
+
+/* The share of light there: 0 or 1; or -1, an end of a shadow is near. */
+static int share_of(const Tracer *tracer, const Hit *hit)
+{
+    const SceneLight *light = &tracer->scene->lights[0];
+    const double step = band_of(tracer->scene) * texel_at(tracer->scene, light, hit->world);
+    double way[3], moved[3];
+    const bool lit = is_lit(tracer, light, hit->world, hit->facet);
+    way_to(light, hit->world, way);
+    for (int i = 0; i < 24; i++) {
+        beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
+        if (is_lit(tracer, light, moved, hit->facet) != lit)
+            return -1;
+    }
+    return lit;
+}
+
+/* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */
+static bool sides_agree(const SceneLight *light, const Hit *hit)
+{
+    double way[3];
+    way_to(light, hit->world, way);
+    return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
+}
+
+static void add_pixel(const Tracer *tracer, int pixel, double share, Count *count)
+{
+    const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);
+    const Hit hit = reference_hit(tracer, &ray);
+    if (hit.object < 0 || !sides_agree(&tracer->scene->lights[0], &hit) ||
+        reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit))
+        return;
+    const int expected = share_of(tracer, &hit);
+    count->band += expected < 0;
+    count->lit += expected == 1;
+    count->dark += expected == 0;
+    count->acne += expected == 1 && share < 1 - 1e-3;
+    count->leaks += expected == 0 && share > 1e-3;
+}
+
+static Count compare(GlContext *gl, const char *text)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Count count = {0};
+    Scene *scene = frame_scene(text, &options, &document);
+    float *with = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    float *without =
+        frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+    Tracer tracer = reference_open(scene);
+    for (int i = 0; i < PIXELS; i++)
+        if (without[4 * i] > 1e-7f)
+            add_pixel(&tracer, i, (double)with[4 * i] / without[4 * i], &count);
+    reference_close(&tracer);
+    free(with);
+    free(without);
+    frame_forget(scene, document);
+    return count;
+}
+
+/* Degrees over the ground, and around. */
+static const double angles[][2] = {{.5, 20}, {3, 100}, {12, 200}, {25, 320}, {45, 60}, {70, 250}, {89.5, 10}};
+
+static void place(const double angle[2], double distance, double at[3])
+{
+    const double up = angle[0] * PI / 180, around = angle[1] * PI / 180;
+    at[0] = distance * cos(up) * cos(around);
+    at[1] = distance * cos(up) * sin(around);
+    at[2] = distance * sin(up);
+}
+
+/* A light, but for its place and direction. */
+typedef struct {
+    const char *kind; /* and further params */
+    bool placed, directed;
+} Lamp;
+
+/* The light stands at an angle, 6 from the origin, and shines there. */
+static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], const char *objects, const char *maps)
+{
+    char text[4096], place_text[128] = "", direction_text[128] = "";
+    double at[3];
+    place(angle, 6, at);
+    if (lamp->placed)
+        snprintf(place_text, sizeof place_text, ", position: [%g, %g, %g]", at[0], at[1], at[2]);
+    if (lamp->directed)
+        snprintf(direction_text, sizeof direction_text, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
+    snprintf(text, sizeof text, VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" THINGS, maps, lamp->kind,
+             place_text, direction_text, objects);
+    return compare(gl, text);
+}
+
+static void by_every_angle(const char *name, const Lamp *lamp, const char *objects, const char *maps)
+{
+    GlContext *gl = frame_context();
+    Count all = {0};
+    for (size_t i = 0; i < sizeof angles / sizeof *angles; i++) {
+        const Count count = at_angle(gl, lamp, angles[i], objects, maps);
+        all.lit += count.lit, all.dark += count.dark, all.band += count.band;
+        all.acne += count.acne, all.leaks += count.leaks;
+        print_message("%-12s %4g degrees: %5d lit, %5d dark, %5d in bands; acne %d, leaks %d\n", name, angles[i][0],
+                      count.lit, count.dark, count.band, count.acne, count.leaks);
+    }
+    gl_close(gl);
+    assert_true(all.lit > 8000 && all.dark > 2000);
+    assert_int_equal(all.acne, 0);
+    assert_int_equal(all.leaks, 0);
+}
+
+#define HARD "{ size: 1024, filter: 0 }"
+
+static void directional(void **state)
+{
+    (void)state;
+    by_every_angle("directional", &(Lamp){"Directional", false, true}, GROUND, HARD);
+}
+
+static void spot(void **state)
+{
+    (void)state;
+    by_every_angle("spot", &(Lamp){"Spot, innerAngle: 30, outerAngle: 45", true, true}, GROUND, HARD);
+}
+
+static void wide_spot(void **state)
+{
+    (void)state;
+    by_every_angle("wide spot", &(Lamp){"Spot, innerAngle: 80, outerAngle: 100", true, true}, PLANE, HARD);
+}
+
+static void point(void **state)
+{
+    (void)state;
+    by_every_angle("point", &(Lamp){"Point", true, false}, GROUND, HARD);
+}
+
+/* Edges that are spread do not spread acne. */
+static void filtered(void **state)
+{
+    (void)state;
+    by_every_angle("filter 1", &(Lamp){"Directional", false, true}, GROUND, "{ filter: 1 }");
+    by_every_angle("filter 3", &(Lamp){"Point", true, false}, PLANE, "{ filter: 3 }");
+}
+
+/* -- what is drawn, and when */
+
+#define LAMPS "lights: [{ light: Point, position: [1, -4, 4], intensity: 9, shadows: %s }]\n"
+
+static char *graph_of(GlContext *gl, const char *switched, bool none)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    char text[4096];
+    snprintf(text, sizeof text, VIEW LAMPS GROUND THINGS, switched);
+    Scene *scene = frame_scene(text, &options, &document);
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .no_shadows = none});
+    assert_true(render && render_scene(render, scene));
+    char *graph = render_graph(render);
+    render_close(render);
+    frame_forget(scene, document);
+    return graph;
+}
+
+/* Where no light casts shadows, there are no maps. */
+static void switches(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *switched;
+        bool none, maps;
+    } cases[] = {{"true", false, true}, {"false", false, false}, {"true", true, false}};
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char *graph = graph_of(gl, cases[i].switched, cases[i].none);
+        assert_int_equal(strstr(graph, "6 maps of 1024 x 1024, DEPTH32F, 25165824 bytes") != NULL, cases[i].maps);
+        assert_int_equal(strstr(graph, "shadow    -               shadow          not run: nothing to do") == NULL,
+                         cases[i].maps);
+        free(graph);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(directional), cmocka_unit_test(spot),     cmocka_unit_test(wide_spot),
+        cmocka_unit_test(point),       cmocka_unit_test(filtered), cmocka_unit_test(switches),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
