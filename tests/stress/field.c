@@ -47,6 +47,14 @@ static void frame(Choices *c, Point *p, bool hostile)
     memcpy(p->input[INPUT_eyeN], p->input[INPUT_N], sizeof p->input[0]);
 }
 
+/* How the local position changes by u and v: rarely not at all, and never by so little that differences lose it beside the position. */
+static void local_tangents(Choices *c, Point *p, bool hostile)
+{
+    static const float lengths[] = {1, 0.25f, 2, 0, 0.01f, 100};
+    for (Input i = INPUT_XU; i <= INPUT_XV; i++)
+        direction(c, p->input[i], lengths[choose(c, hostile ? 6 : 3)]);
+}
+
 static void make_point(Choices *c, Point *p)
 {
     static const Input inputs[] = {INPUT_U, INPUT_X, INPUT_P};
@@ -59,6 +67,7 @@ static void make_point(Choices *c, Point *p)
     direction(c, p->input[INPUT_ray], 1);
     if (chance(c, 1, 8))
         p->input[INPUT_ray][choose(c, 3)] = 0;
+    local_tangents(c, p, temper > 1);
 }
 
 void hostile_points(Point points[FIELD_COUNT])

@@ -3,7 +3,6 @@
 #include "grammar/tables.h"
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { MOST_DEFINITIONS = 2, MOST_PARAMS = 6, MOST_FILTERS = 2, MOST_ITEMS = 5, MOST_CHAIN = 3, WIDEST_RELIEF = 64 };
@@ -19,9 +18,11 @@ typedef struct {
     int filters;     /* within which this stands */
     int params;      /* uniforms so far */
     bool hostile;
+    bool relief; /* of maps that rise and fall */
 } Generator;
 
 static void map_value(Generator *g);
+static void put_transformer(Generator *g);
 
 static void put_number(Generator *g, double value)
 {
@@ -164,7 +165,7 @@ static void put_transform(Generator *g)
 /* Values that ascend, some of them equal; rarely any values. */
 static void put_items(Generator *g)
 {
-    int count = (int)choose(g->c, MOST_ITEMS + 1);
+    int count = g->relief ? 2 + (int)choose(g->c, MOST_ITEMS - 1) : (int)choose(g->c, MOST_ITEMS + 1);
     bool any = chance(g->c, 1, 8);
     double value = ordinary(g->c, -2, 2);
     text_put(g->out, "[");
@@ -175,7 +176,7 @@ static void put_items(Generator *g)
         else
             put_number(g, value);
         value += (double[]){0.5, 0.25, 1, 0, 1e-6, 1e4}[choose(g->c, g->hostile ? 6 : 4)];
-        if (!chance(g->c, 1, 16)) {
+        if (g->relief || !chance(g->c, 1, 16)) {
             text_put(g->out, ", input: ");
             map_value(g);
         }
@@ -194,12 +195,22 @@ static void put_word(Generator *g, const ParamRow *row)
     text_put(g->out, word_table[first + (int)choose(g->c, (uint32_t)count)].name);
 }
 
+/* Where the map is asked, and not what of. */
+static bool is_place(const ParamRow *row)
+{
+    return !strcmp(row->name, "input") && row->kind != KIND_Blend && row->kind != KIND_Smooth3D &&
+           row->kind != KIND_Laplace3D;
+}
+
 static void put_parameter(Generator *g, const ParamRow *row)
 {
     text_format(g->out, ", %s: ", row->name);
     switch (row->type) {
     case PARAM_Map:
-        map_value(g);
+        if (g->relief && is_place(row))
+            put_transformer(g);
+        else
+            map_value(g);
         break;
     case PARAM_Bool:
         text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
@@ -224,18 +235,33 @@ static void put_parameter(Generator *g, const ParamRow *row)
     }
 }
 
-/* A map's inputs are what it is about: they are more often given than a number. */
+/* A map's inputs are what it is about: they are more often given than a number. A relief varies: its maps are asked at the surface, or at what
+ * a transform makes of it, and its Blends have items. */
 static bool is_given(Generator *g, const ParamRow *row)
 {
+    if (g->relief && row->type == PARAM_Items)
+        return true;
+    if (g->relief && is_place(row))
+        return g->left > 0 && chance(g->c, 1, 3);
     if (row->type == PARAM_Map || row->type == PARAM_Items)
         return g->left > 0 && chance(g->c, 5, 6);
     return chance(g->c, 1, 2);
 }
 
-static void put_map(Generator *g)
+/* In a relief mostly one whose slope is known by differences; Blends, whose items end there, and what is costly enough for a branch. */
+static Kind choose_map(Generator *g)
 {
     static const Kind first = KIND_Constant + 1;
-    Kind kind = (Kind)(first + choose(g->c, KIND_COUNT - first));
+    static const Kind rising[] = {KIND_Gradient, KIND_Gradient,         KIND_Leopard,  KIND_Wood,
+                                  KIND_Granite,  KIND_VolumeTurbulence, KIND_Blend,    KIND_Blend,
+                                  KIND_Blend,    KIND_Checker,          KIND_ImageMap, KIND_Smooth3D};
+    if (g->relief && chance(g->c, 7, 8))
+        return rising[choose(g->c, sizeof rising / sizeof *rising)];
+    return (Kind)(first + choose(g->c, KIND_COUNT - first));
+}
+
+static void put_kind(Generator *g, Kind kind)
+{
     bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D;
     if (filter && (g->filters == MOST_FILTERS || !chance(g->c, 1, 3)))
         kind = KIND_Checker, filter = false;
@@ -248,6 +274,14 @@ static void put_map(Generator *g)
             put_parameter(g, &param_table[row->first + i]);
     text_put(g->out, " }");
     g->filters -= filter;
+}
+
+static void put_map(Generator *g) { put_kind(g, choose_map(g)); }
+
+static void put_transformer(Generator *g)
+{
+    static const Kind kinds[] = {KIND_UVTransform, KIND_XYZTransform, KIND_Turbulence};
+    put_kind(g, kinds[choose(g->c, sizeof kinds / sizeof *kinds)]);
 }
 
 static void put_constant(Generator *g)
@@ -267,7 +301,7 @@ static void map_value(Generator *g)
 {
     if (g->definitions && chance(g->c, 1, 8))
         text_format(g->out, "{ ref: d%d }", (int)choose(g->c, (uint32_t)g->definitions));
-    else if (g->left > 0 && chance(g->c, 3, 4))
+    else if (g->left > 0 && chance(g->c, g->relief ? 7 : 6, 8))
         put_map(g);
     else
         put_constant(g);
@@ -331,8 +365,8 @@ void generate_document(Choices *c, Text *out)
 
 void generate_relief(Choices *c, Text *out)
 {
-    static const int sizes[] = {1, 2, 3, 5, 8, 12};
-    Generator g = {.c = c, .out = out, .hostile = chance(c, 1, 8)};
+    static const int sizes[] = {1, 2, 4, 6, 9, 14};
+    Generator g = {.c = c, .out = out, .hostile = chance(c, 1, 8), .relief = true};
     g.left = sizes[choose(c, sizeof sizes / sizeof *sizes)];
     text_put(out, "material: Phong\ninput: { map: BumpMap, displacement: ");
     put_map(&g);
@@ -348,23 +382,4 @@ void generate_map(Choices *c, Text *out, int size)
 {
     Generator g = {.c = c, .out = out, .left = size, .hostile = chance(c, 1, 2)};
     map_value(&g);
-}
-
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
-char *generate_file(void *user, const char *path, size_t *size, const char **why)
-{
-    (void)user;
-    static const char picture[] = SOURCE_FOLDER "/examples/tiles.png";
-    FILE *file = strstr(path, "tiles.png") ? fopen(picture, "rb") : NULL;
-    enum { MOST = 1 << 16 };
-    char *bytes = file ? malloc(MOST) : NULL;
-    *why = "only examples/tiles.png is here";
-    if (bytes)
-        *size = fread(bytes, 1, MOST, file);
-    if (file)
-        fclose(file);
-    return bytes;
 }
