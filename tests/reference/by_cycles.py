@@ -10,7 +10,7 @@ import numpy
 
 import world
 
-SAMPLES = 64
+SAMPLES, AREA_SAMPLES = 64, 4096
 
 
 def begin(scenery, samples):
@@ -95,10 +95,37 @@ def rgba(lanes):
     return (*map(float, lanes), 1.)
 
 
+def painted(shader, scenery, written):
+    """The output of a map's nodes: Checker or ImageMap on u and v."""
+    place = shader.node("ShaderNodeTexCoord").outputs["UV"]
+    if written["map"] == "Checker":
+        squares = shader.node("ShaderNodeTexChecker", Color1=rgba(world.colour(written.get("color1", 1))),
+                              Color2=rgba(world.colour(written.get("color2", 0))), Scale=2.)
+        shader.tree.links.new(place, squares.inputs["Vector"])
+        return squares.outputs["Color"]
+    sampled = shader.node("ShaderNodeTexImage")
+    sampled.image = bpy.data.images.load(os.path.join(scenery.folder, written["image"]))
+    sampled.image.colorspace_settings.name = "sRGB" if written.get("colorspace") == "srgb" else "Non-Color"
+    sampled.interpolation = "Linear" if written.get("bilinearFiltering", True) else "Closest"
+    if sampled.interpolation == "Linear":  # its texels have their colour in their middle, ours at their corner
+        moved = shader.node("ShaderNodeVectorMath")
+        moved.inputs[1].default_value = (.5 / sampled.image.size[0], .5 / sampled.image.size[1], 0)
+        shader.tree.links.new(place, moved.inputs[0])
+        place = moved.outputs[0]
+    shader.tree.links.new(place, sampled.inputs["Vector"])
+    return sampled.outputs["Color"]
+
+
+def diffuse(shader, scenery, material):
+    if world.is_painted(material):
+        return painted(shader, scenery, material["diffuse"])
+    return rgba(world.slot(material, "diffuse"))
+
+
 def lambert(scenery, material):
     """What answers light: diffuse on its side, diffuseTransparency on the other."""
     shader = Shader("lambert")
-    shader.add(shader.node("ShaderNodeBsdfDiffuse", Color=rgba(world.slot(material, "diffuse"))))
+    shader.add(shader.node("ShaderNodeBsdfDiffuse", Color=diffuse(shader, scenery, material)))
     if "diffuseTransparency" in material:
         shader.add(shader.node("ShaderNodeBsdfTranslucent", Color=rgba(world.slot(material, "diffuseTransparency"))))
     return shader.done()
@@ -109,6 +136,12 @@ def shining(scenery, material):
     ambient = sum((light["light"] for light in scenery.lights if light["kind"] == "Ambient"), numpy.zeros(3))
     shader = Shader("shining")
     shader.add(shader.node("ShaderNodeEmission", Color=rgba(world.slot(material, "emissive") + world.slot(material, "ambient") * ambient)))
+    return shader.done()
+
+
+def paint(scenery, material):
+    shader = Shader("paint")
+    shader.add(shader.node("ShaderNodeEmission", Color=diffuse(shader, scenery, material)))
     return shader.done()
 
 
@@ -153,6 +186,34 @@ def add_light(scene, light, shadow):
     scene.collection.objects.link(placed)
 
 
+def add_area(scene, light):
+    """A rectangle. Its power is 4 times area and radiance; nothing but its own samples may meet it, since there are no bounces."""
+    u, v = (numpy.array(light.get(name, init), float) for name, init in (("u", (0, 1, 0)), ("v", (1, 0, 0))))
+    made = bpy.data.lights.new("light", "AREA")
+    made.shape, made.size, made.size_y = "RECTANGLE", numpy.linalg.norm(u), numpy.linalg.norm(v)
+    made.color = tuple(light["light"] / light["light"].max())
+    made.energy = float(light["light"].max()) * 4 * made.size * made.size_y
+    made.use_shadow = made.cycles.cast_shadow = made.cycles.use_multiple_importance_sampling = False
+    placed = bpy.data.objects.new("light", made)
+    back = -world.unit(numpy.cross(u, v))
+    axes = numpy.column_stack((world.unit(u), numpy.cross(back, world.unit(u)), back))
+    placed.matrix_world = matrix_of(axes, numpy.array(light.get("position", (0, 0, 1))) + (u + v) / 2)
+    placed.visible_camera = False
+    scene.collection.objects.link(placed)
+
+
+def sky(scenery):
+    """Preetham's, up to a factor; of what the camera sees there is nothing else."""
+    scene = begin(scenery, 1)
+    tree = scene.world.node_tree
+    made = tree.nodes.new("ShaderNodeTexSky")
+    made.sky_type, made.turbidity = "PREETHAM", scenery.sky["turbidity"]
+    made.sun_direction = world.unit(scenery.sky["sun"])
+    tree.links.new(made.outputs["Color"], tree.nodes["Background"].inputs["Color"])
+    tree.nodes["Background"].inputs["Strength"].default_value = .3
+    return picture(scene)
+
+
 def picture(scene):
     """Height x width x 3, from the top."""
     with tempfile.TemporaryDirectory() as folder:
@@ -168,9 +229,12 @@ def picture(scene):
 
 
 def shaded(scenery, shading, light=None, shadow=False):
-    scene = begin(scenery, SAMPLES if light else 1)
+    area = light and light["kind"] == "Area"
+    scene = begin(scenery, AREA_SAMPLES if area else SAMPLES if light else 1)
     add_objects(scene, scenery, shading)
-    if light:
+    if area:
+        add_area(scene, light)
+    elif light:
         add_light(scene, light, shadow)
     return picture(scene)
 
@@ -191,8 +255,10 @@ def numbered(scenery):
 
 def render(scenery, shadows):
     """Light, and pictures whose steps are edges."""
+    if scenery.sky:
+        return sky(scenery), [], numpy.ones((scenery.height, scenery.width), bool)
     numbers = numbered(scenery)
-    steps = [numbers, 2 * shaded(scenery, facing)]
+    steps = [numbers, 2 * shaded(scenery, facing), 4 * shaded(scenery, paint)]
     light = shaded(scenery, shining)
     for source in scenery.lights:
         if source["kind"] == "Ambient":

@@ -9,13 +9,13 @@ STEP = 2. ** -22  # light is rounded to multiples of it, which makes the file ha
 
 def edges(*pictures):
     """Where one of the pictures differs within a pixel: another object, another face, another shadow."""
-    height, width = pictures[0].shape[:2]
-    found = numpy.zeros((height, width), bool)
+    found = False
     for picture in pictures:
+        height, width = picture.shape[:2]
         padded = numpy.pad(picture, ((1, 1), (1, 1), (0, 0)), mode="edge")
         for y in range(3):
             for x in range(3):
-                found |= numpy.abs(padded[y:y + height, x:x + width] - picture).max(axis=2) > .3
+                found = found | (numpy.abs(padded[y:y + height, x:x + width] - picture).max(axis=2) > .3)
     return found
 
 

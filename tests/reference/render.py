@@ -3,6 +3,8 @@ import glob
 import os
 import sys
 
+import numpy
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
 import picture  # noqa: E402
@@ -12,9 +14,12 @@ import world  # noqa: E402
 def render(path):
     by = __import__("by_" + os.path.basename(os.path.dirname(path)))
     scenery = world.World(path)
-    for suffix, shadows in (("", False), ("_shadows", True)):
+    for suffix, shadows in (("", False), ("_shadows", True))[:2 if scenery.casts else 1]:
         light, steps, there = by.render(scenery, shadows)
-        compared = there & ~picture.edges(*steps)
+        if shadows and numpy.array_equal(light, free):
+            break
+        free = light
+        compared = there & ~numpy.asarray(picture.edges(*steps))
         file = path[:-len(".yaml")] + suffix + ".exr"
         picture.write_exr(file, light, compared)
         print("%-60s %6d bytes, %.0f %% of pixels compared, light up to %.3g" %

@@ -21,6 +21,7 @@ class World:
         self.flatten(self.document.get("objects", []), numpy.eye(4), None)
         self.lights = [dict(light, light=colour(light.get("color", 1)) * light.get("intensity", 1), kind=light["light"])
                        for light in self.document.get("lights", [])]
+        self.casts = any(light["kind"] in ("Point", "Spot", "Directional") for light in self.lights)
         self.sky = self.material(self.document.get("sky"))
 
     def flatten(self, objects, around, material):
@@ -82,6 +83,11 @@ def exponent(material):
 
 def slot(material, name):
     return colour(material.get(name, .5 if name == "diffuse" else 0))
+
+
+def is_painted(material):
+    """Whether its diffuse is a map."""
+    return isinstance(material.get("diffuse"), dict)
 
 
 def read_obj(path):
