@@ -48,9 +48,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // blend.yaml:4 Blend
-    vec3 diffuse_blend_1 = mix(mix(vec3(0.019607844, 0.0627451, 0.08627451), vec3(0.023529412, 0.3372549, 0.27450982), clamp((localPosition.x + 0.9) * 1.6666666, 0.0, 1.0)), vec3(0.8156863, 0.5529412, 0.14509805), clamp((localPosition.x + 0.3) * 2.5, 0.0, 1.0));
-    vec3 diffuse_blend = mix(mix(diffuse_blend_1, vec3(0.90588236, 0.36078432, 0.11764706), clamp((localPosition.x - 0.1) * 2.5, 0.0, 1.0)), vec3(0.8, 0.16078432, 0.08235294), clamp((localPosition.x - 0.5) * 2.5, 0.0, 1.0));
+    // blend.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.019382361, 0.063010015, 0.08650046), vec3(0.023153367, 0.33716363, 0.2746773), clamp((localPosition.x + 0.9) * 1.6666666, 0.0, 1.0)), vec3(0.8148466, 0.55201143, 0.14412847), clamp((localPosition.x + 0.3) * 2.5, 0.0, 1.0));
+    vec3 diffuse_blend = mix(mix(diffuse_blend_1, vec3(0.9046612, 0.3613068, 0.116970666), clamp((localPosition.x - 0.1) * 2.5, 0.0, 1.0)), vec3(0.7991027, 0.16202937, 0.08228271), clamp((localPosition.x - 0.5) * 2.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 1912602624u, 729838194u);

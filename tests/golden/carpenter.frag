@@ -69,12 +69,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // carpenter.yaml:12 Carpenter
+    // carpenter.yaml:13 Carpenter
     float diffuse_carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    // carpenter.yaml:4 Blend
-    vec3 diffuse_blend_1 = mix(mix(vec3(0.007843138, 0.039215688, 0.11372549), vec3(0.043137256, 0.2, 0.3764706), clamp((diffuse_carpenter - 0.3) * 5.5555553, 0.0, 1.0)), vec3(0.6117647, 0.49803922, 0.22745098), clamp((diffuse_carpenter - 0.48) * 50.0, 0.0, 1.0));
-    vec3 diffuse_blend_2 = mix(mix(diffuse_blend_1, vec3(0.09019608, 0.19607843, 0.043137256), clamp((diffuse_carpenter - 0.5) * 12.5, 0.0, 1.0)), vec3(0.2, 0.14509805, 0.09019608), clamp((diffuse_carpenter - 0.58) * 4.5454545, 0.0, 1.0));
-    vec3 diffuse_blend = mix(diffuse_blend_2, vec3(0.8862745, 0.8862745, 0.87058824), clamp((diffuse_carpenter - 0.8) * 6.6666665, 0.0, 1.0));
+    // carpenter.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.008023193, 0.039546236, 0.114435375), vec3(0.04373503, 0.20155625, 0.37626213), clamp((diffuse_carpenter - 0.3) * 5.5555553, 0.0, 1.0)), vec3(0.61049557, 0.49693298, 0.22696587), clamp((diffuse_carpenter - 0.48) * 50.0, 0.0, 1.0));
+    vec3 diffuse_blend_2 = mix(mix(diffuse_blend_1, vec3(0.09084171, 0.19461784, 0.04373503), clamp((diffuse_carpenter - 0.5) * 12.5, 0.0, 1.0)), vec3(0.20155625, 0.14412847, 0.09084171), clamp((diffuse_carpenter - 0.58) * 4.5454545, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_2, vec3(0.8879231, 0.8879231, 0.8713671), clamp((diffuse_carpenter - 0.8) * 6.6666665, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

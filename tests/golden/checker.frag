@@ -68,9 +68,9 @@ void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // checker.yaml:4 Checker
+    // checker.yaml:5 Checker
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(8.0, 4.0)), max(abs(uvByY * vec2(8.0, 4.0)), abs(uvByX * vec2(8.0, 4.0))));
-    vec3 diffuse_checker = mix(vec3(0.011764706, 0.07450981, 0.11372549), vec3(0.80784315, 0.74509805, 0.6039216), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    vec3 diffuse_checker = mix(vec3(0.011612245, 0.07421357, 0.114435375), vec3(0.80695224, 0.7454042, 0.60382736), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2348810240u, 1031834764u);
 }

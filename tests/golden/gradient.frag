@@ -48,9 +48,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // gradient.yaml:4 Blend
-    vec3 diffuse_blend_1 = mix(mix(vec3(0.003921569, 0.007843138, 0.03137255), vec3(0.19607843, 0.043137256, 0.14117648), clamp((localPosition.z + 1.0) * 1.25, 0.0, 1.0)), vec3(0.87058824, 0.25490198, 0.07058824), clamp((localPosition.z + 0.2) * 1.8181819, 0.0, 1.0));
-    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.9647059, 0.76862746, 0.37254903), clamp((localPosition.z - 0.35) * 1.5384616, 0.0, 1.0));
+    // gradient.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.004024717, 0.008023193, 0.031896032), vec3(0.19461784, 0.04373503, 0.14126329), clamp((localPosition.z + 1.0) * 1.25, 0.0, 1.0)), vec3(0.8713671, 0.2541521, 0.070360094), clamp((localPosition.z + 0.2) * 1.8181819, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.9646863, 0.76815116, 0.3712377), clamp((localPosition.z - 0.35) * 1.5384616, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

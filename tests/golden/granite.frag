@@ -114,11 +114,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // granite.yaml:10 Granite
+    // granite.yaml:11 Granite
     float diffuse_granite = granite(localPosition);
-    // granite.yaml:4 Blend
-    vec3 diffuse_blend_1 = mix(mix(vec3(0.023529412, 0.019607844, 0.015686275), vec3(0.26666668, 0.17254902, 0.13725491), clamp((diffuse_granite + 0.75) * 2.5, 0.0, 1.0)), vec3(0.58431375, 0.39607844, 0.31764707), clamp((diffuse_granite + 0.35) * 2.857143, 0.0, 1.0));
-    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.8392157, 0.76862746, 0.7176471), clamp(diffuse_granite * 2.0, 0.0, 1.0));
+    // granite.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.023153367, 0.019382361, 0.015996294), vec3(0.2663556, 0.17144111, 0.13843161), clamp((diffuse_granite + 0.75) * 2.5, 0.0, 1.0)), vec3(0.58407843, 0.39675522, 0.31854677), clamp((diffuse_granite + 0.35) * 2.857143, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.838799, 0.76815116, 0.7156935), clamp(diffuse_granite * 2.0, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2533359616u, 1122015127u);

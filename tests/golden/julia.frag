@@ -61,13 +61,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // julia.yaml:15 XYZTransform
+    // julia.yaml:16 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.45, 0.0, 0.0), vec3(0.0, 0.07648522, -0.4434524), vec3(0.0, 0.4434524, 0.07648522)) * localPosition + vec3(0.4, 0.39, 0.0);
-    // julia.yaml:11 Julia
+    // julia.yaml:12 Julia
     float diffuse_julia = julia(diffuse_xyzTransform, 24, -0.75, 0.11);
-    // julia.yaml:4 Blend
-    vec3 diffuse_blend_1 = mix(mix(vec3(0.007843138, 0.0, 0.023529412), vec3(0.14509805, 0.011764706, 0.32156864), clamp((diffuse_julia + 1.0) * 1.6666666, 0.0, 1.0)), vec3(0.8784314, 0.09803922, 0.0627451), clamp((diffuse_julia + 0.4) * 1.6666666, 0.0, 1.0));
-    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(1.0, 0.80784315, 0.3647059), clamp((diffuse_julia - 0.2) * 1.25, 0.0, 1.0));
+    // julia.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.008023193, 0.0, 0.023153367), vec3(0.14412847, 0.011612245, 0.3231432), clamp((diffuse_julia + 1.0) * 1.6666666, 0.0, 1.0)), vec3(0.8796224, 0.09758735, 0.063010015), clamp((diffuse_julia + 0.4) * 1.6666666, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(1.0, 0.80695224, 0.3662526), clamp((diffuse_julia - 0.2) * 1.25, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

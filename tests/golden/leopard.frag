@@ -73,10 +73,10 @@ void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // leopard.yaml:11 Leopard
+    // leopard.yaml:12 Leopard
     float diffuse_leopard = leopardFiltered(localPosition * 15.0, max(abs(localPositionByY * 15.0), abs(localPositionByX * 15.0)));
-    // leopard.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.70980394, 0.3764706, 0.105882354), vec3(0.015686275, 0.007843138, 0.003921569), clamp((diffuse_leopard - 0.3) * 25.0, 0.0, 1.0)), vec3(0.3529412, 0.13333334, 0.02745098), clamp((diffuse_leopard - 0.55) * 14.285714, 0.0, 1.0));
+    // leopard.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.70837575, 0.37626213, 0.107023105), vec3(0.015996294, 0.008023193, 0.004024717), clamp((diffuse_leopard - 0.3) * 25.0, 0.0, 1.0)), vec3(0.3515326, 0.13286832, 0.027320892), clamp((diffuse_leopard - 0.55) * 14.285714, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -62,13 +62,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // mandel.yaml:13 XYZTransform
+    // mandel.yaml:14 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.4, 0.0, 0.0), vec3(0.0, 0.06798686, -0.39417988), vec3(0.0, 0.39417988, 0.06798686)) * localPosition + vec3(0.28, 0.4, 0.0);
-    // mandel.yaml:11 Mandel
+    // mandel.yaml:12 Mandel
     float diffuse_mandel = mandel(diffuse_xyzTransform, 16);
-    // mandel.yaml:4 Blend
-    vec3 diffuse_blend_1 = mix(mix(vec3(0.003921569, 0.011764706, 0.043137256), vec3(0.011764706, 0.20784314, 0.33333334), clamp((diffuse_mandel + 0.9) * 2.0, 0.0, 1.0)), vec3(0.8862745, 0.6392157, 0.15686275), clamp((diffuse_mandel + 0.4) * 1.25, 0.0, 1.0));
-    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.011764706, 0.003921569, 0.007843138), clamp((diffuse_mandel - 0.4) * 1.6666666, 0.0, 1.0));
+    // mandel.yaml:5 Blend
+    vec3 diffuse_blend_1 = mix(mix(vec3(0.004024717, 0.011612245, 0.04373503), vec3(0.011612245, 0.20863687, 0.33245152), clamp((diffuse_mandel + 0.9) * 2.0, 0.0, 1.0)), vec3(0.8879231, 0.63759685, 0.15592647), clamp((diffuse_mandel + 0.4) * 1.25, 0.0, 1.0));
+    vec3 diffuse_blend = mix(diffuse_blend_1, vec3(0.011612245, 0.004024717, 0.008023193), clamp((diffuse_mandel - 0.4) * 1.6666666, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

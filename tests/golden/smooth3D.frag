@@ -48,15 +48,15 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 smooth3DInput0(vec2 st) {
-    // smooth3D.yaml:8 Checker
+    // smooth3D.yaml:9 Checker
     vec2 diffuse_checker_1 = fract(st * vec2(8.0, 4.0));
-    vec3 diffuse_checker = (0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y) ? vec3(0.8980392, 0.85490197, 0.7607843) : vec3(0.2627451, 0.011764706, 0.023529412);
+    vec3 diffuse_checker = (0.5 <= diffuse_checker_1.x) != (0.5 <= diffuse_checker_1.y) ? vec3(0.8962694, 0.8549926, 0.7605245) : vec3(0.26225066, 0.011612245, 0.023153367);
     return diffuse_checker;
 }
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // smooth3D.yaml:4 Smooth3D
+    // smooth3D.yaml:5 Smooth3D
     vec3 diffuse_smooth3D_1 = smooth3DInput0(uv - vec2(0.021, 0.042));
     vec3 diffuse_smooth3D_2 = smooth3DInput0(uv + vec2(-0.021, 0.0));
     vec3 diffuse_smooth3D_3 = smooth3DInput0(uv + vec2(-0.021, 0.042));

@@ -124,12 +124,12 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // turbulence.yaml:13 Turbulence
+    // turbulence.yaml:14 Turbulence
     vec3 diffuse_turbulence = vectorTurbulence(localPosition, 6, 2.0, 0.5) * vec3(0.5) + localPosition;
-    // turbulence.yaml:10 Gradient
+    // turbulence.yaml:11 Gradient
     float diffuse_gradient = sin(fract(dot(diffuse_turbulence, vec3(1.5, 0.5, 1.5))) * 6.2831855);
-    // turbulence.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.8980392, 0.8627451, 0.7921569), vec3(0.39607844, 0.4745098, 0.43529412), clamp((diffuse_gradient + 1.0) * 0.625, 0.0, 1.0)), vec3(0.03137255, 0.05882353, 0.050980393), clamp((diffuse_gradient - 0.6) * 2.5, 0.0, 1.0));
+    // turbulence.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.8962694, 0.8631572, 0.7912979), vec3(0.39675522, 0.47353148, 0.43415365), clamp((diffuse_gradient + 1.0) * 0.625, 0.0, 1.0)), vec3(0.031896032, 0.059511237, 0.051269457), clamp((diffuse_gradient - 0.6) * 2.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

@@ -68,9 +68,9 @@ void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // uvTransform.yaml:4 Checker
+    // uvTransform.yaml:5 Checker
     vec2 diffuse_checker_1 = stripes2(fract(mat2(vec2(9.75806, -4.2426486), vec2(7.2125072, 4.242633)) * uv), max(abs(mat2(vec2(9.75806, -4.2426486), vec2(7.2125072, 4.242633)) * uvByY), abs(mat2(vec2(9.75806, -4.2426486), vec2(7.2125072, 4.242633)) * uvByX)));
-    vec3 diffuse_checker = mix(vec3(0.45490196, 0.05490196, 0.14901961), vec3(0.92156863, 0.8, 0.59607846), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    vec3 diffuse_checker = mix(vec3(0.45641103, 0.054480277, 0.14995979), vec3(0.92158186, 0.7991027, 0.59720176), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2147483648u, 903905408u);
 }

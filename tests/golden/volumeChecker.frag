@@ -67,13 +67,13 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // volumeChecker.yaml:7 XYZTransform
+    // volumeChecker.yaml:8 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(2.8660095, 0.8865606, 0.0), vec3(-0.8165764, 2.6397696, 1.168255), vec3(0.34524298, -1.1160767, 2.7631829)) * localPosition + vec3(0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // volumeChecker.yaml:4 VolumeChecker
+    // volumeChecker.yaml:5 VolumeChecker
     vec3 diffuse_volumeChecker_1 = max(abs(mat3(vec3(2.8660095, 0.8865606, 0.0), vec3(-0.8165764, 2.6397696, 1.168255), vec3(0.34524298, -1.1160767, 2.7631829)) * localPositionByY * 0.5), abs(mat3(vec3(2.8660095, 0.8865606, 0.0), vec3(-0.8165764, 2.6397696, 1.168255), vec3(0.34524298, -1.1160767, 2.7631829)) * localPositionByX * 0.5));
     vec3 diffuse_volumeChecker_2 = stripes3(fract(diffuse_xyzTransform * 0.5), diffuse_volumeChecker_1);
-    vec3 diffuse_volumeChecker = mix(vec3(0.26666668, 0.003921569, 0.0), vec3(0.90588236, 0.6666667, 0.26666668), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
+    vec3 diffuse_volumeChecker = mix(vec3(0.2663556, 0.004024717, 0.0), vec3(0.9046612, 0.6653873, 0.2663556), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2348810240u, 903908492u);
 }

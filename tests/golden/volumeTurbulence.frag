@@ -115,10 +115,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // volumeTurbulence.yaml:9 VolumeTurbulence
+    // volumeTurbulence.yaml:10 VolumeTurbulence
     float diffuse_volumeTurbulence = turbulence(localPosition * 2.2, 6, 2.0, 0.5);
-    // volumeTurbulence.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.02745098, 0.15294118, 0.4627451), vec3(0.3372549, 0.54509807, 0.7921569), clamp((diffuse_volumeTurbulence + 0.15) * 2.5, 0.0, 1.0)), vec3(1.0), clamp((diffuse_volumeTurbulence - 0.25) * 2.857143, 0.0, 1.0));
+    // volumeTurbulence.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.027320892, 0.15292615, 0.462077), vec3(0.33716363, 0.54572445, 0.7912979), clamp((diffuse_volumeTurbulence + 0.15) * 2.5, 0.0, 1.0)), vec3(1.0), clamp((diffuse_volumeTurbulence - 0.25) * 2.857143, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

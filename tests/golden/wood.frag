@@ -71,16 +71,16 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // wood.yaml:13 XYZTransform
+    // wood.yaml:14 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.9553365, 0.0, -0.29552022), vec3(0.27543637, 0.36235777, 0.89041096), vec3(0.107084036, -0.9320391, 0.34617358)) * localPosition + vec3(0.3, 0.1, 0.0);
-    // wood.yaml:10 Wood
+    // wood.yaml:11 Wood
     vec4 diffuse_wood_1 = woodGradient(diffuse_xyzTransform);
     float diffuse_wood_2 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9553365, 0.0, -0.29552022), vec3(0.27543637, 0.36235777, 0.89041096), vec3(0.107084036, -0.9320391, 0.34617358)) * localPositionByX) * 8.0;
     float diffuse_wood_3 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9553365, 0.0, -0.29552022), vec3(0.27543637, 0.36235777, 0.89041096), vec3(0.107084036, -0.9320391, 0.34617358)) * localPositionByY) * 8.0;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     float diffuse_wood = rampMean(diffuse_wood_1.w * 8.0, sqrt(diffuse_wood_3 * diffuse_wood_3 + diffuse_wood_2 * diffuse_wood_2));
-    // wood.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.14509805, 0.050980393, 0.011764706), vec3(0.5529412, 0.25490198, 0.078431375), clamp((diffuse_wood + 1.0) * 0.625, 0.0, 1.0)), vec3(0.69411767, 0.39215687, 0.14901961), clamp((diffuse_wood - 0.6) * 2.5, 0.0, 1.0));
+    // wood.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.14412847, 0.051269457, 0.011612245), vec3(0.55201143, 0.2541521, 0.07818742), clamp((diffuse_wood + 1.0) * 0.625, 0.0, 1.0)), vec3(0.69387174, 0.39157248, 0.14995979), clamp((diffuse_wood - 0.6) * 2.5, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -115,10 +115,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // wrinkles.yaml:9 VolumeTurbulence
+    // wrinkles.yaml:10 VolumeTurbulence
     float diffuse_volumeTurbulence = turbulence(localPosition * 3.0, 11, 2.0, 0.5);
-    // wrinkles.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.047058824, 0.023529412, 0.015686275), vec3(0.32156864, 0.14509805, 0.06666667), clamp((diffuse_volumeTurbulence + 0.8) * 1.25, 0.0, 1.0)), vec3(0.7176471, 0.4627451, 0.28627452), clamp(diffuse_volumeTurbulence * 1.25, 0.0, 1.0));
+    // wrinkles.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.046665087, 0.023153367, 0.015996294), vec3(0.3231432, 0.14412847, 0.06662594), clamp((diffuse_volumeTurbulence + 0.8) * 1.25, 0.0, 1.0)), vec3(0.7156935, 0.462077, 0.28744084), clamp(diffuse_volumeTurbulence * 1.25, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

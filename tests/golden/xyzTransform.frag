@@ -67,13 +67,13 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // xyzTransform.yaml:8 XYZTransform
+    // xyzTransform.yaml:9 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(1.3311787, 1.3706329, -0.59104043), vec3(-1.45773, 3.5375268, 1.5365306), vec3(3.1476307, -0.8878646, 5.0303197)) * localPosition + vec3(0.5, 0.5, 0.2);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // xyzTransform.yaml:4 VolumeChecker
+    // xyzTransform.yaml:5 VolumeChecker
     vec3 diffuse_volumeChecker_1 = max(abs(mat3(vec3(1.3311787, 1.3706329, -0.59104043), vec3(-1.45773, 3.5375268, 1.5365306), vec3(3.1476307, -0.8878646, 5.0303197)) * localPositionByY * 0.5), abs(mat3(vec3(1.3311787, 1.3706329, -0.59104043), vec3(-1.45773, 3.5375268, 1.5365306), vec3(3.1476307, -0.8878646, 5.0303197)) * localPositionByX * 0.5));
     vec3 diffuse_volumeChecker_2 = stripes3(fract(diffuse_xyzTransform * 0.5), diffuse_volumeChecker_1);
-    vec3 diffuse_volumeChecker = mix(vec3(0.047058824, 0.101960786, 0.05882353), vec3(0.7372549, 0.8, 0.6431373), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
+    vec3 diffuse_volumeChecker = mix(vec3(0.046665087, 0.10224173, 0.059511237), vec3(0.7379104, 0.7991027, 0.6444797), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }
