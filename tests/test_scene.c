@@ -81,7 +81,7 @@ static void faults(void **state)
         {RED "objects: [{ object: Mesh, material: red }]\n", "2:11: error: Mesh wants 'file'"},
         {RED "objects: { object: Sphere }\n", "2:10: error: objects wants a list, not an object"},
         {RED "objects: [Sphere]\n",
-         "2:11: error: this wants the key `object:`, and the object is one of Group, Sphere, "
+         "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, Sphere, "
          "Box, Cylinder, Cone, Parallelogram, Plane, Mesh"},
         {RED "objects: [{ Object: Sphere }]\n", "2:13: error: 'Object' is written 'object': names are case-sensitive"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: [1, 0, 1] } }]\n",

@@ -50,19 +50,28 @@ static SceneMatrix shearing(const double by[3])
 }
 
 /* M = T Rz Ry Rx S H (semantics of XYZTransform): what stands right is applied first. */
-static SceneMatrix of_components(const Transform *transform)
+SceneMatrix scene_matrix_place(const ScenePlace *place)
 {
-    double lanes[4][4];
-    value_number(&transform->translation, TYPE_vec3, lanes[0]);
-    value_number(&transform->rotation, TYPE_vec3, lanes[1]);
-    value_number(&transform->scale, TYPE_vec3, lanes[2]);
-    value_number(&transform->shear, TYPE_vec3, lanes[3]);
-    const SceneMatrix parts[] = {translation(lanes[0]),    rotation(2, lanes[1][2]), rotation(1, lanes[1][1]),
-                                 rotation(0, lanes[1][0]), scaling(lanes[2]),        shearing(lanes[3])};
+    const SceneMatrix parts[] = {translation(place->translation), rotation(2, place->rotation[2]),
+                                 rotation(1, place->rotation[1]), rotation(0, place->rotation[0]),
+                                 scaling(place->scale),           shearing(place->shear)};
     SceneMatrix result = parts[0];
     for (size_t i = 1; i < sizeof parts / sizeof *parts; i++)
         result = scene_matrix_multiply(&result, &parts[i]);
     return result;
+}
+
+static SceneMatrix of_components(const Transform *transform)
+{
+    const Value *const values[] = {&transform->translation, &transform->rotation, &transform->scale, &transform->shear};
+    ScenePlace place;
+    double *const parts[] = {place.translation, place.rotation, place.scale, place.shear};
+    for (int i = 0; i < 4; i++) {
+        double lanes[4];
+        value_number(values[i], TYPE_vec3, lanes);
+        memcpy(parts[i], lanes, 3 * sizeof *lanes);
+    }
+    return scene_matrix_place(&place);
 }
 
 SceneMatrix scene_matrix_of(const Transform *transform)

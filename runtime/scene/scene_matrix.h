@@ -6,6 +6,11 @@
 
 SceneMatrix scene_matrix_identity(void);
 SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b); /* a b: b is applied first */
+/* Parts of a transformation, each done in turn: shear, scale, rotation about x, y, z (radians), translation. */
+typedef struct {
+    double translation[3], rotation[3], scale[3], shear[3];
+} ScenePlace;
+SceneMatrix scene_matrix_place(const ScenePlace *place);
 /* What a document's transformation does; its values are numbers. */
 SceneMatrix scene_matrix_of(const Transform *transform);
 /* Of the upper left part. */

@@ -1,6 +1,7 @@
 /* The hierarchy of objects as a flat list: each with its matrix to the world, and its material. */
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_part.h"
+#include "runtime/scene/scene_scatter.h"
 #include <math.h>
 #include <string.h>
 
@@ -18,6 +19,7 @@ typedef struct {
 
 static const ObjectRow rows[SCENE_KIND_COUNT] = {
     [SCENE_Group] = {S_Group_transform, S_Group_material, {-1, -1}, 0},
+    [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, {-1, -1}, 0},
     [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, {S_Sphere_radius, -1}, 1},
     [SCENE_Box] = {S_Box_transform, S_Box_material, {S_Box_size, -1}, 3},
     [SCENE_Cylinder] = {S_Cylinder_transform, S_Cylinder_material, {S_Cylinder_radius, S_Cylinder_height}, 1},
@@ -108,6 +110,7 @@ static void add_object(SceneReader *r, const SceneThing *thing, const Around *ar
 }
 
 static void read_list(SceneReader *r, const Tree *list, const Around *around);
+static void read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
 
 static void read_object(SceneReader *r, Tree *tree, const Around *around)
 {
@@ -118,22 +121,55 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
     const SceneMatrix own = transform ? scene_matrix_of(transform) : scene_matrix_identity();
     const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
                          .material = material_of(r, &thing, around->material)};
-    if (thing.kind != SCENE_Group)
+    if (thing.kind == SCENE_Scatter)
+        read_copies(r, &thing, &here);
+    else if (thing.kind != SCENE_Group)
         add_object(r, &thing, &here);
     else if (scene_thing_given(&thing, S_Group_objects))
         read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
 }
 
+static bool fault_many(SceneReader *r, Span span)
+{
+    diag_add(r->session, span, DIAG_too_many_objects, SCENE_OBJECTS);
+    return r->fine = false;
+}
+
+/* Whether there is room for one more; it is told once that there is none. */
+static bool count_thing(SceneReader *r, Span span)
+{
+    if (r->things > SCENE_OBJECTS)
+        return false;
+    return ++r->things <= SCENE_OBJECTS || fault_many(r, span);
+}
+
 /* An alias may stand for a list any number of times, in lists that are aliases: what is met is counted. */
 static void read_list(SceneReader *r, const Tree *list, const Around *around)
 {
-    for (uint32_t i = 0; i < list->count && r->things <= SCENE_OBJECTS; i++)
-        if (++r->things <= SCENE_OBJECTS) {
-            read_object(r, list->items[i], around);
-        } else {
-            diag_add(r->session, list->items[i]->span, DIAG_too_many_objects, SCENE_OBJECTS);
-            r->fine = false;
-        }
+    for (uint32_t i = 0; i < list->count && count_thing(r, list->items[i]->span); i++)
+        read_object(r, list->items[i], around);
+}
+
+/* What is wrong with one copy is wrong with all. */
+static void read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    const Tree *list = scene_thing_given(thing, S_Scatter_objects);
+    const int count = (int)scene_thing_number(thing, S_Scatter_count);
+    uint64_t state = (uint64_t)scene_thing_number(thing, S_Scatter_seed);
+    SceneScatter scatter = {.least = scene_thing_number(thing, S_Scatter_least),
+                            .most = scene_thing_number(thing, S_Scatter_most)};
+    scene_thing_vector(thing, S_Scatter_size, scatter.size);
+    scene_thing_vector(thing, S_Scatter_rotation, scatter.rotation);
+    if (scatter.least > scatter.most) {
+        diag_add(r->session, scene_thing_span(thing, S_Scatter_least), DIAG_scene_scatter);
+        r->fine = false;
+    }
+    for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span); i++) {
+        const SceneMatrix own = scene_scatter_matrix(&scatter, &state);
+        const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
+                             .material = around->material};
+        read_list(r, list, &here);
+    }
 }
 
 void scene_objects_read(SceneReader *r, const Tree *list)
