@@ -16,6 +16,11 @@ foreach(kind ${MATC_KINDS})
   install(EXPORT matc-${kind} NAMESPACE matc:: DESTINATION ${package})
 endforeach()
 
+install(TARGETS matc_render_shared EXPORT matc-render INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(EXPORT matc-render NAMESPACE matc:: DESTINATION ${package})
+install(FILES runtime/render/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
 configure_package_config_file(cmake/matcConfig.cmake.in ${PROJECT_BINARY_DIR}/package/matcConfig.cmake
   INSTALL_DESTINATION ${package} PATH_VARS MATC_SCHEMA)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/matcConfigVersion.cmake COMPATIBILITY SameMajorVersion)
@@ -46,3 +51,5 @@ file(RELATIVE_PATH MATC_PC_UP /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
 string(REGEX REPLACE "/$" "" MATC_PC_UP ${MATC_PC_UP})
 configure_file(cmake/matc.pc.in ${PROJECT_BINARY_DIR}/package/matc.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/package/matc.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+configure_file(cmake/matc_render.pc.in ${PROJECT_BINARY_DIR}/package/matc_render.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/package/matc_render.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -34,6 +34,9 @@ foreach(file ${TESTS})
   target_compile_definitions(${name} PRIVATE SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" MATC_PROGRAM="$<TARGET_FILE:matc>"
     MATVIEW_PROGRAM="$<TARGET_FILE:matview>")
   target_link_libraries(${name} PRIVATE test_support matc_tool matc_measure matc_view PkgConfig::CMOCKA PkgConfig::CJSON)
+  if(name STREQUAL test_host)
+    target_include_directories(${name} PRIVATE ${MATC_PUBLIC})
+  endif()
   if(name STREQUAL test_picture_file)
     target_include_directories(${name} SYSTEM PRIVATE ${OPENEXR_INCLUDE})
   endif()
@@ -102,7 +105,7 @@ matc_test(functions matbench functions)
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})
 list(TRANSFORM LIBRARIES REPLACE "(.+)" "$<TARGET_FILE:matc_\\1>")
-matc_test(abi sh tests/abi.sh ${LIBRARIES})
+matc_test(abi sh tests/abi.sh ${LIBRARIES} $<TARGET_FILE:matc_render_shared>)
 if(NOT CMAKE_C_FLAGS MATCHES "sanitize") # a program without sanitizers cannot link to a library with them
   matc_test(package sh tests/package.sh ${PROJECT_BINARY_DIR})
   matc_test(install sh tests/install.sh ${PROJECT_BINARY_DIR})

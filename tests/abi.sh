@@ -1,5 +1,5 @@
 #!/bin/sh
-# What the libraries give, against tests/abi.txt: abi.sh LIBRARY...; abi.sh --update libmatc.so writes the list. A line may be
+# What the libraries give, against tests/abi.txt, and libmatc_render's own functions against tests/abi_render.txt: abi.sh LIBRARY...; abi.sh --update libmatc.so writes the list. A line may be
 # added there; one that goes, or changes its version, breaks programs that are compiled already, and wants a new number of the
 # library.
 set -u
@@ -19,6 +19,10 @@ for library in "$@"; do
     *.a)
         nm -g --defined-only "$library" | awk 'NF == 3 { print $3 }' | sort >"$work/given"
         sed 's/@.*//' tests/abi.txt | sort >"$work/listed"
+        ;;
+    *matc_render*)
+        dynamic "$library" >"$work/given"
+        sort tests/abi.txt tests/abi_render.txt >"$work/listed"
         ;;
     *)
         dynamic "$library" >"$work/given"

@@ -61,6 +61,17 @@ check "a picture of their size" test "$size" = "960 $((rows * 120))"
 # Without a sphere it has 63 kB, with all 530
 check "which is not empty" test "$(wc -c <"$work/frame.png")" -gt 300000
 
+# The renderer, on a context of the host's
+cp -r examples/host "$work/host"
+check "configures a host" cmake -G "$generator" -S "$work/host" -B "$work/host/build" -DCMAKE_PREFIX_PATH="$work/prefix"
+check "builds it" cmake --build "$work/host/build"
+check "draws a scene" "$work/host/build/host" "$work/host/scene.yaml" "$work/one.ppm" "$work/two.ppm"
+# pixel FILE X Y: of a picture of 320 x 200, from the top
+pixel() { od -An -tu1 -j$((15 + 3 * ($3 * 320 + $2))) -N3 "$1" | awk '{ print ($1 > $2) "" ($2 > $1) }'; }
+check "the sphere is red, on the left" test "$(pixel "$work/one.ppm" 110 110)" = 10
+check "and moves to the right, green" test "$(pixel "$work/two.ppm" 210 110)" = 01
+check "away from where it was" test "$(pixel "$work/two.ppm" 110 110)" = 00
+
 state >"$work/before"
 touch "$engine/materials/images/bricks.png"
 rebuilds "a picture touched"

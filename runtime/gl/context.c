@@ -26,9 +26,25 @@ bool gl_kind_find(const char *name, GlKind *kind)
     return false;
 }
 
+/* The host's context is current, and stays its own. */
+static bool host_use(void *state) { return state != NULL; }
+
+static GlProc host_load(void *state, const char *name)
+{
+    const GlHost *host = state;
+    return host->load(host->user, name);
+}
+
+static const GlBackend of_host = {NULL, host_use, host_load, free};
+
+static const GlBackend *backend_of(const GlContext *gl)
+{
+    return gl->kind == GL_KIND_host ? &of_host : backends[gl->kind];
+}
+
 static bool load(GlContext *gl)
 {
-    const GlBackend *backend = backends[gl->kind];
+    const GlBackend *backend = backend_of(gl);
 #define F(NAME, Name)                                                                                                  \
     gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name);                                                \
     if (!gl->Name)                                                                                                     \
@@ -85,11 +101,9 @@ static void set_defaults(const GlContext *gl)
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
+/* The state is there. */
 static bool start(GlContext *gl)
 {
-    gl->state = backends[gl->kind]->open(gl->core, gl->error, sizeof gl->error);
-    if (!gl->state)
-        return false;
     if (!load(gl))
         return false;
     describe(gl);
@@ -110,7 +124,30 @@ GlContext *gl_open(GlKind kind, bool core, char *error, size_t room)
     }
     gl->kind = kind;
     gl->core = core;
-    if (start(gl))
+    gl->state = backends[kind]->open(core, gl->error, sizeof gl->error);
+    if (gl->state && start(gl))
+        return gl;
+    message_fail(error, room, "%s", gl->error);
+    gl_close(gl);
+    return NULL;
+}
+
+GlContext *gl_adopt(const GlHost *host, char *error, size_t room)
+{
+    GlContext *gl = calloc(1, sizeof *gl);
+    GlHost *state = malloc(sizeof *state);
+    if (!gl || !state) {
+        message_fail(error, room, "out of memory");
+        free(gl);
+        free(state);
+        return NULL;
+    }
+    *state = *host;
+    gl->kind = GL_KIND_host;
+    gl->core = true;
+    gl->state = state;
+    if (start(gl) && (gl->major * 10 + gl->minor >= 33 ||
+                      gl_fail(gl, "the context has OpenGL %d.%d, not 3.3", gl->major, gl->minor)))
         return gl;
     message_fail(error, room, "%s", gl->error);
     gl_close(gl);
@@ -119,7 +156,7 @@ GlContext *gl_open(GlKind kind, bool core, char *error, size_t room)
 
 bool gl_use(GlContext *gl)
 {
-    return backends[gl->kind]->use(gl->state) || gl_fail(gl, "the context cannot be made current");
+    return backend_of(gl)->use(gl->state) || gl_fail(gl, "the context cannot be made current");
 }
 
 void gl_close(GlContext *gl)
@@ -127,7 +164,7 @@ void gl_close(GlContext *gl)
     if (!gl)
         return;
     if (gl->state)
-        backends[gl->kind]->close(gl->state);
+        backend_of(gl)->close(gl->state);
     free(gl);
 }
 

@@ -10,8 +10,15 @@
 typedef enum {
     GL_KIND_osmesa, /* Mesa's software renderer, loaded when it is asked for */
     GL_KIND_egl,    /* EGL without a window: a GPU where there is one; loaded when it is asked for */
-    GL_KIND_count
+    GL_KIND_count,
+    GL_KIND_host = GL_KIND_count /* of the caller: gl_adopt */
 } GlKind;
+
+/* A context that the caller made, and that is current. */
+typedef struct {
+    void (*(*load)(void *user, const char *name))(void); /* the function of that name; NULL: there is none */
+    void *user;
+} GlHost;
 
 typedef struct GlContext {
     GlKind kind;
@@ -23,10 +30,10 @@ typedef struct GlContext {
     bool hardware;         /* the renderer is none of Mesa's software ones */
     int max_texture_size;  /* edge of a texture or framebuffer, texels */
     int max_texture_units; /* samplers in a fragment program */
-    int max_anisotropy;    /* of a sampler, GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: there is none that is good */
-    int max_draw_buffers;  /* colour targets of one draw */
-    void *state;           /* of the backend */
-    char error[4096];      /* what failed last; functions of the GL layer that return false or 0 leave it here */
+    int max_anisotropy; /* of a sampler, GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: there is none that is good */
+    int max_draw_buffers; /* colour targets of one draw */
+    void *state;          /* of the backend */
+    char error[4096];     /* what failed last; functions of the GL layer that return false or 0 leave it here */
 #define F(NAME, Name) PFNGL##NAME##PROC Name;
     GL_FUNCTIONS(F)
     GL_OPTIONAL_FUNCTIONS(F) /* NULL where the driver has none */
@@ -40,6 +47,9 @@ bool gl_kind_find(const char *name, GlKind *kind);
 /* Opens a context and makes it current: core is 4.5, or 3.3 where there is no more; otherwise the highest
  * compatibility profile there is. NULL: see `error`. */
 GlContext *gl_open(GlKind kind, bool core, char *error, size_t room);
+
+/* Takes a context of OpenGL 3.3 core or later as it is. gl_close leaves it to its owner. NULL: see `error`. */
+GlContext *gl_adopt(const GlHost *host, char *error, size_t room);
 
 /* Needed only where a thread has several contexts. */
 bool gl_use(GlContext *gl);

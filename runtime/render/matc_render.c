@@ -1,0 +1,170 @@
+/* The library's surface: what scene.h and render.h offer, for a host that sees neither. */
+#include "runtime/render/matc_render.h"
+#include "runtime/gl/message.h"
+#include "runtime/render/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct MatcScene {
+    Scene *scene;
+};
+
+struct MatcRender {
+    GlContext *gl;
+    Render *render;
+    Scene *scene; /* the caller's */
+};
+
+/* -- scenes */
+
+MatcScene *matc_scene_read(const char *name, const char *text, size_t size, const MatcOptions *options,
+                           MatcDocument **document)
+{
+    MatcOptions defaults;
+    MatcScene *made = calloc(1, sizeof *made);
+    if (!made)
+        abort();
+    matc_options_init(&defaults);
+    defaults.pixels = true;
+    *document = scene_read(name, text, size, options ? options : &defaults, &made->scene);
+    if (made->scene)
+        return made;
+    free(made);
+    return NULL;
+}
+
+void matc_scene_free(MatcScene *scene)
+{
+    if (scene)
+        scene_free(scene->scene);
+    free(scene);
+}
+
+int matc_scene_object_count(const MatcScene *scene) { return scene->scene->object_count; }
+int matc_scene_light_count(const MatcScene *scene) { return scene->scene->light_count; }
+int matc_scene_material_count(const MatcScene *scene) { return scene->scene->material_count; }
+
+void matc_scene_matrix(const MatcScene *scene, int object, double matrix[16])
+{
+    memcpy(matrix, scene->scene->objects[object].world_from_local.m, sizeof(SceneMatrix));
+}
+
+/* -- renderers */
+
+static bool open_render(MatcRender *r, const MatcRenderOptions *options, char *error, size_t room)
+{
+    const GlHost host = {options->load, options->user};
+    MatcOptions defaults;
+    matc_options_init(&defaults);
+    defaults.pixels = true;
+    r->gl = gl_adopt(&host, error, room);
+    if (!r->gl)
+        return false;
+    r->render = render_open(r->gl, &(RenderOptions){.compile = options->compile ? options->compile : &defaults,
+                                                    .view = options->view,
+                                                    .width = options->width,
+                                                    .height = options->height,
+                                                    .memory = SIZE_MAX}); /* a texture has the whole picture */
+    return r->render || message_fail(error, room, "%s", r->gl->error);
+}
+
+MatcRender *matc_render_open(const MatcRenderOptions *options, char *error, size_t room)
+{
+    MatcRenderOptions whole = {0};
+    MatcRender *r = calloc(1, sizeof *r);
+    if (!r)
+        abort();
+    memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
+    if (whole.load ? open_render(r, &whole, error, room) : message_fail(error, room, "no function that loads is given"))
+        return r;
+    matc_render_close(r);
+    return NULL;
+}
+
+void matc_render_close(MatcRender *r)
+{
+    if (!r)
+        return;
+    render_close(r->render);
+    gl_close(r->gl);
+    free(r);
+}
+
+const char *matc_render_error(const MatcRender *r) { return r->gl->error; }
+
+bool matc_render_scene(MatcRender *r, MatcScene *scene)
+{
+    r->scene = scene->scene;
+    if (render_scene(r->render, r->scene))
+        return true;
+    r->scene = NULL;
+    return false;
+}
+
+/* -- changes */
+
+static bool has(const MatcRender *r, int number, int count, const char *what)
+{
+    if (!r->scene)
+        return gl_fail(r->gl, "there is no scene to change");
+    return (number >= 0 && number < count) || gl_fail(r->gl, "there is no %s %d", what, number);
+}
+
+bool matc_render_move(MatcRender *r, int object, const double matrix[16])
+{
+    if (!has(r, object, r->scene ? r->scene->object_count : 0, "object"))
+        return false;
+    for (int i = 0; i < 16; i++)
+        if (!isfinite(matrix[i]))
+            return gl_fail(r->gl, "the matrix has what is no number");
+    memcpy(r->scene->objects[object].world_from_local.m, matrix, sizeof(SceneMatrix));
+    return render_changed_objects(r->render, object, 1);
+}
+
+bool matc_render_look(MatcRender *r, const double position[3], const double target[3], const double up[3])
+{
+    SceneCamera camera;
+    double upright[3];
+    if (!has(r, 0, 1, "camera"))
+        return false;
+    camera = r->scene->camera;
+    for (int i = 0; i < 3; i++) {
+        camera.position[i] = position[i];
+        camera.back[i] = position[i] - target[i];
+        upright[i] = up[i];
+    }
+    if (!scene_vector_normalize(camera.back) || !scene_vector_normalize(upright))
+        return gl_fail(r->gl, "the way from position to target, or up, has no direction");
+    scene_vector_cross(upright, camera.back, camera.right);
+    if (scene_vector_dot(camera.right, camera.right) < 1e-18 || !scene_vector_normalize(camera.right))
+        return gl_fail(r->gl, "up, seen along the view, has no direction");
+    scene_vector_cross(camera.back, camera.right, camera.up);
+    r->scene->camera = camera;
+    return render_changed(r->render, RENDER_CAMERA);
+}
+
+bool matc_render_light(MatcRender *r, int light, const double position[3], const double rgb[3])
+{
+    if (!has(r, light, r->scene ? r->scene->light_count : 0, "light"))
+        return false;
+    memcpy(r->scene->lights[light].position, position, 3 * sizeof *position);
+    memcpy(r->scene->lights[light].light, rgb, 3 * sizeof *rgb);
+    return render_changed(r->render, RENDER_LIGHTS);
+}
+
+bool matc_render_param(MatcRender *r, int material, const char *name, const float *lanes, int count)
+{
+    return has(r, material, r->scene ? r->scene->material_count : 0, "material") &&
+           render_param(r->render, material, name, lanes, count);
+}
+
+/* -- frames */
+
+bool matc_render_frame(MatcRender *r) { return render_frame(r->render); }
+int matc_render_width(const MatcRender *r) { return render_width(r->render); }
+int matc_render_height(const MatcRender *r) { return render_height(r->render); }
+unsigned matc_render_texture(const MatcRender *r) { return frame_texture(r->render, FRAME_TARGET_shown, 0); }
+bool matc_render_read(MatcRender *r, float *rgba) { return render_read(r->render, rgba); }
