@@ -40,9 +40,10 @@ typedef struct {
 } PictureCase;
 
 static const PictureCase cases[] = {
-    {"cycles/matt", &cycles, false},         {"cycles/painted", &cycles_srgb, false},
-    {"cycles/lamp", &cycles_lamp, false},    {"cycles/sky", &cycles_sky, false},
-    {"povray/glossy", &povray_round, false}, {"povray/lights", &povray, false},
+    {"cycles/matt", &cycles, false},    {"cycles/painted", &cycles_srgb, false}, {"cycles/lamp", &cycles_lamp, false},
+    {"cycles/sky", &cycles_sky, false}, {"povray/glossy", &povray_round, false}, {"povray/lights", &povray, false},
+    {"povray/flat", &povray, false},    {"cycles/matt", &cycles, true},          {"povray/glossy", &povray_round, true},
+    {"povray/lights", &povray, true},   {"povray/flat", &povray, true},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -93,7 +94,8 @@ static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePictur
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
     assert_int_equal(scene->width, picture->width);
     assert_int_equal(scene->height, picture->height);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
+    float *rgba =
+        frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = !pair->shadows});
     frame_forget(scene, document);
     free(text);
     return rgba;
@@ -257,8 +259,28 @@ static void faults_are_seen(void **state)
     gl_close(gl);
 }
 
+/* Nor does a frame without shadows. */
+static void missing_shadows_are_seen(void **state)
+{
+    (void)state;
+    GlContext *gl = frame_context();
+    for (int k = 0; k < CASES; k++) {
+        if (!cases[k].shadows)
+            continue;
+        ReferencePicture picture = read_picture(&cases[k]);
+        const PictureCase bare = {cases[k].scene, cases[k].bounds, false};
+        float *rgba = draw_by(gl, &bare, &picture, FLOATS);
+        const Differences found = compare(&picture, rgba);
+        assert_false(is_close(&found, bare.bounds, FLOATS));
+        free(rgba);
+        reference_picture_free(&picture);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(against_other_renderers), cmocka_unit_test(faults_are_seen)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(against_other_renderers), cmocka_unit_test(faults_are_seen),
+                                       cmocka_unit_test(missing_shadows_are_seen)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
