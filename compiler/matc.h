@@ -111,7 +111,7 @@ typedef enum {
     MATC_FRAGMENT = 1, /* GLSL of the fragment program */
     MATC_VERTEX = 2,   /* GLSL of the matching vertex program */
     MATC_UNPACK = 4,   /* GLSL that reads the layout back */
-    MATC_REFLECT = 8,  /* JSON: choices, inputs, uniforms, textures, outputs, opacity, sources, hash */
+    MATC_REFLECT = 8,  /* JSON: choices, inputs, uniforms, textures, outputs, opacity, sources, hash; of a sky its sun */
     MATC_SPIRV = 16,   /* SPIR-V words of the fragment program */
     MATC_IR = 32,      /* text of the optimised IR */
     MATC_DOT = 64,     /* the same as a graph for Graphviz */

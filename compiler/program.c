@@ -130,7 +130,10 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         keep(p, MATC_UNPACK, unpack, strlen(unpack));
     }
     if (outputs & MATC_REFLECT && !p->job.instances) {
-        const Reflected reflected = {&made->interface, named->name, matc_opacity(p), made->fragment};
+        GraphSky sky;
+        const bool lights = p->job.pass == PASS_sky && graph_sky(named->node, &sky);
+        const Reflected reflected = {&made->interface, named->name, matc_opacity(p), made->fragment,
+                                     lights ? &sky : NULL};
         const char *json = emit_reflection(session, p->ir, &p->job, &reflected);
         keep(p, MATC_REFLECT, json, strlen(json));
     }

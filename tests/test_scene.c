@@ -103,6 +103,7 @@ static void faults(void **state)
         {RED "lights: [{ light: Directional, direction: [0, 0, 0] }]\n", "2:43: error: direction has no direction"},
         {RED "lights: [{ light: Spot, innerAngle: 40 }]\n",
          "2:37: error: the inner angle is greater than the outer one"},
+        {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that could shine"},
         {RED "lights: [{ light: Area, u: [1, 1, 0], v: [-2, -2, 0] }]\n", "2:42: error: u and v span nothing"},
         {RED "lights: [{ light: Area, bothSides: 2 }]\n",
          "2:36: error: bothSides wants true or false, not the number 2"},

@@ -3,6 +3,7 @@
 #define MATC_EMIT_H
 #include "compiler/ir/ir.h"
 #include "compiler/emit/chunks.h"
+#include "compiler/front/graph_sky.h"
 
 /* What the fragment program declares; the vertex program and the reflection go by it. */
 typedef struct {
@@ -25,6 +26,7 @@ typedef struct {
     const Interface *interface;
     const char *material, *opacity; /* its name, and the class of its opacity */
     const char *fragment;           /* the text, for its hash */
+    const GraphSky *sky;            /* the light that it is; NULL: it is none */
 } Reflected;
 
 /* JSON: inputs, uniforms with defaults, textures, outputs, opacity class, source files, content hash. */

@@ -186,6 +186,26 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     close_list(&list);
 }
 
+static void put_vector(Text *out, const char *name, const double v[3])
+{
+    text_format(out, ", \"%s\": [", name);
+    for (int i = 0; i < 3; i++) {
+        text_put(out, i ? ", " : "");
+        text_double(out, v[i]);
+    }
+    text_char(out, ']');
+}
+
+/* What a renderer needs to light a scene with a SunSkyLight. */
+static void put_sky(Text *out, const GraphSky *sky)
+{
+    text_format(out, ",\n  \"sky\": {\"disableLight\": %s, \"disableSun\": %s", sky->light ? "false" : "true",
+                sky->disc ? "false" : "true");
+    put_vector(out, "sun", sky->sun);
+    put_vector(out, "sunIrradiance", sky->irradiance);
+    text_char(out, '}');
+}
+
 const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Reflected *program)
 {
     const Interface *interface = program->interface;
@@ -204,6 +224,8 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
         put_line(out, "slot", slot_table[job->slot].name);
     put_line(out, "noise", choice_table[job->choice[AXIS_noise]].name);
     put_line(out, "opacity", program->opacity);
+    if (program->sky)
+        put_sky(out, program->sky);
     text_put(out, ",\n  \"choices\": ");
     job_put_json(out, job);
     int block = 0;

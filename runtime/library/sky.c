@@ -110,13 +110,14 @@ static double transmittance(double nm, double m, double turbidity)
     return exp(-depth);
 }
 
-/* Irradiance of the horizontal plane by the sun's disc; 0 when it has set. */
-static double sun_irradiance(double slope, double turbidity)
+/* Irradiance of a plane that faces the sun's disc; 0 when it has set. */
+static void sun_irradiance(double slope, double turbidity, double rgb[3])
 {
+    rgb[0] = rgb[1] = rgb[2] = 0;
     if (slope <= 0)
-        return 0;
+        return;
     double angle = acos(fmin(slope, 1)), m = 1 / (slope + .15 * pow(93.885 - angle / DEGREE, -1.253));
-    double xyz[3] = {0}, rgb[3];
+    double xyz[3] = {0};
     for (int nm = FIRST_NM, i = 0; nm <= LAST_NM; nm += STEP_NM, i++) {
         double matching[3], radiance = solar[i] * SOLAR_UNIT * transmittance(nm, m, turbidity);
         color_matching(nm, matching);
@@ -124,7 +125,8 @@ static double sun_irradiance(double slope, double turbidity)
             xyz[lane] += radiance * matching[lane] * STEP_NM;
     }
     rgb_of_xyz(xyz, rgb);
-    return mean(rgb) * slope * 2 * M_PI * (1 - cos(SUN_RADIUS));
+    for (int lane = 0; lane < 3; lane++)
+        rgb[lane] *= 2 * M_PI * (1 - cos(SUN_RADIUS));
 }
 
 /* Perez' function of one lane, of the cosine of the angle to the zenith and the angle to the sun. */
@@ -201,7 +203,8 @@ static void zenith(double turbidity, double s, double result[3])
                 .26688;
 }
 
-void sky_coefficients(const double sun[3], double turbidity, double radiance_factor, double out[7][3])
+/* As sky_coefficients, but for the scale. */
+static void make_rows(const double sun[3], double t, double out[SKY_ROWS][3])
 {
     /* [row][lane]: slope by turbidity, value at turbidity 0 */
     static const double linear[E - A + 1][3][2] = {
@@ -211,7 +214,6 @@ void sky_coefficients(const double sun[3], double turbidity, double radiance_fac
         {{.12064, -2.57705}, {-.06409, -.89887}, {-.04405, -1.65369}},
         {{-.06696, .37027}, {-.00325, .04517}, {-.01092, .05291}},
     };
-    double t = clamp(turbidity, LEAST_TURBIDITY, GREATEST_TURBIDITY);
     unit(sun, out[SUN]);
     double angle = acos(clamp(out[SUN][2], -1, 1));
     for (int row = A; row <= E; row++)
@@ -221,8 +223,33 @@ void sky_coefficients(const double sun[3], double turbidity, double radiance_fac
     out[ZENITH][0] *= 1000 / LUMINOUS_EFFICACY;
     for (int lane = 0; lane < 3; lane++)
         out[ZENITH][lane] /= perez(out, lane, 1, angle);
-    double total = sky_irradiance(out) + sun_irradiance(out[SUN][2], t);
-    out[ZENITH][0] *= total > 0 ? radiance_factor * MATERIAL_IRRADIANCE / total : 0;
+}
+
+/* What sky and sun are times, so that they give the horizontal plane MATERIAL_IRRADIANCE. */
+static double scale_of(double rows[SKY_ROWS][3], const double sun_rgb[3])
+{
+    const double total = sky_irradiance(rows) + mean(sun_rgb) * fmax(rows[SUN][2], 0);
+    return total > 0 ? MATERIAL_IRRADIANCE / total : 0;
+}
+
+void sky_coefficients(const double sun[3], double turbidity, double radiance_factor, double out[7][3])
+{
+    const double t = clamp(turbidity, LEAST_TURBIDITY, GREATEST_TURBIDITY);
+    double sun_rgb[3];
+    make_rows(sun, t, out);
+    sun_irradiance(out[SUN][2], t, sun_rgb);
+    out[ZENITH][0] *= radiance_factor * scale_of(out, sun_rgb);
+}
+
+void sky_sun(const double sun[3], double turbidity, double radiance_factor, double irradiance[3])
+{
+    const double t = clamp(turbidity, LEAST_TURBIDITY, GREATEST_TURBIDITY);
+    double rows[SKY_ROWS][3];
+    make_rows(sun, t, rows);
+    sun_irradiance(rows[SUN][2], t, irradiance);
+    const double scale = radiance_factor * scale_of(rows, irradiance);
+    for (int lane = 0; lane < 3; lane++)
+        irradiance[lane] *= scale;
 }
 
 REFERENCE(skyRadiance)

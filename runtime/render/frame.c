@@ -178,6 +178,8 @@ void frame_delete(Render *render)
     }
     pass_shadow_delete(render);
     gl->DeleteTextures(1, &render->lights); /* GL ignores the name 0 */
+    gl->DeleteTextures(1, &render->sky.map);
+    render->sky = (SkyLight){0};
     render->lights = 0;
     render->plan = (FramePlan){0};
 }

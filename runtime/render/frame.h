@@ -43,6 +43,13 @@ typedef struct {
     bool drawn;         /* the maps hold the scene */
 } ShadowMaps;
 
+enum { SKY_NUMBERS = 31 }; /* three of bands 1, 28 of the even bands to 6 */
+
+typedef struct {
+    GLuint map; /* a cube, in the world's axes, with mipmaps; 0: no sky shines */
+    float irradiance[SKY_NUMBERS][4];
+} SkyLight;
+
 struct Render {
     GlContext *gl;
     Store *store;
@@ -67,9 +74,16 @@ struct Render {
     GLuint lights; /* texels of view_space_lights */
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
+    SkyLight sky;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
 };
+
+/* The sky as a light (light_sky.c): the scene has one that shines; makes render->sky, with the cache's sky; tells a pass; binds its map. */
+bool light_sky_shines(const Scene *scene);
+bool light_sky_make(Render *render);
+void light_sky_set(const Render *render, int unit, ScreenPass *pass);
+void light_sky_bind(const Render *render, int unit);
 
 /* A pass, as a row: frame.c has the list. */
 typedef struct {

@@ -10,6 +10,7 @@
 //
 // Worked example: a square that fills the half space. Four arcs of 90 degrees lie in the horizon, m = n, so the cosine's integral is
 // half of 2 pi. With w = n: c is 0 and h 1 all along them, and the moment is 2 pi / (k + 2).
+#define LIGHT_HAS_AREAS
 const int AREA_CORNERS = 9; // of a parallelogram that two planes cut, and rounding
 const float AREA_PI = 3.14159265358979;
 

@@ -2,10 +2,11 @@
 #include "runtime/render/frame.h"
 #include <stdlib.h>
 
-extern const char render_text_light_area[], render_text_surface_phong[], render_text_lighting[];
+extern const char render_text_light_area[], render_text_light_sky[], render_text_surface_phong[],
+    render_text_lighting[];
 
 /* Units behind those of the G-buffer. */
-enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SHADOW_UNIT };
+enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
 
 /* What stands for a layout where no surface has one. */
 static const char no_surface[] =
@@ -77,16 +78,20 @@ bool lighting_make(Render *render, const char *body, ScreenPass *made)
     char defined[SHADOW_DEFINITIONS];
     if ((!render->lights && !write_lights(render)) || !shadow_make_tables(render))
         return false;
-    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0;
+    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
     const char *const shadows = shadow_text(render, defined);
+    if (sky && !render->sky.map && !light_sky_make(render))
+        return false;
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
-                                          areas ? "#define LIGHT_HAS_AREAS\n" : "", areas ? render_text_light_area : "",
+                                          areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
                                           render_text_surface_phong, defined, shadows, render_text_lighting, body},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute};
     if (!screen_pass_make(render->store, &text, made))
         return false;
     set_numbers(render, made);
+    if (sky)
+        light_sky_set(render, SKY_UNIT, made);
     return true;
 }
 
@@ -95,6 +100,8 @@ bool lighting_change(Render *render, ScreenPass *pass)
     if (!write_lights(render))
         return false;
     set_numbers(render, pass);
+    if (render->sky.map)
+        light_sky_set(render, SKY_UNIT, pass);
     return true;
 }
 
@@ -105,4 +112,6 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
     texture_bind(render->gl, render->lights, LIGHTS_UNIT);
     shadow_bind(render, SHADOW_UNIT);
+    if (render->sky.map)
+        light_sky_bind(render, SKY_UNIT);
 }

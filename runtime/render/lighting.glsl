@@ -58,6 +58,9 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
 #endif
         sum += sent;
     }
+#ifdef LIGHT_HAS_SKY
+    sum += surfaceSky(m, reflected);
+#endif
 #ifdef LIGHT_HAS_AREAS
     for (int i = light_points; i < light_points + light_areas; i++)
         sum += lightTexel(i, 1).xyz * surfaceArea(m, reflected, areaAt(i, point));

@@ -41,6 +41,17 @@ vec3 surfaceLobe(Lit m, vec3 reflected, vec3 l)
     return cosine * (m.diffuse + m.specular * pow(along, m.shininess));
 }
 
+#ifdef LIGHT_HAS_SKY
+// Of a sky's light, from all around.
+vec3 surfaceSky(Lit m, vec3 reflected)
+{
+    vec3 sum = m.diffuse * skyIrradiance(m.normal);
+    if (any(greaterThan(m.specular, vec3(0.0)))) sum += m.specular * skyLobe(m.normal, reflected, m.shininess);
+    if (any(greaterThan(m.behind, vec3(0.0)))) sum += m.behind * skyIrradiance(-m.normal);
+    return sum;
+}
+#endif
+
 #ifdef LIGHT_HAS_AREAS
 // The lobe's integral over a polygon of light, over pi, the cosine counted in.
 vec3 surfaceArea(Lit m, vec3 reflected, Area light)

@@ -68,6 +68,7 @@ typedef struct Scene {
     SceneMesh *meshes;
     int mesh_count;
     int sky;                  /* in materials, or -1 */
+    double sky_light[3];      /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
     SceneKind tone;           /* of the sort toneMapping */
     double exposure;          /* a factor; 1 where the kind has none */
     double tone_numbers[4];   /* ReinhardDevlin: its params; Drago: bias */

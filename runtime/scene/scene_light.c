@@ -16,6 +16,7 @@ static const LightRow rows[SCENE_KIND_COUNT] = {
     [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity,
                            S_Directional_shadows},
     [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, -1},
+    [SCENE_Sky] = {-1, -1, S_Sky_color, S_Sky_intensity, -1},
     [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1},
 };
 
@@ -42,6 +43,17 @@ static void read_area(SceneReader *r, const SceneThing *thing, SceneLight *light
     r->fine = false;
 }
 
+/* The sky is read already. */
+static void read_sky(SceneReader *r, const SceneThing *thing, const double light[3])
+{
+    for (int i = 0; i < 3; i++)
+        r->scene->sky_light[i] += light[i];
+    if (r->scene->sky >= 0)
+        return;
+    diag_add(r->session, thing->tree->span, DIAG_scene_no_sky);
+    r->fine = false;
+}
+
 static void read_light(SceneReader *r, const SceneThing *thing)
 {
     const LightRow *row = &rows[thing->kind];
@@ -50,6 +62,10 @@ static void read_light(SceneReader *r, const SceneThing *thing)
     scene_thing_vector(thing, row->color, light.light);
     for (int i = 0; i < 3; i++)
         light.light[i] *= scene_thing_number(thing, row->intensity);
+    if (thing->kind == SCENE_Sky) {
+        read_sky(r, thing, light.light);
+        return;
+    }
     if (row->position >= 0)
         scene_thing_vector(thing, row->position, light.position);
     if (row->direction >= 0) {

@@ -7,6 +7,8 @@
 void scene_objects_read(SceneReader *r, const Tree *list);
 /* scene_light.c */
 void scene_lights_read(SceneReader *r, const Tree *list);
+/* The lights of kind Sky, after all materials are resolved. scene_sun.c */
+void scene_sun_add(SceneReader *r);
 /* NULL: the default. scene_camera.c */
 void scene_camera_read(SceneReader *r, Tree *tree);
 

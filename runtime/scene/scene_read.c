@@ -76,12 +76,13 @@ static void read_scene(SceneReader *r, Tree *document)
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
     if (scene_thing_given(&thing, S_Scene_objects))
         scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
-    if (scene_thing_given(&thing, S_Scene_lights))
-        scene_lights_read(r, scene_thing_given(&thing, S_Scene_lights));
     Tree *sky = scene_thing_given(&thing, S_Scene_sky);
     r->scene->sky = sky ? scene_material_read(r, sky) : -1;
+    if (scene_thing_given(&thing, S_Scene_lights))
+        scene_lights_read(r, scene_thing_given(&thing, S_Scene_lights));
     check_rays(r, &thing);
     scene_material_resolve(r, document);
+    scene_sun_add(r);
 }
 
 MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **made)
