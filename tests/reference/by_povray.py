@@ -10,6 +10,7 @@ import numpy
 import world
 
 LEVELS = 65535
+DEEP = 16  # a step behind five panes is one, too
 NEAR = 1e-4  # of a fading light: beyond it falls as 2 NEAR^2 / distance^2, within 1e-8 of it
 
 
@@ -97,23 +98,42 @@ def matt(lanes, more=""):
     return "pigment { rgb %s } finish { ambient 0 diffuse 1 %s }" % (vector(lanes), more)
 
 
-def shining(lanes):
-    return "pigment { rgb %s } finish { ambient 0 emission 1 diffuse 0 }" % vector(lanes)
+def pane(material):
+    """Behind it t of the light comes through, and (1 - t) diffuse is its own: a coat that hides 1 - T of a filter of colour t / T."""
+    share = world.slot(material, "transparency")
+    most = share.max()
+    if not most:
+        return matt(world.slot(material, "diffuse"))
+    own = world.slot(material, "diffuse") * (1 - share) / (1 - most)
+    return "pigment { rgb %s filter 1 } finish { ambient 0 diffuse 0 } } texture { pigment { rgb %s transmit %.17g } finish { ambient 0 diffuse 1 }" % (
+        vector(share / most), vector(own), most)
+
+
+def half(material):
+    """Of a pigment: what is transparent shows half of what is behind it."""
+    return " transmit .5" if "transparency" in material else ""
+
+
+def shining(lanes, more=""):
+    return "pigment { rgb %s%s } finish { ambient 0 emission 1 diffuse 0 }" % (vector(lanes), more)
 
 
 def numbered(scenery):
-    return picture(scenery, objects(scenery, lambda number, material: shining(numpy.full(3, (number + 1) / 16)))) * 16
+    return picture(scenery, objects(scenery, lambda number, material: shining(numpy.full(3, (number + 1) / 16), half(material)))) * 16
 
 
 def facing(scenery):
     """The normal that faces the eye, its positive lanes and then its negative ones: what lights along the axes make of white."""
     axes = [dict(kind="Directional", direction=-sign * axis, light=axis) for sign in (1, -1) for axis in numpy.eye(3)]
-    text = objects(scenery, lambda number, material: matt((1, 1, 1)))
+    text = objects(scenery, lambda number, material: matt((1, 1, 1)).replace(" }", half(material) + " }", 1))
     return [picture(scenery, text + "".join(light(axis) for axis in axes[half:half + 3])) for half in (0, 3)]
 
 
 def shaded(scenery, source, shadow):
-    """diffuse cosine + specular cosine lobe, by three pictures; the lobe's light doesn't fade and has no colour."""
+    """diffuse cosine + specular cosine lobe, by three pictures; the lobe's light doesn't fade and has no colour. Panes have no lobe."""
+    if scenery.clear:
+        return picture(scenery, objects(scenery, lambda number, material: pane(material)) + light(source))
+
     def answer(slot):
         text = objects(scenery, lambda number, material: matt(world.slot(material, slot)), shadow)
         return picture(scenery, text + light(source))
@@ -130,8 +150,10 @@ def render(scenery, shadows):
     """Light, and pictures whose steps are edges."""
     numbers = numbered(scenery)
     ambient = sum((source["light"] for source in scenery.lights if source["kind"] == "Ambient"), numpy.zeros(3))
-    lights, steps = picture(scenery, objects(scenery, lambda number, material: shining(
+    lights, steps = 0. if scenery.clear else picture(scenery, objects(scenery, lambda number, material: shining(
         world.slot(material, "emissive") + world.slot(material, "ambient") * ambient))), [numbers] + facing(scenery)
+    if scenery.clear:
+        steps = [DEEP * step for step in steps]
     for source in scenery.lights:
         if source["kind"] == "Ambient":
             continue
@@ -139,4 +161,4 @@ def render(scenery, shadows):
         cast = shaded(scenery, source, True) if shadows else free
         steps.append((cast.max(axis=2, keepdims=True) >= .5 * free.max(axis=2, keepdims=True)).astype(float))
         lights = lights + cast
-    return lights, steps, numbers[..., 0] > .5
+    return lights, steps, numbers[..., 0] > .25
