@@ -66,13 +66,15 @@ check "by its format, through a pipe" eval "$scene --format=exr -o - 2>/dev/null
 check "of floats" status 0 $scene --bits=32 --view=normal -o "$work/floats.exr"
 check "in a folder" status 0 $scene --format=exr -d "$work"
 check "has its name" cmp -s "$work/solids.exr" "$work/scene.exr"
+check "--edges=none" status 0 $scene --edges=none -o "$work/view.png"
+check "is not so smooth" differ scene view
 check "in tiles" status 0 $matview --size=1200 --memory=1 --progress --view=depth examples/scenes/solids.yaml -o "$work/tiles.png"
 check "says how far it is" says 'of 750 rows drawn'
 check "no progress in a pipe" status 0 $scene -o "$work/view.png"
 check "at all" test ! -s "$work/stderr"
 check "to a folder that is not there" status 1 $scene -o "$work/no/scene.png"
 check "is told by the file's name" says 'no/scene.png: No such file'
-for option in --format=gif --bits=12 --bits=32 --memory=0 "--format=exr --bits=8"; do
+for option in --format=gif --edges=soft --bits=12 --bits=32 --memory=0 "--format=exr --bits=8"; do
     check "$option is wrong usage" status 2 $scene $option -o "$work/none.png"
     check "and draws nothing" test ! -e "$work/none.png"
 done

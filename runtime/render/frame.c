@@ -6,6 +6,7 @@
 #define GBUFFER (1u << FRAME_TARGET_gbuffer)
 #define SHADOW  (1u << FRAME_TARGET_shadow)
 #define LIGHT   (1u << FRAME_TARGET_light)
+#define EDGE    (1u << FRAME_TARGET_edge)
 #define SHOWN   (1u << FRAME_TARGET_shown)
 
 const FramePass frame_passes[] = {
@@ -27,7 +28,8 @@ const FramePass frame_passes[] = {
      pass_light_draw,
      "always: what is not lit is black"},
     {{"sky", DEPTH, 0, LIGHT}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky"},
-    {{"tone", LIGHT, SHOWN, 0}, pass_light_needed, pass_tone_make, pass_tone_draw, "the picture is wanted"},
+    {{"edge", DEPTH, EDGE, 0}, pass_edge_needed, pass_edge_make, pass_edge_draw, "edges are blended by coverage"},
+    {{"tone", LIGHT | EDGE, SHOWN, 0}, pass_light_needed, pass_tone_make, pass_tone_draw, "the picture is wanted"},
 };
 enum { PASS_COUNT_HERE = sizeof frame_passes / sizeof *frame_passes };
 
@@ -56,6 +58,16 @@ static unsigned wanted(const Render *render)
     return view ? GBUFFER : SHOWN;
 }
 
+/* What no pass writes is not read either. */
+static void leave_out(FramePlanPass *rows, unsigned allowed)
+{
+    unsigned written = 0;
+    for (int i = 0; i < PASS_COUNT_HERE; i++)
+        written |= allowed >> i & 1 ? rows[i].fills | rows[i].changes : 0;
+    for (int i = 0; i < PASS_COUNT_HERE; i++)
+        rows[i].reads &= written;
+}
+
 FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
                                int classes[FRAME_TARGET_COUNT])
 {
@@ -64,6 +76,7 @@ FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PL
         rows[i] = frame_passes[i].plan;
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
+    leave_out(rows, allowed);
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
         classes[target] = class_of(render, (FrameTarget)target);
     return (FramePlanRequest){rows, PASS_COUNT_HERE, allowed, wanted(render), FRAME_TARGET_COUNT, classes};
@@ -95,6 +108,7 @@ static const struct {
 } draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, true},
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, true},
                              [FRAME_DRAW_light] = {FRAME_TARGET_light, false},
+                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, false},
                              [FRAME_DRAW_shown] = {FRAME_TARGET_shown, false}};
 
 static bool make_draw(Render *render, FrameDraw draw)
@@ -114,17 +128,34 @@ static bool make_draw(Render *render, FrameDraw draw)
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-/* A tile has as many whole rows as there is memory for; blocks of 2 x 2 pixels stay together. */
-static void set_size(Render *render)
+/* The pixels of a tile: as many whole rows as there is memory for; blocks of 2 x 2 pixels stay together. */
+static void find_tile(const Render *render, int margin, int tile[2])
 {
     const RenderOptions *options = &render->options;
     const size_t memory = options->memory ? options->memory : RENDER_MEMORY;
-    const int width = least(render->whole[0], render->gl->max_texture_size & ~1);
-    const size_t rows = memory / ((size_t)width * (size_t)frame_all_bytes(render)) & ~(size_t)1;
-    const int most = least(render->whole[1], render->gl->max_texture_size & ~1);
-    const int height = rows < RENDER_TILE_LEAST ? RENDER_TILE_LEAST : rows < (size_t)most ? (int)rows : most;
-    render->size[0] = least(width, options->tile[0] ? options->tile[0] : width);
-    render->size[1] = least(most, options->tile[1] ? options->tile[1] : height);
+    const int most = (render->gl->max_texture_size & ~1) - 2 * margin;
+    const int width = least(render->whole[0], most), height = least(render->whole[1], most);
+    const size_t rows = memory / ((size_t)(width + 2 * margin) * (size_t)frame_all_bytes(render)) & ~(size_t)1;
+    const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
+    tile[0] = least(width, options->tile[0] ? options->tile[0] : width);
+    tile[1] = least(height, options->tile[1]            ? options->tile[1]
+                            : spare < RENDER_TILE_LEAST ? RENDER_TILE_LEAST
+                                                        : spare);
+}
+
+/* Edges look at pixels beside them, which have to be drawn with a tile, too. */
+static void set_size(Render *render)
+{
+    enum { MARGIN = 2 };
+    const int margin = render->plan.there & EDGE ? MARGIN : 0;
+    int tile[2];
+    find_tile(render, margin, tile);
+    render->margin = tile[0] < render->whole[0] || tile[1] < render->whole[1] ? margin : 0;
+    for (int i = 0; i < 2; i++) {
+        render->size[i] = tile[i] + 2 * render->margin;
+        render->at[i] = -render->margin;
+    }
+    view_space_place(&render->space, render->whole, render->at);
 }
 
 bool frame_make(Render *render)
@@ -160,6 +191,7 @@ void frame_place(Render *render)
 {
     view_space_place(&render->space, render->whole, render->at);
     lighting_place(render, &render->light);
+    pass_edge_place(render);
     pass_tone_place(render);
 }
 
@@ -168,6 +200,7 @@ void frame_delete(Render *render)
     GlContext *gl = render->gl;
     screen_pass_delete(&render->light);
     screen_pass_delete(&render->tone);
+    pass_edge_delete(render);
     measure_delete(gl, &render->measured);
     measure_delete(gl, &render->adapted);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)

@@ -14,6 +14,7 @@ typedef enum {
     FRAME_TARGET_gbuffer,
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_light,
+    FRAME_TARGET_edge,
     FRAME_TARGET_shown,
     FRAME_TARGET_COUNT
 } FrameTarget;
@@ -23,6 +24,7 @@ typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_light,
+    FRAME_DRAW_edge,
     FRAME_DRAW_shown,
     FRAME_DRAW_COUNT
 } FrameDraw;
@@ -50,6 +52,13 @@ typedef struct {
     float irradiance[SKY_NUMBERS][4];
 } SkyLight;
 
+/* Of the pass edge. */
+typedef struct {
+    Material material;
+    GLuint lines; /* texels of edge_list.h */
+    int count;    /* of lines */
+} FrameEdge;
+
 struct Render {
     GlContext *gl;
     Store *store;
@@ -58,7 +67,8 @@ struct Render {
     const Scene *scene;
     int size[2];  /* of the targets: of a tile */
     int whole[2]; /* of the picture */
-    int at[2];    /* the tile's lower left corner in it */
+    int at[2];    /* the targets' lower left corner in it */
+    int margin;   /* pixels around a tile that its edges look at */
     bool compute, zero_to_one;
     Set set;
     ViewSpace space;
@@ -71,6 +81,7 @@ struct Render {
     Framebuffer draws[FRAME_DRAW_COUNT];
     Measure measured, adapted; /* what tone mapping asks of the picture, and of what it makes of that */
     ScreenPass light, tone;
+    FrameEdge edge;
     GLuint lights; /* texels of view_space_lights */
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
@@ -133,6 +144,11 @@ void pass_shadow_delete(Render *render);
 bool pass_light_needed(const Render *render);
 bool pass_light_make(Render *render);
 void pass_light_draw(Render *render);
+bool pass_edge_needed(const Render *render);
+bool pass_edge_make(Render *render);
+void pass_edge_place(Render *render);
+void pass_edge_draw(Render *render);
+void pass_edge_delete(Render *render);
 bool pass_tone_make(Render *render);
 void pass_tone_draw(Render *render);
 

@@ -2,7 +2,7 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow", "light", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow", "light", "edge", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -21,11 +21,18 @@ static bool is_exact(const Render *render)
     return false;
 }
 
+static const char *shown_format(const Render *render)
+{
+    const bool deep = render->options.deep;
+    return render->options.linear ? deep ? "RGBA32F" : "RGBA16F" : deep ? "RGBA16" : "RGBA8";
+}
+
 const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
     const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = is_exact(render) ? "RGBA32F" : "RGBA16F",
-                                                 [FRAME_TARGET_shown] = render->options.deep ? "RGBA16" : "RGBA8"};
+                                                 [FRAME_TARGET_edge] = "R32UI",
+                                                 [FRAME_TARGET_shown] = shown_format(render)};
     if (target == FRAME_TARGET_gbuffer)
         return texture < FRAMEBUFFER_COLORS ? set_format(&render->set, texture) : NULL;
     return texture == 0 ? one[target] : NULL;

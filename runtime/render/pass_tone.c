@@ -1,15 +1,25 @@
-/* The pass tone: from light to the picture. Its GLSL is pass_tone.glsl, behind tone.glsl; what some kinds ask of the whole picture is
+/* The pass tone: from light to the picture, edges blended. Its GLSL is pass_tone.glsl, behind tone.glsl; what some kinds ask of the whole picture is
  * reduced before. */
 #include "runtime/render/frame.h"
 #include <stdio.h>
 
-extern const char render_text_tone[], render_text_pass_tone[];
+extern const char render_text_tone[], render_text_pass_tone[], render_text_edge_part[], render_text_edge_none[];
 
-enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT };
+enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT, EDGE_UNIT };
 
-static bool measures(const Scene *scene)
+static bool has_edges(const Render *render) { return render->plan.there >> FRAME_TARGET_edge & 1; }
+
+static bool is_tiled(const Render *render)
 {
-    return scene->tone == SCENE_Linear || scene->tone == SCENE_ReinhardDevlin || scene->tone == SCENE_Drago;
+    return render->size[0] - 2 * render->margin < render->whole[0] ||
+           render->size[1] - 2 * render->margin < render->whole[1];
+}
+
+static bool measures(const Render *render)
+{
+    const Scene *scene = render->scene;
+    return !render->options.linear &&
+           (scene->tone == SCENE_Linear || scene->tone == SCENE_ReinhardDevlin || scene->tone == SCENE_Drago);
 }
 
 static bool adapts(const Scene *scene) { return scene->tone == SCENE_ReinhardDevlin; }
@@ -33,7 +43,7 @@ static bool make_measures(Render *render, const char *kind)
 {
     const char *const first[] = {kind, render_text_tone, NULL};
     const char *const second[] = {kind, "#define MEASURE_ADAPTED\n", render_text_tone, NULL};
-    if (!measures(render->scene))
+    if (!measures(render))
         return true;
     if (!measure_make(render->store, render->size, render->compute, first, &render->measured))
         return false;
@@ -57,20 +67,24 @@ void pass_tone_place(Render *render)
 bool pass_tone_make(Render *render)
 {
     char kind[96];
-    if (measures(render->scene) && (render->size[0] < render->whole[0] || render->size[1] < render->whole[1]))
+    if (measures(render) && is_tiled(render))
         return gl_fail(render->gl,
                        "the tone mapping %s asks for the whole picture, which would be drawn in tiles: it wants "
                        "more memory, or a smaller picture",
                        scene_kind_table[render->scene->tone].name);
-    snprintf(kind, sizeof kind, "#define TONE_%s\n%s", scene_kind_table[render->scene->tone].name,
-             measures(render->scene) ? "#define TONE_MEASURES\n" : "");
-    const ScreenPassText text = {.body = {kind, render_text_tone, render_text_pass_tone},
+    snprintf(kind, sizeof kind, "#define TONE_%s\n%s",
+             render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name,
+             measures(render) ? "#define TONE_MEASURES\n" : "");
+    const ScreenPassText text = {.body = {kind, render_text_tone,
+                                          has_edges(render) ? render_text_edge_part : render_text_edge_none,
+                                          render_text_pass_tone},
                                  .format = frame_format(render, FRAME_TARGET_shown, 0),
                                  .compute = render->compute};
     if (!make_measures(render, kind) || !screen_pass_make(render->store, &text, &render->tone))
         return false;
     set_numbers(render, &render->tone);
     screen_pass_sampler(&render->tone, "tone_light", LIGHT_UNIT);
+    screen_pass_sampler(&render->tone, "edge_words", EDGE_UNIT);
     pass_tone_place(render);
     return true;
 }
@@ -87,5 +101,7 @@ void pass_tone_draw(Render *render)
         texture_bind(render->gl, measure_result(&render->adapted), ADAPTED_UNIT);
     }
     texture_bind(render->gl, light, LIGHT_UNIT);
+    if (has_edges(render))
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_edge, 0), EDGE_UNIT);
     screen_pass_run(&render->tone, &render->draws[FRAME_DRAW_shown], &render->screen);
 }

@@ -1,4 +1,6 @@
-// The pass tone: linear light becomes an sRGB colour. Before it stands tone.glsl.
+// The pass tone: linear light becomes an sRGB colour; with TONE_LIGHT it stays light. Where an edge runs through a pixel, what lies on both sides
+// is mapped first, and blended then: a screen's light is summed by the eye, and an edge beside a lamp stays smooth. Before it stand tone.glsl
+// and what declares edgeShare.
 uniform sampler2D tone_light;
 
 // IEC 61966-2-1
@@ -7,11 +9,27 @@ vec3 toneEncoded(vec3 c)
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-vec4 passPixel(ivec2 pixel)
+// What the screen is to send, or the light itself; linear.
+vec4 toneAt(ivec2 pixel)
 {
     vec4 light = texelFetch(tone_light, pixel, 0);
-    vec3 shown = toneEncoded(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0));
+#ifndef TONE_LIGHT
     ivec2 tile = pixel + ivec2(tone_x, tone_y) >> 4;
-    if (tone_tiles != 0 && light.w <= 0.0) shown = vec3((tile.x + tile.y & 1) != 0 ? 0.4 : 0.6); // nothing is there
-    return vec4(shown, 1.0);
+    if (tone_tiles != 0 && light.w <= 0.0) // nothing is there: sRGB's 0.4 and 0.6
+        return vec4(vec3((tile.x + tile.y & 1) != 0 ? 0.13286832 : 0.31854678), 1.0);
+    light = vec4(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0), 1.0);
+#endif
+    return light;
+}
+
+vec4 passPixel(ivec2 pixel)
+{
+    ivec2 beyond;
+    vec4 c = toneAt(pixel);
+    float share = edgeShare(pixel, beyond);
+    if (share > 0.0) c = mix(c, toneAt(beyond), share);
+#ifndef TONE_LIGHT
+    c.xyz = toneEncoded(c.xyz);
+#endif
+    return c;
 }

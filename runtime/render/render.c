@@ -200,17 +200,17 @@ int render_lanes(const Render *render)
 
 void render_move(Render *render, int x, int y)
 {
-    if (render->at[0] == x && render->at[1] == y)
+    const int at[2] = {x - render->margin, y - render->margin};
+    if (render->at[0] == at[0] && render->at[1] == at[1])
         return;
-    render->at[0] = x;
-    render->at[1] = y;
+    memcpy(render->at, at, sizeof render->at);
     frame_place(render);
 }
 
 int render_width(const Render *render) { return render->whole[0]; }
 int render_height(const Render *render) { return render->whole[1]; }
-int render_tile_width(const Render *render) { return render->size[0]; }
-int render_tile_height(const Render *render) { return render->size[1]; }
+int render_tile_width(const Render *render) { return render->size[0] - 2 * render->margin; }
+int render_tile_height(const Render *render) { return render->size[1] - 2 * render->margin; }
 
 /* From the end on, as lanes are written before they are read. */
 static bool read_depth(Render *render, float *rgba)
@@ -240,8 +240,10 @@ bool render_read(Render *render, float *rgba)
         memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
         return true; /* of no surface */
     }
-    return framebuffer_read(render->gl, &render->draws[strcmp(view, "light") ? FRAME_DRAW_shown : FRAME_DRAW_light], 0,
-                            rgba);
+    const FramebufferPart part = {0, render->margin, render->margin, render_tile_width(render),
+                                  render_tile_height(render)};
+    return framebuffer_read_part(
+        render->gl, &render->draws[strcmp(view, "light") ? FRAME_DRAW_shown : FRAME_DRAW_light], &part, rgba);
 }
 
 /* -- what runs, in words */
@@ -317,7 +319,7 @@ static void put_memory(Text *out, const Render *render)
 
 static void put_tiles(Text *out, const Render *render)
 {
-    const int *whole = render->whole, *tile = render->size;
+    const int *whole = render->whole, tile[2] = {render_tile_width(render), render_tile_height(render)};
     if (tile[0] < whole[0] || tile[1] < whole[1])
         text_format(out, "\n%d tiles of %d x %d pixels: the times are of the last one\n",
                     ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]), tile[0], tile[1]);

@@ -13,6 +13,9 @@
 
 typedef struct Render Render;
 
+/* What becomes of edges: coverage blends what lies on both sides of outlines, creases and horizons, by the shares that they have of a pixel. */
+typedef enum { RENDER_EDGES_none, RENDER_EDGES_coverage } RenderEdges;
+
 enum { RENDER_MEMORY = 256 << 20, RENDER_TILE_LEAST = 16 /* rows of a tile, however little memory there may be */ };
 
 typedef struct {
@@ -21,6 +24,8 @@ typedef struct {
     const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
     int width, height; /* of the picture; 0: as the scene says */
     bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
+    bool linear;       /* the picture is light: linear, without exposure, tone mapping or an upper limit */
+    RenderEdges edges; /* of the picture; coverage takes OpenGL 4.3 */
     size_t memory;     /* bytes that targets may take, 0: RENDER_MEMORY; a picture that takes more is drawn in tiles */
     int tile[2];       /* at most so many pixels at once; 0: as many as the memory holds */
     bool no_shadows;   /* no light casts any */

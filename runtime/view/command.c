@@ -42,6 +42,7 @@ const char command_help[] =
     "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
     "too\n"
     "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
+    "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
     "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
     "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
     "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
@@ -95,6 +96,10 @@ static const char *set_scene(Command *command, const char *name, const char *val
         return read_whole(value, (const long[]){1, 1 << 20}, &command->memory, "--memory: MiB, from 1");
     if (!strcmp(name, "--bits"))
         return read_whole(value, (const long[]){8, 32}, &command->bits, "--bits: 8, 16 or 32");
+    if (!strcmp(name, "--edges")) {
+        command->edges = !strcmp(value, "coverage") ? RENDER_EDGES_coverage : RENDER_EDGES_none;
+        return !strcmp(value, "coverage") || !strcmp(value, "none") ? NULL : "--edges: coverage or none";
+    }
     if (!strcmp(name, "--format")) {
         command->formatted = true;
         command->format = !strcmp(value, "exr") ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;

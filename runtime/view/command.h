@@ -1,7 +1,7 @@
 /* matview's command line, as data. */
 #ifndef MATC_VIEW_COMMAND_H
 #define MATC_VIEW_COMMAND_H
-#include "runtime/scene/scene.h"
+#include "runtime/render/render.h"
 #include "runtime/view/picture.h"
 #include "runtime/view/picture_file.h"
 #include "runtime/view/sheet.h"
@@ -20,6 +20,7 @@ typedef struct {
     PictureFormat format; /* of a scene's picture: as it is named, or as the output's name ends */
     int bits, memory;     /* of a scene: of a lane, and MiB; 0: not asked for */
     bool formatted, progress;
+    RenderEdges edges;
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     bool shadows, no_shadows;  /* of a scene: --shadows was given, and is none */
     bool watch, help, version;

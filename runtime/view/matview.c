@@ -167,6 +167,7 @@ static ScenePictureOptions scene_options(const Command *command, const Scene *sc
                                             .no_shadows = command->no_shadows,
                                             .width = width,
                                             .height = height > 0 ? (int)height : 1,
+                                            .edges = command->edges,
                                             .memory = (size_t)command->memory << 20},
                                  .stats = command->stats,
                                  .graph = command->graph,
@@ -308,7 +309,7 @@ static int run(Command *command)
 
 int main(int argc, char **argv)
 {
-    Command command = {0};
+    Command command = {.edges = RENDER_EDGES_coverage};
     matc_options_init(&command.picture.compile);
     command.picture.compile.pixels = true;
     command.picture.view = (ViewOptions){.supersampling = 4,

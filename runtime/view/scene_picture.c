@@ -110,7 +110,7 @@ bool scene_picture_draw(GlContext *gl, const Scene *scene, const ScenePictureOpt
     RenderOptions render = options->render;
     Drawing d = {.gl = gl, .options = options};
     const bool exr = options->format == PICTURE_FORMAT_exr;
-    render.view = exr && is_picture(render.view) ? "light" : render.view;
+    render.linear = exr;
     render.deep = options->bits > (exr ? 16 : 8);
     *picture = (ScenePicture){0};
     d.render = render_open(gl, &render);

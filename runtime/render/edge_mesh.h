@@ -1,0 +1,22 @@
+/* Edges of a mesh where its outline may be, or where its shade may jump; by positions, so that vertices which differ in what they carry
+ * meet. No GL. */
+#ifndef MATC_RENDER_EDGE_MESH_H
+#define MATC_RENDER_EDGE_MESH_H
+#include "runtime/gl/shape.h"
+
+typedef struct {
+    float ends[2][3];
+    float normals[2][3]; /* of the faces on both sides, of any length */
+    bool always;         /* a crease, or only one face is there, or more than two: it is seen whichever way they face */
+} MeshEdge;
+
+typedef struct {
+    MeshEdge *edges;
+    int count;
+} EdgeMesh;
+
+/* False: out of memory; *made is empty then. */
+bool edge_mesh_make(const Shape *shape, EdgeMesh *made);
+/* Safe on an empty one. */
+void edge_mesh_free(EdgeMesh *mesh);
+#endif

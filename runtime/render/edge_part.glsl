@@ -1,0 +1,20 @@
+// What the pass edge left in a pixel: the share of it that lies beyond a line, and the pixel next to it there.
+uniform usampler2D edge_words;
+
+// Of a box of edge 1 around a centre from which a line with the slope s in [-1, 1] is `away`, in [0, 1], along the other axis: the area
+// beyond the line. Where the line leaves through two sides that meet, it is a triangle.
+float edgeArea(float away, float s)
+{
+    float most = 0.5 - away + 0.5 * s, least = 0.5 - away - 0.5 * s;
+    return least >= 0.0 ? 0.5 - away : most > 0.0 ? 0.5 * most * most / s : 0.0;
+}
+
+float edgeShare(ivec2 pixel, out ivec2 beyond)
+{
+    uint word = texelFetch(edge_words, pixel, 0).x;
+    ivec2 way = ivec2(int(word >> 1 & 3u) - 1, (word >> 20 & 1u) != 0u ? 1 : -1);
+    beyond = pixel + ((word >> 19 & 1u) != 0u ? way.yx : way);
+    if (word == 0u) return 0.0;
+    float slope = float(word >> 8 & 2047u) / 1023.0 * 2.0 - 1.0;
+    return edgeArea(1.0 - float(word >> 21 & 1023u) / 1023.0, abs(slope));
+}
