@@ -50,15 +50,30 @@ typedef struct {
 typedef struct {
     SceneKind kind; /* Perspective or Orthographic */
     double position[3];
-    double right[3], up[3], back[3]; /* unit vectors at right angles: it looks along -back */
+    double target[3], upright[3];    /* a point that it looks at; what is up as far as it can be */
+    double right[3], up[3], back[3]; /* of these; unit vectors at right angles: it looks along -back */
     double half;  /* of the shorter side of the picture: as a tangent, or, orthographic, as a length */
     double near;  /* Perspective: the nearest that is seen */
     double depth; /* Orthographic: the farthest */
 } SceneCamera;
 
+typedef struct {
+    double time, position[3], target[3];
+} SceneKey;
+
+typedef struct {
+    SceneKind kind; /* Turntable or Path */
+    int frames;     /* 0: nothing moves */
+    double axis[3]; /* Turntable: a unit vector */
+    double angle;   /* Turntable: of all frames, in radians */
+    SceneKey *keys; /* Path: two or more, their times rise */
+    int key_count;
+} SceneMotion;
+
 typedef struct Scene {
     int width, height; /* pixels */
     SceneCamera camera;
+    SceneMotion motion;
     SceneObject *objects;
     int object_count;
     SceneLight *lights;
@@ -84,6 +99,9 @@ typedef struct Scene {
 MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **scene);
 /* NULL is nothing. */
 void scene_free(Scene *scene);
+
+/* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene has a motion. False: it has no direction. */
+bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera *camera);
 
 /* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has its own. */
 bool scene_solid(const SceneObject *object, Shape *made);

@@ -6,25 +6,32 @@
 
 #define RADIANS (3.14159265358979323846 / 180)
 
-/* Axes of an eye that stands, looks and is upright as the thing says. */
-static void look(SceneReader *r, const SceneThing *thing, const int params[3], SceneCamera *camera)
+SceneAim scene_camera_aim(SceneCamera *camera)
 {
-    double target[3], up[3];
-    scene_thing_vector(thing, params[0], camera->position);
-    scene_thing_vector(thing, params[1], target);
-    scene_thing_vector(thing, params[2], up);
-    for (int i = 0; i < 3; i++)
-        camera->back[i] = camera->position[i] - target[i];
+    double up[3];
+    for (int i = 0; i < 3; i++) {
+        camera->back[i] = camera->position[i] - camera->target[i];
+        up[i] = camera->upright[i];
+    }
     const bool looks = scene_vector_normalize(camera->back);
     const bool upright = scene_vector_normalize(up);
     scene_vector_cross(up, camera->back, camera->right);
     const bool stands = scene_vector_dot(camera->right, camera->right) > 1e-18 && scene_vector_normalize(camera->right);
     scene_vector_cross(camera->back, camera->right, camera->up);
-    if (!looks)
+    return !looks ? SCENE_AIM_view : upright && stands ? SCENE_AIM_fine : SCENE_AIM_up;
+}
+
+static void look(SceneReader *r, const SceneThing *thing, const int params[3], SceneCamera *camera)
+{
+    scene_thing_vector(thing, params[0], camera->position);
+    scene_thing_vector(thing, params[1], camera->target);
+    scene_thing_vector(thing, params[2], camera->upright);
+    const SceneAim aim = scene_camera_aim(camera);
+    if (aim == SCENE_AIM_view)
         diag_add(r->session, scene_thing_span(thing, params[1]), DIAG_no_direction, "the way from position to target");
-    else if (!upright || !stands)
+    else if (aim == SCENE_AIM_up)
         diag_add(r->session, scene_thing_span(thing, params[2]), DIAG_no_direction, "up, seen along the view,");
-    r->fine &= looks && upright && stands;
+    r->fine &= aim == SCENE_AIM_fine;
 }
 
 void scene_camera_read(SceneReader *r, Tree *tree)

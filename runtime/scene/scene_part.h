@@ -11,6 +11,11 @@ void scene_lights_read(SceneReader *r, const Tree *list);
 void scene_sun_add(SceneReader *r);
 /* NULL: the default. scene_camera.c */
 void scene_camera_read(SceneReader *r, Tree *tree);
+/* Axes of an eye that stands, looks and is upright as the camera says. What has no direction: */
+typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;
+SceneAim scene_camera_aim(SceneCamera *camera);
+/* After the camera. scene_motion.c */
+void scene_motion_read(SceneReader *r, Tree *tree);
 
 /* Its place in scene->materials, or -1: it is told what is wrong. scene_material.c */
 int scene_material_read(SceneReader *r, Tree *tree);

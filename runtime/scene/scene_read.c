@@ -72,6 +72,8 @@ static void read_scene(SceneReader *r, Tree *document)
     scene_material_open(r, document);
     read_image(r, scene_thing_given(&thing, S_Scene_image));
     scene_camera_read(r, scene_thing_given(&thing, S_Scene_camera));
+    if (scene_thing_given(&thing, S_Scene_motion) && r->fine)
+        scene_motion_read(r, scene_thing_given(&thing, S_Scene_motion));
     read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
     if (scene_thing_given(&thing, S_Scene_objects))

@@ -39,6 +39,9 @@ const char command_help[] =
     "of a scene\n"
     "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
     "  --shadows=HOW        maps (default), none: no light casts any\n"
+    "  --frames=N, --frames=A-B, --frame=K\n"
+    "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
+    "                       K-th; the first is 0. -o names them, out-%04d.png\n"
     "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
     "too\n"
     "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
@@ -96,6 +99,10 @@ static const char *set_scene(Command *command, const char *name, const char *val
         return read_whole(value, (const long[]){1, 1 << 20}, &command->memory, "--memory: MiB, from 1");
     if (!strcmp(name, "--bits"))
         return read_whole(value, (const long[]){8, 32}, &command->bits, "--bits: 8, 16 or 32");
+    if (!strcmp(name, "--frames"))
+        return frames_read(value, &command->frames);
+    if (!strcmp(name, "--frame"))
+        return frames_read_one(value, &command->frames);
     if (!strcmp(name, "--edges")) {
         command->edges = !strcmp(value, "coverage") ? RENDER_EDGES_coverage : RENDER_EDGES_none;
         return !strcmp(value, "coverage") || !strcmp(value, "none") ? NULL : "--edges: coverage or none";
@@ -228,8 +235,9 @@ const char *command_check_material(const Command *command)
         return "--size times --samples is more than 8192";
     if (command->view || command->stats || command->graph || command->shadows)
         return "--view, --shadows, --stats and --emit=frame are of scenes";
-    return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress
-               ? "--format, --bits, --memory and --progress are of scenes; a material's picture is a PNG"
+    return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress ||
+                   command->frames.given
+               ? "--format, --bits, --memory, --progress and --frames are of scenes; a material's picture is a PNG"
                : NULL;
 }
 

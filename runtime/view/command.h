@@ -2,6 +2,7 @@
 #ifndef MATC_VIEW_COMMAND_H
 #define MATC_VIEW_COMMAND_H
 #include "runtime/render/render.h"
+#include "runtime/view/frames.h"
 #include "runtime/view/picture.h"
 #include "runtime/view/picture_file.h"
 #include "runtime/view/sheet.h"
@@ -21,6 +22,7 @@ typedef struct {
     int bits, memory;     /* of a scene: of a lane, and MiB; 0: not asked for */
     bool formatted, progress;
     RenderEdges edges;
+    Frames frames;
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     bool shadows, no_shadows;  /* of a scene: --shadows was given, and is none */
     bool watch, help, version;

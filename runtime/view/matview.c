@@ -145,15 +145,19 @@ static int choose_and_draw(const Command *command, MatcDocument *document, const
 /* What stands on the terminal's last line. */
 typedef struct {
     double last;
+    int frame, frames; /* of several: the one that is drawn */
 } Shown;
 
 static void show_rows(void *user, int done, int rows)
 {
     Shown *shown = user;
-    char what[64];
+    char what[96];
     Arena arena = {0};
     Text text = text_new(&arena);
-    snprintf(what, sizeof what, "%d of %d rows drawn", done, rows);
+    if (shown->frames > 1)
+        snprintf(what, sizeof what, "%d of %d frames drawn", shown->frame, shown->frames);
+    else
+        snprintf(what, sizeof what, "%d of %d rows drawn", done, rows);
     fputs(progress_line(&text, what, session_now(), &shown->last), stderr);
     arena_free(&arena);
 }
@@ -176,28 +180,67 @@ static ScenePictureOptions scene_options(const Command *command, const Scene *sc
                                  .progress = command->progress || isatty(STDERR_FILENO) ? show_rows : NULL};
 }
 
-static int draw_scene(const Command *command, const Scene *scene, const char *input)
+/* Of a frame: its name has the number. */
+static const char *scene_path(const Command *command, const char *input, int frame, char path[LONGEST_PATH])
 {
-    char path[LONGEST_PATH], name[LONGEST_NAME];
-    Shown shown = {0};
-    ScenePicture picture;
-    const char *fault = command_check_scene(command, scene);
-    if (fault)
-        return usage(fault);
-    ScenePictureOptions options = scene_options(command, scene);
+    char name[LONGEST_NAME], pattern[LONGEST_PATH];
     name_of(input, NULL, name);
-    path_of(command, name, path);
-    options.path = path;
-    options.user = &shown;
-    const bool done = scene_picture_draw(command->picture.view.gl, scene, &options, &picture);
-    fputs(progress_erase(&shown.last), stderr);
+    if (!command->frames.given) {
+        path_of(command, name, path);
+        return NULL;
+    }
+    if (command->output && command->frames.first == command->frames.last && !strchr(command->output, '%'))
+        return snprintf(path, LONGEST_PATH, "%s", command->output), NULL;
+    const size_t size = strlen(name);
+    if (!command->output)
+        snprintf(name + size, sizeof name - size, "-%04d", frame);
+    path_of(command, name, pattern);
+    if (!command->output)
+        return memcpy(path, pattern, sizeof pattern), NULL;
+    return frames_path(pattern, frame, path, LONGEST_PATH) ? NULL
+                                                           : "-o wants a place for the frame's number: out-%04d.png";
+}
+
+static int draw_picture(const Command *command, const Scene *scene, const char *input,
+                        const ScenePictureOptions *options)
+{
+    ScenePicture picture;
+    Shown *shown = options->user;
+    const bool done = scene_picture_draw(command->picture.view.gl, scene, options, &picture);
+    fputs(progress_erase(&shown->last), stderr);
     if (!done)
         return complain(picture.faulty ? picture.faulty : input, command->picture.view.gl->error);
-    fputs(picture.words ? picture.words : "", options.graph ? stdout : stderr);
-    if (!options.graph && strcmp(path, "-") != 0)
-        puts(path);
+    fputs(picture.words ? picture.words : "", options->graph ? stdout : stderr);
+    if (!options->graph && strcmp(options->path, "-") != 0)
+        puts(options->path);
     free(picture.words);
     return FINE;
+}
+
+/* Each frame is the scene with another camera. */
+static int draw_scene(const Command *command, const Scene *scene, const char *input)
+{
+    char path[LONGEST_PATH];
+    Frames frames = command->frames;
+    Shown shown = {.frames = frames.last - frames.first + 1};
+    const char *fault = command_check_scene(command, scene);
+    if (!fault)
+        fault = frames_check(scene, &frames);
+    ScenePictureOptions options = scene_options(command, scene);
+    options.path = path;
+    options.user = &shown;
+    for (int frame = frames.first; !fault && frame <= frames.last; frame++) {
+        Scene seen = *scene;
+        fault = scene_path(command, input, frame, path);
+        if (!fault && frames.given && !scene_motion_camera(scene, frame, frames.whole, &seen.camera))
+            return complain(input, "the camera has no direction in this frame");
+        if (!fault && draw_picture(command, &seen, input, &options) != FINE)
+            return FAULT;
+        shown.frame++;
+        if (options.progress && shown.frames > 1 && frame < frames.last)
+            options.progress(&shown, 0, 0);
+    }
+    return fault ? usage(fault) : FINE;
 }
 
 /* What the picture is made of: also of a document that could not be read. */
