@@ -68,6 +68,17 @@ check "in a folder" status 0 $scene --format=exr -d "$work"
 check "has its name" cmp -s "$work/solids.exr" "$work/scene.exr"
 check "--edges=none" status 0 $scene --edges=none -o "$work/view.png"
 check "is not so smooth" differ scene view
+printf 'motion: { motion: Turntable, frames: 8 }\nobjects: [{ object: Box, material: { material: Phong, emissive: 1 } }]\n' >"$work/turn.yaml"
+check "frames" status 0 $matview --size=16 --frames=0-2 "$work/turn.yaml" -o "$work/f-%02d.png"
+check "are files" test -s "$work/f-00.png" -a -s "$work/f-01.png" -a -s "$work/f-02.png" -a ! -e "$work/f-03.png"
+check "that differ" differ f-00 f-01
+check "all in two frames" status 0 $matview --size=16 --frames=2 -d "$work" "$work/turn.yaml"
+check "by the document's name" test -s "$work/turn-0001.png"
+check "the second being the fourth of eight" status 0 $matview --size=16 --frame=4 "$work/turn.yaml" -o "$work/four.png"
+check "as it is" same four turn-0001
+check "a motion without the frame" status 2 $matview --frame=8 "$work/turn.yaml" -o "$work/none.png"
+check "frames without a place for their number" status 2 $matview --frames=3 "$work/turn.yaml" -o "$work/none.png"
+check "frames of what does not move" status 2 $scene --frames=3 -o "$work/none-%d.png"
 check "in tiles" status 0 $matview --size=1200 --memory=1 --progress --view=depth examples/scenes/solids.yaml -o "$work/tiles.png"
 check "says how far it is" says 'of 750 rows drawn'
 check "no progress in a pipe" status 0 $scene -o "$work/view.png"
