@@ -198,6 +198,35 @@ static void tiles_and_light(void **state)
     frame_forget(scene, document);
 }
 
+/* Where the camera or an object has moved, edges are those of the new picture. */
+static void edges_move(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene =
+        frame_scene(CAMERA "objects: [{ object: Box, " GLOWS("1") " }, { object: Sphere, " GLOWS(".5") " }]\n",
+                    &options, &document);
+    const RenderOptions choice = {.compile = &options, .edges = RENDER_EDGES_coverage, .linear = true};
+    GlContext *gl = frame_context();
+    Render *render = render_open(gl, &choice);
+    float *seen = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *seen);
+    assert_true(render && render_scene(render, scene) && seen);
+    for (int change = 0; change < 2; change++) {
+        scene->objects[1].world_from_local.m[12] = 1.5 * change;
+        scene->camera.position[0] += .125;
+        assert_true(render_changed(render, RENDER_CAMERA) && render_changed_objects(render, 1, 1));
+        float *expected = frame_floats(gl, scene, &choice);
+        assert_true(render_frame(render) && render_read(render, seen));
+        assert_memory_equal(expected, seen, (size_t)WIDTH * HEIGHT * 4 * sizeof *seen);
+        free(expected);
+    }
+    free(seen);
+    render_close(render);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
 /* -- lines */
 
 static void sum_lines(const char *text, int (*size)[2], EdgeList *list, double *length)
@@ -272,9 +301,9 @@ static void outlines_are_where_they_are_seen(void **state)
 int main(void)
 {
     (void)reference_sample; /* light is test_frame.c's */
-    const struct CMUnitTest tests[] = {cmocka_unit_test(edges_are_coverage),
-                                       cmocka_unit_test(hidden_lines_are_not_seen), cmocka_unit_test(tiles_and_light),
-                                       cmocka_unit_test(lines_have_their_lengths),
-                                       cmocka_unit_test(outlines_are_where_they_are_seen)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(edges_are_coverage),       cmocka_unit_test(hidden_lines_are_not_seen),
+        cmocka_unit_test(tiles_and_light),          cmocka_unit_test(edges_move),
+        cmocka_unit_test(lines_have_their_lengths), cmocka_unit_test(outlines_are_where_they_are_seen)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

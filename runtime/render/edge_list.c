@@ -18,6 +18,7 @@ typedef struct {
     EdgeMesh *meshes;
     int mesh_count;
     EdgeList *made;
+    float crease; /* of what is added */
     bool fine;
 } EdgeLister;
 
@@ -39,8 +40,8 @@ static void push(EdgeLister *l, const double from[3], const double to[3])
         list->room = room;
     }
     EdgeEnd *line = list->lines[list->count++];
-    line[0] = (EdgeEnd){(float)from[0], (float)from[1], (float)from[2], 0};
-    line[1] = (EdgeEnd){(float)to[0], (float)to[1], (float)to[2], 0};
+    line[0] = (EdgeEnd){(float)from[0], (float)from[1], (float)from[2], l->crease};
+    line[1] = (EdgeEnd){(float)to[0], (float)to[1], (float)to[2], l->crease};
 }
 
 /* The part of it from s to t. */
@@ -142,8 +143,10 @@ static void add_solid(EdgeLister *l, const SceneObject *object, const EdgeMesh *
     eye_of(l, &object->world_from_local, eye);
     for (int i = 0; i < mesh->count && l->fine; i++) {
         const MeshEdge *edge = &mesh->edges[i];
-        if (!edge->always && !is_outline(l, edge, eye))
+        const bool outline = edge->open || is_outline(l, edge, eye);
+        if (!outline && !edge->crease)
             continue;
+        l->crease = !outline;
         for (int k = 0; k < 2; k++) {
             transform(object->world_from_local.m,
                       (const double[]){edge->ends[k][0], edge->ends[k][1], edge->ends[k][2]}, world);
@@ -165,6 +168,7 @@ static void add_horizon(EdgeLister *l, const SceneObject *object)
     const double square = n[0] * n[0] + n[1] * n[1], reach = 2.0 * (l->size[0] + l->size[1]);
     if (square < 1e-18)
         return; /* it is faced */
+    l->crease = 0;
     double ends[2][3] = {{0}};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 2; i++) {

@@ -8,7 +8,8 @@ enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS
 
 /* One end: pixels from the picture's lower left corner, and the depth there, as the target of depth has it; it is linear along a line. */
 typedef struct {
-    float x, y, depth, unused;
+    float x, y, depth;
+    float crease; /* 1: what is on both sides of the line is as far away; 0: it is an outline */
 } EdgeEnd;
 
 typedef struct {

@@ -94,8 +94,8 @@ static void meet(EdgeMaker *m, int number, const uint32_t vertices[2], const flo
 {
     MeshEdge *edge = &m->made->edges[number];
     memcpy(edge->normals[1], normal, sizeof edge->normals[1]);
-    edge->always = m->faces[number] > 1 || shade_jumps(m, m->of[number][0], vertices[0]) ||
-                   shade_jumps(m, m->of[number][1], vertices[1]);
+    edge->crease = shade_jumps(m, m->of[number][0], vertices[0]) && shade_jumps(m, m->of[number][1], vertices[1]);
+    edge->open = m->faces[number] > 1;
     m->faces[number] = 2;
 }
 
@@ -116,7 +116,7 @@ static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const float normal[3]
         memcpy(edge->ends[k], position(m, (int)vertices[k]), sizeof edge->ends[k]);
         memcpy(edge->normals[k], normal, sizeof edge->normals[k]);
     }
-    edge->always = true; /* until the other face is met */
+    edge->open = true; /* until the other face is met */
     memcpy(m->of[number], vertices, sizeof vertices);
     m->faces[number] = 1;
     hash_index_add(NULL, &m->sides, hash, (uint32_t)number);

@@ -7,7 +7,8 @@
 typedef struct {
     float ends[2][3];
     float normals[2][3]; /* of the faces on both sides, of any length */
-    bool always;         /* a crease, or only one face is there, or more than two: it is seen whichever way they face */
+    bool open;           /* only one face is there, or more than two: it is seen whichever way they face */
+    bool crease;         /* the shade jumps all along it */
 } MeshEdge;
 
 typedef struct {

@@ -177,6 +177,8 @@ bool frame_make(Render *render)
 bool frame_change(Render *render, unsigned what)
 {
     const bool lit = render->light.material.store != NULL;
+    if (what & RENDER_CAMERA && !pass_edge_change(render))
+        return false;
     return !lit || !(what & (RENDER_CAMERA | RENDER_LIGHTS)) || lighting_change(render, &render->light);
 }
 

@@ -146,6 +146,8 @@ bool pass_light_make(Render *render);
 void pass_light_draw(Render *render);
 bool pass_edge_needed(const Render *render);
 bool pass_edge_make(Render *render);
+/* The camera or objects have moved: looks for the lines again. */
+bool pass_edge_change(Render *render);
 void pass_edge_place(Render *render);
 void pass_edge_draw(Render *render);
 void pass_edge_delete(Render *render);

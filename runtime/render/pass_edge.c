@@ -48,6 +48,17 @@ void pass_edge_place(Render *render)
         material_set(&render->edge.material, &(MaterialValue){"edge_corner", 4, corner});
 }
 
+bool pass_edge_change(Render *render)
+{
+    if (!render->edge.material.store)
+        return true;
+    render->gl->DeleteTextures(1, &render->edge.lines);
+    if (!make_lines(render))
+        return false;
+    material_set_number(&render->edge.material, "edge_count", (float)render->edge.count);
+    return true;
+}
+
 bool pass_edge_make(Render *render)
 {
     const bool newest = render->gl->major * 10 + render->gl->minor >= 45;

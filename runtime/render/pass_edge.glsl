@@ -44,20 +44,21 @@ bool isSeen(ivec2 pixel)
     return all(greaterThanEqual(pixel, first)) && all(lessThanEqual(pixel, last));
 }
 
-// Whether of two pixels one shows what the line is an edge of, and nothing before it hides it on both sides.
-bool isEdge(ivec2 pixel, ivec2 beyond, float depth)
+// Whether of two pixels one shows what the line is an edge of, or both do, of a crease, and nothing before it hides it on both sides.
+bool isEdge(ivec2 pixel, ivec2 beyond, float depth, bool crease)
 {
     float here = depthAt(pixel), there = depthAt(beyond);
-    return isSeen(beyond) && min(here, there) <= depth * NEARER && max(here, there) >= depth * FURTHER;
+    return isSeen(beyond) && min(here, there) <= depth * NEARER &&
+           (crease ? min(here, there) : max(here, there)) >= depth * FURTHER;
 }
 
-// `line`: how far it is above the centre, its slope, its depth there. At a corner only a pixel that is next to the neighbour may be beyond it.
-void mark(ivec2 pixel, vec3 line, bool steep, bool within)
+// `line`: how far it is above the centre, its slope, its depth there, whether it is a crease. At a corner only a pixel that is next to the neighbour may be beyond it.
+void mark(ivec2 pixel, vec4 line, bool steep, bool within)
 {
     ivec2 up = steep ? ivec2(1, 0) : ivec2(0, 1);
     int side = sideOf(pixel, line.x, up);
     uint aside = 1u;
-    for (uint i = 0u; i < 3u && !isEdge(pixel, pixel + side * up + (int(aside) - 1) * up.yx, line.z); i++)
+    for (uint i = 0u; i < 3u && !isEdge(pixel, pixel + side * up + (int(aside) - 1) * up.yx, line.z, line.w > 0.0); i++)
         aside = i == 0u ? 0u : i == 1u ? 2u : 3u;
     if (!isSeen(pixel) || aside > 2u) return;
     uint near = uint(1023.0 * (1.0 - min(abs(line.x), 1.0)) + 0.5);
@@ -72,6 +73,7 @@ void main()
     if (line >= edge_count) return;
     ivec2 texel = ivec2(line % LINES * 2, line / LINES);
     vec3 from = texelFetch(edge_lines, texel, 0).xyz - vec3(edge_corner.xy, 0.0);
+    float crease = texelFetch(edge_lines, texel, 0).w;
     vec3 to = texelFetch(edge_lines, texel + ivec2(1, 0), 0).xyz - vec3(edge_corner.xy, 0.0);
     bool steep = abs(to.y - from.y) > abs(to.x - from.x);
     if (steep) {
@@ -90,7 +92,7 @@ void main()
         float middle = float(column) + 0.5;
         vec3 at = from + step * (middle - from.x);
         for (int row = int(ceil(at.y - reach - 0.5)); float(row) + 0.5 < at.y + reach; row++)
-            mark(steep ? ivec2(row, column) : ivec2(column, row), vec3(at.y - (float(row) + 0.5), step.y, at.z), steep,
+            mark(steep ? ivec2(row, column) : ivec2(column, row), vec4(at.y - (float(row) + 0.5), step.y, at.z, crease), steep,
                  middle >= from.x && middle < to.x);
     }
 }

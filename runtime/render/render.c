@@ -169,7 +169,7 @@ bool render_changed_objects(Render *render, int first, int count)
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
     return cache_move(render->gl, &source, &render->cache, first, count) && shadow_change(render, true) &&
-           gl_check(render->gl, "moving objects");
+           pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count)
