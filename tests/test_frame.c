@@ -78,6 +78,18 @@ static const PictureCase pictures[] = {
      "3, depth: 20 }\n" POINT "objects: [{ object: Box, material: " GLOSSY
      ", transform: { rotation: [.3, .2, .7] } }, { object: Sphere, radius: .5, "
      "material: " MATT ", transform: { translation: [0, 0, 1] } }]\n"},
+    {"parallels to a plane", "image: { width: 320, height: 240 }\ncamera: { camera: Orthographic, position: [.5, -9, "
+                             "5], size: 6, depth: 40 }\n" POINT "objects: [{ object: Plane, material: " GLOSSY
+                             ", transform: { rotation: [.2, .1, .3], translation: [0, 0, -.5], scale: 2 } }, "
+                             "{ object: Sphere, material: " MATT " }]\nsky: { material: RGBA, r: .1, g: .2, b: .5 }\n"},
+    {"a plane edge-on, and from below",
+     "image: { width: 320, height: 240 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 3, depth: 20 "
+     "}\n" POINT "objects: [{ object: Plane, material: " GLOSSY " }, { object: Plane, material: " MATT
+     ", transform: { rotation: [-1.4, 0, 0], translation: [0, 3, 0] } }]\n"},
+    {"a checker along parallels",
+     "image: { width: 320, height: 240 }\ncamera: { camera: Orthographic, position: [.5, -9, 9], size: 6, depth: 40 "
+     "}\n" POINT "objects: [{ object: Plane, material: { material: Phong, diffuse: { map: Checker, color1: .8, color2: "
+     ".4 } } }]\n"},
     {"maps", CAMERA POINT
      "objects: [{ object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], transform: { translation: [-2, -2, 0] }, "
      "material: "

@@ -64,6 +64,7 @@ typedef struct {
     const Set *set;
     const ViewSpace *space;
     const CullVolume *volume; /* what is seen; NULL: all */
+    const int *size;          /* of the picture, in pixels */
 } CacheSource;
 
 /* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */

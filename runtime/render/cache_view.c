@@ -54,6 +54,8 @@ static Spaces spaces_of(const CacheSource *source, int object)
     for (int i = 0; i < 16; i++)
         spaces.world_from_local.m[i] = (float)matrix->m[i];
     set_plane(matrix, &spaces);
+    if (source->scene->objects[object].kind == SCENE_Plane && source->scene->camera.kind == SCENE_Orthographic)
+        view_space_parallels(&source->scene->camera, source->size, matrix, &spaces);
     return spaces;
 }
 

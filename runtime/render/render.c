@@ -104,7 +104,7 @@ static void set_size(Render *render, const Scene *scene)
 static CacheSource source_of(const Render *render)
 {
     return (CacheSource){render->scene, &render->set, &render->space,
-                         render->options.unculled ? NULL : &render->volume};
+                         render->options.unculled ? NULL : &render->volume, render->whole};
 }
 
 static void look(Render *render)

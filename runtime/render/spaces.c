@@ -21,20 +21,38 @@ static void set_plane(const Spaces *spaces, const Mat4 *clip_from_world, Materia
     set(material, "matc_clipW", 4, w);
 }
 
+/* What the vertex program of a plane takes for clip space: rays that are no longer than to the plane. */
+static Mat4 world_from_clip(const Spaces *spaces, const Mat4 *clip_from_world)
+{
+    Mat4 result = mat4_identity();
+    if (!spaces->parallel) {
+        mat4_inverse(clip_from_world, &result);
+        return result;
+    }
+    for (int i = 0; i < 3; i++) {
+        result.m[i] = spaces->rays[2][i];
+        result.m[4 + i] = spaces->rays[3][i];
+        result.m[8 + i] = 0;
+        result.m[12 + i] = spaces->rays[1][i];
+    }
+    result.m[11] = 1; /* ahead: infinitely far, nowhere */
+    result.m[15] = 0;
+    return result;
+}
+
 void spaces_set(const Spaces *spaces, Material *material)
 {
     const Mat4 clip_from_world = mat4_multiply(&spaces->clip_from_eye, &spaces->eye_from_world);
     const Mat3 eye_from_world = mat3_from_mat4(&spaces->eye_from_world);
     const Mat3 normal = mat3_normal(&spaces->world_from_local);
     const Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal); /* a rotation is its own inverse transpose */
-    Mat4 world_from_clip = mat4_identity();
-    mat4_inverse(&clip_from_world, &world_from_clip);
+    const Mat4 from_clip = world_from_clip(spaces, &clip_from_world);
     set(material, "matc_worldFromLocal", 16, spaces->world_from_local.m);
     set(material, "matc_clipFromWorld", 16, clip_from_world.m);
-    set(material, "matc_worldFromClip", 16, world_from_clip.m);
+    set(material, "matc_worldFromClip", 16, from_clip.m);
     set(material, "matc_worldNormalFromLocal", 9, normal.m);
     set(material, "matc_eyeNormalFromLocal", 9, eye_normal.m);
     set(material, "matc_eyeFromWorld", 9, eye_from_world.m);
-    set(material, "matc_eyePosition", 3, spaces->eye);
+    set(material, "matc_eyePosition", 3, spaces->parallel ? spaces->rays[0] : spaces->eye);
     set_plane(spaces, &clip_from_world, material);
 }

@@ -8,6 +8,8 @@ typedef struct {
     Mat4 world_from_local, eye_from_world, clip_from_eye;
     float eye[3];      /* in the world */
     float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
+    bool parallel;     /* rays are parallel: `rays` says from where to where they are drawn instead */
+    float rays[4][3];  /* an eye; from there to the plane at the picture's middle; its step to the right, and upwards */
     bool zero_to_one;  /* depth in clip space is from 0 to 1: glClipControl; else from -1 */
 } Spaces;
 

@@ -1,5 +1,6 @@
 /* Sums in double, rounded once. */
 #include "runtime/render/view_space.h"
+#include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
@@ -68,6 +69,39 @@ void view_space_place(ViewSpace *space, const int size[2], const int at[2])
 {
     for (int i = 0; i < 2; i++)
         space->ray[2 + i] = (float)(size[i] - 2 * at[i]);
+}
+
+/* The plane's point on the line through `at` along the view. */
+static void meet(const SceneCamera *camera, const double normal[3], const double origin[3], double at[3])
+{
+    const double along =
+        (scene_vector_dot(normal, origin) - scene_vector_dot(normal, at)) / scene_vector_dot(normal, camera->back);
+    for (int i = 0; i < 3; i++)
+        at[i] += along * camera->back[i];
+}
+
+void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces)
+{
+    const double edge_on = 1e-6, shorter = size[0] < size[1] ? size[0] : size[1], *m = plane->m;
+    const double *axes[3] = {camera->back, camera->right, camera->up};
+    double normal[3], points[3][3]; /* the middle of the picture, of its right side, of its upper side */
+    scene_vector_cross(m, m + 4, normal);
+    scene_vector_normalize(normal);
+    const bool seen = fabs(scene_vector_dot(normal, camera->back)) > edge_on;
+    for (int k = 0; k < 3; k++) {
+        for (int i = 0; i < 3; i++)
+            points[k][i] = camera->position[i] + (k ? axes[k][i] * camera->half * size[k - 1] / shorter : 0);
+        if (seen)
+            meet(camera, normal, m + 12, points[k]);
+    }
+    spaces->parallel = true;
+    for (int i = 0; i < 3; i++) {
+        const double back = seen ? camera->back[i] * camera->half : normal[i];
+        spaces->rays[0][i] = (float)((seen ? points[0][i] : m[12 + i]) + back);
+        spaces->rays[1][i] = (float)(seen ? points[0][i] - spaces->rays[0][i] : back); /* edge-on: away from it */
+        spaces->rays[2][i] = (float)(seen ? points[1][i] - points[0][i] : 0);
+        spaces->rays[3][i] = (float)(seen ? points[2][i] - points[0][i] : 0);
+    }
 }
 
 /* Of a point, w 1, or a direction, w 0. */

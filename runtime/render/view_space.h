@@ -23,6 +23,10 @@ void view_space_place(ViewSpace *space, const int size[2], const int at[2]);
 /* Lights come section by section, so that a loop has one kind of formula. */
 enum { VIEW_SPACE_POINTS /* and spots, and directional ones */, VIEW_SPACE_AREAS, VIEW_SPACE_SECTIONS };
 
+/* Parallel rays meet a plane in points that are linear in the pixel; so they are seen as well along rays from one point, each of which ends where
+ * its parallel does. Of a plane that is seen edge-on no ray meets it. */
+void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces);
+
 /* Lights but for ambient ones, in texels of four floats, VIEW_SPACE_LIGHT_TEXELS each, and how many each section has.
  *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
  *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine

@@ -34,6 +34,30 @@ static void look(SceneReader *r, const SceneThing *thing, const int params[3], S
     r->fine &= aim == SCENE_AIM_fine;
 }
 
+/* How far behind the camera's own plane the parallel through a corner of the picture meets a plane. */
+static double behind(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane, int corner)
+{
+    const double shorter = scene->width < scene->height ? scene->width : scene->height, *m = plane->m;
+    const double right = (corner & 1 ? 1 : -1) * camera->half * scene->width / shorter;
+    const double up = (corner & 2 ? 1 : -1) * camera->half * scene->height / shorter;
+    double normal[3], from[3];
+    scene_vector_cross(m, m + 4, normal);
+    scene_vector_normalize(normal);
+    for (int i = 0; i < 3; i++)
+        from[i] = m[12 + i] - camera->position[i] - right * camera->right[i] - up * camera->up[i];
+    const double facing = scene_vector_dot(normal, camera->back);
+    return fabs(facing) > 1e-6 ? scene_vector_dot(normal, from) / facing : -INFINITY;
+}
+
+bool scene_camera_sees_planes(const Scene *scene, const SceneCamera *camera)
+{
+    for (int i = 0; i < scene->object_count && camera->kind == SCENE_Orthographic; i++)
+        for (int corner = 0; scene->objects[i].kind == SCENE_Plane && corner < 4; corner++)
+            if (behind(scene, camera, &scene->objects[i].world_from_local, corner) > 0)
+                return false;
+    return true;
+}
+
 void scene_camera_read(SceneReader *r, Tree *tree)
 {
     SceneThing thing;

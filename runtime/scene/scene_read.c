@@ -48,14 +48,18 @@ static void read_shadow_maps(SceneReader *r, Tree *tree)
     r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
 }
 
-/* A plane and a sky are seen along rays from one point. */
+/* A plane that lies in part behind an orthographic camera would be cut there. */
 static void check_rays(SceneReader *r, const SceneThing *document)
 {
     const Scene *scene = r->scene;
-    bool rays = scene->sky >= 0;
-    for (int i = 0; i < scene->object_count; i++)
-        rays |= scene->objects[i].kind == SCENE_Plane;
-    if (!rays || scene->camera.kind == SCENE_Perspective || !r->fine)
+    SceneCamera camera = scene->camera;
+    bool fine = true;
+    for (int frame = 0; fine && frame <= scene->motion.frames; frame++) {
+        fine = scene_camera_sees_planes(scene, &camera);
+        if (frame < scene->motion.frames)
+            scene_motion_camera(scene, frame, scene->motion.frames, &camera);
+    }
+    if (fine || !r->fine)
         return;
     diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);
     r->fine = false;
