@@ -22,7 +22,7 @@ static void set_plane(const Spaces *spaces, const Mat4 *clip_from_world, Materia
 }
 
 /* What the vertex program of a plane takes for clip space: rays that are no longer than to the plane. */
-static Mat4 world_from_clip(const Spaces *spaces, const Mat4 *clip_from_world)
+static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *clip_from_world)
 {
     Mat4 result = mat4_identity();
     if (!spaces->parallel) {
@@ -46,10 +46,10 @@ void spaces_set(const Spaces *spaces, Material *material)
     const Mat3 eye_from_world = mat3_from_mat4(&spaces->eye_from_world);
     const Mat3 normal = mat3_normal(&spaces->world_from_local);
     const Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal); /* a rotation is its own inverse transpose */
-    const Mat4 from_clip = world_from_clip(spaces, &clip_from_world);
+    Mat4 world_from_clip = find_world_from_clip(spaces, &clip_from_world);
     set(material, "matc_worldFromLocal", 16, spaces->world_from_local.m);
     set(material, "matc_clipFromWorld", 16, clip_from_world.m);
-    set(material, "matc_worldFromClip", 16, from_clip.m);
+    set(material, "matc_worldFromClip", 16, world_from_clip.m);
     set(material, "matc_worldNormalFromLocal", 9, normal.m);
     set(material, "matc_eyeNormalFromLocal", 9, eye_normal.m);
     set(material, "matc_eyeFromWorld", 9, eye_from_world.m);

@@ -54,12 +54,12 @@ static void check_rays(SceneReader *r, const SceneThing *document)
     const Scene *scene = r->scene;
     SceneCamera camera = scene->camera;
     bool fine = true;
-    for (int frame = 0; fine && frame <= scene->motion.frames; frame++) {
+    for (int frame = 0; r->fine && fine && frame <= scene->motion.frames; frame++) {
         fine = scene_camera_sees_planes(scene, &camera);
         if (frame < scene->motion.frames)
             scene_motion_camera(scene, frame, scene->motion.frames, &camera);
     }
-    if (fine || !r->fine)
+    if (fine)
         return;
     diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);
     r->fine = false;
