@@ -188,7 +188,9 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
 
 static void put_vector(Text *out, const char *name, const double v[3])
 {
-    text_format(out, ", \"%s\": [", name);
+    text_put(out, ", ");
+    json_key(out, name);
+    text_char(out, '[');
     for (int i = 0; i < 3; i++) {
         text_put(out, i ? ", " : "");
         text_double(out, v[i]);
