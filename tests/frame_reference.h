@@ -171,14 +171,14 @@ static void reference_triangle(const SceneObject *object, const Shape *shape, un
 }
 
 /* z = 0 of the object's space. */
-static void reference_plane(const SceneObject *object, const Ray *world, Hit *hit)
+static void reference_plane(const SceneObject *object, const Ray *world, double behind, Hit *hit)
 {
     static const double z[3] = {0, 0, 1}, axes[2][3] = {{1, 0, 0}, {0, 1, 0}};
     Ray ray;
     reference_preimage(&object->world_from_local, world->at, 1, ray.at);
     reference_preimage(&object->world_from_local, world->way, 0, ray.way);
     const double distance = -ray.at[2] / ray.way[2];
-    if (!(distance > 0) || distance >= hit->distance)
+    if (!(distance > behind) || distance >= hit->distance)
         return;
     hit->distance = distance;
     hit->front = ray.way[2] < 0;
@@ -193,7 +193,8 @@ static void reference_plane(const SceneObject *object, const Ray *world, Hit *hi
     memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }
 
-static Hit reference_hit(const Tracer *tracer, const Ray *ray)
+/* Behind a distance, as multiples of the ray's direction. */
+static Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind)
 {
     const Scene *scene = tracer->scene;
     Hit hit = {.distance = INFINITY, .object = -1};
@@ -204,6 +205,7 @@ static Hit reference_hit(const Tracer *tracer, const Ray *ray)
                                       .dir_x = (float)ray->way[0],
                                       .dir_y = (float)ray->way[1],
                                       .dir_z = (float)ray->way[2],
+                                      .tnear = (float)behind,
                                       .tfar = INFINITY,
                                       .mask = ~0u},
                               .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
@@ -216,7 +218,7 @@ static Hit reference_hit(const Tracer *tracer, const Ray *ray)
     for (int i = 0; i < scene->object_count; i++) {
         const double before = hit.distance;
         if (scene->objects[i].kind == SCENE_Plane)
-            reference_plane(&scene->objects[i], ray, &hit);
+            reference_plane(&scene->objects[i], ray, behind, &hit);
         hit.object = hit.distance < before ? i : hit.object;
     }
     return hit;
@@ -254,11 +256,19 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
     return s <= 0 ? 0 : s >= 1 ? 1 / square : s * s * (3 - 2 * s) / square;
 }
 
-/* Light of a parallelogram: what its radiance is times for each lane. */
+/* What transparency leaves of diffuse and specular. */
+static double reference_kept(const SlotValues *slots, int lane)
+{
+    return slots->lane[SLOT_interpolatedTransparency][0] != 0 ? 1 - slots->lane[SLOT_transparency][lane] : 1;
+}
+
+/* Light of a parallelogram: what its radiance is times for each lane. What comes straight through has no cosine but its power's, and comes
+ * from a parallelogram that is all behind the surface. */
 static void reference_area(const SceneLight *light, const Hit *hit, const double reflected[3], const SlotValues *slots,
                            double shares[3])
 {
-    AreaCase c = {.both_sides = light->both_sides}, behind;
+    AreaCase c = {.both_sides = light->both_sides}, behind, on;
+    const double *n = slots->lane[SLOT_normal];
     for (int i = 0; i < 3; i++) {
         c.corner[i] = light->position[i] - hit->world[i];
         c.u[i] = light->edges[0][i];
@@ -269,17 +279,26 @@ static void reference_area(const SceneLight *light, const Hit *hit, const double
     behind = c;
     for (int i = 0; i < 3; i++)
         behind.normal[i] = -c.normal[i];
+    on = behind;
+    for (int i = 0; i < 3; i++)
+        on.normal[i] = on.w[i] = reflected[i] - 2 * reference_dot(reflected, n) * n[i];
+    on.exponent = fmax(slots->lane[SLOT_transparencyShininess][0] - 1, 0);
     c.exponent = slots->lane[SLOT_shininess][0];
     const double front = area_lambert(&c), back = area_lambert(&behind);
     const double lobe = slots->lane[SLOT_specular][0] <= 0 ? 0
                         : c.exponent == floor(c.exponent)  ? area_moment(&c)
                                                            : area_integral(&c);
+    const double straight =
+        slots->lane[SLOT_transparency][0] <= 0 || area_lambert(&behind) <= 0 ? 0 : area_integral(&on);
     for (int i = 0; i < 3; i++)
-        shares[i] = slots->lane[SLOT_diffuse][i] * front + slots->lane[SLOT_specular][i] * lobe +
-                    slots->lane[SLOT_diffuseTransparency][i] * back;
+        shares[i] =
+            reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] * front + slots->lane[SLOT_specular][i] * lobe) +
+            slots->lane[SLOT_diffuseTransparency][i] * back + slots->lane[SLOT_transparency][i] * straight;
 }
 
-/* semantics.md 4.1, of an opaque surface: emissive, ambient L; (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side, |n.l| k L on the other. */
+/* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are what transparency leaves of diffuse and
+ * specular where it is interpolated. emissive, ambient L; (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side; on the other |n.l| k L, and
+ * t max(T.l, 0)^m L, where T is the way on and m the exponent of transparencyShininess: the greatest one is Dirac's, 0 the ray tracer's sum. */
 static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, const SlotValues *slots, double sum[3])
 {
     double view[3], n[3], reflected[3], l[3];
@@ -301,13 +320,16 @@ static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, 
         }
         const double arrives = reference_arrives(light, hit->world, l), cosine = reference_dot(n, l);
         const double lobe = pow(fmax(reference_dot(reflected, l), 0), slots->lane[SLOT_shininess][0]);
+        const double on = pow(fmax(reference_dot(view, l), 0), slots->lane[SLOT_transparencyShininess][0]);
         for (int i = 0; i < 3; i++) {
-            const double front = slots->lane[SLOT_diffuse][i] + slots->lane[SLOT_specular][i] * lobe;
+            const double t = slots->lane[SLOT_transparency][i];
+            const double front =
+                reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] + slots->lane[SLOT_specular][i] * lobe);
+            const double back = slots->lane[SLOT_diffuseTransparency][i] * fabs(cosine) + t * on;
             if (light->kind == SCENE_Ambient)
                 sum[i] += slots->lane[SLOT_ambient][i] * light->light[i];
             else
-                sum[i] += fabs(cosine) * (cosine > 0 ? front : slots->lane[SLOT_diffuseTransparency][i]) *
-                          light->light[i] * arrives;
+                sum[i] += (cosine > 0 ? cosine * front : back) * light->light[i] * arrives;
         }
     }
 }
@@ -329,19 +351,43 @@ static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions 
         sum[i] = slots.lane[SLOT_diffuse][i] + slots.lane[SLOT_emissive][i];
 }
 
-static void reference_pixel(const Scene *scene, const Hit *hit, const Ray *ray, const MatcOptions *options,
-                            double sum[3])
+/* A surface's light, [0], and the share of what is behind it that passes, [1]. */
+static void reference_layer(const Scene *scene, const Hit *hit, const Ray *ray, const MatcOptions *options,
+                            double layer[2][3])
 {
     SlotValues slots;
-    memset(sum, 0, 3 * sizeof *sum);
-    if (hit->object < 0 && scene->sky >= 0)
-        reference_sky(scene, ray, options, sum);
-    if (hit->object < 0)
-        return;
     const SceneMaterial *material = &scene->materials[scene->objects[hit->object].material];
     const Surface surface = reference_surface(hit);
     evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1}, &slots);
-    reference_shade(scene, hit, ray, &slots, sum);
+    reference_shade(scene, hit, ray, &slots, layer[0]);
+    memcpy(layer[1], slots.lane[SLOT_transparency], sizeof layer[1]);
+}
+
+enum { REFERENCE_LAYERS = 64 };
+
+/* Front to back, until nothing passes, the sky last. Returns how many surfaces count, and behind them what ends it. */
+static int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],
+                           Hit hits[REFERENCE_LAYERS])
+{
+    const Scene *scene = tracer->scene;
+    double passes[3] = {1, 1, 1}, layer[2][3], behind = 0;
+    int count = 0;
+    memset(sum, 0, 3 * sizeof *sum);
+    while (passes[0] + passes[1] + passes[2] > 0 && count < REFERENCE_LAYERS) {
+        const Hit *hit = &hits[count];
+        hits[count++] = reference_hit(tracer, ray, behind);
+        behind = hit->distance * (1 + 1e-5);
+        memset(layer, 0, sizeof layer);
+        if (hit->object >= 0)
+            reference_layer(scene, hit, ray, options, layer);
+        else if (scene->sky >= 0)
+            reference_sky(scene, ray, options, layer[0]);
+        for (int i = 0; i < 3; i++) {
+            sum[i] += passes[i] * layer[0][i];
+            passes[i] *= layer[1][i];
+        }
+    }
+    return count;
 }
 
 /* Another object, or another face of it. */
@@ -405,14 +451,18 @@ static void reference_close(Tracer *tracer)
     rtcReleaseDevice(tracer->device);
 }
 
-/* Whether a pixel's neighbours meet something else. */
-static bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hit)
+/* Whether a pixel's neighbours meet something else, in any layer that counts. */
+static bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hits, int count)
 {
     for (int k = 0; k < 9; k++) {
         const Ray ray = reference_ray(tracer->scene, x + k % 3 - .5, y + k / 3 - .5);
-        const Hit other = reference_hit(tracer, &ray);
-        if (reference_differs(hit, &other))
-            return true;
+        double behind = 0;
+        for (int i = 0; i < count; i++) {
+            const Hit other = reference_hit(tracer, &ray, behind);
+            if (reference_differs(&hits[i], &other))
+                return true;
+            behind = other.distance * (1 + 1e-5);
+        }
     }
     return false;
 }
@@ -421,11 +471,11 @@ static bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hit
 static inline Sample reference_sample(const Tracer *tracer, int x, int y, const MatcOptions *options)
 {
     Sample sample;
+    Hit hits[REFERENCE_LAYERS];
     const Ray ray = reference_ray(tracer->scene, x + .5, y + .5);
-    const Hit hit = reference_hit(tracer, &ray);
-    sample.nothing = hit.object < 0;
-    sample.edge = reference_is_edge(tracer, x, y, &hit);
-    reference_pixel(tracer->scene, &hit, &ray, options, sample.light);
+    const int count = reference_pixel(tracer, &ray, options, sample.light, hits);
+    sample.nothing = hits[0].object < 0;
+    sample.edge = reference_is_edge(tracer, x, y, hits, count);
     return sample;
 }
 #endif

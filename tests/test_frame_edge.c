@@ -76,7 +76,7 @@ static bool reference(const EdgeCase *c, const Tracer *tracer, const int at[2], 
     for (int i = 0; i < SAMPLES * SAMPLES; i++) {
         const Ray ray =
             reference_ray(scene, at[0] + (i % SAMPLES + .5) / SAMPLES, at[1] + (i / SAMPLES + .5) / SAMPLES);
-        const int object = reference_hit(tracer, &ray).object;
+        const int object = reference_hit(tracer, &ray, 0).object;
         edge |= first > -2 && object != first;
         first = object;
         for (int lane = 0; lane < 3; lane++)

@@ -33,7 +33,7 @@ static bool is_behind_plane(const Scene *scene, const double from[3], const doub
     memcpy(ray.way, way, sizeof ray.way);
     for (int i = 0; i < scene->object_count; i++)
         if (scene->objects[i].kind == SCENE_Plane)
-            reference_plane(&scene->objects[i], &ray, &hit);
+            reference_plane(&scene->objects[i], &ray, 0, &hit);
     return hit.distance < distance;
 }
 
@@ -146,9 +146,9 @@ static bool sides_agree(const SceneLight *light, const Hit *hit)
 static void add_pixel(const Tracer *tracer, int pixel, double share, Count *count)
 {
     const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);
-    const Hit hit = reference_hit(tracer, &ray);
+    const Hit hit = reference_hit(tracer, &ray, 0);
     if (hit.object < 0 || !sides_agree(&tracer->scene->lights[0], &hit) ||
-        reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit))
+        reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit, 1))
         return;
     const int expected = share_of(tracer, &hit);
     count->band += expected < 0;
@@ -268,7 +268,7 @@ static bool has_step(const Tracer *tracer, int pixel, const Hit *hit)
 {
     for (int k = 0; k < 9; k++) {
         const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + k % 3 - .5, pixel / WIDTH + k / 3 - .5);
-        const Hit other = reference_hit(tracer, &ray);
+        const Hit other = reference_hit(tracer, &ray, 0);
         if (other.object < 0 ||
             (other.object != hit->object && fabs(other.distance - hit->distance) > .03 * hit->distance))
             return true;
@@ -280,7 +280,7 @@ static bool has_step(const Tracer *tracer, int pixel, const Hit *hit)
 static void add_dark(const Tracer *tracer, int pixel, double share, Count *count)
 {
     const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);
-    const Hit hit = reference_hit(tracer, &ray);
+    const Hit hit = reference_hit(tracer, &ray, 0);
     if (hit.object < 0 || has_step(tracer, pixel, &hit))
         return;
     count->lit++;

@@ -32,6 +32,7 @@
     F(DELETETEXTURES, DeleteTextures)                                                                                  \
     F(DELETEVERTEXARRAYS, DeleteVertexArrays)                                                                          \
     F(DEPTHFUNC, DepthFunc)                                                                                            \
+    F(DEPTHMASK, DepthMask)                                                                                            \
     F(DEPTHRANGE, DepthRange)                                                                                          \
     F(DISABLE, Disable)                                                                                                \
     F(DRAWARRAYS, DrawArrays)                                                                                          \
@@ -51,10 +52,12 @@
     F(GENTEXTURES, GenTextures)                                                                                        \
     F(GENVERTEXARRAYS, GenVertexArrays)                                                                                \
     F(GETACTIVEUNIFORM, GetActiveUniform)                                                                              \
+    F(GETBUFFERSUBDATA, GetBufferSubData)                                                                              \
     F(GETERROR, GetError)                                                                                              \
     F(GETINTEGERV, GetIntegerv)                                                                                        \
     F(GETPROGRAMINFOLOG, GetProgramInfoLog)                                                                            \
     F(GETPROGRAMIV, GetProgramiv)                                                                                      \
+    F(GETQUERYOBJECTUIV, GetQueryObjectuiv)                                                                            \
     F(GETSHADERINFOLOG, GetShaderInfoLog)                                                                              \
     F(GETSHADERIV, GetShaderiv)                                                                                        \
     F(GETSTRING, GetString)                                                                                            \
@@ -88,6 +91,7 @@
 #define GL_OPTIONAL_FUNCTIONS(F)                                                                                       \
     F(BINDBUFFERBASE, BindBufferBase)                                                                                  \
     F(BINDIMAGETEXTURE, BindImageTexture)                                                                              \
+    F(CLEARBUFFERSUBDATA, ClearBufferSubData)                                                                          \
     F(CLIPCONTROL, ClipControl)                                                                                        \
     F(DISPATCHCOMPUTE, DispatchCompute)                                                                                \
     F(DRAWELEMENTSINSTANCEDBASEINSTANCE, DrawElementsInstancedBaseInstance)                                            \

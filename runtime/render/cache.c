@@ -25,7 +25,8 @@ typedef struct {
     const CacheSource *source;
     Cache *before, *cache;
     Known meshes, kinds;
-    Key *file_keys;        /* of the scene's meshes */
+    Key *file_keys; /* of the scene's meshes */
+    TransparencyText transparency;
     int *kind_of, *row_of; /* by material; kind_of -1: not met */
 } Maker;
 
@@ -104,7 +105,9 @@ static int mesh_of(Maker *m, const SceneObject *object)
 static bool make_material(Maker *m, const SetProgram *program, Material *made)
 {
     const Set *set = m->source->set;
-    const ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
+    ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
+    if (program->transparent)
+        transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
     return material_make(m->store, program->program, &text, made);
 }
 
@@ -154,9 +157,10 @@ static int add_kind(Maker *m, const SetProgram *program, CacheKind *kind)
 static int kind_of(Maker *m, int material)
 {
     CacheKind kind = {.numbers = 0};
+    const SetProgram *program = set_find(m->source->set, material, "gbuffer");
     if (m->cache->instances && m->kind_of[material] >= 0)
         return m->kind_of[material];
-    const SetProgram *program = set_find(m->source->set, material, "gbuffer");
+    kind.transparent = program->transparent;
     if (!make_material(m, program, &kind.material))
         return -1;
     m->row_of[material] = program->row;
@@ -173,6 +177,7 @@ static bool add_surface(Maker *m, int number)
         return false;
     place.row = m->row_of[object->material];
     place.program = m->cache->kinds[place.kind].material.program->name;
+    place.transparent = m->cache->kinds[place.kind].transparent;
     m->cache->triangles += m->cache->meshes[place.mesh].index_count / 3;
     m->cache->places[m->cache->place_count++] = place;
     return true;
@@ -182,10 +187,13 @@ static bool add_plane(Maker *m, int number)
 {
     CachePlane *plane = &m->cache->planes[m->cache->plane_count];
     const int material = m->source->scene->objects[number].material;
+    const SetProgram *program = set_find(m->source->set, material, "plane");
     plane->object = number;
-    if (!make_material(m, set_find(m->source->set, material, "plane"), &plane->material))
+    plane->transparent = program->transparent;
+    if (!make_material(m, program, &plane->material))
         return false;
     m->cache->plane_count++;
+    m->cache->opaque_plane_count += !plane->transparent;
     return true;
 }
 
@@ -206,7 +214,9 @@ static bool make_sky(Maker *m)
 {
     Cache *cache = m->cache;
     const int sky = m->source->scene->sky;
-    cache->has_sky = sky >= 0 && make_material(m, set_find(m->source->set, sky, "sky"), &cache->sky);
+    SetProgram program = sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
+    program.transparent = false; /* nothing is behind it */
+    cache->has_sky = sky >= 0 && make_material(m, &program, &cache->sky);
     return sky < 0 || cache->has_sky;
 }
 
@@ -266,6 +276,7 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
 {
     Maker maker = {.store = store, .gl = store_context(store), .source = source, .before = before, .cache = made};
     *made = (Cache){.instances = source->set->instances};
+    transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
                       cache_arrange(maker.gl, source, made);
     forget(&maker);

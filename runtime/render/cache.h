@@ -4,12 +4,13 @@
 #define MATC_RENDER_CACHE_H
 #include "runtime/gl/mesh.h"
 #include "runtime/render/cull.h"
-#include "runtime/render/set.h"
+#include "runtime/render/transparency.h"
 #include "runtime/render/view_space.h"
 
 /* Materials that are drawn alike but for their numbers: one program, the same textures and uniforms. */
 typedef struct {
     Material material; /* without instances: with an object's matrices */
+    bool transparent;  /* at least in places */
     GLuint numbers;    /* buffer of the numbers of all materials of the program; 0: there are none */
 } CacheKind;
 
@@ -26,12 +27,13 @@ typedef struct {
     int object;          /* in Scene.objects */
     int kind, mesh, row; /* `row`: of the kind's numbers */
     GLuint program;
-    bool mirrored;
+    bool transparent, mirrored;
 } CachePlace;
 
 typedef struct {
     Material material;
     int object;
+    bool transparent;
 } CachePlane;
 
 typedef struct {
@@ -44,13 +46,14 @@ typedef struct {
     CullBox *boxes; /* of the meshes */
     Key *mesh_keys; /* of what they are made of */
     int mesh_count;
-    CachePlace *places; /* of the objects but planes, sorted by program, kind, mesh */
+    CachePlace *places; /* of the objects but planes, opaque ones first, sorted by program, kind, mesh */
     int place_count;
     int *place_of; /* by object; -1: it has none */
     Drawable *surfaces;
     int surface_count;
+    int opaque_count; /* of these; the others are transparent, at least in places */
     CachePlane *planes;
-    int plane_count;
+    int plane_count, opaque_plane_count;
     Material sky;
     bool has_sky;
     long triangles; /* of all surfaces */
@@ -65,6 +68,7 @@ typedef struct {
     const ViewSpace *space;
     const CullVolume *volume; /* what is seen; NULL: all */
     const int *size;          /* of the picture, in pixels */
+    Transparency transparency;
 } CacheSource;
 
 /* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */
@@ -80,6 +84,6 @@ bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int firs
 bool cache_set(const CacheSource *source, Cache *cache, int material, const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
-/* Draws the surfaces in view, each with its program. */
-void cache_draw(GlContext *gl, Cache *cache);
+/* Draws the surfaces in view, each with its program: those that are opaque, or the others. */
+void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 #endif

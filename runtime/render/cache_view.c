@@ -7,10 +7,12 @@
 
 /* -- objects */
 
-/* A change of program costs most, then one of textures and numbers, then one of the mesh. */
+/* Opaque ones first. A change of program costs most, then one of textures and numbers, then one of the mesh. */
 static int compare(const void *a, const void *b)
 {
     const CachePlace *x = a, *y = b;
+    if (x->transparent != y->transparent)
+        return x->transparent ? 1 : -1;
     if (x->program != y->program)
         return x->program < y->program ? -1 : 1;
     if (x->kind != y->kind)
@@ -26,7 +28,7 @@ static bool is_mirrored(const SceneObject *object) { return scene_matrix_determi
 
 static void find_groups(Cache *cache)
 {
-    cache->surface_count = 0;
+    cache->surface_count = cache->opaque_count = 0;
     for (int i = 0; i < cache->place_count; i++) {
         const CachePlace *place = &cache->places[i];
         Drawable *last = &cache->surfaces[cache->surface_count - (cache->surface_count > 0)];
@@ -34,6 +36,8 @@ static void find_groups(Cache *cache)
             cache->surfaces[cache->surface_count++] = (Drawable){place->kind, place->mesh, place->mirrored, i, 1, 0, 0};
         else
             last->count++;
+        if (!place->transparent)
+            cache->opaque_count = cache->surface_count;
         cache->place_of[place->object] = i;
         cache->list[i] = (uint32_t)i;
     }
@@ -199,15 +203,17 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
 
 /* -- drawing */
 
-void cache_draw(GlContext *gl, Cache *cache)
+void cache_draw(GlContext *gl, Cache *cache, bool transparent)
 {
+    const int first = transparent ? cache->opaque_count : 0;
+    const int end = transparent ? cache->surface_count : cache->opaque_count;
     const Material *before = NULL;
     bool mirrored = false;
     if (cache->instances) {
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, cache->matrices);
         gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, cache->view);
     }
-    for (int i = 0; i < cache->surface_count; i++) {
+    for (int i = first; i < end; i++) {
         const Drawable *drawable = &cache->surfaces[i];
         CacheKind *kind = &cache->kinds[drawable->kind];
         if (!drawable->seen)

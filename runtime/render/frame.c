@@ -7,6 +7,8 @@
 #define SHADOW  (1u << FRAME_TARGET_shadow)
 #define LIGHT   (1u << FRAME_TARGET_light)
 #define EDGE    (1u << FRAME_TARGET_edge)
+#define LISTS   (1u << FRAME_TARGET_lists)
+#define LAYER   (1u << FRAME_TARGET_layer | 1u << FRAME_TARGET_layer_depth | 1u << FRAME_TARGET_layer_keys)
 #define SHOWN   (1u << FRAME_TARGET_shown)
 
 const FramePass frame_passes[] = {
@@ -15,35 +17,66 @@ const FramePass frame_passes[] = {
      pass_surface_needed,
      NULL,
      pass_surface_draw,
-     "always: what is not drawn is clear"},
-    {{"plane", 0, 0, DEPTH | GBUFFER}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane"},
+     "always: what is not drawn is clear",
+     NULL},
+    {{"plane", 0, 0, DEPTH | GBUFFER}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane", NULL},
+    {{"lists", DEPTH, LISTS, 0},
+     pass_lists_needed,
+     pass_lists_make,
+     pass_lists_draw,
+     "something is transparent, and there is OpenGL 4.3",
+     pass_lists_count},
     {{"shadow", 0, SHADOW, 0},
      pass_shadow_needed,
      pass_shadow_make,
      pass_shadow_draw,
-     "a light's shadows are cast; once, then they are kept"},
+     "a light's shadows are cast; once, then they are kept",
+     NULL},
     {{"light", DEPTH | GBUFFER | SHADOW, LIGHT, 0},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
-     "always: what is not lit is black"},
-    {{"sky", DEPTH, 0, LIGHT}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky"},
-    {{"edge", DEPTH, EDGE, 0}, pass_edge_needed, pass_edge_make, pass_edge_draw, "edges are blended by coverage"},
-    {{"tone", LIGHT | EDGE, SHOWN, 0}, pass_light_needed, pass_tone_make, pass_tone_draw, "the picture is wanted"},
+     "always: what is not lit is black",
+     NULL},
+    {{"sky", DEPTH, 0, LIGHT}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky", NULL},
+    {{"blend", LISTS, 0, LIGHT}, pass_lists_needed, pass_blend_make, pass_blend_draw, "there are lists", NULL},
+    {{"peel", DEPTH, LAYER, LIGHT},
+     pass_peel_needed,
+     pass_peel_make,
+     pass_peel_draw,
+     "something is transparent, and there are no lists",
+     pass_peel_count},
+    {{"edge", DEPTH, EDGE, 0}, pass_edge_needed, pass_edge_make, pass_edge_draw, "edges are blended by coverage", NULL},
+    {{"tone", LIGHT | EDGE, SHOWN, 0},
+     pass_light_needed,
+     pass_tone_make,
+     pass_tone_draw,
+     "the picture is wanted",
+     NULL},
 };
 enum { PASS_COUNT_HERE = sizeof frame_passes / sizeof *frame_passes };
 
 int frame_pass_count(void) { return PASS_COUNT_HERE; }
 
-/* Two targets can share memory if both are one texture of one format. */
+static bool alike(const Render *render, FrameTarget a, FrameTarget b)
+{
+    int texture = 0;
+    const char *x = frame_format(render, a, 0), *y = frame_format(render, b, 0);
+    while (x && y && !strcmp(x, y)) {
+        texture++;
+        x = frame_format(render, a, texture);
+        y = frame_format(render, b, texture);
+    }
+    return texture && !x && !y;
+}
+
+/* Two targets can share memory if they have the same textures. */
 static int class_of(const Render *render, FrameTarget target)
 {
-    const bool alone = target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_shadow;
-    for (int other = 0; !alone && other < (int)target; other++)
-        if (other != FRAME_TARGET_gbuffer && other != FRAME_TARGET_shadow &&
-            !strcmp(frame_format(render, (FrameTarget)other, 0), frame_format(render, target, 0)))
-            return other;
-    return (int)target;
+    int first = 0;
+    while (first < (int)target && (target == FRAME_TARGET_shadow || !alike(render, (FrameTarget)first, target)))
+        first++;
+    return first;
 }
 
 /* -- the plan */
@@ -158,6 +191,51 @@ static void set_size(Render *render)
     view_space_place(&render->space, render->whole, render->at);
 }
 
+void frame_place(Render *render)
+{
+    view_space_place(&render->space, render->whole, render->at);
+    lighting_place(render, &render->light);
+    pass_edge_place(render);
+    pass_tone_place(render);
+    lighting_place(render, &render->blend);
+    lighting_place(render, &render->peel);
+}
+
+static void draw_depth(Render *render)
+{
+    for (int i = 0; i < PASS_COUNT_HERE; i++)
+        if (render->plan.runs >> i & 1 && (frame_passes[i].plan.fills | frame_passes[i].plan.changes) & DEPTH)
+            frame_passes[i].draw(render);
+}
+
+static bool count_tiles(Render *render, bool (*count)(Render *render, FrameCount step))
+{
+    const int at[2] = {render->at[0], render->at[1]}, margin = render->margin;
+    const int step[2] = {render->size[0] - 2 * margin, render->size[1] - 2 * margin};
+    bool fine = true;
+    for (int y = 0; fine && y < render->whole[1]; y += step[1])
+        for (int x = 0; fine && x < render->whole[0]; x += step[0]) {
+            render->at[0] = x - margin;
+            render->at[1] = y - margin;
+            frame_place(render);
+            draw_depth(render);
+            fine = count(render, FRAME_COUNT_tile);
+        }
+    memcpy(render->at, at, sizeof at);
+    frame_place(render);
+    return fine;
+}
+
+bool frame_count(Render *render)
+{
+    bool fine = true;
+    for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
+        if (render->plan.runs >> i & 1 && frame_passes[i].count)
+            fine = frame_passes[i].count(render, FRAME_COUNT_begin) && count_tiles(render, frame_passes[i].count) &&
+                   frame_passes[i].count(render, FRAME_COUNT_end);
+    return fine;
+}
+
 bool frame_make(Render *render)
 {
     FramePlanPass rows[FRAME_PLAN_MOST];
@@ -171,15 +249,17 @@ bool frame_make(Render *render)
     for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
         if (render->plan.runs >> i & 1 && frame_passes[i].make)
             fine = frame_passes[i].make(render);
-    return fine;
+    return fine && frame_count(render);
 }
 
 bool frame_change(Render *render, unsigned what)
 {
-    const bool lit = render->light.material.store != NULL;
-    if (what & RENDER_CAMERA && !pass_edge_change(render))
-        return false;
-    return !lit || !(what & (RENDER_CAMERA | RENDER_LIGHTS)) || lighting_change(render, &render->light);
+    ScreenPass *passes[] = {&render->light, &render->blend, &render->peel};
+    bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
+    for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
+        if (fine && passes[i]->material.store)
+            fine = lighting_change(render, passes[i]);
+    return fine;
 }
 
 void frame_draw(Render *render)
@@ -187,14 +267,6 @@ void frame_draw(Render *render)
     for (int i = 0; i < PASS_COUNT_HERE; i++)
         if (render->plan.runs >> i & 1)
             frame_passes[i].draw(render);
-}
-
-void frame_place(Render *render)
-{
-    view_space_place(&render->space, render->whole, render->at);
-    lighting_place(render, &render->light);
-    pass_edge_place(render);
-    pass_tone_place(render);
 }
 
 void frame_delete(Render *render)
@@ -205,6 +277,9 @@ void frame_delete(Render *render)
     pass_edge_delete(render);
     measure_delete(gl, &render->measured);
     measure_delete(gl, &render->adapted);
+    screen_pass_delete(&render->blend);
+    pass_lists_delete(render);
+    pass_peel_delete(render);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
         framebuffer_delete(gl, &render->draws[draw]);
     for (int piece = 0; piece < FRAME_PLAN_MOST; piece++) {

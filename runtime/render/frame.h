@@ -13,8 +13,12 @@ typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
+    FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_light,
     FRAME_TARGET_edge,
+    FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
+    FRAME_TARGET_layer_depth,
+    FRAME_TARGET_layer_keys, /* of two layers */
     FRAME_TARGET_shown,
     FRAME_TARGET_COUNT
 } FrameTarget;
@@ -59,6 +63,15 @@ typedef struct {
     int count;    /* of lines */
 } FrameEdge;
 
+/* Of pass_lists.c. */
+typedef struct {
+    GLuint buffer;
+    GLuint fragments; /* that it has room for: as many as there are */
+    size_t bytes;
+    int depth_unit; /* where the programs of planes find the depth of what is opaque */
+    bool full;      /* they would take more than there may be */
+} FrameLists;
+
 struct Render {
     GlContext *gl;
     Store *store;
@@ -70,6 +83,7 @@ struct Render {
     int at[2];    /* the targets' lower left corner in it */
     int margin;   /* pixels around a tile that its edges look at */
     bool compute, zero_to_one;
+    Transparency transparency;
     Set set;
     ViewSpace space;
     CullVolume volume; /* what is in view */
@@ -80,7 +94,12 @@ struct Render {
     FrameMemory memory[FRAME_PLAN_MOST];
     Framebuffer draws[FRAME_DRAW_COUNT];
     Measure measured, adapted; /* what tone mapping asks of the picture, and of what it makes of that */
-    ScreenPass light, tone;
+    ScreenPass light, tone, blend, peel;
+    FrameLists lists;
+    Framebuffer layers[2]; /* that are peeled, in turns */
+    int layer_count;
+    bool uncounted;    /* fragments and layers, since the scene changed */
+    int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
     FrameEdge edge;
     GLuint lights; /* texels of view_space_lights */
     int light_counts[VIEW_SPACE_SECTIONS];
@@ -96,6 +115,9 @@ bool light_sky_make(Render *render);
 void light_sky_set(const Render *render, int unit, ScreenPass *pass);
 void light_sky_bind(const Render *render, int unit);
 
+/* Counting begins, goes on in each tile, where the depth of what is opaque is drawn then, and ends. */
+typedef enum { FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_end } FrameCount;
+
 /* A pass, as a row: frame.c has the list. */
 typedef struct {
     FramePlanPass plan;
@@ -103,6 +125,8 @@ typedef struct {
     bool (*make)(Render *render);         /* its programs; NULL: the cache has them */
     void (*draw)(Render *render);
     const char *when; /* it is needed, in words */
+    /* How much there is to do, where that is counted, and counted again when the scene has changed; or NULL. */
+    bool (*count)(Render *render, FrameCount step);
 } FramePass;
 
 extern const FramePass frame_passes[];
@@ -116,12 +140,14 @@ int frame_all_bytes(const Render *render);                   /* of a pixel, in a
 const char *frame_target_name(FrameTarget target);
 
 /* Draws to these targets from now on, by the picture's coordinates. */
-void frame_use(const Render *render, FrameDraw draw);
+void frame_use(const Render *render, const Framebuffer *framebuffer);
 /* Tells the passes where the tile is. */
 void frame_place(Render *render);
 
 /* Decides what runs, and makes targets and programs of that. */
 bool frame_make(Render *render);
+/* Counts what there is to do; the scene has changed. */
+bool frame_count(Render *render);
 void frame_draw(Render *render);
 /* Brings up to date what depends on that (a sum of RenderChange), but for the cache. */
 bool frame_change(Render *render, unsigned what);
@@ -151,11 +177,51 @@ bool pass_edge_change(Render *render);
 void pass_edge_place(Render *render);
 void pass_edge_draw(Render *render);
 void pass_edge_delete(Render *render);
+/* The choice can be met. False: see the context's error. */
+bool transparency_check(GlContext *gl, const RenderOptions *options);
+/* Lists, if nothing else is wanted, and there are some. */
+Transparency transparency_first(const Render *render);
+/* Lists would take more than there may be, and are not insisted on. */
+bool transparency_falls_back(const Render *render);
+/* A line on the lists' memory. */
+void transparency_put_lists(Text *out, const Render *render);
+/* Something is transparent, and that is how it is drawn. */
+bool transparency_is(const Render *render, Transparency way);
+/* Sets a number of all programs of what is transparent. */
+void transparency_set(Render *render, const char *name, float number);
+/* The last units that the driver has, for textures of the passes, number 0 and 1. False: a material takes them. */
+bool transparency_units(Render *render, int units[2]);
+bool pass_lists_needed(const Render *render);
+bool pass_lists_make(Render *render);
+bool pass_lists_count(Render *render, FrameCount step);
+bool pass_peel_count(Render *render, FrameCount step);
+void pass_lists_draw(Render *render);
+void pass_lists_delete(Render *render);
+bool pass_blend_make(Render *render);
+void pass_blend_draw(Render *render);
+bool pass_peel_needed(const Render *render);
+bool pass_peel_make(Render *render);
+void pass_peel_draw(Render *render);
+void pass_peel_delete(Render *render);
 bool pass_tone_make(Render *render);
 void pass_tone_draw(Render *render);
 
-/* A pass that lights surfaces: `body` is its own GLSL, behind what reads the G-buffer, the surface model and lighting.glsl. */
-bool lighting_make(Render *render, const char *body, ScreenPass *made);
+/* What surfaces are drawn with: the framebuffer and the depth test; then the state of a context that begins. */
+void pass_surface_begin(const Render *render, const Framebuffer *framebuffer, GLenum test);
+void pass_surface_end(const Render *render);
+/* Draws the planes that are opaque, or the others. */
+void pass_plane_planes(Render *render, bool transparent);
+
+/* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
+typedef struct {
+    const char *body[2];
+    bool over; /* it is passOver() */
+} LightingText;
+enum {
+    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 6,
+    LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
+};
+bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
 void pass_tone_place(Render *render);

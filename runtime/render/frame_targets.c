@@ -2,7 +2,8 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow", "light", "edge", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",  "lists",    "light",
+                                                      "edge",  "layer",   "layer.z", "layer.id", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -30,10 +31,13 @@ static const char *shown_format(const Render *render)
 const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
     const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] = "DEPTH32F",
+                                                 [FRAME_TARGET_layer_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = is_exact(render) ? "RGBA32F" : "RGBA16F",
                                                  [FRAME_TARGET_edge] = "R32UI",
                                                  [FRAME_TARGET_shown] = shown_format(render)};
-    if (target == FRAME_TARGET_gbuffer)
+    if (target == FRAME_TARGET_layer_keys)
+        return texture < 2 ? "RG32UI" : NULL;
+    if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)
         return texture < FRAMEBUFFER_COLORS ? set_format(&render->set, texture) : NULL;
     return texture == 0 ? one[target] : NULL;
 }
@@ -77,8 +81,8 @@ GLuint frame_texture(const Render *render, FrameTarget target, int texture)
     return piece < 0 ? 0 : render->memory[piece].textures[texture];
 }
 
-void frame_use(const Render *render, FrameDraw draw)
+void frame_use(const Render *render, const Framebuffer *framebuffer)
 {
-    framebuffer_use(render->gl, &render->draws[draw]);
+    framebuffer_use(render->gl, framebuffer);
     render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
 }

@@ -73,7 +73,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     shadow_samplers(pass, SHADOW_UNIT);
 }
 
-bool lighting_make(Render *render, const char *body, ScreenPass *made)
+bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
     char defined[SHADOW_DEFINITIONS];
     if ((!render->lights && !write_lights(render)) || !shadow_make_tables(render))
@@ -84,9 +84,11 @@ bool lighting_make(Render *render, const char *body, ScreenPass *made)
         return false;
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
-                                          render_text_surface_phong, defined, shadows, render_text_lighting, body},
+                                          render_text_surface_phong, defined, shadows, render_text_lighting,
+                                          own->body[0], own->body[1]},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
-                                 .compute = render->compute};
+                                 .compute = render->compute,
+                                 .over = own->over};
     if (!screen_pass_make(render->store, &text, made))
         return false;
     set_numbers(render, made);

@@ -77,7 +77,7 @@ void pass_edge_draw(Render *render)
 {
     static const GLuint none[4];
     GlContext *gl = render->gl;
-    frame_use(render, FRAME_DRAW_edge);
+    frame_use(render, &render->draws[FRAME_DRAW_edge]);
     gl->ClearBufferuiv(GL_COLOR, 0, none);
     if (!render->edge.count)
         return;

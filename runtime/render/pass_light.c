@@ -5,7 +5,10 @@ extern const char render_text_pass_light[];
 
 bool pass_light_needed(const Render *render) { return render->scene != NULL; }
 
-bool pass_light_make(Render *render) { return lighting_make(render, render_text_pass_light, &render->light); }
+bool pass_light_make(Render *render)
+{
+    return lighting_make(render, &(LightingText){{render_text_pass_light}, false}, &render->light);
+}
 
 void pass_light_draw(Render *render)
 {

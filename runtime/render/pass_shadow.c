@@ -78,6 +78,8 @@ static void draw_view(Render *render, int number)
     gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
     for (int i = 0; i < render->cache.place_count; i++) {
         const CachePlace *place = &render->cache.places[i];
+        if (place->transparent)
+            continue; /* it casts none */
         set_matrix(&render->shadows.solid, clip, &render->scene->objects[place->object].world_from_local);
         material_use(&render->shadows.solid);
         mesh_draw(gl, &render->cache.meshes[place->mesh]);

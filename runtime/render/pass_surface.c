@@ -3,7 +3,7 @@
 #include "runtime/render/frame.h"
 
 bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
-bool pass_plane_needed(const Render *render) { return render->cache.plane_count > 0; }
+bool pass_plane_needed(const Render *render) { return render->cache.opaque_plane_count > 0; }
 bool pass_sky_needed(const Render *render) { return render->cache.has_sky; }
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
@@ -18,18 +18,17 @@ static void clear(const GlContext *gl, const Framebuffer *framebuffer)
     gl->ClearBufferfv(GL_DEPTH, 0, no_floats);
 }
 
-static void begin(const Render *render, FrameDraw draw, GLenum test)
+void pass_surface_begin(const Render *render, const Framebuffer *framebuffer, GLenum test)
 {
     const GlContext *gl = render->gl;
-    frame_use(render, draw);
+    frame_use(render, framebuffer);
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(test);
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
-/* As a context begins. */
-static void end(const Render *render)
+void pass_surface_end(const Render *render)
 {
     const GlContext *gl = render->gl;
     if (render->zero_to_one)
@@ -40,30 +39,38 @@ static void end(const Render *render)
 
 void pass_surface_draw(Render *render)
 {
-    begin(render, FRAME_DRAW_surface, GL_GREATER);
+    pass_surface_begin(render, &render->draws[FRAME_DRAW_surface], GL_GREATER);
     clear(render->gl, &render->draws[FRAME_DRAW_surface]);
-    cache_draw(render->gl, &render->cache);
-    end(render);
+    cache_draw(render->gl, &render->cache, false);
+    pass_surface_end(render);
+}
+
+void pass_plane_planes(Render *render, bool transparent)
+{
+    for (int i = 0; i < render->cache.plane_count; i++) {
+        CachePlane *plane = &render->cache.planes[i];
+        if (plane->transparent != transparent)
+            continue;
+        material_use(&plane->material);
+        screen_draw(render->gl, &render->screen);
+    }
 }
 
 void pass_plane_draw(Render *render)
 {
-    begin(render, FRAME_DRAW_surface, GL_GREATER);
-    for (int i = 0; i < render->cache.plane_count; i++) {
-        material_use(&render->cache.planes[i].material);
-        screen_draw(render->gl, &render->screen);
-    }
-    end(render);
+    pass_surface_begin(render, &render->draws[FRAME_DRAW_surface], GL_GREATER);
+    pass_plane_planes(render, false);
+    pass_surface_end(render);
 }
 
 /* Every depth of the triangle is 0, whatever clip space it comes from. */
 void pass_sky_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    begin(render, FRAME_DRAW_sky, GL_EQUAL);
+    pass_surface_begin(render, &render->draws[FRAME_DRAW_sky], GL_EQUAL);
     gl->DepthRange(0, 0);
     material_use(&render->cache.sky);
     screen_draw(gl, &render->screen);
     gl->DepthRange(0, 1);
-    end(render);
+    pass_surface_end(render);
 }

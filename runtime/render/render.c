@@ -20,12 +20,13 @@ static bool is_target(const char *view)
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
-    Render *render = calloc(1, sizeof *render);
-    if (!render || (options->view && !is_target(options->view) && find_slot(options->view) == SLOT_COUNT)) {
-        gl_fail(gl, render ? "there is no view '%s': shown, light, depth, or a slot" : "out of memory", options->view);
-        free(render);
+    if (options->view && !is_target(options->view) && find_slot(options->view) == SLOT_COUNT)
+        return gl_fail(gl, "there is no view '%s': shown, light, depth, or a slot", options->view), NULL;
+    if (!transparency_check(gl, options))
         return NULL;
-    }
+    Render *render = calloc(1, sizeof *render);
+    if (!render)
+        return gl_fail(gl, "out of memory"), NULL;
     render->gl = gl;
     render->options = *options;
     render->compile = *options->compile;
@@ -103,8 +104,9 @@ static void set_size(Render *render, const Scene *scene)
 
 static CacheSource source_of(const Render *render)
 {
-    return (CacheSource){render->scene, &render->set, &render->space,
-                         render->options.unculled ? NULL : &render->volume, render->whole};
+    return (CacheSource){render->scene,  &render->set,
+                         &render->space, render->options.unculled ? NULL : &render->volume,
+                         render->whole,  render->transparency};
 }
 
 static void look(Render *render)
@@ -126,15 +128,27 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
            frame_make(render) && make_reader(render);
 }
 
+static bool make_next(Render *render, const Scene *scene, Cache *before)
+{
+    Cache nothing = {0};
+    render->transparency = transparency_first(render);
+    if (make_scene(render, scene, before))
+        return true;
+    const bool peels = transparency_falls_back(render);
+    forget_scene(render);
+    render->transparency = TRANSPARENCY_peeling;
+    return peels && make_scene(render, scene, &nothing);
+}
+
 /* What the scene before was drawn with goes when all is there for the next: programs and pictures of both are not made again. */
 bool render_scene(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
-    ScreenPass passes[] = {render->light, render->tone};
+    ScreenPass passes[] = {render->light, render->tone, render->blend, render->peel};
     render->cache = (Cache){0};
-    render->light = render->tone = (ScreenPass){0};
+    render->light = render->tone = render->blend = render->peel = (ScreenPass){0};
     forget_scene(render);
-    const bool done = make_scene(render, scene, &before);
+    const bool done = make_next(render, scene, &before);
     cache_delete(render->gl, &before);
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         screen_pass_delete(&passes[i]);
@@ -157,6 +171,7 @@ bool render_changed(Render *render, unsigned what)
         const CacheSource source = source_of(render);
         cache_view(render->gl, &source, &render->cache);
     }
+    render->uncounted |= (what & RENDER_CAMERA) != 0;
     return shadow_change(render, what & RENDER_LIGHTS) && frame_change(render, what) &&
            gl_check(render->gl, "changing a scene");
 }
@@ -168,6 +183,7 @@ bool render_changed_objects(Render *render, int first, int count)
     const CacheSource source = source_of(render);
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
+    render->uncounted = true;
     return cache_move(render->gl, &source, &render->cache, first, count) && shadow_change(render, true) &&
            pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
@@ -177,14 +193,24 @@ bool render_param(Render *render, int material, const char *name, const float *l
     if (!has_scene(render))
         return false;
     const CacheSource source = source_of(render);
+    render->uncounted = true; /* a cut-out may be another */
     return cache_set(&source, &render->cache, material, &(MaterialValue){name, count, lanes}) ||
            gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
+}
+
+/* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again, and peeled. */
+static bool recount(Render *render)
+{
+    render->uncounted = false;
+    return frame_count(render) || (transparency_falls_back(render) && render_scene(render, render->scene));
 }
 
 bool render_frame(Render *render)
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to draw");
+    if (render->uncounted && !recount(render))
+        return false;
     frame_draw(render);
     return true;
 }
@@ -306,7 +332,9 @@ static void put_memory(Text *out, const Render *render)
         text_put(&formats, "");
         for (int t = 0; frame_format(render, target, t); t++)
             text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
-        if (render->plan.memory[i] < 0)
+        if (target == FRAME_TARGET_lists)
+            transparency_put_lists(out, render);
+        else if (render->plan.memory[i] < 0)
             text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
         else
             text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),

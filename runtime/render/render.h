@@ -29,8 +29,10 @@ typedef struct {
     size_t memory;     /* bytes that targets may take, 0: RENDER_MEMORY; a picture that takes more is drawn in tiles */
     int tile[2];       /* at most so many pixels at once; 0: as many as the memory holds */
     bool no_shadows;   /* no light casts any */
-    bool fragment;     /* passes over all pixels are fragment programs, also where there is compute */
-    bool unculled;     /* what is out of view is drawn, too: for tests */
+    const char *transparency; /* "lists", "peeling", or "auto" (NULL): lists where there are some, and room for them */
+    size_t list_bytes;        /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
+    bool fragment;            /* passes over all pixels are fragment programs, also where there is compute */
+    bool unculled;            /* what is out of view is drawn, too: for tests */
 } RenderOptions;
 
 /* Opens a renderer. NULL: see gl->error. */

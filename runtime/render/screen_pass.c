@@ -4,6 +4,7 @@
 #include <string.h>
 
 extern const char render_text_entry_compute[], render_text_entry_fragment[];
+extern const char render_text_entry_over_compute[], render_text_entry_over_fragment[];
 
 enum { GROUP = 8, HEAD_ROOM = 128 };
 
@@ -23,6 +24,13 @@ static int find_format(const char *name)
     return i;
 }
 
+static const char *entry_of(const ScreenPassText *text)
+{
+    if (text->compute)
+        return text->over ? render_text_entry_over_compute : render_text_entry_compute;
+    return text->over ? render_text_entry_over_fragment : render_text_entry_fragment;
+}
+
 bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made)
 {
     const GlContext *gl = store_context(store);
@@ -30,21 +38,21 @@ bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made
     char head[HEAD_ROOM];
     snprintf(head, sizeof head, "#version %s core\n#define ENTRY_FORMAT %s\n",
              version >= 45   ? "450"
-             : text->compute ? "430"
+             : version >= 43 ? "430"
                              : "330",
              formats[format].qualifier);
     const char *pieces[PROGRAM_PIECES] = {head};
     int count = 1;
     for (int i = 0; i < SCREEN_PASS_PIECES && text->body[i]; i++)
         pieces[count++] = text->body[i];
-    pieces[count] = text->compute ? render_text_entry_compute : render_text_entry_fragment;
+    pieces[count] = entry_of(text);
     ProgramText program = {0};
     memcpy(text->compute ? program.compute : program.fragment, pieces, sizeof pieces);
     if (!text->compute) {
         program.vertex[0] = head;
         program.vertex[1] = screen_text;
     }
-    *made = (ScreenPass){.compute = text->compute, .format = formats[format].format};
+    *made = (ScreenPass){.compute = text->compute, .over = text->over, .format = formats[format].format};
     return material_make(store, NULL, &program, &made->material);
 }
 
@@ -53,20 +61,36 @@ void screen_pass_sampler(ScreenPass *pass, const char *name, int unit)
     material_set_number(&pass->material, name, (float)unit);
 }
 
+static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *screen)
+{
+    GlContext *gl = store_context(pass->material.store);
+    framebuffer_use(gl, target);
+    material_use(&pass->material);
+    if (pass->over) {
+        gl->Enable(GL_BLEND);
+        gl->BlendFunc(GL_ONE, GL_SRC1_COLOR);
+    }
+    screen_draw(gl, screen);
+    if (pass->over) {
+        gl->Disable(GL_BLEND);
+        gl->BlendFunc(GL_ONE,
+                      GL_ZERO); /* Mesa holds a second source against several targets also while nothing blends */
+    }
+}
+
 void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *screen)
 {
     GlContext *gl = store_context(pass->material.store);
     if (!pass->compute) {
-        framebuffer_use(gl, target);
-        material_use(&pass->material);
-        screen_draw(gl, screen);
+        draw(pass, target, screen);
         return;
     }
     material_use(&pass->material);
-    gl->BindImageTexture(0, target->colors[0], 0, GL_FALSE, 0, GL_WRITE_ONLY, pass->format);
+    gl->BindImageTexture(0, target->colors[0], 0, GL_FALSE, 0, pass->over ? GL_READ_WRITE : GL_WRITE_ONLY,
+                         pass->format);
     gl->DispatchCompute(((GLuint)target->spec.width + GROUP - 1) / GROUP,
                         ((GLuint)target->spec.height + GROUP - 1) / GROUP, 1);
-    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void screen_pass_delete(ScreenPass *pass)

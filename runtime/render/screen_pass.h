@@ -1,21 +1,23 @@
-/* A pass over all pixels of a target: one body of GLSL, passPixel(), with two entries: compute, where there is GL 4.3, or a fragment program. */
+/* A pass over all pixels of a target: one body of GLSL, passPixel() or passOver(), with two entries: compute, where there is GL 4.3, or a
+ * fragment program. */
 #ifndef MATC_RENDER_SCREEN_PASS_H
 #define MATC_RENDER_SCREEN_PASS_H
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/screen.h"
 #include "runtime/render/material.h"
 
-enum { SCREEN_PASS_PIECES = 8 };
+enum { SCREEN_PASS_PIECES = 10 };
 
 typedef struct {
     const char *body[SCREEN_PASS_PIECES]; /* GLSL, read one after the other; NULL ends the list */
     const char *format;                   /* of the target: "RGBA16F", ... */
     bool compute;                         /* wanted; there must be GL 4.3 then */
+    bool over;                            /* the body is passOver(): what it gives is laid over what is in the target */
 } ScreenPassText;
 
 typedef struct {
     Material material;
-    bool compute;
+    bool compute, over;
     GLenum format;
 } ScreenPass;
 

@@ -15,12 +15,6 @@ typedef struct {
     Set *set;
 } Maker;
 
-static const char *material_name(const Maker *m, int material)
-{
-    const SceneMaterial *of = &m->scene->materials[material];
-    return matc_material_name(of->document, of->index);
-}
-
 /* A surface's pass; NULL: it has none of its own. */
 static const char *pass_of(const SceneObject *object) { return object->kind == SCENE_Plane ? "plane" : "gbuffer"; }
 
@@ -59,14 +53,6 @@ static bool choose_layout(Maker *m)
     return fine;
 }
 
-/* Opaque: nothing else is drawn yet. */
-static bool check_opacity(const Maker *m, const SetProgram *program)
-{
-    return !strcmp(program->pass, "sky") || !strcmp(matc_opacity(program->program), "opaque") ||
-           gl_fail(m->gl, "the material '%s' is transparent, at least in places: only opaque surfaces are drawn yet",
-                   material_name(m, program->material));
-}
-
 static bool compile(Maker *m, SetProgram *program, unsigned outputs)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
@@ -88,8 +74,12 @@ static bool has_program(const Set *set, int material, const char *pass)
 static bool add_program(Maker *m, int material, const char *pass)
 {
     Set *set = m->set;
-    set->programs[set->count] = (SetProgram){.material = material, .pass = pass, .text = set->count};
-    return compile(m, &set->programs[set->count++], MATC_KEY) && check_opacity(m, &set->programs[set->count - 1]);
+    SetProgram *program = &set->programs[set->count];
+    *program = (SetProgram){.material = material, .pass = pass, .text = set->count++};
+    if (!compile(m, program, MATC_KEY))
+        return false;
+    program->transparent = strcmp(matc_opacity(program->program), "opaque") != 0;
+    return true;
 }
 
 static bool add_programs(Maker *m)

@@ -9,6 +9,7 @@
 typedef struct {
     int material;         /* in Scene.materials */
     const char *pass;     /* "gbuffer", "plane", "sky" */
+    bool transparent;     /* at least in places */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
     int row;              /* among those of that text */

@@ -69,13 +69,15 @@ static bool write_views(Render *render)
 
 static bool write_planes(Render *render)
 {
+    int count = 0;
     float(*texels)[4] = calloc((size_t)render->cache.plane_count + ROW, sizeof *texels);
     if (!texels)
         return gl_fail(render->gl, "out of memory");
     for (int i = 0; i < render->cache.plane_count; i++)
-        put_plane(render, &render->scene->objects[render->cache.planes[i].object].world_from_local, texels[i]);
-    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){render->cache.plane_count, 1},
-                                  &render->shadows.planes);
+        if (!render->cache.planes[i].transparent)
+            put_plane(render, &render->scene->objects[render->cache.planes[i].object].world_from_local,
+                      texels[count++]);
+    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1}, &render->shadows.planes);
     free(texels);
     return done;
 }
@@ -88,7 +90,7 @@ static bool has_planes(const Render *render)
     bool casts = false;
     for (int i = 0; i < render->scene->light_count; i++)
         casts |= render->scene->lights[i].shadows;
-    return casts && !render->options.no_shadows && render->cache.plane_count > 0;
+    return casts && !render->options.no_shadows && render->cache.opaque_plane_count > 0;
 }
 
 bool shadow_make_views(Render *render)
@@ -131,7 +133,7 @@ const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
                         render->scene->shadow_size, render->scene->shadow_filter);
     if (planes)
         snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
-                 render->cache.plane_count);
+                 render->cache.opaque_plane_count);
     return maps || planes ? render_text_shadow : "";
 }
 

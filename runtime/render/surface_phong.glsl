@@ -1,13 +1,23 @@
 // The surface model Phong (semantics.md 4.1): what a point with these slots sends to the eye of light that comes from `l`. Its reference
 // is the sum in tests/frame_reference.h. What a layout lacks is as slots.def says of absent slots, and costs nothing.
 struct Lit {
-    vec3 normal, diffuse, specular, behind, ambient, emissive;
-    float shininess;
+    vec3 normal, diffuse, specular, through, behind, ambient, emissive;
+    float shininess, straightness;
 };
+
+// The share of the light behind it that passes, straight on: nothing is refracted, so that Fresnel's reflection is 0.
+vec3 surfaceThrough(Surface s)
+{
+#ifdef SURFACE_HAS_transparency
+    return s.transparency;
+#else
+    return vec3(0.0);
+#endif
+}
 
 Lit surfaceLit(Surface s)
 {
-    Lit m = Lit(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 4.0);
+    Lit m = Lit(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 4.0, 65504.0);
 #ifdef SURFACE_HAS_normal
     m.normal = s.normal;
 #endif
@@ -19,6 +29,18 @@ Lit surfaceLit(Surface s)
 #endif
 #ifdef SURFACE_HAS_shininess
     m.shininess = s.shininess;
+#endif
+#ifdef SURFACE_HAS_transparency
+    m.through = s.transparency;
+    vec3 kept = 1.0 - s.transparency;
+#ifdef SURFACE_HAS_interpolatedTransparency
+    kept = mix(vec3(1.0), kept, s.interpolatedTransparency);
+#endif
+    m.diffuse *= kept;
+    m.specular *= kept;
+#endif
+#ifdef SURFACE_HAS_transparencyShininess
+    m.straightness = s.transparencyShininess;
 #endif
 #ifdef SURFACE_HAS_diffuseTransparency
     m.behind = s.diffuseTransparency;
@@ -32,11 +54,17 @@ Lit surfaceLit(Surface s)
     return m;
 }
 
-// The lobe, the cosine counted in. `reflected` is the mirrored view; the normal faces the eye.
+// The lobe, the cosine counted in. `reflected` is the mirrored view; the normal faces the eye. What comes straight through has no cosine.
 vec3 surfaceLobe(Lit m, vec3 reflected, vec3 l)
 {
     float cosine = dot(m.normal, l);
-    if (cosine <= 0.0) return -cosine * m.behind;
+    if (cosine <= 0.0) {
+        vec3 sum = -cosine * m.behind;
+#ifdef SURFACE_HAS_transparency
+        sum += m.through * pow(max(dot(reflect(reflected, m.normal), l), 1e-30), m.straightness);
+#endif
+        return sum;
+    }
     float along = max(dot(reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
     return cosine * (m.diffuse + m.specular * pow(along, m.shininess));
 }
@@ -62,6 +90,12 @@ vec3 surfaceArea(Lit m, vec3 reflected, Area light)
         sum += m.specular * areaLobe(above, m.normal, reflected, m.shininess);
     if (any(greaterThan(m.behind, vec3(0.0))))
         sum += m.behind * areaCosine(areaClip(light, -m.normal), -m.normal);
+#ifdef SURFACE_HAS_transparency
+    if (any(greaterThan(m.through, vec3(0.0)))) {
+        vec3 on = reflect(reflected, m.normal); // of the power, one is the cosine that the integral counts in
+        sum += m.through * areaLobe(areaClip(areaClip(light, -m.normal), on), on, on, max(m.straightness - 1.0, 0.0));
+    }
+#endif
     return sum;
 }
 #endif

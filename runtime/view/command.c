@@ -48,6 +48,9 @@ const char command_help[] =
     "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
     "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
     "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
+    "  --transparency=HOW   auto (default), lists, peeling: how transparent surfaces are put in order; the picture is "
+    "the "
+    "same\n"
     "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
     "  --emit=frame         the passes and their targets, and no picture\n"
     "of both\n"
@@ -141,6 +144,8 @@ static const char *set_view(Command *command, const char *name, const char *valu
         view->slot = value;
     else if (!strcmp(name, "--view"))
         command->view = value;
+    else if (!strcmp(name, "--transparency"))
+        command->transparency = value;
     else
         return set_scene(command, name, value);
     return NULL;
@@ -233,8 +238,8 @@ const char *command_check_material(const Command *command)
 {
     if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
         return "--size times --samples is more than 8192";
-    if (command->view || command->stats || command->graph || command->shadows)
-        return "--view, --shadows, --stats and --emit=frame are of scenes";
+    if (command->view || command->transparency || command->stats || command->graph || command->shadows)
+        return "--view, --transparency, --shadows, --stats and --emit=frame are of scenes";
     return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress ||
                    command->frames.given
                ? "--format, --bits, --memory, --progress and --frames are of scenes; a material's picture is a PNG"

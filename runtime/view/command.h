@@ -23,6 +23,7 @@ typedef struct {
     bool formatted, progress;
     RenderEdges edges;
     Frames frames;
+    const char *transparency;  /* of a scene: how transparent surfaces are put in order */
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     bool shadows, no_shadows;  /* of a scene: --shadows was given, and is none */
     bool watch, help, version;

@@ -169,6 +169,7 @@ static ScenePictureOptions scene_options(const Command *command, const Scene *sc
     return (ScenePictureOptions){.render = {.compile = &command->picture.compile,
                                             .view = command->view,
                                             .no_shadows = command->no_shadows,
+                                            .transparency = command->transparency,
                                             .width = width,
                                             .height = height > 0 ? (int)height : 1,
                                             .edges = command->edges,

@@ -21,6 +21,26 @@ MatcOptions frame_exact_options(void)
     return options;
 }
 
+MatcOptions frame_float_options(MatcLayout **layout)
+{
+    static const char text[] = "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\n"
+                               "fields:\n"
+                               "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
+                               "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
+                               "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
+                               "- { slot: diffuseTransparency, encoding: full }\n"
+                               "- { slot: transparency, encoding: full }\n"
+                               "- { slot: transparencyShininess, encoding: full }\n"
+                               "- { slot: interpolatedTransparency, encoding: full }\n";
+    MatcOptions options = frame_exact_options();
+    options.layout = NULL;
+    *layout = matc_layout_read("floats.yaml", text, sizeof text - 1, &options);
+    if (!matc_layout_ok(*layout))
+        end(matc_layout_diagnostics(*layout, MATC_TEXT));
+    options.custom = *layout;
+    return options;
+}
+
 Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **document)
 {
     Scene *scene = NULL;

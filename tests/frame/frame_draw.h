@@ -5,6 +5,8 @@
 
 /* The layout `integer`, exact powers, no averages over pixels: references have points. */
 MatcOptions frame_exact_options(void);
+/* Every number as it is: what is then off is what the passes are. The layout goes behind all that is drawn with it. */
+MatcOptions frame_float_options(MatcLayout **layout);
 Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **document);
 GlContext *frame_context(void);
 /* Floats of a view, from malloc. */

@@ -1,0 +1,14 @@
+// The pass peel: a layer of transparent fragments, lit. Before it stands lighting.glsl; the G-buffer is the layer's.
+uniform usampler2D peel_keys;
+
+const uint NOTHING = 0xFFFFFFFFu;
+
+vec3 passOver(ivec2 pixel, out vec3 through)
+{
+    uint depth = texelFetch(peel_keys, pixel, 0).x;
+    through = vec3(1.0);
+    if (depth == NOTHING) return vec3(0.0);
+    Surface surface = unpackSurface(pixel);
+    through = surfaceThrough(surface);
+    return lightOf(pixel, uintBitsToFloat(depth), surface);
+}

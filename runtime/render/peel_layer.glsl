@@ -1,0 +1,23 @@
+// The end of a transparent material's fragment program, where it is peeled: of the fragments that lie before the layer behind, the farthest
+// stays, by the depth test. transparency.c has what stands before it. A fragment's key is its depth, as bits, which are ordered as depths
+// are, and the number of its triangle: of two at one depth the one drawn later is behind, so that none is lost.
+uniform sampler2D peel_depth;   // of what is opaque
+uniform usampler2D peel_behind; // keys of the layer behind
+uniform float peel_stride;      // an object has fewer triangles, over 256
+#ifdef PEEL_INSTANCES
+flat in uint peel_object;       // its place in the order in which objects are drawn
+#else
+uniform float peel_object;
+#endif
+layout(location = PEEL_TARGET) out uvec4 peel_key;
+
+void main()
+{
+    surfaceMain();
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    uvec2 key = uvec2(floatBitsToUint(FRAGMENT_DEPTH), uint(peel_object) * uint(peel_stride) * 256u + uint(gl_PrimitiveID));
+    uvec2 behind = texelFetch(peel_behind, pixel, 0).xy;
+    bool hidden = FRAGMENT_DEPTH <= texelFetch(peel_depth, pixel, 0).x;
+    if (hidden || key.x < behind.x || (key.x == behind.x && key.y >= behind.y)) discard;
+    peel_key = uvec4(key, 0u, 0u);
+}

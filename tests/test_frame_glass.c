@@ -1,0 +1,350 @@
+/* Transparent surfaces: layers against their closed form, scenes against the reference, lists against peeling; what there is no room for. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "frame/frame_compare.h"
+#include "tests/frame/frame_draw.h"
+#include <stdio.h>
+
+enum { SIZE = 8, MOST_LAYERS = 40 };
+
+/* -- panes before the eye, against the sum in closed form */
+
+typedef struct {
+    double light[3], through[3];
+} Pane;
+
+static double between(double low, double high) { return low + (high - low) * rand() / RAND_MAX; }
+
+static void random_panes(Pane *panes, int count)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            panes[i].light[k] = floor(between(0, 256)) / 256;
+            panes[i].through[k] = floor(between(160, 256)) / 256;
+        }
+}
+
+/* Panes at z = count, count - 1, ..., which emit light, before a sky, in an order that is mixed. */
+static void write_panes(const Pane *panes, int count, char *text, size_t room)
+{
+    int order[MOST_LAYERS];
+    size_t size = (size_t)snprintf(text, room,
+                                   "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, "
+                                   "60], up: [0, 1, 0], angle: 30 }\n"
+                                   "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n");
+    for (int i = 0; i < count; i++)
+        order[i] = i;
+    for (int i = count - 1; i > 0; i--) {
+        const int k = rand() % (i + 1), kept = order[i];
+        order[i] = order[k];
+        order[k] = kept;
+    }
+    for (int i = 0; i < count; i++) {
+        const Pane *p = &panes[order[i]];
+        size += (size_t)snprintf(
+            text + size, room - size,
+            "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], transform: { translation: [-40, -40, %d] }, "
+            "material: "
+            "{ material: Phong, diffuse: 0, emissive: [%.8f, %.8f, %.8f], transparency: [%.8f, %.8f, %.8f] } }\n",
+            count - order[i], p->light[0], p->light[1], p->light[2], p->through[0], p->through[1], p->through[2]);
+    }
+}
+
+static void closed_form(const Pane *panes, int count, double sum[3])
+{
+    for (int k = 0; k < 3; k++) {
+        double passes = 1;
+        sum[k] = 0;
+        for (int i = 0; i < count; i++) {
+            sum[k] += passes * panes[i].light[k];
+            passes *= panes[i].through[k];
+        }
+        sum[k] += passes * .25 * (k + 1);
+    }
+}
+
+/* Greatest difference of any pixel from a colour. */
+static double farthest(const float *rgba, int pixels, const double color[3])
+{
+    double greatest = 0;
+    for (int i = 0; i < 4 * pixels; i++)
+        if (i % 4 < 3)
+            greatest = fmax(greatest, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - color[i % 4]));
+    return greatest;
+}
+
+/* As drivers before OpenGL 4.3 are, as far as the renderer asks. */
+static void grow_old(GlContext *gl)
+{
+    gl->major = gl->minor = 3;
+    gl->ClipControl = NULL;
+}
+
+typedef struct {
+    const char *name;
+    RenderOptions options;
+    bool old;
+} Way;
+static const Way ways[] = {{"lists", {.transparency = "lists"}, false},
+                           {"lists, fragments", {.transparency = "lists", .fragment = true}, false},
+                           {"peeling", {.transparency = "peeling"}, false},
+                           {"peeling, fragments", {.transparency = "peeling", .fragment = true}, false},
+                           {"OpenGL 3.3", {0}, true},
+                           {"no room", {.list_bytes = 1000}, false}};
+enum { WAYS = sizeof ways / sizeof *ways };
+
+/* The light of a scene, by one of the ways. */
+static float *draw_by(const Way *way, const Scene *scene, const MatcOptions *compile)
+{
+    GlContext *gl = frame_context();
+    RenderOptions options = way->options;
+    options.compile = compile;
+    options.view = "light";
+    options.no_shadows = true;
+    if (way->old)
+        grow_old(gl);
+    float *rgba = frame_floats(gl, scene, &options);
+    gl_close(gl);
+    return rgba;
+}
+
+static void layers_are_their_closed_form(void **state)
+{
+    (void)state;
+    static const struct {
+        int count;
+        double bound;
+    } cases[] = {{1, 1e-6}, {10, 1e-6}, {40, 1e-5}};
+    static char text[1 << 15];
+    Pane panes[MOST_LAYERS];
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    srand(1);
+    for (size_t i = 0; i < WAYS * sizeof cases / sizeof *cases; i++) {
+        const int count = cases[i / WAYS].count;
+        double expected[3];
+        MatcDocument *document;
+        random_panes(panes, count);
+        write_panes(panes, count, text, sizeof text);
+        closed_form(panes, count, expected);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *rgba = draw_by(&ways[i % WAYS], scene, &options);
+        const double off = farthest(rgba, SIZE * SIZE, expected);
+        print_message("%2d layers, %-18s off by %.2g\n", count, ways[i % WAYS].name, off);
+        assert_true(off <= cases[i / WAYS].bound);
+        free(rgba);
+        frame_forget(scene, document);
+    }
+    matc_layout_free(layout);
+}
+
+/* -- two at one depth */
+
+static const char one_depth[] =
+    "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, 60], up: [0, 1, 0], angle: 30 }\n"
+    "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n"
+    "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], transform: { translation: [-40, -40, 1] }, material: %s "
+    "}\n"
+    "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], transform: { translation: [-40, -40, 1] }, material: %s "
+    "}\n";
+static const char clear_pane[] = "{ material: Phong, diffuse: 0, transparency: [.5, .25, 1] }";
+static const char bright_pane[] = "{ material: Phong, diffuse: 0, emissive: .5, transparency: .5 }";
+
+static float *draw_two(const Way *way, const char *first, const char *second, const MatcOptions *options)
+{
+    char text[1024];
+    MatcDocument *document;
+    snprintf(text, sizeof text, one_depth, first, second);
+    Scene *scene = frame_scene(text, options, &document);
+    float *rgba = draw_by(way, scene, options);
+    frame_forget(scene, document);
+    return rgba;
+}
+
+/* Both count, one of them in front of the other: equal ones, too. By lists, which it is does not depend on the order of the objects. */
+static void none_of_equal_depth_is_lost(void **state)
+{
+    (void)state;
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    static const double alike[3] = {.0625, .03125, .75};
+    static const double either[2][3] = {{.5625, .5625, .875}, {.3125, .1875, .875}};
+    for (int i = 0; i < WAYS; i++) {
+        float *same = draw_two(&ways[i], clear_pane, clear_pane, &options);
+        float *one = draw_two(&ways[i], clear_pane, bright_pane, &options);
+        float *other = draw_two(&ways[i], bright_pane, clear_pane, &options);
+        assert_true(farthest(same, SIZE * SIZE, alike) <= 1e-6);
+        assert_true(farthest(one, SIZE * SIZE, either[0]) <= 1e-6 || farthest(one, SIZE * SIZE, either[1]) <= 1e-6);
+        if (ways[i].options.transparency && !strncmp(ways[i].options.transparency, "lists", 5))
+            assert_memory_equal(one, other, SIZE * SIZE * 4 * sizeof *one);
+        free(same);
+        free(one);
+        free(other);
+    }
+    matc_layout_free(layout);
+}
+
+/* -- against the reference */
+
+#define CAMERA                                                                                                         \
+    "image: { width: 300, height: 200 }\ncamera: { camera: Perspective, position: [2.5, -6, 2.5], target: [0, 0, "     \
+    ".5], "                                                                                                            \
+    "angle: 30 }\n"
+/* For what takes the reference long. */
+#define SMALL                                                                                                          \
+    "image: { width: 180, height: 120 }\ncamera: { camera: Perspective, position: [2.5, -6, 2.5], target: [0, 0, "     \
+    ".5], "                                                                                                            \
+    "angle: 30 }\n"
+#define LIGHTS                                                                                                         \
+    "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }, { light: Point, position: "   \
+    "[-1, 5, 3], intensity: 5 }, { light: Ambient, intensity: .5 }]\n"
+#define SKY  "sky: { material: RGBA, r: .1, g: .2, b: .5 }\n"
+#define MATT "{ material: Phong, diffuse: [.8, .6, .4] }"
+
+static const struct {
+    const char *name, *text;
+} pictures[] = {
+    {"nested",
+     CAMERA LIGHTS SKY "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
+                       "{ object: Box, size: [2, 2, 2], material: { material: RGBA, r: 1, g: .5, b: .2, a: .4 }, "
+                       "transform: { translation: "
+                       "[0, 0, 1] } }, { object: Box, size: 1.3, material: { material: Phong, diffuse: [.2, .4, 1], "
+                       "transparency: [.5, .7, "
+                       ".9], specular: .5, ambient: .2, shininess: .7 }, transform: { translation: [0, 0, 1], "
+                       "rotation: [.2, .3, .4] } }, "
+                       "{ object: Sphere, radius: .4, material: " MATT ", transform: { translation: [0, 0, 1] } }]\n"},
+    {"crossing", CAMERA LIGHTS
+     "objects: [{ object: Box, size: [2, 1, 1], material: { material: RGBA, r: 1, a: .5 } }, "
+     "{ object: Box, size: [1, 2, 1], material: { material: RGBA, g: 1, a: .3 }, transform: { rotation: [.1, .2, .3] } "
+     "}, "
+     "{ object: Cylinder, radius: .6, height: 2, material: { material: Phong, diffuse: .5, transparency: [.9, .2, .6], "
+     "interpolatedTransparency: false }, transform: { translation: [0, 0, -.7], scale: [-1, 1, 1] } }]\n"},
+    {"checkered",
+     CAMERA LIGHTS SKY "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
+                       "{ object: Box, size: 2, transform: { translation: [0, 0, 1] }, material: { material: Phong, "
+                       "diffuse: [.3, .5, .7], "
+                       "transparency: { map: Checker, color1: [1, 1, .5], color2: 0, input: { map: UVTransform, "
+                       "scaleU: 3, scaleV: 3 } } } "
+                       "}]\n"},
+    {"plane", CAMERA LIGHTS SKY
+     "objects: [{ object: Plane, material: { material: Phong, diffuse: [.1, .3, .3], specular: .5, transparency: [.3, "
+     ".6, .6] } }, { object: Sphere, material: " MATT
+     " }, { object: Box, size: [3, .5, .5], material: { material: RGBA, "
+     "a: .5 } }]\n"},
+    {"from behind", CAMERA "lights: [{ light: Point, position: [-1, 3, 0], intensity: 30 }]\n"
+                           "objects: [{ object: Sphere, material: { material: Phong, diffuse: .3, transparency: [.5, "
+                           ".6, .7], transparencyShininess: .3, diffuseTransparency: [.2, .3, .4] } }]\n"},
+    {"lamp",
+     SMALL "lights: [{ light: Area, position: [-1, 2, .5], u: [2, 0, 0], v: [0, 0, 1.5], intensity: 4 }, "
+           "{ light: Area, position: [-2, -4, 0], u: [0, 0, 2], v: [2, 0, 0], intensity: 3, bothSides: true }]\n"
+           "objects: [{ object: Parallelogram, u: [3, 0, 0], v: [0, 0, 2], transform: { translation: [-1.5, 0, "
+           "-.5] }, material: { material: Phong, diffuse: .5, specular: .4, shininess: .5, transparency: [.3, .5, "
+           ".7], transparencyShininess: .7, diffuseTransparency: [.2, .1, .3] } }]\n"},
+};
+enum { PICTURES = sizeof pictures / sizeof *pictures };
+
+static void scenes_are_the_reference(void **state)
+{
+    (void)state;
+    static Spread spread;
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    int faults = 0;
+    for (int i = 0; i < PICTURES; i++) {
+        MatcDocument *document;
+        Scene *scene = frame_scene(pictures[i].text, &options, &document);
+        float *rgba = draw_by(&ways[0], scene, &options);
+        compare(scene, &options, rgba, &spread);
+        faults += !is_close(pictures[i].name, 2e-6, &spread);
+        free(rgba);
+        frame_forget(scene, document);
+    }
+    matc_layout_free(layout);
+    assert_int_equal(faults, 0);
+}
+
+/* Pixel by pixel, edges too: all ways have the same fragments. What is off is rounding, which each layer that is peeled has more of. */
+static void all_ways_agree(void **state)
+{
+    (void)state;
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    for (int i = 0; i < PICTURES; i++) {
+        MatcDocument *document;
+        Scene *scene = frame_scene(pictures[i].text, &options, &document);
+        const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
+        float *first = draw_by(&ways[0], scene, &options);
+        for (int k = 1; k < WAYS; k++) {
+            float *rgba = ways[k].old ? NULL : draw_by(&ways[k], scene, &options); /* its depth is another */
+            size_t apart = 0;
+            for (size_t lane = 0; rgba && lane < lanes; lane++)
+                apart += !(fabsf(first[lane] - rgba[lane]) <= 2e-6f * fmaxf(fabsf(first[lane]), 1));
+            if (apart)
+                fail_msg("%s, %s: %zu lanes", pictures[i].name, ways[k].name, apart);
+            free(rgba);
+        }
+        free(first);
+        frame_forget(scene, document);
+    }
+    matc_layout_free(layout);
+}
+
+/* -- what there is no room for */
+
+static void room(void **state)
+{
+    (void)state;
+    static const struct {
+        RenderOptions options;
+        const char *said; /* by the graph, or of the fault */
+    } cases[] = {
+        {{.transparency = NULL}, "a buffer                  4, and 16 a fragment: 624 bytes for 24"},
+        {{.list_bytes = 624}, "a buffer                  4, and 16 a fragment: 624 bytes for 24"},
+        {{.list_bytes = 623}, "lists     depth           lists           not run: nothing to do"},
+        {{.list_bytes = 8}, "lists     depth           lists           not run: nothing to do"},
+        {{.transparency = "peeling"}, "lists     depth           lists           not run: nothing to do"},
+        {{.transparency = "lists", .list_bytes = 623},
+         "24 transparent fragments take 624 bytes in lists, and there may be 623"},
+        {{.transparency = "blend"}, "transparency is auto, lists or peeling, not 'blend'"},
+    };
+    MatcOptions options = frame_exact_options();
+    options.layout = NULL; /* the smallest */
+    MatcDocument *document;
+    /* A pane over three rows of eight pixels: four words, the heads of all pixels, four words for each fragment. */
+    Scene *scene = frame_scene(
+        "image: { width: 8, height: 7 }\ncamera: { camera: Orthographic, position: [0, 0, 60], up: [0, 1, 0], size: 7, "
+        "depth: 100 }\nobjects:\n"
+        "- { object: Parallelogram, u: [8, 0, 0], v: [0, 3, 0], transform: { translation: [-4, -3.5, 1] }, "
+        "material: { material: Phong, diffuse: [.2, .3, .4], specular: .5, shininess: { map: Checker }, transparency: "
+        "[.1, .2, .3], ambient: [.1, .2, .3] } }\n",
+        &options, &document);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        GlContext *gl = frame_context();
+        RenderOptions with = cases[i].options;
+        with.compile = &options;
+        Render *render = render_open(gl, &with);
+        const bool done = render && render_scene(render, scene) && render_frame(render);
+        char *graph = done ? render_graph(render) : NULL;
+        if (!strstr(graph ? graph : gl->error, cases[i].said))
+            fail_msg("%s", graph ? graph : gl->error);
+        free(graph);
+        render_close(render);
+        gl_close(gl);
+    }
+    frame_forget(scene, document);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(layers_are_their_closed_form),
+        cmocka_unit_test(none_of_equal_depth_is_lost),
+        cmocka_unit_test(scenes_are_the_reference),
+        cmocka_unit_test(all_ways_agree),
+        cmocka_unit_test(room),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
