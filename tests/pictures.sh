@@ -1,5 +1,5 @@
 #!/bin/sh
-# What docs/materials.md, docs/from-other-tools.md and docs/language.md show: every document compiles without a warning, and is not the same everywhere;
+# What docs/materials.md, docs/gallery.md, docs/from-other-tools.md and docs/language.md show: every document compiles without a warning, and is not the same everywhere;
 # every picture is there: pictures.sh MATC MATVIEW [--update]. --update draws the pictures anew. Run from the project's root.
 set -u
 matc=$(realpath "$1")
@@ -60,6 +60,13 @@ done
 [ -z "$update" ] || "$matview" --contact=../../docs/materials.png $ten
 cd ../.. || exit 1
 check "their picture is in docs" test -s docs/materials.png
+
+for scene in examples/scenes/*.yaml; do
+    shown=$(basename "$scene" .yaml)
+    [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/gallery/$shown.png"
+    check "$name is in the gallery" grep -q "!\[$name\](gallery/$name.png).*scenes/$name.yaml" docs/gallery.md
+    check "and so is its picture" test -s "docs/gallery/$shown.png"
+done
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]
