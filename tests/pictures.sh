@@ -64,7 +64,7 @@ check "their picture is in docs" test -s docs/materials.png
 for scene in examples/scenes/*.yaml; do
     shown=$(basename "$scene" .yaml)
     [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/gallery/$shown.png"
-    check "$name is in the gallery" grep -q "!\[$name\](gallery/$name.png).*scenes/$name.yaml" docs/gallery.md
+    check "$shown is in the gallery" grep -q "!\[$shown\](gallery/$shown.png).*scenes/$shown.yaml" docs/gallery.md
     check "and so is its picture" test -s "docs/gallery/$shown.png"
 done
 

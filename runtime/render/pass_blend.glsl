@@ -10,8 +10,6 @@ layout(std430, binding = 2) readonly buffer Lists {
 
 #define LISTS_WORD(word) lists_words[node + uint(word)]
 
-const int WINDOW = 8;
-
 uint nodeAt(uint number)
 {
     return lists_pixels + (number - 1u) * LISTS_STRIDE;
@@ -26,7 +24,8 @@ bool isBefore(uint a, uint b)
     return a < b;
 }
 
-
+// The first fragment behind `last`, a node, of all of a list: 0, there is none. Looks at each of them, so a pixel of n fragments takes n^2 / 2 steps
+// and no memory.
 uint nextFragment(uint list, uint last)
 {
     uint nearest = 0u;
