@@ -110,7 +110,7 @@ static void a_run_that_is_ended_at_any_call_is_made_good_by_the_next(void **stat
     for (int i = 0; i < SCENARIOS; i++) {
         const Scenario *s = &scenarios[i];
         world_prepare(w, s);
-        for (long n = 1; n <= w->call_count; n++) {
+        for (long n = 1; n <= w->call_count; n += STRIKE_STEP) {
             if (n > 1 && !call_is_one_of(w->calls[n - 1], changes))
                 continue;
             Strike at = {s, n, "killed"};

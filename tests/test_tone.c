@@ -228,7 +228,7 @@ static void measured(void **state)
         const int count = sizes[s][0] * sizes[s][1];
         float *rgba = calloc((size_t)count * 4, sizeof *rgba), said[3][4];
         assert_non_null(rgba);
-        for (int i = 0; i < 4 * count; i++)
+        for (unsigned i = 0; i < 4u * (unsigned)count; i++)
             rgba[i] = (float)((i * 7919 % 1009) / 1009.);
         memcpy(rgba + 4 * (count / 2), (float[]){9, 5000, .5f, 1}, 4 * sizeof *rgba);
         const Picture p = measure(rgba, count);

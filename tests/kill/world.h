@@ -2,9 +2,11 @@
 #ifndef TESTS_KILL_WORLD_H
 #define TESTS_KILL_WORLD_H
 #include "compiler/base/bytes.h"
+#include "tests/sanitized.h"
 #include <stdbool.h>
 
 enum { PATH_ROOM = 1024, MOST_ARGUMENTS = 20, MOST_CALLS = 1000, SCENARIOS = 7 };
+enum { STRIKE_STEP = SANITIZED ? 4 : 1 }; /* calls from one that is struck to the next */
 
 typedef struct {
     const char *name;
