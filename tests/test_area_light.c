@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "area_reference.h"
 #include "runtime/render/screen_pass.h"
+#include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -127,15 +128,6 @@ static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*sa
     store_free(store);
 }
 
-static GlContext *open_context(void)
-{
-    char error[512] = "";
-    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-    if (!gl)
-        fail_msg("%s", error);
-    return gl;
-}
-
 static CaseTexels cases[CASES];
 static float said[CASES][4];
 
@@ -152,7 +144,7 @@ static void by_exponent(void **state)
 {
     (void)state;
     static const int exponents[] = {1, 2, 3, 4, 9, 30, 101, 1000, 9999, 65504};
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     int faults = 0;
     for (size_t e = 0; e < sizeof exponents / sizeof *exponents; e++) {
         const double lobe = 2 / (exponents[e] + 2.);
@@ -182,7 +174,7 @@ static void by_triangles(void **state)
     (void)state;
     static const double exponents[] = {0, .3, 1, 1.5, 2, 4, 7.25, 20};
     enum { EACH = 8 };
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     double off[2] = {0};
     random_state = 11;
     for (int i = 0; i < CASES; i++)
@@ -206,7 +198,7 @@ static void closed_form(void **state)
 {
     (void)state;
     static const double halves[] = {1e-3, .01, .1, 1, 10, 1000};
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     memset(cases, 0, sizeof cases);
     for (int i = 0; i < 6; i++) {
         const double a = halves[i];
@@ -229,7 +221,7 @@ static void stable(void **state)
 {
     (void)state;
     static const double exponents[] = {0, 1e-30, .5, 1, 4, 65504};
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     random_state = 3;
     for (int i = 0; i < CASES; i++) {
         float(*t)[4] = cases[i];

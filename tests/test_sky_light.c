@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "compiler/evaluate.h"
 #include "runtime/render/render.h"
+#include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,15 +44,6 @@ static void forget(Read *r)
 {
     scene_free(r->scene);
     matc_document_free(r->document);
-}
-
-static GlContext *open_context(void)
-{
-    char error[512] = "";
-    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-    if (!gl)
-        fail_msg("%s", error);
-    return gl;
 }
 
 static float *draw(GlContext *gl, const Read *r, const char *view, bool fragment)
@@ -174,7 +166,7 @@ static void clear_skies(void **state)
     (void)state;
     static const int heights[] = {5, 30};
     static const double shininesses[] = {.3, .9};
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     int faults = 0;
     for (int i = 0; i < 2; i++) {
         char sky[256], text[1024];
@@ -209,7 +201,7 @@ static void pictures(void **state)
 {
     (void)state;
     char text[1024];
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     put_scene(text, sizeof text, "{ material: Phong, diffuse: [1, .5, .25] }",
               "{ material: Phong, diffuse: 0, emissive: { map: ImageMap, image: examples/tiles.png } }");
     Read r = read_scene(text);
@@ -229,7 +221,7 @@ static void one_color(void **state)
 {
     (void)state;
     char text[1024];
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     for (int mirror = 0; mirror < 2; mirror++) {
         snprintf(text, sizeof text,
                  VIEW
@@ -278,7 +270,7 @@ static double flat(GlContext *gl, const char *more)
 static void suns(void **state)
 {
     (void)state;
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     const double both = flat(gl, ""), sky = flat(gl, ", disableSun: true");
     print_message("sky and sun %.4f, the sky %.4f\n", both, sky);
     assert_true(fabs(both - 10) <= .03);
@@ -321,7 +313,7 @@ static void reflected(void **state)
             assert_non_null(strstr(json, "\"sky\": {\"disableLight\": false, \"disableSun\": true"));
             for (int k = 0; k < 3; k++)
                 assert_true(fabs(number_after(json, "\"sun\":", k) - (3 + k) / unit) <= 1e-12);
-            GlContext *gl = open_context();
+            GlContext *gl = frame_context();
             double sum = 0;
             for (int k = 0; k < 3; k++)
                 sum += number_after(json, "\"sunIrradiance\":", k) / 3;

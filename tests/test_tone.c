@@ -7,21 +7,13 @@
 #include <cmocka.h>
 #include "runtime/render/measure.h"
 #include "runtime/render/render.h"
+#include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 extern const char render_text_tone[];
-
-static GlContext *open_context(void)
-{
-    char error[512] = "";
-    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-    if (!gl)
-        fail_msg("%s", error);
-    return gl;
-}
 
 /* Floats of a view of a scene, from malloc; *read is the scene, whose document is kept to the end. */
 static float *draw(GlContext *gl, const char *text, const char *view, bool fragment)
@@ -184,7 +176,7 @@ static void formulas(void **state)
         {"Drago, bias: .6, exposure: 4", SCENE_Drago, 16, {.6}},
         {"Drago, bias: 1", SCENE_Drago, 1, {1}},
     };
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     float *light = draw(gl, LIT, "light", false);
     int faults = 0;
     for (size_t i = 0; i < sizeof mappings / sizeof *mappings; i++) {
@@ -223,7 +215,7 @@ static void measured(void **state)
 {
     (void)state;
     static const int sizes[][2] = {{1, 1}, {16, 16}, {17, 1}, {1, 300}, {300, 257}};
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++) {
         const int count = sizes[s][0] * sizes[s][1];
         float *rgba = calloc((size_t)count * 4, sizeof *rgba), said[3][4];
@@ -261,7 +253,7 @@ static void extremes(void **state)
     (void)state;
     static const char *const kinds[] = {"Clamp", "Filmic", "Linear", "ReinhardDevlin", "Drago", "Linear, exposure: 64"};
     enum { SIDE = 40 };
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (int bright = 0; bright < 2; bright++) {
             char text[1024];
@@ -285,7 +277,7 @@ static void tiles(void **state)
 {
     (void)state;
     enum { SIDE = 64 };
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     float *shown =
         draw(gl,
              "image: { width: 64, height: 64, tiles: true }\ncamera: { camera: Orthographic, position: [0, -5, 0], "
@@ -307,7 +299,7 @@ static void in_tiles(void **state)
 {
     (void)state;
     static const char empty[] = "image: { width: 64, height: 64, tiles: true }\nlights: []\n";
-    GlContext *gl = open_context();
+    GlContext *gl = frame_context();
     MatcOptions options;
     matc_options_init(&options);
     for (int linear = 0; linear < 2; linear++) {

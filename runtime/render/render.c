@@ -299,10 +299,10 @@ static void put_passes(Text *out, const Render *render, const double *seconds)
     FramePlanPass rows[FRAME_PLAN_MOST];
     int classes[FRAME_TARGET_COUNT];
     const FramePlanRequest request = frame_request(render, rows, classes);
-    text_format(out, "%-8s  %-14s  %-14s  %s\n", "pass", "reads", "writes", seconds ? "milliseconds" : "runs when");
+    text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes", seconds ? "milliseconds" : "runs when");
     for (int i = 0; i < frame_pass_count(); i++) {
         const char *why = frame_plan_reason(&request, &render->plan, i);
-        text_format(out, "%-8s  %-14s  %-14s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
+        text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
                     joined(out->arena, rows[i].fills | rows[i].changes));
         if (why)
             text_format(out, "not run: %s\n", why);
