@@ -301,11 +301,11 @@ static void room(void **state)
         RenderOptions options;
         const char *said; /* by the graph, or of the fault */
     } cases[] = {
-        {{.transparency = NULL}, "a buffer                  4, and 16 a fragment: 624 bytes for 24"},
-        {{.list_bytes = 624}, "a buffer                  4, and 16 a fragment: 624 bytes for 24"},
-        {{.list_bytes = 623}, "lists     depth           lists           not run: nothing to do"},
-        {{.list_bytes = 8}, "lists     depth           lists           not run: nothing to do"},
-        {{.transparency = "peeling"}, "lists     depth           lists           not run: nothing to do"},
+        {{.transparency = NULL}, "a buffer 4, and 16 a fragment: 624 bytes for 24"},
+        {{.list_bytes = 624}, "a buffer 4, and 16 a fragment: 624 bytes for 24"},
+        {{.list_bytes = 623}, "lists depth lists not run: nothing to do"},
+        {{.list_bytes = 8}, "lists depth lists not run: nothing to do"},
+        {{.transparency = "peeling"}, "lists depth lists not run: nothing to do"},
         {{.transparency = "lists", .list_bytes = 623},
          "24 transparent fragments take 624 bytes in lists, and there may be 623"},
         {{.transparency = "blend"}, "transparency is auto, lists or peeling, not 'blend'"},
@@ -327,7 +327,7 @@ static void room(void **state)
         with.compile = &options;
         Render *render = render_open(gl, &with);
         const bool done = render && render_scene(render, scene) && render_frame(render);
-        char *graph = done ? render_graph(render) : NULL;
+        char *graph = done ? frame_graph(render) : NULL;
         if (!strstr(graph ? graph : gl->error, cases[i].said))
             fail_msg("%s", graph ? graph : gl->error);
         free(graph);

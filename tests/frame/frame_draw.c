@@ -71,6 +71,18 @@ float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *opti
     return rgba;
 }
 
+char *frame_graph(const Render *render)
+{
+    char *graph = render_graph(render), *to = graph;
+    if (!graph)
+        end("no memory for a graph");
+    for (const char *from = graph; *from; from++)
+        if (*from != ' ' || from[1] != ' ')
+            *to++ = *from;
+    *to = 0;
+    return graph;
+}
+
 void frame_forget(Scene *scene, MatcDocument *document)
 {
     scene_free(scene);

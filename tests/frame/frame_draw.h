@@ -11,5 +11,7 @@ Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **
 GlContext *frame_context(void);
 /* Floats of a view, from malloc. */
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);
+/* render_graph with one space between words, so that columns may move. From malloc. */
+char *frame_graph(const Render *render);
 void frame_forget(Scene *scene, MatcDocument *document);
 #endif
