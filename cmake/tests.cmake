@@ -2,7 +2,7 @@
 # project's root; status 77 says that something it needs is not installed, and ctest lists it as skipped at its end.
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
-find_library(EMBREE embree3 REQUIRED) # traces the rays of tests/frame_reference.h
+find_library(EMBREE embree3 REQUIRED) # traces the rays of tests/frame/reference_ray.c
 
 # Mesa leaks a little for every context, fontconfig keeps its tables
 set(LEAKS "ASAN_OPTIONS=detect_leaks=1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0")

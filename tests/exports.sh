@@ -9,10 +9,7 @@ build=${1:?exports.sh BUILD}
 most=5
 longest=400
 # file, its own limit, why a cut would hurt
-export longer='grammar/ops.def 450 an operation is one row: all that any stage knows of it stands together, below one explanation of the lines
-tests/test_frame.c 600 frames share one scene, its rays and its light: parting them would draw and trace it twice
-tests/test_scene.c 500 one table of what is refused, and the forms that judge what is not
-tests/frame_reference.h 500 one light, from the ray to the pixel, is read beside semantics.md'
+export longer='grammar/ops.def 450 an operation is one row: all that any stage knows of it stands together, below one explanation of the lines'
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

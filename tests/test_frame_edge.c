@@ -5,9 +5,11 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "frame_reference.h"
 #include "runtime/render/edge_list.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/reference_ray.h"
+#include <math.h>
+#include <stdlib.h>
 
 enum { WIDTH = 240, HEIGHT = 160, SAMPLES = 8 };
 
@@ -300,7 +302,6 @@ static void outlines_are_where_they_are_seen(void **state)
 
 int main(void)
 {
-    (void)reference_sample; /* light is test_frame.c's */
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(edges_are_coverage),       cmocka_unit_test(hidden_lines_are_not_seen),
         cmocka_unit_test(tiles_and_light),          cmocka_unit_test(edges_move),

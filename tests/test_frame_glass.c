@@ -4,9 +4,10 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "frame/frame_compare.h"
+#include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
+#include <string.h>
 
 enum { SIZE = 8, MOST_LAYERS = 40 };
 

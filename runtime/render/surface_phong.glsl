@@ -1,5 +1,5 @@
 // The surface model Phong (semantics.md 4.1): what a point with these slots sends to the eye of light that comes from `l`. Its reference
-// is the sum in tests/frame_reference.h. What a layout lacks is as slots.def says of absent slots, and costs nothing.
+// is the sum in tests/frame/reference_light.c. What a layout lacks is as slots.def says of absent slots, and costs nothing.
 struct Lit {
     vec3 normal, diffuse, specular, through, behind, ambient, emissive;
     float shininess, straightness;

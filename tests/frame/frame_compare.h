@@ -1,10 +1,12 @@
 /* Pictures against the reference: the spread of what their pixels are off. */
 #ifndef MATC_FRAME_COMPARE_H
 #define MATC_FRAME_COMPARE_H
-#include "../frame_reference.h"
+#include "tests/frame/reference_light.h"
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdint.h>
+#include <stdlib.h>
 #include <cmocka.h>
 
 static inline int ascending(const void *a, const void *b)

@@ -1,0 +1,16 @@
+/* What a frame's light should be, in double, for tests: the material at what a ray meets is the C oracle's, the light is summed by the formulas of
+ * semantics.md 4.1 and scene.def. No shader and no compiler has a part in it. */
+#ifndef MATC_REFERENCE_LIGHT_H
+#define MATC_REFERENCE_LIGHT_H
+#include "compiler/matc.h"
+#include "tests/frame/reference_ray.h"
+
+typedef struct {
+    double light[3]; /* linear */
+    bool edge;       /* something else is within a pixel of it */
+    bool nothing;    /* no object is there */
+} Sample;
+
+/* What pixel x, y should be. */
+Sample reference_sample(const Tracer *tracer, int x, int y, const MatcOptions *options);
+#endif

@@ -1,0 +1,40 @@
+/* What a pixel's ray meets, in double, for tests: Embree finds the triangle, the point on it is computed in double. It shares the triangles with
+ * the renderer, and nothing else: no matrix, no shader. */
+#ifndef MATC_REFERENCE_RAY_H
+#define MATC_REFERENCE_RAY_H
+#include "tests/frame/reference_space.h"
+#include <embree3/rtcore.h>
+
+typedef struct {
+    double at[3], way[3]; /* at + t way */
+} Ray;
+
+/* What a ray meets first. */
+typedef struct {
+    double distance; /* infinite: nothing */
+    int object;
+    double world[3], local[3], uv[2], normal[3], tangents[2][3];
+    double facet[3]; /* the normal of the triangle, or of the plane */
+    bool front;
+} Hit;
+
+/* What rays are traced in; geometry i is object i, but for planes, which have none. */
+typedef struct {
+    const Scene *scene;
+    Shape *shapes; /* of each object */
+    RTCDevice device;
+    RTCScene traced;
+} Tracer;
+
+/* The scene stays the caller's, and goes later. */
+Tracer reference_open(const Scene *scene);
+void reference_close(Tracer *tracer);
+/* Through a place of the picture; a pixel's middle is at x + .5, y + .5, y up. */
+Ray reference_ray(const Scene *scene, double x, double y);
+/* What is met behind a distance, as multiples of the ray's direction. */
+Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind);
+/* *hit becomes the plane z = 0 of the object's space, if that is met behind a distance and before *hit. */
+void reference_plane(const SceneObject *object, const Ray *world, double behind, Hit *hit);
+/* Whether a pixel's neighbours meet something else, in any of the layers that its own ray met: other objects, or another face. */
+bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hits, int count);
+#endif
