@@ -12,6 +12,7 @@
 #define VALUE_Transform       PLAIN(Transform)
 #define VALUE_Material        .value = SCENE_VALUE_material, .param.type = PARAM_Material
 #define VALUE_File            .value = SCENE_VALUE_file, .param.type = PARAM_Image
+#define VALUE_Name            .value = SCENE_VALUE_name, .param.type = PARAM_Image
 #define PART_ONE              SCENE_VALUE_one
 #define PART_LIST             SCENE_VALUE_list
 #define NONE                  .param.lanes = 0

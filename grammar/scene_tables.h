@@ -25,6 +25,7 @@ typedef enum {
     SCENE_VALUE_plain,    /* numbers, truth values and transformations: as `param` says */
     SCENE_VALUE_material, /* one */
     SCENE_VALUE_file,     /* a path */
+    SCENE_VALUE_name,     /* of a definition */
     SCENE_VALUE_one,      /* a thing of the sort `of` */
     SCENE_VALUE_list,     /* things of it */
 } SceneValueKind;

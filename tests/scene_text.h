@@ -2,7 +2,12 @@
 #ifndef MATC_SCENE_TEXT_H
 #define MATC_SCENE_TEXT_H
 #include "runtime/scene/scene.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <string.h>
+#include <cmocka.h>
 
 #define RED "materials: { red: { material: RGBA, r: 1 } }\n"
 
@@ -14,6 +19,38 @@ static inline Scene *read_text(const char *text, MatcDocument **document)
     matc_options_init(&options);
     *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
     return scene;
+}
+
+/* A scene that has to be one. */
+static inline Scene *read_fine(const char *text, MatcDocument **document)
+{
+    Scene *scene = read_text(text, document);
+    if (!scene)
+        print_message("%s", matc_diagnostics(*document, MATC_TEXT));
+    assert_non_null(scene);
+    assert_string_equal(matc_diagnostics(*document, MATC_TEXT), "");
+    return scene;
+}
+
+static inline void forget(Scene *scene, MatcDocument *document)
+{
+    scene_free(scene);
+    matc_document_free(document);
+}
+
+static inline void apply(const SceneMatrix *m, const double p[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = m->m[i] * p[0] + m->m[4 + i] * p[1] + m->m[8 + i] * p[2] + m->m[12 + i];
+}
+
+static inline void assert_near(const double *a, const double *b, int count, double within)
+{
+    for (int i = 0; i < count; i++)
+        if (!(fabs(a[i] - b[i]) <= within)) {
+            print_message("lane %d: %.17g, not %.17g\n", i, a[i], b[i]);
+            fail();
+        }
 }
 
 #endif

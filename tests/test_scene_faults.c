@@ -47,7 +47,7 @@ static void faults(void **state)
         {RED "objects: [{ object: Mesh, material: red }]\n", "2:11: error: Mesh wants 'file'"},
         {RED "objects: { object: Sphere }\n", "2:10: error: objects wants a list, not an object"},
         {RED "objects: [Sphere]\n",
-         "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, Sphere, "
+         "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, Instance, Sphere, "
          "Box, Cylinder, Cone, Parallelogram, Plane, Mesh"},
         {RED "objects: [{ Object: Sphere }]\n", "2:13: error: 'Object' is written 'object': names are case-sensitive"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: [1, 0, 1] } }]\n",
@@ -60,6 +60,8 @@ static void faults(void **state)
          "2:54: error: the transformation leaves x and y of a plane at no right angle"},
         {RED "objects: [{ object: Parallelogram, material: red, u: [1, 1, 0], v: [2, 2, 0] }]\n",
          "2:68: error: u and v span nothing"},
+        {RED "objects: [{ object: Sphere, detail: 2, material: red }]\n",
+         "2:37: error: detail is 2; it must be from 3 to 1024"},
         {RED "lights: [{ light: Pont }]\n", "2:19: error: no light is called 'Pont'; did you mean 'Point'?"},
         {RED "lights: [{ light: Point, shadows: soft }]\n", "2:35: error: shadows wants true or false, not 'soft'"},
         {RED "lights: [{ light: Ambient, shadows: true }]\n",

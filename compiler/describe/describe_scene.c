@@ -7,6 +7,7 @@ static const char *type_name(const SceneParamRow *row)
 {
     static const char *const names[] = {[SCENE_VALUE_material] = "material",
                                         [SCENE_VALUE_file] = "file",
+                                        [SCENE_VALUE_name] = "name",
                                         [SCENE_VALUE_one] = "object",
                                         [SCENE_VALUE_list] = "list"};
     return row->value == SCENE_VALUE_plain ? describe_type(&row->param) : names[row->value];
@@ -77,6 +78,7 @@ static void put_value(Text *out, const SceneParamRow *row)
         text_put(out, "\"$ref\": \"#/$defs/sceneMaterial\"");
         break;
     case SCENE_VALUE_file:
+    case SCENE_VALUE_name:
         text_put(out, "\"type\": \"string\"");
         break;
     case SCENE_VALUE_one:

@@ -260,6 +260,13 @@ static void put_outermost(Text *out)
         "      \"type\": [\"object\", \"null\"],\n"
         "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}]}\n"
         "    },\n"
+        "    \"sceneDefs\": {\n"
+        "      \"description\": \"Maps and materials to refer to by `ref:`; and, of a scene, objects for "
+        "Instances.\",\n"
+        "      \"type\": [\"object\", \"null\"],\n"
+        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
+        "{\"$ref\": \"#/$defs/scene_object\"}]}\n"
+        "    },\n"
         "    \"include\": {\n"
         "      \"description\": \"Files whose `defs:` count here too.\",\n"
         "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n"
@@ -273,7 +280,7 @@ static void put_outermost(Text *out)
         "      \"type\": \"object\", \"additionalProperties\": false, \"minProperties\": 1,\n"
         "      \"not\": {\"required\": [\"colors\"], \"maxProperties\": 1},\n"
         "      \"properties\": {\n"
-        "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+        "        \"defs\": {\"$ref\": \"#/$defs/sceneDefs\"},\n"
         "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
         "        \"colors\": {\"$ref\": \"#/$defs/colors\"}");
     describe_scene_keys(out);
@@ -290,7 +297,7 @@ static void put_outermost(Text *out)
                 "\"#/$defs/material\"},\n"
                 "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
                 "        },\n"
-                "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"
+                "        \"defs\": {\"$ref\": \"#/$defs/sceneDefs\"},\n"
                 "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
                 "        \"colors\": {\"$ref\": \"#/$defs/colors\"}",
                 LIMIT_NAME);

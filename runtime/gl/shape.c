@@ -112,9 +112,9 @@ bool shape_find(const char *name, ShapeKind *kind)
     return false;
 }
 
-static ShapeVertex *fill_vertices(ShapeKind kind, int patch, ShapeVertex *next)
+static ShapeVertex *fill_vertices(ShapeKind kind, int patch, const int steps[2], ShapeVertex *next)
 {
-    int columns = kinds[kind].columns, rows = kinds[kind].rows;
+    int columns = steps[0], rows = steps[1];
     for (int row = 0; row <= rows; row++) {
         for (int column = 0; column <= columns; column++, next++) {
             double u = (double)column / columns, v = (double)row / rows;
@@ -125,9 +125,9 @@ static ShapeVertex *fill_vertices(ShapeKind kind, int patch, ShapeVertex *next)
     return next;
 }
 
-static uint32_t *fill_indices(ShapeKind kind, uint32_t first, uint32_t *next)
+static uint32_t *fill_indices(const int steps[2], uint32_t first, uint32_t *next)
 {
-    uint32_t columns = (uint32_t)kinds[kind].columns, rows = (uint32_t)kinds[kind].rows;
+    uint32_t columns = (uint32_t)steps[0], rows = (uint32_t)steps[1];
     for (uint32_t row = 0; row < rows; row++) {
         for (uint32_t column = 0; column < columns; column++) {
             uint32_t a = first + row * (columns + 1) + column, b = a + 1, c = a + columns + 1, d = c + 1;
@@ -142,11 +142,16 @@ static uint32_t *fill_indices(ShapeKind kind, uint32_t first, uint32_t *next)
 bool shape_make(ShapeKind kind, Shape *made)
 {
     memset(made, 0, sizeof *made);
-    if ((unsigned)kind >= SHAPE_count)
-        return false;
-    int corners = (kinds[kind].columns + 1) * (kinds[kind].rows + 1);
+    return (unsigned)kind < SHAPE_count &&
+           shape_make_detailed(kind, (int[]){kinds[kind].columns, kinds[kind].rows}, made);
+}
+
+bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made)
+{
+    memset(made, 0, sizeof *made);
+    int corners = (steps[0] + 1) * (steps[1] + 1);
     made->vertex_count = kinds[kind].patches * corners;
-    made->index_count = kinds[kind].patches * kinds[kind].columns * kinds[kind].rows * 6;
+    made->index_count = kinds[kind].patches * steps[0] * steps[1] * 6;
     made->vertices = calloc((size_t)made->vertex_count, sizeof *made->vertices);
     made->indices = calloc((size_t)made->index_count, sizeof *made->indices);
     if (!made->vertices || !made->indices)
@@ -154,8 +159,8 @@ bool shape_make(ShapeKind kind, Shape *made)
     ShapeVertex *vertex = made->vertices;
     uint32_t *index = made->indices;
     for (int patch = 0; patch < kinds[kind].patches; patch++) {
-        index = fill_indices(kind, (uint32_t)(patch * corners), index);
-        vertex = fill_vertices(kind, patch, vertex);
+        index = fill_indices(steps, (uint32_t)(patch * corners), index);
+        vertex = fill_vertices(kind, patch, steps, vertex);
     }
     return true;
 }

@@ -37,5 +37,7 @@ bool shape_find(const char *name, ShapeKind *kind);
 
 /* False when memory ran out; *made is empty then. */
 bool shape_make(ShapeKind kind, Shape *made);
+/* The same in another number of steps along u and v, each at least 1. */
+bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made);
 void shape_free(Shape *shape);
 #endif

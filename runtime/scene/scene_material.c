@@ -162,8 +162,12 @@ static Tree *only_materials(SceneReader *r, const Tree *document)
     Member *members = ARENA_ARRAY(arena, Member, document->count + 1);
     size_t count = 0;
     for (uint32_t i = 0; i < document->count; i++)
-        if (resolve_is_document_key(document->members[i].key))
-            members[count++] = document->members[i];
+        if (resolve_is_document_key(document->members[i].key)) {
+            members[count] = document->members[i];
+            if (document->members[i].value == r->definitions)
+                members[count].value = scene_definition_others(r, document->members[i].value);
+            count++;
+        }
     *tree = (Tree){.kind = TREE_object, .span = document->span};
     *materials = (Tree){.kind = TREE_object, .span = given ? given->value->span : document->span};
     tree_set_members(r->session, materials, r->materials, r->material_count);

@@ -9,27 +9,32 @@
 typedef struct {
     SceneMatrix world_from_group;
     int material; /* -1: none */
+    int depth;    /* groups and instances around it */
 } Around;
 
 /* Where the rows of a kind have what every object has, and its own numbers. */
 typedef struct {
     int transform, material;
-    int numbers[2], lanes; /* params, of so many lanes each; -1: none */
+    int numbers[3], lanes; /* params, of so many lanes each; -1: no more */
 } ObjectRow;
 
 static const ObjectRow rows[SCENE_KIND_COUNT] = {
-    [SCENE_Group] = {S_Group_transform, S_Group_material, {-1, -1}, 0},
-    [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, {-1, -1}, 0},
-    [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, {S_Sphere_radius, -1}, 1},
+    [SCENE_Group] = {S_Group_transform, S_Group_material, {-1}, 0},
+    [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, {-1}, 0},
+    [SCENE_Instance] = {S_Instance_transform, S_Instance_material, {-1}, 0},
+    [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, {S_Sphere_radius, S_Sphere_detail, -1}, 1},
     [SCENE_Box] = {S_Box_transform, S_Box_material, {S_Box_size, -1}, 3},
-    [SCENE_Cylinder] = {S_Cylinder_transform, S_Cylinder_material, {S_Cylinder_radius, S_Cylinder_height}, 1},
-    [SCENE_Cone] = {S_Cone_transform, S_Cone_material, {S_Cone_radius, S_Cone_height}, 1},
+    [SCENE_Cylinder] = {S_Cylinder_transform,
+                        S_Cylinder_material,
+                        {S_Cylinder_radius, S_Cylinder_height, S_Cylinder_detail},
+                        1},
+    [SCENE_Cone] = {S_Cone_transform, S_Cone_material, {S_Cone_radius, S_Cone_height, S_Cone_detail}, 1},
     [SCENE_Parallelogram] = {S_Parallelogram_transform,
                              S_Parallelogram_material,
-                             {S_Parallelogram_u, S_Parallelogram_v},
+                             {S_Parallelogram_u, S_Parallelogram_v, -1},
                              3},
-    [SCENE_Plane] = {S_Plane_transform, S_Plane_material, {-1, -1}, 0},
-    [SCENE_Mesh] = {S_Mesh_transform, S_Mesh_material, {-1, -1}, 0},
+    [SCENE_Plane] = {S_Plane_transform, S_Plane_material, {-1}, 0},
+    [SCENE_Mesh] = {S_Mesh_transform, S_Mesh_material, {-1}, 0},
 };
 
 static bool fault(SceneReader *r, Span span, DiagKind kind, const char *what)
@@ -41,7 +46,7 @@ static bool fault(SceneReader *r, Span span, DiagKind kind, const char *what)
 static void read_numbers(const SceneThing *thing, SceneObject *object)
 {
     const ObjectRow *row = &rows[thing->kind];
-    for (int i = 0; i < 2 && row->numbers[i] >= 0; i++)
+    for (int i = 0; i < 3 && row->numbers[i] >= 0; i++)
         if (row->lanes == 3)
             scene_thing_vector(thing, row->numbers[i], object->numbers + 3 * i);
         else
@@ -84,34 +89,41 @@ static int material_of(SceneReader *r, const SceneThing *thing, int around)
     return given ? scene_material_read(r, given) : around;
 }
 
-static void add_object(SceneReader *r, const SceneThing *thing, const Around *around)
+static bool fault_missing(SceneReader *r, const SceneThing *thing, const char *key)
+{
+    diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name, key);
+    return r->fine = false;
+}
+
+static bool find_mesh(SceneReader *r, const SceneThing *thing, int *mesh)
+{
+    const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
+    *mesh = file ? scene_mesh_read(r, file) : -1;
+    return thing->kind != SCENE_Mesh || (file ? *mesh >= 0 : fault_missing(r, thing, "file"));
+}
+
+static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
 {
     Scene *scene = r->scene;
-    SceneObject object = {.kind = thing->kind, .mesh = -1, .world_from_local = around->world_from_group};
+    SceneObject object = {.kind = thing->kind, .world_from_local = around->world_from_group};
     read_numbers(thing, &object);
     object.material = around->material;
-    if (!check_matrix(r, thing, &object.world_from_local) || !check_parallelogram(r, thing, &object))
-        return;
-    if (thing->kind == SCENE_Mesh) {
-        const Tree *file = scene_thing_given(thing, S_Mesh_file);
-        object.mesh = file ? scene_mesh_read(r, file) : -1;
-        if (!file) {
-            diag_add(r->session, thing->tree->span, DIAG_missing_key, "Mesh", "file");
-            r->fine = false;
-        }
-    }
-    if (object.material < 0 && !scene_thing_given(thing, rows[thing->kind].material)) {
-        diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name, "material");
-        r->fine = false;
-    }
+    if (!check_matrix(r, thing, &object.world_from_local) || !check_parallelogram(r, thing, &object) ||
+        !find_mesh(r, thing, &object.mesh))
+        return false;
+    if (object.material < 0)
+        return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
     size_t count = (size_t)scene->object_count;
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
     scene->object_count = (int)count;
+    return true;
 }
 
 static void read_list(SceneReader *r, const Tree *list, const Around *around);
 static void read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
+static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around);
 
+/* What is wrong with an object is told once, however often it is met. */
 static void read_object(SceneReader *r, Tree *tree, const Around *around)
 {
     SceneThing thing;
@@ -120,11 +132,17 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
     const Transform *transform = scene_thing_transform(&thing, rows[thing.kind].transform);
     const SceneMatrix own = transform ? scene_matrix_of(transform) : scene_matrix_identity();
     const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
-                         .material = material_of(r, &thing, around->material)};
-    if (thing.kind == SCENE_Scatter)
+                         .material = material_of(r, &thing, around->material),
+                         .depth = around->depth + 1};
+    if (here.depth > LIMIT_DEPTH) {
+        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+        tree->failed = true, r->fine = false;
+    } else if (thing.kind == SCENE_Scatter)
         read_copies(r, &thing, &here);
+    else if (thing.kind == SCENE_Instance)
+        tree->failed = !read_instance(r, &thing, &here);
     else if (thing.kind != SCENE_Group)
-        add_object(r, &thing, &here);
+        tree->failed = !add_object(r, &thing, &here);
     else if (scene_thing_given(&thing, S_Group_objects))
         read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
 }
@@ -150,6 +168,25 @@ static void read_list(SceneReader *r, const Tree *list, const Around *around)
         read_object(r, list->items[i], around);
 }
 
+/* A definition is open while what is in it is read: what is instanced then contains itself. False: told. */
+static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    const Tree *name = scene_thing_given(thing, S_Instance_of);
+    Tree *definition = name ? scene_definition_find(r, name) : NULL;
+    if (!name)
+        return fault_missing(r, thing, "of");
+    if (definition && definition->open) {
+        diag_add(r->session, name->span, DIAG_cycle, name->text);
+        return r->fine = false;
+    }
+    if (!definition || !count_thing(r, thing->tree->span))
+        return false;
+    definition->open = true;
+    read_object(r, definition, around);
+    definition->open = false;
+    return true;
+}
+
 /* What is wrong with one copy is wrong with all. */
 static void read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
 {
@@ -167,7 +204,8 @@ static void read_copies(SceneReader *r, const SceneThing *thing, const Around *a
     for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span); i++) {
         const SceneMatrix own = scene_scatter_matrix(&scatter, &state);
         const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
-                             .material = around->material};
+                             .material = around->material,
+                             .depth = around->depth};
         read_list(r, list, &here);
     }
 }
@@ -175,4 +213,20 @@ static void read_copies(SceneReader *r, const SceneThing *thing, const Around *a
 void scene_objects_read(SceneReader *r, const Tree *list)
 {
     read_list(r, list, &(Around){.world_from_group = scene_matrix_identity(), .material = -1});
+}
+
+/* Any number stands for the material that an instance might bring. All of them together may be as much as a scene. */
+void scene_objects_check_unused(SceneReader *r)
+{
+    const Around nothing = {.world_from_group = scene_matrix_identity(), .material = 0};
+    Scene *scene = r->scene;
+    const int objects = scene->object_count, materials = scene->material_count;
+    r->things = 0;
+    for (uint32_t i = 0; r->definitions && i < r->definitions->count; i++) {
+        Tree *definition = scene_definition_unused(r, i);
+        if (definition)
+            read_object(r, definition, &nothing);
+        scene->object_count = objects;
+        scene->material_count = materials;
+    }
 }

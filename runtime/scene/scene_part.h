@@ -5,6 +5,16 @@
 
 /* All objects of a list, groups in it too. scene_objects.c */
 void scene_objects_read(SceneReader *r, const Tree *list);
+/* Tells what is wrong with definitions that nothing has instanced; they are not in the scene. After all objects are read. */
+void scene_objects_check_unused(SceneReader *r);
+/* Objects under `defs:`. scene_definition.c */
+void scene_definition_open(SceneReader *r, const Tree *document);
+/* That of a name, which is instanced from now on. NULL: told. */
+Tree *scene_definition_find(SceneReader *r, const Tree *name);
+/* The i-th, if it is an object that nothing has instanced; else NULL. */
+Tree *scene_definition_unused(const SceneReader *r, uint32_t i);
+/* `defs:` without objects: maps and materials. */
+Tree *scene_definition_others(SceneReader *r, Tree *defs);
 /* scene_light.c */
 void scene_lights_read(SceneReader *r, const Tree *list);
 /* The lights of kind Sky, after all materials are resolved. scene_sun.c */

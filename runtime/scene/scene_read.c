@@ -74,6 +74,7 @@ static void read_scene(SceneReader *r, Tree *document)
     }
     scene_thing_read_document(r, document, &thing);
     scene_material_open(r, document);
+    scene_definition_open(r, document);
     read_image(r, scene_thing_given(&thing, S_Scene_image));
     scene_camera_read(r, scene_thing_given(&thing, S_Scene_camera));
     if (scene_thing_given(&thing, S_Scene_motion) && r->fine)
@@ -82,6 +83,7 @@ static void read_scene(SceneReader *r, Tree *document)
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
     if (scene_thing_given(&thing, S_Scene_objects))
         scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
+    scene_objects_check_unused(r);
     Tree *sky = scene_thing_given(&thing, S_Scene_sky);
     r->scene->sky = sky ? scene_material_read(r, sky) : -1;
     if (scene_thing_given(&thing, S_Scene_lights))

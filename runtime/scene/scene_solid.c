@@ -7,14 +7,12 @@
 #define PI       3.14159265358979323846
 #define SHORTEST 1e-6 /* normal of a tip */
 
-enum { AROUND = 192 }; /* steps of a circle: a chord within 0.14 pixels of one 2000 pixels across */
-
 static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
 
 /* A preview shape, whose half extents are 1, with others. Its normals stay: a sphere has one, a box and a parallelogram are flat. */
-static bool scaled(ShapeKind kind, const double by[3], Shape *made)
+static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape *made)
 {
-    if (!shape_make(kind, made))
+    if (!shape_make_detailed(kind, steps, made))
         return false;
     for (int i = 0; i < made->vertex_count; i++)
         for (int k = 0; k < 3; k++) {
@@ -44,9 +42,10 @@ static bool parallelogram(const double u[3], const double v[3], Shape *made)
     return true;
 }
 
-/* A side between two circles, and a lid wherever one has an extent: vertices in rows of AROUND + 1. */
+/* A side between two circles, and a lid wherever one has an extent: vertices in rows of `steps` + 1. */
 typedef struct {
     double foot, top, height; /* radii */
+    int steps;                /* of a circle */
 } Round;
 
 /* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal leans by the slope of the side. Its length is r / foot: then it is linear in
@@ -56,8 +55,8 @@ static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
 {
     const double r = o->foot + (o->top - o->foot) * t, fall = o->foot - o->top;
     const double long_as = fmax(r / o->foot, SHORTEST) / hypot(o->height, fall);
-    for (int i = 0; i <= AROUND; i++, next++) {
-        const double s = (double)i / AROUND, c = cos(2 * PI * s), d = sin(2 * PI * s);
+    for (int i = 0; i <= o->steps; i++, next++) {
+        const double s = (double)i / o->steps, c = cos(2 * PI * s), d = sin(2 * PI * s);
         put(next->position, r * c, r * d, o->height * t);
         put(next->normal, o->height * long_as * c, o->height * long_as * d, fall * long_as);
         put(next->tangentU, -2 * PI * r * d, 2 * PI * r * c, 0);
@@ -68,10 +67,11 @@ static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
 }
 
 /* A disc: its middle, then its rim; u and v are those of the square around it, turned over at the foot. */
-static ShapeVertex *lid(double r, double z, double facing, ShapeVertex *next)
+static ShapeVertex *lid(const Round *o, bool up, ShapeVertex *next)
 {
-    for (int i = -1; i <= AROUND; i++, next++) {
-        const double s = (double)i / AROUND, c = i < 0 ? 0 : cos(2 * PI * s), d = i < 0 ? 0 : sin(2 * PI * s);
+    const double r = up ? o->top : o->foot, z = up ? o->height : 0, facing = up ? 1 : -1;
+    for (int i = -1; i <= o->steps; i++, next++) {
+        const double s = (double)i / o->steps, c = i < 0 ? 0 : cos(2 * PI * s), d = i < 0 ? 0 : sin(2 * PI * s);
         put(next->position, r * c, r * d, z);
         put(next->normal, 0, 0, facing);
         put(next->tangentU, 2 * r, 0, 0);
@@ -88,9 +88,9 @@ static uint32_t *add_triangle(uint32_t *next, uint32_t a, uint32_t b, uint32_t c
     return next + 3;
 }
 
-static uint32_t *add_lid(uint32_t *next, uint32_t middle, bool up)
+static uint32_t *add_lid(uint32_t *next, uint32_t middle, uint32_t steps, bool up)
 {
-    for (uint32_t i = 0; i < AROUND; i++)
+    for (uint32_t i = 0; i < steps; i++)
         next = add_triangle(next, middle, middle + 1 + (up ? i : i + 1), middle + 1 + (up ? i + 1 : i));
     return next;
 }
@@ -98,9 +98,10 @@ static uint32_t *add_lid(uint32_t *next, uint32_t middle, bool up)
 /* A cone has a row more than it needs at its tip, where the side still has a normal all around. */
 static bool solid_round(const Round *o, Shape *made)
 {
-    const int row = AROUND + 1, lids = 1 + (o->top > 0);
+    const uint32_t steps = (uint32_t)o->steps;
+    const int row = o->steps + 1, lids = 1 + (o->top > 0);
     made->vertex_count = 2 * row + lids * (row + 1);
-    made->index_count = (2 + lids) * AROUND * 3;
+    made->index_count = (2 + lids) * o->steps * 3;
     made->vertices = calloc((size_t)made->vertex_count, sizeof *made->vertices);
     made->indices = calloc((size_t)made->index_count, sizeof *made->indices);
     if (!made->vertices || !made->indices) {
@@ -109,15 +110,15 @@ static bool solid_round(const Round *o, Shape *made)
     }
     ShapeVertex *vertex = side_row(o, 1, side_row(o, 0, made->vertices));
     uint32_t *index = made->indices, foot = (uint32_t)(2 * row), top = foot + (uint32_t)row + 1;
-    for (uint32_t i = 0; i < AROUND; i++) {
+    for (uint32_t i = 0; i < steps; i++) {
         index = add_triangle(index, i, i + 1, i + (uint32_t)row + 1);
         index = add_triangle(index, i, i + (uint32_t)row + 1, i + (uint32_t)row);
     }
-    vertex = lid(o->foot, 0, -1, vertex);
-    index = add_lid(index, foot, false);
+    vertex = lid(o, false, vertex);
+    index = add_lid(index, foot, steps, false);
     if (lids > 1) {
-        lid(o->top, o->height, 1, vertex);
-        add_lid(index, top, true);
+        lid(o, true, vertex);
+        add_lid(index, top, steps, true);
     }
     return true;
 }
@@ -128,15 +129,15 @@ bool scene_solid(const SceneObject *object, Shape *made)
     *made = (Shape){0};
     switch (object->kind) {
     case SCENE_Sphere:
-        return scaled(SHAPE_sphere, (double[]){n[0], n[0], n[0]}, made);
+        return scaled(SHAPE_sphere, (int[]){(int)n[1], ((int)n[1] + 1) / 2}, (double[]){n[0], n[0], n[0]}, made);
     case SCENE_Box:
-        return scaled(SHAPE_cube, (double[]){n[0] / 2, n[1] / 2, n[2] / 2}, made);
+        return scaled(SHAPE_cube, (int[]){1, 1}, (double[]){n[0] / 2, n[1] / 2, n[2] / 2}, made);
     case SCENE_Parallelogram:
         return parallelogram(n, n + 3, made);
     case SCENE_Cylinder:
-        return solid_round(&(Round){n[0], n[0], n[1]}, made);
+        return solid_round(&(Round){n[0], n[0], n[1], (int)n[2]}, made);
     case SCENE_Cone:
-        return solid_round(&(Round){n[0], 0, n[1]}, made);
+        return solid_round(&(Round){n[0], 0, n[1], (int)n[2]}, made);
     default:
         return true; /* a Plane has no triangles, a Mesh its own */
     }

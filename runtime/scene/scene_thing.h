@@ -13,8 +13,10 @@ typedef struct {
     Member *materials; /* of the document: its `materials:`, then those that stand inline */
     size_t named_count, material_count, material_room;
     size_t object_room, light_room, used_room, mesh_room, document_room;
-    int things; /* objects and groups so far */
-    bool fine;  /* no fault yet */
+    const Tree *definitions; /* the document's `defs:`; NULL: there are none */
+    bool *instanced;         /* by the place of a definition */
+    int things;              /* objects and groups so far */
+    bool fine;               /* no fault yet */
 } SceneReader;
 
 /* Params of scene_param_table are named by their place there: S_Sphere_radius. */
