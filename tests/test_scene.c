@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 #include <cmocka.h>
+#include "compiler/base/session.h"
 #include "scene_text.h"
 
 #define PI 3.14159265358979323846
@@ -223,6 +224,48 @@ static void tips(void **state)
     shape_free(&shape);
 }
 
+/* However long its edges are, also where the product of their lengths is no number any more, it faces along z. */
+static void thin_parallelograms(void **state)
+{
+    (void)state;
+    static const double lengths[] = {1e-200, 1e-30, 1, 1e30};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        Shape shape;
+        const double length = lengths[i];
+        assert_true(scene_solid(
+            &(SceneObject){.kind = SCENE_Parallelogram, .numbers = {length, 0, 0, length, length, 0}}, &shape));
+        for (int k = 0; k < shape.vertex_count; k++)
+            assert_near(
+                (const double[]){shape.vertices[k].normal[0], shape.vertices[k].normal[1], shape.vertices[k].normal[2]},
+                (const double[]){0, 0, 1}, 3, 0);
+        shape_free(&shape);
+    }
+}
+
+static double seconds_to_read(const char *motion, int count)
+{
+    char text[512];
+    MatcDocument *document;
+    snprintf(text, sizeof text,
+             RED "camera: { camera: Orthographic, position: [0, -90, 40], size: 6 }\n%s"
+                 "objects: [{ object: Scatter, count: %d, objects: [{ object: Sphere, material: red }] }]\n",
+             motion, count);
+    const double start = session_now();
+    Scene *scene = read_fine(text, &document);
+    const double seconds = session_now() - start;
+    forget(scene, document);
+    return seconds;
+}
+
+/* What a frame takes does not depend on how many objects there are: both together take what each takes, not their product. */
+static void frames_of_many_objects(void **state)
+{
+    (void)state;
+    static const char motion[] = "motion: { motion: Turntable, frames: 100000 }\n";
+    const double frames = seconds_to_read(motion, 1), objects = seconds_to_read("", 20000);
+    assert_true(seconds_to_read(motion, 20000) < 8 * (frames + objects));
+}
+
 static char folder[] = "/tmp/matc_sceneXXXXXX";
 
 static const char *write_file(const char *name, const char *text)
@@ -285,8 +328,14 @@ static int clean(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(transformations), cmocka_unit_test(materials), cmocka_unit_test(cameras_and_lights),
-        cmocka_unit_test(solids),          cmocka_unit_test(tips),      cmocka_unit_test_teardown(files, clean),
+        cmocka_unit_test(transformations),
+        cmocka_unit_test(materials),
+        cmocka_unit_test(cameras_and_lights),
+        cmocka_unit_test(solids),
+        cmocka_unit_test(tips),
+        cmocka_unit_test(thin_parallelograms),
+        cmocka_unit_test(frames_of_many_objects),
+        cmocka_unit_test_teardown(files, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* Writes the words of documents and of the IR's text as a dictionary for libFuzzer and AFL++: dictionary FILE. */
 #include "compiler/ir/ir.h"
+#include "grammar/scene_tables.h"
 #include <stdio.h>
 
 static void word(FILE *out, const char *text)
@@ -36,6 +37,16 @@ static void document_words(FILE *out)
         word(out, wave_table[i].name);
 }
 
+static void scene_words(FILE *out)
+{
+    for (int i = 0; i < SCENE_SORT_COUNT; i++)
+        key(out, scene_sort_table[i].name);
+    for (int i = 0; i < SCENE_KIND_COUNT; i++)
+        word(out, scene_kind_table[i].name);
+    for (int i = 0; i < SCENE_PARAM_COUNT; i++)
+        key(out, scene_param_table[i].param.name);
+}
+
 static void ir_words(FILE *out)
 {
     static const char *const others[] = {"%1", " = ", "function f0", "out color 0", ".xyz", "0.0", "f0"};
@@ -57,6 +68,7 @@ int main(int argc, char **argv)
     if (!out)
         return 1;
     document_words(out);
+    scene_words(out);
     ir_words(out);
     return fclose(out) != 0;
 }

@@ -7,7 +7,8 @@
 
 enum {
     SCENE_OBJECTS =
-        1 << 20, /* objects and groups that a scene may have, those that an alias repeats counted each time */
+        1 << 20,        /* objects and groups that a scene may have, those that an alias repeats counted each time */
+    SCENE_PLANES = 256, /* infinite planes: each is asked at every pixel */
     SCENE_NUMBERS = 6
 };
 
@@ -82,10 +83,10 @@ typedef struct Scene {
     int material_count;
     SceneMesh *meshes;
     int mesh_count;
-    int sky;                  /* in materials, or -1 */
-    double sky_light[3];      /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
-    SceneKind tone;           /* of the sort toneMapping */
-    double exposure;          /* a factor; 1 where the kind has none */
+    int sky;             /* in materials, or -1 */
+    double sky_light[3]; /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
+    SceneKind tone;      /* of the sort toneMapping */
+    double exposure;     /* a factor; 1 where the kind has none */
     double tone_numbers[4];   /* ReinhardDevlin: its params; Drago: bias */
     bool tiles;               /* where nothing is seen */
     int shadow_size;          /* texels of a shadow map's edge */

@@ -49,12 +49,11 @@ static double behind(const Scene *scene, const SceneCamera *camera, const SceneM
     return fabs(facing) > 1e-6 ? scene_vector_dot(normal, from) / facing : -INFINITY;
 }
 
-bool scene_camera_sees_planes(const Scene *scene, const SceneCamera *camera)
+bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane)
 {
-    for (int i = 0; i < scene->object_count && camera->kind == SCENE_Orthographic; i++)
-        for (int corner = 0; scene->objects[i].kind == SCENE_Plane && corner < 4; corner++)
-            if (behind(scene, camera, &scene->objects[i].world_from_local, corner) > 0)
-                return false;
+    for (int corner = 0; camera->kind == SCENE_Orthographic && corner < 4; corner++)
+        if (behind(scene, camera, plane, corner) > 0)
+            return false;
     return true;
 }
 

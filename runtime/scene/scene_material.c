@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define HASH_FACTOR 0x9E3779B1u /* 2^32 over the golden ratio */
+
 static int fail(SceneReader *r)
 {
     r->fine = false;
@@ -16,11 +18,16 @@ static int fail(SceneReader *r)
 static int use(SceneReader *r, MatcDocument *document, int index)
 {
     Scene *scene = r->scene;
-    for (int i = 0; i < scene->material_count; i++)
-        if (scene->materials[i].document == document && scene->materials[i].index == index)
-            return i;
+    const uint32_t hash = hash_pointer(document) ^ (uint32_t)index * HASH_FACTOR;
+    HashProbe probe = hash_probe(&r->used, hash);
+    while (hash_probe_next(&probe)) {
+        const SceneMaterial *other = &scene->materials[probe.number];
+        if (other->document == document && other->index == index)
+            return (int)probe.number;
+    }
     const SceneMaterial material = {document, index};
     size_t count = (size_t)scene->material_count;
+    hash_index_add(r->session->arena, &r->used, hash, (uint32_t)count);
     ARENA_PUSH(r->session->arena, scene->materials, count, r->used_room, material);
     scene->material_count = (int)count;
     return scene->material_count - 1;
@@ -30,9 +37,9 @@ static const char *member_name(const void *user, int i) { return ((const Member 
 
 static int read_name(SceneReader *r, const Tree *tree)
 {
-    for (size_t i = 0; i < r->named_count; i++)
-        if (!strcmp(r->materials[i].key, tree->text))
-            return use(r, r->document, (int)i);
+    const Member *found = r->named ? tree_find(r->named, tree->text) : NULL;
+    if (found)
+        return use(r, r->document, (int)(found - r->named->members));
     const NameChoice names = {member_name, r->materials, (int)r->named_count};
     diag_add(r->session, tree->span, DIAG_no_such_material, tree->text,
              diag_suggest_or_list(r->session, tree->text, &names, r->named_count ? "; there are " : NULL));
@@ -44,15 +51,14 @@ static int read_inline(SceneReader *r, Tree *tree)
 {
     char name[LIMIT_NAME];
     Arena *arena = r->session->arena;
-    for (size_t i = 0; i < r->material_count; i++)
-        if (r->materials[i].value == tree)
-            return use(r, r->document, (int)i);
-    size_t number = r->material_count, i = 0;
-    do {
-        snprintf(name, sizeof name, "inline%zu", number++);
-        for (i = 0; i < r->named_count && strcmp(r->materials[i].key, name) != 0; i++) {
-        }
-    } while (i < r->named_count);
+    HashProbe probe = hash_probe(&r->inlines, hash_pointer(tree));
+    while (hash_probe_next(&probe))
+        if (r->materials[probe.number].value == tree)
+            return use(r, r->document, (int)probe.number);
+    do
+        snprintf(name, sizeof name, "inline%zu", r->inline_number++);
+    while (r->named && tree_find(r->named, name));
+    hash_index_add(arena, &r->inlines, hash_pointer(tree), (uint32_t)r->material_count);
     const Member member = {arena_string(arena, name, strlen(name)), tree, tree->span, (uint32_t)strlen(name)};
     ARENA_PUSH(arena, r->materials, r->material_count, r->material_room, member);
     return use(r, r->document, (int)r->material_count - 1);
@@ -150,7 +156,8 @@ void scene_material_open(SceneReader *r, const Tree *document)
         return;
     for (uint32_t i = 0; i < materials->value->count; i++)
         ARENA_PUSH(r->session->arena, r->materials, r->material_count, r->material_room, materials->value->members[i]);
-    r->named_count = r->material_count;
+    r->named_count = r->inline_number = r->material_count;
+    r->named = materials->value;
 }
 
 /* The document without what is the scene's, and with all materials. */

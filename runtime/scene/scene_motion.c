@@ -56,9 +56,15 @@ static double slope(const SceneMotion *motion, int i, int lane)
 
 static double at_time(const SceneMotion *motion, double time, int lane)
 {
-    int i = 0;
-    while (i + LEAST_KEYS < motion->key_count && motion->keys[i + 1].time <= time)
-        i++;
+    int i = 0,
+        end = motion->key_count - 1; /* a frame may be one of many, as may a key: the last that is not behind `time` */
+    while (i + 1 < end) {
+        const int middle = (i + end) / 2;
+        if (motion->keys[middle].time <= time)
+            i = middle;
+        else
+            end = middle;
+    }
     const double length = motion->keys[i + 1].time - motion->keys[i].time, t = (time - motion->keys[i].time) / length;
     return (1 + 2 * t) * (1 - t) * (1 - t) * number(motion, i, lane) +
            t * (1 - t) * (1 - t) * length * slope(motion, i, lane) + t * t * (3 - 2 * t) * number(motion, i + 1, lane) +

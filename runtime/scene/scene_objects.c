@@ -53,16 +53,27 @@ static void read_numbers(const SceneThing *thing, SceneObject *object)
             object->numbers[i] = scene_thing_number(thing, row->numbers[i]);
 }
 
-/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to stay at a right angle. */
-static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneMatrix *m)
+/* How far its own numbers lead it along an axis; the matrix takes that further. */
+static double reach_of(const SceneObject *object)
 {
+    double reach = 1;
+    for (int i = 0; i < SCENE_NUMBERS; i++)
+        reach = fmax(reach, fabs(object->numbers[i]));
+    return reach;
+}
+
+/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to stay at a right angle. */
+static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+{
+    const SceneMatrix *m = &object->world_from_local;
+    const double reach = reach_of(object);
     const Span span = scene_thing_span(thing, rows[thing->kind].transform);
     double x[3], y[3], z[3];
     memcpy(x, m->m, sizeof x);
     memcpy(y, m->m + 4, sizeof y);
     memcpy(z, m->m + 8, sizeof z);
     for (int i = 0; i < 16; i++)
-        if (!(fabs(m->m[i]) < 1e30))
+        if (!(fabs(m->m[i]) * (i < 12 ? reach : 1) < 1e30))
             return fault(r, span, DIAG_scene_flat, "the transformation leads too far away");
     if (!scene_vector_normalize(x) || !scene_vector_normalize(y) || !scene_vector_normalize(z))
         return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
@@ -102,17 +113,31 @@ static bool find_mesh(SceneReader *r, const SceneThing *thing, int *mesh)
     return thing->kind != SCENE_Mesh || (file ? *mesh >= 0 : fault_missing(r, thing, "file"));
 }
 
+/* Told once. */
+static bool add_plane(SceneReader *r, const SceneThing *thing)
+{
+    if (r->plane_count > SCENE_PLANES)
+        return false;
+    ARENA_PUSH(r->session->arena, r->planes, r->plane_count, r->plane_room, r->scene->object_count);
+    if (r->plane_count <= SCENE_PLANES)
+        return true;
+    diag_add(r->session, thing->tree->span, DIAG_too_many_planes, SCENE_PLANES);
+    return r->fine = false;
+}
+
 static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
 {
     Scene *scene = r->scene;
     SceneObject object = {.kind = thing->kind, .world_from_local = around->world_from_group};
     read_numbers(thing, &object);
     object.material = around->material;
-    if (!check_matrix(r, thing, &object.world_from_local) || !check_parallelogram(r, thing, &object) ||
+    if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object) ||
         !find_mesh(r, thing, &object.mesh))
         return false;
     if (object.material < 0)
         return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
+    if (thing->kind == SCENE_Plane && !add_plane(r, thing))
+        return false;
     size_t count = (size_t)scene->object_count;
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
     scene->object_count = (int)count;

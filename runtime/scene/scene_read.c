@@ -48,17 +48,25 @@ static void read_shadow_maps(SceneReader *r, Tree *tree)
     r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
 }
 
+static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
+{
+    size_t i = 0;
+    while (i < r->plane_count &&
+           scene_camera_sees_plane(r->scene, camera, &r->scene->objects[r->planes[i]].world_from_local))
+        i++;
+    return i == r->plane_count;
+}
+
 /* A plane that lies in part behind an orthographic camera would be cut there. */
 static void check_rays(SceneReader *r, const SceneThing *document)
 {
     const Scene *scene = r->scene;
     SceneCamera camera = scene->camera;
-    bool fine = true;
-    for (int frame = 0; r->fine && fine && frame <= scene->motion.frames; frame++) {
-        fine = scene_camera_sees_planes(scene, &camera);
-        if (frame < scene->motion.frames)
-            scene_motion_camera(scene, frame, scene->motion.frames, &camera);
-    }
+    if (!r->fine || camera.kind != SCENE_Orthographic || !r->plane_count)
+        return;
+    bool fine = sees_planes(r, &camera);
+    for (int frame = 0; fine && frame < scene->motion.frames; frame++)
+        fine = scene_motion_camera(scene, frame, scene->motion.frames, &camera) && sees_planes(r, &camera);
     if (fine)
         return;
     diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);

@@ -1,5 +1,6 @@
 /* Objects as triangles. What preview shapes have is scaled: position and derivatives alike; the rest is made here. */
 #include "runtime/scene/scene.h"
+#include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,15 +28,18 @@ static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape
 /* P = s u + t v, (s, t) in the unit square. */
 static bool parallelogram(const double u[3], const double v[3], Shape *made)
 {
-    const double normal[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    const double length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, normal[3]; /* a product of lengths may be no number */
+    scene_vector_normalize(a);
+    scene_vector_normalize(b);
+    scene_vector_cross(a, b, normal);
+    scene_vector_normalize(normal);
     if (!shape_make(SHAPE_plane, made))
         return false;
     for (int i = 0; i < made->vertex_count; i++) {
         ShapeVertex *vertex = &made->vertices[i];
         const double s = vertex->uv[0], t = vertex->uv[1];
         put(vertex->position, s * u[0] + t * v[0], s * u[1] + t * v[1], s * u[2] + t * v[2]);
-        put(vertex->normal, normal[0] / length, normal[1] / length, normal[2] / length);
+        put(vertex->normal, normal[0], normal[1], normal[2]);
         put(vertex->tangentU, u[0], u[1], u[2]);
         put(vertex->tangentV, v[0], v[1], v[2]);
     }

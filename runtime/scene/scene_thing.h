@@ -1,6 +1,7 @@
 /* One thing of a scene, by its rows of scene.def: its kind, and what its keys say. */
 #ifndef MATC_SCENE_THING_H
 #define MATC_SCENE_THING_H
+#include "compiler/base/hash_index.h"
 #include "compiler/front/resolve.h"
 #include "runtime/scene/scene.h"
 
@@ -10,9 +11,14 @@ typedef struct {
     Resolver resolver; /* of the numbers */
     MatcDocument *document;
     Scene *scene;
-    Member *materials; /* of the document: its `materials:`, then those that stand inline */
+    const Tree *named; /* `materials:` of the document, or NULL */
+    Member *materials; /* its members, then those that stand inline */
     size_t named_count, material_count, material_room;
+    size_t inline_number;    /* of the next name */
+    HashIndex inlines, used; /* the trees of those inline; places in scene->materials */
     size_t object_room, light_room, used_room, mesh_room, document_room;
+    int *planes; /* those of the objects that are one */
+    size_t plane_count, plane_room;
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */
     bool *instanced;         /* by the place of a definition */
     int things;              /* objects and groups so far */
@@ -22,7 +28,7 @@ typedef struct {
 /* Params of scene_param_table are named by their place there: S_Sphere_radius. */
 typedef struct {
     SceneKind kind;
-    const Tree *tree;                 /* NULL: it was not given, and all is default */
+    const Tree *tree;                /* NULL: it was not given, and all is default */
     Value values[SCENE_KIND_PARAMS]; /* of the kind's run: those that are plain */
     Tree *given[SCENE_KIND_PARAMS];  /* those that are not; NULL: not there */
 } SceneThing;

@@ -43,7 +43,7 @@ static void put_many(FILE *out, const GrowthRow *row, int count)
         growth_put_part(out, row->part, i);
     fputs(row->middle, out);
     for (int i = 0; i < count; i++)
-        fputs(row->close, out);
+        growth_put_part(out, row->close, i);
     fputs(row->tail, out);
 }
 
@@ -101,7 +101,7 @@ static char *read_made(void *user, const char *path, size_t *size, const char **
 
 typedef struct {
     MatcOptions options;
-    bool eval, fit, all, json, ir;
+    bool eval, fit, all, json, ir, scene;
 } Setting;
 
 static void set_option(Setting *s, const char *name, char *value)
@@ -114,6 +114,8 @@ static void set_option(Setting *s, const char *name, char *value)
         s->json = true;
     else if (!strcmp(name, "ir"))
         s->ir = true;
+    else if (!strcmp(name, "scene"))
+        s->scene = true;
     else if (!strcmp(name, "all"))
         s->all = true;
     else if (!strcmp(name, "measure"))
@@ -247,6 +249,8 @@ GrowthRun growth_run(const GrowthRow *row, int count)
     double start = now();
     if (s.ir)
         read_back(&s, text, &run);
+    else if (s.scene)
+        growth_scene(text, &s.options, &run);
     else
         compile_document(&s, text, &run);
     run.seconds = now() - start;

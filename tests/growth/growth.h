@@ -1,6 +1,7 @@
 /* Documents that grow: one table of them, for test_growth.c and matbench growth. */
 #ifndef MATC_GROWTH_H
 #define MATC_GROWTH_H
+#include "compiler/matc.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -34,6 +35,8 @@ typedef struct {
 GrowthRun growth_run(const GrowthRow *row, int count);
 /* The quickest of several runs. */
 double growth_seconds(const GrowthRow *row, int count, int runs);
+/* Reads a scene, and counts what it came to; growth_scene.c. */
+void growth_scene(const char *text, const MatcOptions *options, GrowthRun *run);
 /* A part of a row, with its number for $ and a reference to the part before it for @. */
 void growth_put_part(FILE *out, const char *part, int number);
 
