@@ -287,9 +287,8 @@ void frame_delete(Render *render)
         render->memory[piece] = (FrameMemory){0};
     }
     pass_shadow_delete(render);
-    gl->DeleteTextures(1, &render->lights); /* GL ignores the name 0 */
-    gl->DeleteTextures(1, &render->sky.map);
+    light_table_delete(render);
+    gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */
     render->sky = (SkyLight){0};
-    render->lights = 0;
     render->plan = (FramePlan){0};
 }

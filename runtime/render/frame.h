@@ -49,6 +49,13 @@ typedef struct {
     bool drawn;         /* the maps hold the scene */
 } ShadowMaps;
 
+/* Numbers of lights, view_space_lights: light_table.c. */
+typedef struct {
+    float (*texels)[4];
+    int count;      /* of texels, counted up to a power of two */
+    GLuint texture; /* with them; 0: a block of each program's own has them */
+} LightTable;
+
 enum { SKY_NUMBERS = 31 }; /* three of bands 1, 28 of the even bands to 6 */
 
 typedef struct {
@@ -101,7 +108,7 @@ struct Render {
     bool uncounted;    /* fragments and layers, since the scene changed */
     int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
     FrameEdge edge;
-    GLuint lights; /* texels of view_space_lights */
+    LightTable lights;
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
     SkyLight sky;
@@ -222,6 +229,13 @@ enum {
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
+/* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */
+enum { LIGHT_TABLE_DEFINITION = 64 };
+bool light_table_write(Render *render, int unit);
+void light_table_define(const Render *render, char defined[LIGHT_TABLE_DEFINITION]);
+void light_table_set(const Render *render, int unit, ScreenPass *pass);
+void light_table_bind(const Render *render, int unit);
+void light_table_delete(Render *render);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
 void pass_tone_place(Render *render);
@@ -239,7 +253,7 @@ enum { SHADOW_DEFINITIONS = 256, SHADOW_UNITS = 3 };
 const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS]);
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. */
-void shadow_put_lights(const Render *render, float *texels);
+void shadow_put_lights(const Render *render, float (*texels)[4]);
 /* SHADOW_UNITS units from `unit` on. */
 void shadow_samplers(ScreenPass *pass, int unit);
 void shadow_bind(const Render *render, int unit);

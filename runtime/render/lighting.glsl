@@ -4,18 +4,40 @@ layout(std140) uniform Light {
     vec4 light_ray;
     vec4 light_view;
     vec4 light_ambient;
-    int light_points, light_areas;
+    int light_plain, light_points, light_areas;
 };
+
+// LIGHT_BLOCK texels of all lights, as a block: all pixels read the same one at a time, which takes less than a texture does.
+#ifdef LIGHT_BLOCK
+layout(std140) uniform Lights {
+    vec4 light_texels[LIGHT_BLOCK];
+};
+
+vec4 lightNumbers(int texel) { return light_texels[texel]; }
+#else
 uniform sampler2D light_lights;
 
-const int TEXELS = 4, ROW = 1024;
+const int ROW = 4096;
 
+vec4 lightNumbers(int texel) { return texelFetch(light_lights, ivec2(texel % ROW, texel / ROW), 0); }
+#endif
+
+// A light's texel; plain ones have two, and come first.
 vec4 lightTexel(int light, int texel)
 {
-    return texelFetch(light_lights, ivec2(light % ROW * TEXELS + texel, light / ROW), 0);
+    return lightNumbers(light < light_plain ? 2 * light + texel : 4 * light - 2 * light_plain + texel);
 }
 
-// What arrives of a light at a point, from the direction l.
+// What arrives at a point of a point light that casts no shadow, from the direction l.
+vec3 lightPlain(int light, vec3 point, out vec3 l)
+{
+    vec3 way = lightNumbers(2 * light).xyz - point;
+    float over = inversesqrt(max(dot(way, way), 1e-30));
+    l = way * over;
+    return lightNumbers(2 * light + 1).xyz * (over * over);
+}
+
+// What arrives of any other.
 vec3 lightAt(int light, vec3 point, out vec3 l)
 {
     vec4 place = lightTexel(light, 0);
@@ -47,7 +69,13 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
     Lit m = surfaceLit(surface);
     vec3 reflected = reflect(-toEye, m.normal);
     vec3 sum = m.emissive + m.ambient * light_ambient.xyz;
-    for (int i = 0; i < light_points; i++) {
+    for (int i = 0; i < light_plain; i++) {
+        vec3 l;
+        vec3 arrives = lightPlain(i, point, l);
+        sum += arrives * surfaceLobe(m, reflected, l);
+    }
+    int first = light_plain, last = first + light_points;
+    for (int i = first; i < last; i++) {
         vec3 l;
         vec3 arrives = lightAt(i, point, l);
         vec3 sent = arrives * surfaceLobe(m, reflected, l);
@@ -62,7 +90,7 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
     sum += surfaceSky(m, reflected);
 #endif
 #ifdef LIGHT_HAS_AREAS
-    for (int i = light_points; i < light_points + light_areas; i++)
+    for (int i = last; i < last + light_areas; i++)
         sum += lightTexel(i, 1).xyz * surfaceArea(m, reflected, areaAt(i, point));
 #endif
     return sum;

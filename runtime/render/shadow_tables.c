@@ -137,18 +137,19 @@ const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
     return maps || planes ? render_text_shadow : "";
 }
 
-void shadow_put_lights(const Render *render, float *texels)
+void shadow_put_lights(const Render *render, float (*texels)[4])
 {
     const Scene *scene = render->scene;
-    float *next = texels + 4 * (VIEW_SPACE_LIGHT_TEXELS - 1) + 2;
+    const bool shadows = !render->options.no_shadows;
+    float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
     for (int i = 0; i < scene->light_count; i++) {
-        if (scene->lights[i].kind == SCENE_Ambient || scene->lights[i].kind == SCENE_Area)
+        if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
-        const bool casts = scene->lights[i].shadows && !render->options.no_shadows;
+        const bool casts = scene->lights[i].shadows && shadows;
         const bool mapped = casts && pass_shadow_needed(render);
-        next[0] = mapped ? (float)render->shadows.views.lights[i].first : 0;
-        next[1] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
-        next += 4 * VIEW_SPACE_LIGHT_TEXELS;
+        next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
+        next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
+        next += VIEW_SPACE_LIGHT_TEXELS;
     }
 }
 

@@ -65,8 +65,12 @@ vec3 surfaceLobe(Lit m, vec3 reflected, vec3 l)
 #endif
         return sum;
     }
+    vec3 sum = m.diffuse;
+#ifdef SURFACE_HAS_specular
     float along = max(dot(reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
-    return cosine * (m.diffuse + m.specular * pow(along, m.shininess));
+    sum += m.specular * pow(along, m.shininess);
+#endif
+    return cosine * sum;
 }
 
 #ifdef LIGHT_HAS_SKY

@@ -139,22 +139,38 @@ static void put_light(const ViewSpace *space, const SceneLight *light, float out
     cone_of(light, out[3]);
 }
 
-/* -1: it has no texels. */
-static int light_section(const SceneLight *light)
+ViewSpaceSection view_space_section(const SceneLight *light, bool shadows)
 {
-    return light->kind == SCENE_Ambient ? -1 : light->kind == SCENE_Area ? VIEW_SPACE_AREAS : VIEW_SPACE_POINTS;
+    if (light->kind == SCENE_Ambient)
+        return VIEW_SPACE_SECTIONS;
+    if (light->kind == SCENE_Area)
+        return VIEW_SPACE_AREAS;
+    return light->kind == SCENE_Point && !(light->shadows && shadows) ? VIEW_SPACE_PLAIN : VIEW_SPACE_POINTS;
 }
 
-void view_space_lights(const ViewSpace *space, const Scene *scene, float *texels, int counts[VIEW_SPACE_SECTIONS])
+static int texels_of(int section) { return section == VIEW_SPACE_PLAIN ? 2 : VIEW_SPACE_LIGHT_TEXELS; }
+
+int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section)
 {
-    int count = 0;
+    int sum = 0;
+    for (int i = 0; i < section; i++)
+        sum += counts[i] * texels_of(i);
+    return sum;
+}
+
+void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
+                       int counts[VIEW_SPACE_SECTIONS])
+{
+    float light[VIEW_SPACE_LIGHT_TEXELS][4];
     for (int section = 0; section < VIEW_SPACE_SECTIONS; section++) {
-        const int before = count;
+        counts[section] = 0;
         for (int i = 0; i < scene->light_count; i++)
-            if (light_section(&scene->lights[i]) == section)
-                put_light(space, &scene->lights[i],
-                          (float(*)[4])(texels + (size_t)count++ * VIEW_SPACE_LIGHT_TEXELS * 4));
-        counts[section] = count - before;
+            if ((int)view_space_section(&scene->lights[i], shadows) == section) {
+                put_light(space, &scene->lights[i], light);
+                memcpy(texels, light, (size_t)texels_of(section) * sizeof *texels);
+                texels += texels_of(section);
+                counts[section]++;
+            }
     }
 }
 

@@ -4,7 +4,7 @@
 #include "runtime/render/spaces.h"
 #include "runtime/scene/scene.h"
 
-enum { VIEW_SPACE_LIGHT_TEXELS = 4, VIEW_SPACE_LIGHT_ROW = 1024 /* lights in a row of their texture */ };
+enum { VIEW_SPACE_LIGHT_TEXELS = 4 /* of a light, at most */ };
 
 typedef struct {
     Spaces spaces; /* world_from_local is the identity */
@@ -21,17 +21,27 @@ void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_
 void view_space_place(ViewSpace *space, const int size[2], const int at[2]);
 
 /* Lights come section by section, so that a loop has one kind of formula. */
-enum { VIEW_SPACE_POINTS /* and spots, and directional ones */, VIEW_SPACE_AREAS, VIEW_SPACE_SECTIONS };
+typedef enum {
+    VIEW_SPACE_PLAIN,  /* points that cast no shadow: they have the first two texels, which say all */
+    VIEW_SPACE_POINTS, /* other points, spots, directional lights */
+    VIEW_SPACE_AREAS,
+    VIEW_SPACE_SECTIONS /* the section of ambient lights, which have no texels */
+} ViewSpaceSection;
+/* `shadows`: lights cast them, where they are to. */
+ViewSpaceSection view_space_section(const SceneLight *light, bool shadows);
 
 /* Parallel rays meet a plane in points that are linear in the pixel; so they are seen as well along rays from one point, each of which ends where
  * its parallel does. Of a plane that is seen edge-on no ray meets it. */
 void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces);
 
-/* Lights but for ambient ones, in texels of four floats, VIEW_SPACE_LIGHT_TEXELS each, and how many each section has.
+/* Lights but for ambient ones, in texels of four floats, and how many each section has.
  *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
  *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine
  * Of an Area: 0 its corner; 1 radiance, w: it shines to both sides; 2, 3 its edges u, v. */
-void view_space_lights(const ViewSpace *space, const Scene *scene, float *texels, int counts[VIEW_SPACE_SECTIONS]);
+void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
+                       int counts[VIEW_SPACE_SECTIONS]);
+/* How many texels the sections before that one have. */
+int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section);
 /* The sum of the ambient ones. */
 void view_space_ambient(const Scene *scene, float ambient[4]);
 #endif
