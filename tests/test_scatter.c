@@ -57,7 +57,7 @@ static void whole_range(void **state)
 {
     (void)state;
     enum { COUNT = 4096 };
-    const SceneScatter scatter = {{2, 4, 6}, {0, 0, 1.5}, 1, 3};
+    const SceneScatter scatter = {.size = {2, 4, 6}, .rotation = {0, 0, 1.5}, .least = 1, .most = 3};
     uint64_t seed = 5;
     double low[5], high[5], sum[5] = {0};
     for (int i = 0; i < COUNT; i++) {

@@ -86,6 +86,24 @@ static void instances(void **state)
     forget(scene, document);
 }
 
+/* A definition that nothing instances has no material in use, and no plane that a camera could cut; what comes after it in the scene has. */
+static void unused(void **state)
+{
+    (void)state;
+    MatcDocument *document;
+    Scene *scene =
+        read_fine("materials: { red: { material: RGBA, r: 1 }, blue: { material: RGBA, b: 1 } }\n"
+                  "camera: { camera: Orthographic, size: 6 }\n"
+                  "defs: { ground: { object: Group, objects: [{ object: Plane, material: blue }, { object: Box }] } }\n"
+                  "objects: [{ object: Box, material: red }]\n"
+                  "sky: blue\n",
+                  &document);
+    assert_int_equal(scene->object_count, 1);
+    assert_int_equal(scene->material_count, 2);
+    assert_int_equal(scene->sky, 1);
+    forget(scene, document);
+}
+
 /* Definitions that instance the next four times would be 4^30 objects; a chain of them is as deep as it is long. */
 static void instance_bombs(void **state)
 {
@@ -121,6 +139,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faults),
         cmocka_unit_test(instances),
+        cmocka_unit_test(unused),
         cmocka_unit_test(instance_bombs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

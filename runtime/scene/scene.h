@@ -30,10 +30,11 @@ typedef struct {
 } SceneMesh;
 
 typedef struct {
-    SceneKind kind;                /* of the sort object: a solid, a Plane or a Mesh */
-    double numbers[SCENE_NUMBERS]; /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail; Parallelogram: u, v */
-    int mesh;                      /* of a Mesh: in Scene.meshes */
-    int material;                  /* in Scene.materials */
+    SceneKind kind; /* of the sort object: a solid, a Plane or a Mesh */
+    double numbers
+        [SCENE_NUMBERS]; /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail; Parallelogram: u, v */
+    int mesh;            /* of a Mesh: in Scene.meshes */
+    int material;        /* in Scene.materials */
     SceneMatrix world_from_local;
 } SceneObject;
 

@@ -14,10 +14,12 @@ static int fail(SceneReader *r)
     return -1;
 }
 
-/* The place of a material among those in use. */
+/* The place of a material among those in use; aside, any. */
 static int use(SceneReader *r, MatcDocument *document, int index)
 {
     Scene *scene = r->scene;
+    if (r->aside)
+        return 0;
     const uint32_t hash = hash_pointer(document) ^ (uint32_t)index * HASH_FACTOR;
     HashProbe probe = hash_probe(&r->used, hash);
     while (hash_probe_next(&probe)) {

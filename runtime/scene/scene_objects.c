@@ -136,7 +136,7 @@ static bool add_object(SceneReader *r, const SceneThing *thing, const Around *ar
         return false;
     if (object.material < 0)
         return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
-    if (thing->kind == SCENE_Plane && !add_plane(r, thing))
+    if (thing->kind == SCENE_Plane && !r->aside && !add_plane(r, thing))
         return false;
     size_t count = (size_t)scene->object_count;
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
@@ -145,7 +145,7 @@ static bool add_object(SceneReader *r, const SceneThing *thing, const Around *ar
 }
 
 static void read_list(SceneReader *r, const Tree *list, const Around *around);
-static void read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
+static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
 static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around);
 
 /* What is wrong with an object is told once, however often it is met. */
@@ -163,7 +163,7 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
         diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
         tree->failed = true, r->fine = false;
     } else if (thing.kind == SCENE_Scatter)
-        read_copies(r, &thing, &here);
+        tree->failed = !read_copies(r, &thing, &here);
     else if (thing.kind == SCENE_Instance)
         tree->failed = !read_instance(r, &thing, &here);
     else if (thing.kind != SCENE_Group)
@@ -212,22 +212,81 @@ static bool read_instance(SceneReader *r, const SceneThing *thing, const Around 
     return true;
 }
 
+static bool has(const SceneThing *thing, const char *key) { return tree_find(thing->tree, key) != NULL; }
+
+static bool fault_scatter(SceneReader *r, const SceneThing *thing, int param, const char *what)
+{
+    return fault(r, scene_thing_span(thing, param), DIAG_scene_scatter, what);
+}
+
+static bool check_scatter(SceneReader *r, const SceneThing *thing)
+{
+    const bool on = scene_thing_given(thing, S_Scatter_on) != NULL;
+    if (scene_thing_number(thing, S_Scatter_least) > scene_thing_number(thing, S_Scatter_most))
+        return fault_scatter(r, thing, S_Scatter_least, "the least scale is greater than the most");
+    if (on && has(thing, "size"))
+        return fault_scatter(r, thing, S_Scatter_size, "copies on a surface stand in no box: `on` or `size`");
+    if (has(thing, "density") && has(thing, "count"))
+        return fault_scatter(r, thing, S_Scatter_density, "there are as many copies as one says: `density` or `count`");
+    if (!on && has(thing, "density"))
+        return fault_scatter(r, thing, S_Scatter_density, "density is of a surface: it wants `on`");
+    if (!on && has(thing, "aligned"))
+        return fault_scatter(r, thing, S_Scatter_aligned, "copies are aligned to a surface: it wants `on`");
+    return true;
+}
+
+static bool make_surface(SceneReader *r, const SceneThing *thing, int first, SceneSurface *made)
+{
+    const Scene *scene = r->scene;
+    for (int i = first; i < scene->object_count; i++)
+        if (scene->objects[i].kind == SCENE_Plane)
+            return fault_scatter(r, thing, S_Scatter_on, "a plane has no end: copies cannot stand evenly on all of it");
+    if (!scene_surface_make(scene, scene->objects + first, scene->object_count - first, made) ||
+        (r->surface_triangles += made->count) > SCENE_SURFACE_TRIANGLES)
+        return fault_scatter(r, thing, S_Scatter_on, "surfaces that copies stand on have too many triangles in all");
+    return scene_surface_area(made) > 0 || fault_scatter(r, thing, S_Scatter_on, "the surface has no area");
+}
+
+/* The objects of a tree, in its own space: they are added, and go with what the caller makes of object_count. */
+static void read_aside(SceneReader *r, Tree *tree, int depth)
+{
+    const bool before = r->aside;
+    r->aside = true;
+    read_object(r, tree, &(Around){.world_from_group = scene_matrix_identity(), .material = 0, .depth = depth});
+    r->aside = before;
+}
+
+/* Of objects as any, in the copies' space. False: told. */
+static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around, SceneSurface *made)
+{
+    Scene *scene = r->scene;
+    const int objects = scene->object_count;
+    *made = (SceneSurface){0};
+    if (!count_thing(r, thing->tree->span))
+        return false;
+    read_aside(r, scene_thing_given(thing, S_Scatter_on), around->depth);
+    const bool done = r->fine && make_surface(r, thing, objects, made);
+    scene->object_count = objects;
+    return done;
+}
+
+/* Of a density, to the nearest; beyond all that there may be: one more than that. */
+static int copies_of(const SceneThing *thing, const SceneSurface *surface)
+{
+    if (!has(thing, "density"))
+        return (int)scene_thing_number(thing, S_Scatter_count);
+    return (int)fmin(scene_thing_number(thing, S_Scatter_density) * scene_surface_area(surface) + .5,
+                     SCENE_OBJECTS + 1);
+}
+
 /* What is wrong with one copy is wrong with all. */
-static void read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
+static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around, const SceneScatter *scatter)
 {
     const Tree *list = scene_thing_given(thing, S_Scatter_objects);
-    const int count = (int)scene_thing_number(thing, S_Scatter_count);
+    const int count = copies_of(thing, scatter->surface);
     uint64_t state = (uint64_t)scene_thing_number(thing, S_Scatter_seed);
-    SceneScatter scatter = {.least = scene_thing_number(thing, S_Scatter_least),
-                            .most = scene_thing_number(thing, S_Scatter_most)};
-    scene_thing_vector(thing, S_Scatter_size, scatter.size);
-    scene_thing_vector(thing, S_Scatter_rotation, scatter.rotation);
-    if (scatter.least > scatter.most) {
-        diag_add(r->session, scene_thing_span(thing, S_Scatter_least), DIAG_scene_scatter);
-        r->fine = false;
-    }
     for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span); i++) {
-        const SceneMatrix own = scene_scatter_matrix(&scatter, &state);
+        const SceneMatrix own = scene_scatter_matrix(scatter, &state);
         const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
                              .material = around->material,
                              .depth = around->depth};
@@ -235,23 +294,38 @@ static void read_copies(SceneReader *r, const SceneThing *thing, const Around *a
     }
 }
 
+/* False: told. */
+static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    SceneSurface surface = {0};
+    const bool on = scene_thing_given(thing, S_Scatter_on) != NULL;
+    SceneScatter scatter = {.least = scene_thing_number(thing, S_Scatter_least),
+                            .most = scene_thing_number(thing, S_Scatter_most),
+                            .surface = on ? &surface : NULL,
+                            .aligned = scene_thing_number(thing, S_Scatter_aligned) != 0};
+    scene_thing_vector(thing, S_Scatter_size, scatter.size);
+    scene_thing_vector(thing, S_Scatter_rotation, scatter.rotation);
+    const bool fine = check_scatter(r, thing) && (!on || read_surface(r, thing, around, &surface));
+    if (fine)
+        add_copies(r, thing, around, &scatter);
+    scene_surface_free(&surface);
+    return fine;
+}
+
 void scene_objects_read(SceneReader *r, const Tree *list)
 {
     read_list(r, list, &(Around){.world_from_group = scene_matrix_identity(), .material = -1});
 }
 
-/* Any number stands for the material that an instance might bring. All of them together may be as much as a scene. */
+/* All of them together may be as much as a scene. */
 void scene_objects_check_unused(SceneReader *r)
 {
-    const Around nothing = {.world_from_group = scene_matrix_identity(), .material = 0};
-    Scene *scene = r->scene;
-    const int objects = scene->object_count, materials = scene->material_count;
+    const int objects = r->scene->object_count;
     r->things = 0;
     for (uint32_t i = 0; r->definitions && i < r->definitions->count; i++) {
         Tree *definition = scene_definition_unused(r, i);
         if (definition)
-            read_object(r, definition, &nothing);
-        scene->object_count = objects;
-        scene->material_count = materials;
+            read_aside(r, definition, 0);
+        r->scene->object_count = objects;
     }
 }

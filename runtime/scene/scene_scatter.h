@@ -1,18 +1,20 @@
 /* Copies by a rule and a seed: where each stands, the same on every machine. */
 #ifndef MATC_SCENE_SCATTER_H
 #define MATC_SCENE_SCATTER_H
-#include "runtime/scene/scene.h"
+#include "runtime/scene/scene_surface.h"
 #include <stdint.h>
 
 /* SplitMix64 (Steele, Lea, Flood 2014): from a state to the next number. From the state 0 come 0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4. */
 uint64_t scene_scatter_next(uint64_t *state);
 
 typedef struct {
-    double size[3];     /* of the box around the origin in which they stand */
-    double rotation[3]; /* radians about x, y and z, at most, either way */
-    double least, most; /* scale */
+    double size[3];              /* of the box around the origin in which they stand */
+    double rotation[3];          /* radians about x, y and z, at most, either way */
+    double least, most;          /* scale */
+    const SceneSurface *surface; /* they stand there; NULL: in the box */
+    bool aligned;                /* to its normal */
 } SceneScatter;
 
-/* The next copy's matrix: seven numbers are drawn, for x, y, z of its place, its rotations about x, y, z, and its scale. */
+/* The next copy's matrix: seven numbers are drawn, for its place (x, y, z, or those of scene_surface_point), its rotations about x, y, z, and its scale. */
 SceneMatrix scene_scatter_matrix(const SceneScatter *scatter, uint64_t *state);
 #endif

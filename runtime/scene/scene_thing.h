@@ -21,8 +21,10 @@ typedef struct {
     size_t plane_count, plane_room;
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */
     bool *instanced;         /* by the place of a definition */
-    int things;              /* objects and groups so far */
-    bool fine;               /* no fault yet */
+    bool aside; /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
+    int things; /* objects and groups so far */
+    int64_t surface_triangles; /* of all surfaces that copies stand on */
+    bool fine;                 /* no fault yet */
 } SceneReader;
 
 /* Params of scene_param_table are named by their place there: S_Sphere_radius. */

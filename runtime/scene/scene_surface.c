@@ -1,0 +1,150 @@
+/* The first number picks a triangle, by areas; the others a point of it: of a triangle (a, b, c) the point (1 - s) a + s (1 - t) b + s t c is even
+ * where s is the square root of an even number, as a strip at s is as long as s.
+ *
+ *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s = 0.5, t = 0.5 */
+#include "runtime/scene/scene_surface.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void transformed(const SceneMatrix *m, const float p[3], double out[3])
+{
+    for (int i = 0; i < 3; i++)
+        out[i] = m->m[i] * p[0] + m->m[4 + i] * p[1] + m->m[8 + i] * p[2] + m->m[12 + i];
+}
+
+/* The matrix of cofactors, with the sign of the determinant: what was outside stays so. */
+static void transformed_normal(const SceneMatrix *m, const double n[3], double out[3])
+{
+    const double sign = scene_matrix_determinant(m) < 0 ? -1 : 1;
+    double cross[3][3];
+    for (int k = 0; k < 3; k++)
+        scene_vector_cross(m->m + 4 * ((k + 1) % 3), m->m + 4 * ((k + 2) % 3), cross[k]);
+    for (int i = 0; i < 3; i++)
+        out[i] = sign * (cross[0][i] * n[0] + cross[1][i] * n[1] + cross[2][i] * n[2]);
+}
+
+static const ShapeVertex *corner(const ScenePatch *patch, int triangle, int k)
+{
+    return &patch->shape.vertices[patch->shape.indices[3 * (triangle - patch->first) + k]];
+}
+
+static void corners_of(const ScenePatch *patch, int triangle, double corners[3][3])
+{
+    for (int k = 0; k < 3; k++)
+        transformed(&patch->matrix, corner(patch, triangle, k)->position, corners[k]);
+}
+
+/* Twice the area, along the normal of the front. */
+static void span_of(double corners[3][3], double span[3])
+{
+    double u[3], v[3];
+    for (int i = 0; i < 3; i++) {
+        u[i] = corners[1][i] - corners[0][i];
+        v[i] = corners[2][i] - corners[0][i];
+    }
+    scene_vector_cross(u, v, span);
+}
+
+static bool make_patch(const Scene *scene, const SceneObject *object, ScenePatch *patch)
+{
+    *patch = (ScenePatch){.made = object->kind != SCENE_Mesh, .matrix = object->world_from_local};
+    if (patch->made)
+        return scene_solid(object, &patch->shape);
+    patch->shape = scene->meshes[object->mesh].shape;
+    return true;
+}
+
+static bool sum_areas(SceneSurface *made)
+{
+    double sum = 0;
+    made->sums = malloc(((size_t)made->count + 1) * sizeof *made->sums);
+    for (int i = 0, triangle = 0; made->sums && i < made->patch_count; i++)
+        for (; triangle < made->patches[i].first + made->patches[i].shape.index_count / 3; triangle++) {
+            double corners[3][3], span[3];
+            corners_of(&made->patches[i], triangle, corners);
+            span_of(corners, span);
+            made->sums[triangle] = sum += sqrt(scene_vector_dot(span, span)) / 2;
+        }
+    return made->sums != NULL;
+}
+
+bool scene_surface_make(const Scene *scene, const SceneObject *objects, int count, SceneSurface *made)
+{
+    *made = (SceneSurface){.patches = calloc((size_t)count + 1, sizeof *made->patches)};
+    bool fine = made->patches != NULL;
+    for (int i = 0; fine && i < count; i++) {
+        fine = make_patch(scene, &objects[i], &made->patches[i]);
+        made->patches[i].first = made->count;
+        made->patch_count++;
+        made->count += made->patches[i].shape.index_count / 3;
+        fine = fine && made->count <= SCENE_SURFACE_TRIANGLES;
+    }
+    if (fine && sum_areas(made))
+        return true;
+    scene_surface_free(made);
+    return false;
+}
+
+void scene_surface_free(SceneSurface *surface)
+{
+    for (int i = 0; i < surface->patch_count; i++)
+        if (surface->patches[i].made)
+            shape_free(&surface->patches[i].shape);
+    free(surface->patches);
+    free(surface->sums);
+    *surface = (SceneSurface){0};
+}
+
+double scene_surface_area(const SceneSurface *surface)
+{
+    return surface->count ? surface->sums[surface->count - 1] : 0;
+}
+
+/* The first triangle whose sum is beyond that share of the area. */
+static int pick(const SceneSurface *surface, double share)
+{
+    const double wanted = share * scene_surface_area(surface);
+    int low = 0, high = surface->count - 1;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (surface->sums[middle] > wanted)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+static const ScenePatch *patch_of(const SceneSurface *surface, int triangle)
+{
+    int low = 0, high = surface->patch_count - 1;
+    while (low < high) {
+        const int middle = low + (high - low + 1) / 2;
+        if (surface->patches[middle].first <= triangle)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    return &surface->patches[low];
+}
+
+void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3], double normal[3])
+{
+    const int triangle = pick(surface, numbers[0]);
+    const ScenePatch *patch = patch_of(surface, triangle);
+    const double s = sqrt(numbers[1]), t = numbers[2], shares[3] = {1 - s, s * (1 - t), s * t};
+    double corners[3][3], mixed[3] = {0};
+    corners_of(patch, triangle, corners);
+    for (int i = 0; i < 3; i++) {
+        point[i] = shares[0] * corners[0][i] + shares[1] * corners[1][i] + shares[2] * corners[2][i];
+        for (int k = 0; k < 3; k++)
+            mixed[i] += shares[k] * corner(patch, triangle, k)->normal[i];
+    }
+    transformed_normal(&patch->matrix, mixed, normal);
+    if (scene_vector_normalize(normal))
+        return;
+    span_of(corners, normal); /* the corners' cancel each other */
+    scene_vector_normalize(normal);
+}

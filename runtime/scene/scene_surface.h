@@ -1,0 +1,28 @@
+/* The surface of objects, as that on which copies stand: points at random, evenly by area. */
+#ifndef MATC_SCENE_SURFACE_H
+#define MATC_SCENE_SURFACE_H
+#include "runtime/scene/scene.h"
+
+enum { SCENE_SURFACE_TRIANGLES = 1 << 23 /* of all surfaces of a scene, each time that one is made */ };
+
+typedef struct {
+    Shape shape; /* in its own space */
+    bool made;   /* for the surface, with which it goes; else the scene's */
+    int first;   /* of its triangles, among all */
+    SceneMatrix matrix;
+} ScenePatch;
+
+typedef struct {
+    ScenePatch *patches;
+    int patch_count;
+    double *sums; /* of the areas of all triangles up to one, that one included */
+    int count;    /* of triangles */
+} SceneSurface;
+
+/* Of so many objects, in the space that their matrices lead to; none is a Plane. False: memory ran out, and nothing is made. */
+bool scene_surface_make(const Scene *scene, const SceneObject *objects, int count, SceneSurface *made);
+void scene_surface_free(SceneSurface *surface);
+double scene_surface_area(const SceneSurface *surface);
+/* The point of three numbers in [0, 1), and the unit normal there, mixed of the corners'. The surface has an area. */
+void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3], double normal[3]);
+#endif
