@@ -71,6 +71,18 @@ int render_lanes(const Render *render);
 /* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. */
 bool render_read(Render *render, float *rgba);
 
+/* What a pass took, drawn once more and finished; 0: it does not run. */
+typedef struct {
+    const char *name;
+    double seconds;
+} RenderPassTime;
+enum { RENDER_PASSES_MOST = 32 };
+/* Of all passes, in the order of a frame; maps of shadows are drawn again. How many there are. */
+int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST]);
+/* Of all targets together; of a fragment in a list, 0: there are no lists. */
+int render_pixel_bytes(const Render *render);
+int render_fragment_bytes(const Render *render);
+
 /* The passes: what each reads and writes, which run, and why not; targets, their bytes and which share memory. From malloc. */
 char *render_graph(const Render *render);
 /* The same with what a frame took, drawn once more pass by pass; programs, triangles, bytes. From malloc. NULL: see the context's error. */

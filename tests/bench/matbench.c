@@ -52,6 +52,8 @@ static const struct {
      "what the driver makes of exponentials, sines and their inverses, beside what is stated"},
     {"growth", bench_growth, "time at n, 2 n, 4 n, 8 n of documents of every kind, and the exponent"},
     {"noise", bench_noise, "time of noise, beside noise of others written anew"},
+    {"render", bench_render,
+     "what a frame takes by materials, lights, objects, passes, transparent fragments, beside a forward renderer"},
     {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk"},
 };
 

@@ -1,0 +1,143 @@
+/* What runs, in words: the passes and their targets, and what they took. */
+#include "compiler/base/session.h"
+#include "runtime/render/frame.h"
+#include <stdlib.h>
+#include <string.h>
+
+static void put_targets(Text *out, unsigned targets)
+{
+    const char *comma = "";
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++)
+        if (targets >> i & 1) {
+            text_format(out, "%s%s", comma, frame_target_name((FrameTarget)i));
+            comma = ", ";
+        }
+    if (!targets)
+        text_put(out, "-");
+}
+
+static const char *joined(Arena *arena, unsigned targets)
+{
+    Text text = text_new(arena);
+    put_targets(&text, targets);
+    return text.at;
+}
+
+/* `times` of each pass, or NULL. */
+static void put_passes(Text *out, const Render *render, const RenderPassTime *times)
+{
+    FramePlanPass rows[FRAME_PLAN_MOST];
+    int classes[FRAME_TARGET_COUNT];
+    const FramePlanRequest request = frame_request(render, rows, classes);
+    text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes", times ? "milliseconds" : "runs when");
+    for (int i = 0; i < frame_pass_count(); i++) {
+        const char *why = frame_plan_reason(&request, &render->plan, i);
+        text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
+                    joined(out->arena, rows[i].fills | rows[i].changes));
+        if (why)
+            text_format(out, "not run: %s\n", why);
+        else if (times)
+            text_rounded(out, 1e3 * times[i].seconds, 3), text_char(out, '\n');
+        else
+            text_format(out, "%s\n", frame_passes[i].when);
+    }
+}
+
+static void put_maps(Text *out, const Render *render)
+{
+    const int size = render->scene->shadow_size, count = render->shadows.views.count;
+    text_format(out, "shadow    %d maps of %d x %d, DEPTH32F, %ld bytes\n", count, size, size,
+                (long)count * size * size * (long)sizeof(float));
+}
+
+static void put_memory(Text *out, const Render *render)
+{
+    text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
+        const FrameTarget target = (FrameTarget)i;
+        if (target == FRAME_TARGET_shadow)
+            continue; /* its pixels are its own */
+        Text formats = text_new(out->arena);
+        const bool shared = frame_shares(render, target);
+        text_put(&formats, "");
+        for (int t = 0; frame_format(render, target, t); t++)
+            text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
+        if (target == FRAME_TARGET_lists)
+            transparency_put_lists(out, render);
+        else if (render->plan.memory[i] < 0)
+            text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
+        else
+            text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),
+                        shared ? ", shared" : "");
+    }
+    text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
+    if (render->plan.there >> FRAME_TARGET_shadow & 1)
+        put_maps(out, render);
+}
+
+static void put_tiles(Text *out, const Render *render)
+{
+    const int *whole = render->whole, tile[2] = {render_tile_width(render), render_tile_height(render)};
+    if (tile[0] < whole[0] || tile[1] < whole[1])
+        text_format(out, "\n%d tiles of %d x %d pixels: the times are of the last one\n",
+                    ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]), tile[0], tile[1]);
+}
+
+static char *finish(Text *out)
+{
+    char *copy = strdup(out->at);
+    if (!copy)
+        abort();
+    arena_free(out->arena);
+    return copy;
+}
+
+char *render_graph(const Render *render)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    put_passes(&out, render, NULL);
+    put_memory(&out, render);
+    return finish(&out);
+}
+
+int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
+{
+    render->gl->Finish();
+    render->shadows.drawn = false; /* to be timed with the others */
+    for (int i = 0; i < frame_pass_count(); i++) {
+        const double start = session_now();
+        times[i] = (RenderPassTime){frame_passes[i].plan.name, 0};
+        if (!(render->plan.runs >> i & 1))
+            continue;
+        frame_passes[i].draw(render);
+        render->gl->Finish();
+        times[i].seconds = session_now() - start;
+    }
+    return frame_pass_count();
+}
+
+int render_pixel_bytes(const Render *render) { return frame_all_bytes(render); }
+
+int render_fragment_bytes(const Render *render)
+{
+    return render->lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set) : 0;
+}
+
+char *render_stats(Render *render)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    RenderPassTime times[RENDER_PASSES_MOST];
+    render_time_passes(render, times);
+    put_passes(&out, render, times);
+    put_memory(&out, render);
+    put_tiles(&out, render);
+    text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
+                render->whole[0], render->whole[1], render->scene->object_count, render->cache.triangles,
+                render->cache.mesh_count, render->cache.plane_count, render->scene->light_count);
+    text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
+                render->scene->material_count, render->set.count, render->set.texts,
+                render->compute ? "compute" : "fragments");
+    return finish(&out);
+}

@@ -1,0 +1,251 @@
+/* The G-buffer programs of matc, whose outputs become variables, with the renderer's own surface model behind them. Their layout keeps every slot as
+ * the floats it was, so packing and unpacking is nothing. A fragment program is
+ *
+ *     #version 450 core
+ *     #define main surfaceMain
+ *     ... what matc wrote, each `layout(location = 0) out uvec4 fragment0;` without what stands before uvec4
+ *     #undef main
+ *     ... unpackTexels, surfaceLobe
+ *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
+ *     ... main() below */
+#include "render_forward.h"
+#include "runtime/gl/framebuffer.h"
+#include "runtime/gl/mesh.h"
+#include "runtime/render/view_space.h"
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_surface_phong[];
+
+enum {
+    MOST_LIGHTS = 1024,
+    LIGHT_FLOATS = 4 * VIEW_SPACE_LIGHT_TEXELS,
+    LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float)
+};
+
+static const char layout_text[] = "layout: forward\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
+                                  "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
+                                  "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
+                                  "- { slot: ambient, encoding: full }\n";
+
+static const char head[] = "#version 450 core\n#define main surfaceMain\n";
+static const char tail[] =
+    "#define FORWARD_TEXELS fragment0, fragment1, fragment2, fragment3\n"
+    "layout(std140) uniform Forward {\n"
+    "    vec4 forward_ray, forward_view, forward_ambient;\n"
+    "    ivec4 forward_count;\n"
+    "};\n"
+    "layout(std140) uniform ForwardLights { vec4 forward_lights[4 * 1024]; };\n" /* view_space.h; as much as a block may have */
+    "layout(location = 0) out vec4 forward_light;\n"
+    "void main()\n"
+    "{\n"
+    "    surfaceMain();\n"
+    "    vec3 point = vec3((2.0 * gl_FragCoord.xy - forward_ray.zw) * forward_ray.xy, -1.0) * (forward_view.x / "
+    "gl_FragCoord.z);\n"
+    "    Lit m = surfaceLit(unpackTexels(FORWARD_TEXELS));\n"
+    "    vec3 reflected = reflect(normalize(point), m.normal);\n"
+    "    vec3 sum = m.emissive + m.ambient * forward_ambient.xyz;\n"
+    "    for (int i = 0; i < forward_count.x; i++) {\n"
+    "        vec4 place = forward_lights[4 * i], cone = forward_lights[4 * i + 3];\n"
+    "        vec3 way = place.xyz - place.w * point;\n"
+    "        float square = max(dot(way, way), 1e-30);\n"
+    "        vec3 l = way * inversesqrt(square);\n"
+    "        float s = clamp(cone.x * -dot(l, forward_lights[4 * i + 2].xyz) + cone.y, 0.0, 1.0);\n"
+    "        sum += forward_lights[4 * i + 1].xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0)) *\n"
+    "            surfaceLobe(m, reflected, l);\n"
+    "    }\n"
+    "    forward_light = vec4(sum, 1.0);\n"
+    "}\n";
+
+/* The block Forward. */
+typedef struct {
+    float ray[4], view[4], ambient[4];
+    int count[4];
+} ForwardBlock;
+
+struct Forward {
+    GlContext *gl;
+    const Scene *scene;
+    Store *store;
+    MatcLayout *layout;
+    MatcOptions compile;
+    ViewSpace space;
+    Framebuffer target;
+    ForwardBlock block;
+    float *lights;       /* the block ForwardLights */
+    Material *materials; /* of the scene's */
+    Mesh *meshes;        /* of the objects: those before have what later ones lack */
+    int *mesh_of;
+};
+
+/* Outputs become variables: `layout(location = 0) out ` goes. */
+static void make_variables(char *text)
+{
+    static const char begin[] = "layout(location = ", out[] = " out ";
+    for (char *at = strstr(text, begin); at; at = strstr(at + 1, begin)) {
+        char *word = strchr(at, ')');
+        if (word && !strncmp(word + 1, out, sizeof out - 1))
+            memset(at, ' ', (size_t)(word - at) + sizeof out);
+    }
+}
+
+static char *variables_of(const char *text)
+{
+    const char *body = strchr(text, '\n') + 1; /* behind its #version */
+    char *copy = malloc(strlen(body) + 1);
+    if (copy)
+        make_variables(strcpy(copy, body));
+    return copy;
+}
+
+static bool make_material(Forward *f, int number)
+{
+    const SceneMaterial *of = &f->scene->materials[number];
+    MatcProgram *program =
+        matc_compile(of->document, of->index, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, &f->compile);
+    char *text = matc_ok(program) ? variables_of(matc_output(program, MATC_FRAGMENT, NULL)) : NULL;
+    bool fine = text != NULL || gl_fail(f->gl, "%s", matc_program_diagnostics(program, MATC_TEXT));
+    if (fine) {
+        const ProgramText own = {.fragment = {head, text, "#undef main\n", matc_output(program, MATC_UNPACK, NULL),
+                                              render_text_surface_phong, tail}};
+        fine = material_make(f->store, program, &own, &f->materials[number]) &&
+               material_write(&f->materials[number], "Forward", &f->block, sizeof f->block) &&
+               material_write(&f->materials[number], "ForwardLights", f->lights, LIGHTS_BYTES);
+    }
+    free(text);
+    matc_program_free(program);
+    return fine;
+}
+
+static bool is_alike(const SceneObject *a, const SceneObject *b)
+{
+    return a->kind == b->kind && !memcmp(a->numbers, b->numbers, sizeof a->numbers);
+}
+
+/* Solids of the same kind and numbers have one mesh; few are different. */
+static bool make_mesh(Forward *f, int object)
+{
+    const SceneObject *objects = f->scene->objects;
+    Shape shape;
+    for (int k = 0; k < object; k++)
+        if (f->meshes[k].array && is_alike(&objects[k], &objects[object]))
+            return f->mesh_of[object] = k, true;
+    f->mesh_of[object] = object;
+    if (!scene_solid(&objects[object], &shape))
+        return gl_fail(f->gl, "out of memory");
+    const bool fine = mesh_make_of(f->gl, &shape, &f->meshes[object]);
+    shape_free(&shape);
+    return fine;
+}
+
+static bool make_blocks(Forward *f)
+{
+    int counts[VIEW_SPACE_SECTIONS];
+    if (f->scene->light_count > MOST_LIGHTS)
+        return gl_fail(f->gl, "the forward renderer has room for %d lights", MOST_LIGHTS);
+    f->lights = calloc(1, LIGHTS_BYTES);
+    if (!f->lights)
+        return gl_fail(f->gl, "out of memory");
+    view_space_lights(&f->space, f->scene, f->lights, counts);
+    view_space_ambient(f->scene, f->block.ambient);
+    memcpy(f->block.ray, f->space.ray, sizeof f->space.ray);
+    memcpy(f->block.view, f->space.depth, sizeof f->space.depth);
+    f->block.count[0] = counts[VIEW_SPACE_POINTS];
+    return true;
+}
+
+static bool choose_layout(Forward *f)
+{
+    f->compile.layout = NULL;
+    f->compile.pass = "gbuffer";
+    f->compile.target = "glsl450";
+    f->compile.validate = false; /* the driver does */
+    f->layout = matc_layout_read("forward.yaml", layout_text, sizeof layout_text - 1, &f->compile);
+    f->compile.custom = f->layout;
+    return matc_layout_ok(f->layout) || gl_fail(f->gl, "%s", matc_layout_diagnostics(f->layout, MATC_TEXT));
+}
+
+static bool make(Forward *f)
+{
+    const int size[2] = {f->target.spec.width, f->target.spec.height}, none[2] = {0, 0};
+    const FramebufferSpec spec = {size[0], size[1], 1, GL_RGBA16F, true};
+    const size_t objects = (size_t)f->scene->object_count;
+    view_space_make(&f->scene->camera, size, true, &f->space);
+    view_space_place(&f->space, size, none);
+    f->store = store_new(f->gl);
+    f->materials = calloc((size_t)f->scene->material_count, sizeof *f->materials);
+    f->meshes = calloc(objects, sizeof *f->meshes);
+    f->mesh_of = calloc(objects, sizeof *f->mesh_of);
+    if (!f->store || !f->materials || !f->meshes || !f->mesh_of)
+        return gl_fail(f->gl, "out of memory");
+    bool fine = framebuffer_make(f->gl, &spec, &f->target) && choose_layout(f) && make_blocks(f);
+    for (int i = 0; fine && i < f->scene->material_count; i++)
+        fine = make_material(f, i);
+    for (int i = 0; fine && i < f->scene->object_count; i++)
+        fine = make_mesh(f, i);
+    return fine;
+}
+
+Forward *forward_open(GlContext *gl, const ForwardSource *source)
+{
+    Forward *forward = calloc(1, sizeof *forward);
+    if (!forward)
+        return gl_fail(gl, "out of memory"), NULL;
+    *forward = (Forward){.gl = gl, .scene = source->scene, .compile = *source->compile};
+    forward->target.spec.width = source->width;
+    forward->target.spec.height = source->height;
+    if (make(forward))
+        return forward;
+    forward_close(forward);
+    return NULL;
+}
+
+void forward_close(Forward *f)
+{
+    if (!f)
+        return;
+    for (int i = 0; f->materials && i < f->scene->material_count; i++)
+        if (f->materials[i].store)
+            material_delete(&f->materials[i]);
+    for (int i = 0; f->meshes && i < f->scene->object_count; i++)
+        mesh_delete(f->gl, &f->meshes[i]);
+    framebuffer_delete(f->gl, &f->target);
+    matc_layout_free(f->layout);
+    store_free(f->store);
+    free(f->materials);
+    free(f->meshes);
+    free(f->mesh_of);
+    free(f->lights);
+    free(f);
+}
+
+static void draw_object(Forward *f, int number)
+{
+    const SceneObject *object = &f->scene->objects[number];
+    Material *material = &f->materials[object->material];
+    Spaces spaces = f->space.spaces;
+    for (int i = 0; i < 16; i++)
+        spaces.world_from_local.m[i] = (float)object->world_from_local.m[i];
+    spaces_set(&spaces, material);
+    material_use(material);
+    mesh_draw(f->gl, &f->meshes[f->mesh_of[number]]);
+}
+
+void forward_draw(Forward *f)
+{
+    static const float nothing[4];
+    GlContext *gl = f->gl;
+    framebuffer_use(gl, &f->target);
+    gl->ClearBufferfv(GL_COLOR, 0, nothing);
+    gl->ClearBufferfv(GL_DEPTH, 0, nothing);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_GREATER);
+    gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    for (int i = 0; i < f->scene->object_count; i++)
+        draw_object(f, i);
+    gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    gl->DepthFunc(GL_LESS);
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+bool forward_read(Forward *f, float *rgba) { return framebuffer_read(f->gl, &f->target, 0, rgba); }

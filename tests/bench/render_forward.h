@@ -1,0 +1,22 @@
+/* A plain forward renderer, for matbench render to compare with: a program for each material, which lights in the fragment program; an object
+ * after the other, as the scene has them. Solids and lamps of all kinds but areas and skies, without shadows. OpenGL 4.5. */
+#ifndef RENDER_FORWARD_H
+#define RENDER_FORWARD_H
+#include "runtime/scene/scene.h"
+
+typedef struct GlContext GlContext;
+typedef struct Forward Forward;
+typedef struct {
+    const Scene *scene;
+    const MatcOptions *compile;
+    int width, height;
+} ForwardSource;
+
+/* NULL: see gl->error. The scene stays until it is closed. */
+Forward *forward_open(GlContext *gl, const ForwardSource *source);
+void forward_draw(Forward *forward);
+/* Linear light, four floats a pixel, row 0 is the bottom row. */
+bool forward_read(Forward *forward, float *rgba);
+/* NULL is nothing. */
+void forward_close(Forward *forward);
+#endif

@@ -1,0 +1,138 @@
+/* Opens scenes, times frames and passes, compares pictures. */
+#include <stdio.h>
+#include "render_time.h"
+#include "matbench.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST_FRAMES = 64, FEWEST_FRAMES = 3 };
+
+static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
+
+bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options, BenchScene *made)
+{
+    RenderOptions with = *options;
+    with.compile = &bench->compile;
+    with.width = bench->width;
+    with.height = bench->height;
+    *made = (BenchScene){0};
+    made->document = scene_read("bench.yaml", text->at, text->size, &bench->compile, &made->scene);
+    if (!made->scene)
+        return said(matc_diagnostics(made->document, MATC_TEXT));
+    made->render = render_open(bench->gl, &with);
+    return (made->render && render_scene(made->render, made->scene) && render_frame(made->render)) ||
+           said(bench->gl->error);
+}
+
+bool bench_scene_open_forward(const Bench *bench, BenchScene *made)
+{
+    const ForwardSource source = {made->scene, &bench->compile, bench->width, bench->height};
+    made->forward = forward_open(bench->gl, &source);
+    if (!made->forward)
+        return said(bench->gl->error);
+    forward_draw(made->forward);
+    return true;
+}
+
+void bench_scene_close(BenchScene *scene)
+{
+    forward_close(scene->forward);
+    render_close(scene->render);
+    scene_free(scene->scene);
+    matc_document_free(scene->document);
+    *scene = (BenchScene){0};
+}
+
+/* Seconds of a frame, of so many that are finished together. */
+static double draw(const Bench *bench, BenchScene *scene, bool forward, int frames)
+{
+    const double start = bench_now();
+    for (int i = 0; i < frames; i++)
+        if (forward)
+            forward_draw(scene->forward);
+        else
+            render_frame(scene->render);
+    bench->gl->Finish();
+    return (bench_now() - start) / frames;
+}
+
+/* As many as take longer than it takes a GPU to tell that it has finished. */
+static int frames_of(const Bench *bench, BenchScene *scene, bool forward)
+{
+    const double least = 5e-3, one = draw(bench, scene, forward, 1);
+    return 1 + (int)(least / (one > 1e-5 ? one : 1e-5));
+}
+
+static BenchTimes times_of(double *seconds, int count)
+{
+    const double median = bench_median(seconds, count); /* sorts */
+    return (BenchTimes){median, seconds[0]};
+}
+
+bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[2])
+{
+    double seconds[2][MOST_FRAMES];
+    const int ways = 1 + (scene->forward != NULL);
+    const double end = bench_now() + bench->seconds;
+    int count = 0, frames[2] = {0};
+    bench->gl->Finish();
+    for (int i = 0; i < ways; i++)
+        frames[i] = frames_of(bench, scene, i); /* the first frame was drawn when the scene was opened */
+    for (; count < MOST_FRAMES && (count < FEWEST_FRAMES || bench_now() < end); count++)
+        for (int i = 0; i < ways; i++)
+            seconds[i][count] = draw(bench, scene, i, frames[i]);
+    times[0] = times_of(seconds[0], count);
+    times[1] = scene->forward ? times_of(seconds[1], count) : (BenchTimes){NAN, NAN};
+    return gl_check(bench->gl, "drawing frames") || said(bench->gl->error);
+}
+
+int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime medians[RENDER_PASSES_MOST])
+{
+    static double seconds[RENDER_PASSES_MOST][MOST_FRAMES];
+    const double end = bench_now() + bench->seconds;
+    int frames = 0, count = 0;
+    for (; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end); frames++) {
+        count = render_time_passes(scene->render, medians);
+        for (int i = 0; i < count; i++)
+            seconds[i][frames] = medians[i].seconds;
+    }
+    for (int i = 0; i < count; i++)
+        medians[i].seconds = bench_median(seconds[i], frames);
+    return count;
+}
+
+static bool is_black(const float *rgba, int pixels)
+{
+    int lit = 0;
+    for (int i = 0; i < 4 * pixels; i++)
+        lit += i % 4 < 3 && rgba[i] > .05f;
+    return lit == 0;
+}
+
+/* Pixels of two pictures that are apart, of so many. */
+static int count_apart(const float *a, const float *b, int pixels, double bound)
+{
+    int apart = 0;
+    for (int i = 0; i < pixels; i++) {
+        double most = 0;
+        for (int lane = 4 * i; lane < 4 * i + 3; lane++)
+            most = fmax(most, isnan(a[lane]) || isnan(b[lane]) ? INFINITY : fabs(fmin(a[lane], 1) - fmin(b[lane], 1)));
+        apart += most > bound;
+    }
+    return apart;
+}
+
+double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound)
+{
+    const int pixels = bench->width * bench->height;
+    float *rgba[2];
+    double apart = NAN;
+    for (int i = 0; i < 2; i++)
+        rgba[i] = calloc((size_t)pixels, 4 * sizeof **rgba);
+    if (rgba[0] && rgba[1] && render_frame(scene->render) && render_read(scene->render, rgba[0]) &&
+        forward_read(scene->forward, rgba[1]) && !is_black(rgba[0], pixels))
+        apart = (double)count_apart(rgba[0], rgba[1], pixels, bound) / pixels;
+    free(rgba[0]);
+    free(rgba[1]);
+    return apart;
+}

@@ -1,0 +1,40 @@
+/* Scenes drawn for their times: by the renderer, and by the forward renderer beside it. */
+#ifndef RENDER_TIME_H
+#define RENDER_TIME_H
+#include "compiler/base/text.h"
+#include "render_forward.h"
+#include "runtime/render/render.h"
+
+typedef struct {
+    GlContext *gl;
+    MatcOptions compile;
+    int width, height;
+    bool timed;
+    double seconds; /* that a row may be drawn again and again; the first frames always are */
+    FILE *csv;      /* or NULL */
+} Bench;
+
+/* A scene, and what draws it. */
+typedef struct {
+    MatcDocument *document;
+    Scene *scene;
+    Render *render;
+    Forward *forward; /* or NULL */
+} BenchScene;
+
+typedef struct {
+    double median, least; /* seconds of a frame */
+} BenchTimes;
+
+/* False: said on standard error. Close in any case. `options` are those of the renderer but for size and choices. */
+bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options, BenchScene *made);
+bool bench_scene_open_forward(const Bench *bench, BenchScene *made);
+void bench_scene_close(BenchScene *scene);
+/* Frames of the renderer and, where there is one, of the forward renderer, in turns, each finished. */
+bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[2]);
+/* Medians of the seconds that each pass takes; how many passes there are. */
+int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime medians[RENDER_PASSES_MOST]);
+/* The share of pixels at which both pictures' light, cut at 1, is apart by more than `bound`. NAN: they are black,
+ * or could not be read. */
+double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound);
+#endif
