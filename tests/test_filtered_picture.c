@@ -268,6 +268,15 @@ static void pictures_show_their_mipmaps(void **state)
     assert_int_equal(failures, 0);
 }
 
+/* Of a BumpMap's normal: up to a texel a pixel the texels are mixed in floats, but where mipmaps have none to fetch (GLSL 1.10), and where
+ * the shader makes the border of a sampler that has none. */
+static double most_of_normal(const Look *look, double texels)
+{
+    const bool sampled =
+        !strcmp(look->target, "glsl110") || (look->address == BORDER && !strcmp(look->target, "essl300"));
+    return texels <= 1 && !sampled ? 1e-6 : .006;
+}
+
 /* By default the sampler does all: with the footprint of the neighbouring pixels, or in a choice of costly maps with one that it is
  * told. Below a texel its weights have eight bits. */
 static void samplers_show_pictures(void **state)
@@ -284,7 +293,7 @@ static void samplers_show_pictures(void **state)
                 {turbulent, "emissive", targets[target], "auto", want_sampler, REPEAT},
                 {"{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal, REPEAT}};
             for (size_t k = 0; k < sizeof looks / sizeof *looks; k++)
-                failures += judge(&looks[k], texels[i], k < 2 ? .015 : .006);
+                failures += judge(&looks[k], texels[i], k < 2 ? .015 : most_of_normal(&looks[k], texels[i]));
         }
     assert_int_equal(failures, 0);
 }
@@ -332,7 +341,7 @@ static void slopes_know_addresses(void **state)
         for (int target = 0; target < 3; target++) {
             const Look look = {
                 "{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal, address};
-            failures += judge(&look, .21, .006);
+            failures += judge(&look, .21, most_of_normal(&look, .21));
         }
     assert_int_equal(failures, 0);
 }

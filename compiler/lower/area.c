@@ -260,6 +260,31 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     return with_border(l, p, value, (Ref[]){point, wide});
 }
 
+/* Of a picture whose sampler does all beyond the edges. */
+static Ref rise_over(Lower *l, const Picture *p, Ref uv, int lane)
+{
+    Ir *ir = l->ir;
+    const Word wrap = ir->textures[ir_at(ir, p->sampler)->payload].wrap;
+    const Spread spread = spread_of(l, uv);
+    Ref args[7] = {p->sampler, uv, p->size, build_int(ir, lane)};
+    int count = 4;
+    if (wrap != WORD_Address_repeat)
+        args[count++] = build_int(ir, wrap - WORD_Address_repeat);
+    args[count++] = build_or_zero(ir, spread.right, TYPE_vec2);
+    args[count++] = build_or_zero(ir, spread.up, TYPE_vec2);
+    return build_call_of(ir, wrap == WORD_Address_repeat ? FN_imageRiseOver : FN_imageRiseBeyond, args, count);
+}
+
+/* GLSL 1.10 fetches no texels beside mipmaps. */
+Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int lane)
+{
+    if (p->address != WORD_Address_repeat)
+        return 0;
+    if (p->function == FN_imageBilinear)
+        return build_call(l->ir, FN_imageRise, p->sampler, uv, p->size, build_int(l->ir, lane));
+    return is_sampler(p->function) && target_table[l->job->target].words ? rise_over(l, p, uv, lane) : 0;
+}
+
 /* By mipmaps: the spread is that of the picture, which is turned round where it is mirrored. */
 static Ref picture_filtered(Lower *l, const Picture *p, Ref uv, Spread spread)
 {

@@ -33,7 +33,7 @@ Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
     return constant(l, lower_param(l, node_param(node, P_Graytone_value), TYPE_float), group);
 }
 
-static const char *const lane_name[] = {"x", "y", "z"};
+static const char *const lane_name[] = {"x", "y", "z", "w"};
 
 /* Whether floor(2 q) is odd, from the whole number and the fraction of 2 q, by lane: edges are at whole numbers, and beside them
  * the fraction is small and good to its last bit. */
@@ -189,19 +189,21 @@ static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
     return (uint32_t)ir->texture_count - 1;
 }
 
+enum { ALL_LANES = -1 };
+
 /* A picture, the function that reads it, and the steps of its slopes along u and v; 0: a texel. */
 typedef struct {
     IrTexture texture;
     Function function;
     double step;
-    const char *lane; /* that alone, by its letter in GLSL; NULL: all */
-    Word address;     /* what is beyond the edges and no sampler's part */
+    int lane;     /* that alone; ALL_LANES */
+    Word address; /* what is beyond the edges and no sampler's part */
 } Sampled;
 
 /* Of what a picture's function gave, its lanes. */
 static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
 {
-    return sampled->lane ? build_swizzle(l->ir, value, sampled->lane) : value;
+    return sampled->lane == ALL_LANES ? value : build_swizzle(l->ir, value, lane_name[sampled->lane]);
 }
 
 /* Its width and height: asked of the sampler where that can tell, so that pictures of all sizes share a program. */
@@ -239,10 +241,27 @@ static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
     return turn > 0 ? stepped(l, uv, step, turn) : build_add(l->ir, uv, step);
 }
 
+/* By the texels, lane by lane; 0: they do not tell. */
+static Ref texels_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
+{
+    Ref slope[4];
+    const bool all = sampled->lane == ALL_LANES;
+    for (int i = 0; i < (all ? 4 : 1); i++) {
+        Ref rise = area_picture_rise(l, picture, uv, all ? i : sampled->lane);
+        if (!rise)
+            return 0;
+        slope[i] = build_swizzle(l->ir, rise, by_v ? "y" : "x");
+    }
+    return all ? build_vec_of(l->ir, TYPE_vec4, slope, 4) : slope[0];
+}
+
 /* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
 static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
     Ir *ir = l->ir;
+    Ref exact = texels_slope(l, sampled, picture, uv, by_v);
+    if (exact)
+        return exact;
     Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
     Ref h = sampled->step > 0 ? build_float(ir, sampled->step) : build_div(ir, build_float(ir, 1), lane);
     Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
@@ -273,12 +292,11 @@ static bool is_word(const Node *node, int param, Word word)
     return value->kind == VALUE_number && value->number[0] == word;
 }
 
-/* Of `channel:`, as GLSL has it. */
-static const char *channel_lane(const Node *node)
+/* Of `channel:`. */
+static int channel_lane(const Node *node)
 {
-    static const char *const lanes[] = {"x", "y", "z", "w"};
     const Value *value = node_param(node, P_ImageMap_channel);
-    return value->kind == VALUE_number ? lanes[(int)value->number[0] - WORD_Channel_r] : NULL;
+    return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r : ALL_LANES;
 }
 
 /* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are halves where it has none of them, and
@@ -345,7 +363,7 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
         return constant(l, build_float(ir, 1), group);
     const Sampled sampled = sampled_image(l, node, image->image);
     Ref value = sample_group(l, &sampled, uv, group);
-    if (group == GROUP_R && opaque && !sampled.lane)
+    if (group == GROUP_R && opaque && sampled.lane == ALL_LANES)
         value = build_vec(ir, TYPE_vec4, build_swizzle(ir, value, "xyz"), build_float(ir, 1));
     return answer_of(value);
 }
@@ -367,5 +385,5 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .width = (int)width[0],
                                .height = (int)height[0]};
     return answer_of(
-        sample_group(l, &(Sampled){texture, FN_carpenterRelief, row->step, NULL, WORD_Address_repeat}, uv, group));
+        sample_group(l, &(Sampled){texture, FN_carpenterRelief, row->step, ALL_LANES, WORD_Address_repeat}, uv, group));
 }

@@ -162,35 +162,67 @@ REFERENCE(reliefAlong)
     result[0] = lanes[0];
 }
 
-/* The mean of samples over the footprint. */
-static void footprint_mean(const void *context, const double *args, double *result)
+/* The mean of samples over a footprint: the changes of u and v to the right, then upward. */
+static void footprint_mean(const ReferenceTexture *texture, const double uv[2], const double spread[4],
+                           double result[LANES])
 {
     enum { SIDE = 16 };
     for (int lane = 0; lane < LANES; lane++)
         result[lane] = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[LANES];
-        const double at[2] = {args[1] + a * args[5] + b * args[7], args[2] + a * args[6] + b * args[8]};
-        bilinear(texture_of(context, args[0]), at, sample);
+        const double at[2] = {uv[0] + a * spread[0] + b * spread[2], uv[1] + a * spread[1] + b * spread[3]};
+        bilinear(texture, at, sample);
         for (int lane = 0; lane < LANES; lane++)
             result[lane] += sample[lane] / (SIDE * SIDE);
     }
 }
 
-REFERENCE(imageFiltered) { footprint_mean(context, args, result); }
+REFERENCE(imageFiltered) { footprint_mean(texture_of(context, args[0]), &args[1], &args[5], result); }
 
 /* Texels that a change of uv crosses. */
-static double texels_across(const double *size, const double *change)
+static double texels_across(const ReferenceTexture *texture, const double *change)
 {
-    return hypot(size[0] * change[0], size[1] * change[1]);
+    return hypot(texture->width * change[0], texture->height * change[1]);
 }
 
 /* Up to a texel a pixel the sampler magnifies: the value at the point. */
-REFERENCE(imageSampledOver)
+static void shown(const ReferenceTexture *texture, const double uv[2], const double spread[4], double result[LANES])
 {
-    const double *size = &args[3], *right = &args[5], *up = &args[7];
-    if (fmax(texels_across(size, right), texels_across(size, up)) <= 1)
-        bilinear(texture_of(context, args[0]), &args[1], result);
+    if (fmax(texels_across(texture, spread), texels_across(texture, spread + 2)) <= 1)
+        bilinear(texture, uv, result);
     else
-        footprint_mean(context, args, result);
+        footprint_mean(texture, uv, spread, result);
+}
+
+REFERENCE(imageSampledOver) { shown(texture_of(context, args[0]), &args[1], &args[5], result); }
+
+/* By how much a lane is greater one texel further along u and along v, over a texel. */
+static void rise(const ReferenceTexture *texture, const double uv[2], double lane, const double spread[4],
+                 double *result)
+{
+    const int one = whole_between(lane, 0, LANES - 1), size[] = {texture->width, texture->height};
+    double here[LANES], beyond[LANES];
+    shown(texture, uv, spread, here);
+    for (int axis = 0; axis < 2; axis++) {
+        double there[] = {uv[0], uv[1]};
+        there[axis] += 1. / size[axis];
+        shown(texture, there, spread, beyond);
+        result[axis] = (beyond[one] - here[one]) * size[axis];
+    }
+}
+
+REFERENCE(imageRise)
+{
+    const ReferenceTexture texture = fetched_of(context, args[0]);
+    rise(&texture, &args[1], args[5], (double[4]){0}, result);
+}
+
+REFERENCE(imageRiseOver) { rise(texture_of(context, args[0]), &args[1], args[5], &args[6], result); }
+
+REFERENCE(imageRiseBeyond)
+{
+    ReferenceTexture texture = *texture_of(context, args[0]);
+    texture.wrap = (ReferenceWrap)whole_between(args[6], REFERENCE_REPEAT, REFERENCE_BORDER);
+    rise(&texture, &args[1], args[5], &args[7], result);
 }

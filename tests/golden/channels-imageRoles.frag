@@ -31,6 +31,71 @@ uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
+// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
+// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
+// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+float phongExponent(float x) {
+    float y = x * (2.0 - x);
+    float w = min((1.0 - x) * (1.0 - x), 0.25);
+    float s = w / (2.0 - w);
+    float s2 = s * s;
+    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
+    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
+    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
+    return y > 0.0 ? exponent : 0.0;
+}
+
+// Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
+vec4 texel(sampler2D s, vec2 i, vec2 size) {
+    return texelFetch(s, ivec2(i), 0);
+}
+
+// How the mix of four texels rises from one to the next along u and along v: of three rows of three, the lowest first; the last
+// texel of the top row has no part in it. Differences come before the mix, so that nothing cancels.
+vec2 texelsRise(vec3 row, vec3 above, vec3 top, vec2 weight) {
+    vec2 low = mix(vec2(row.y - row.x, above.x - row.x), vec2(row.z - row.y, top.x - above.x), weight);
+    vec2 high = mix(vec2(above.y - above.x, above.y - row.y), vec2(above.z - above.y, top.y - above.y), weight);
+    return mix(low, high, weight.yx);
+}
+
+// By how much a lane of imageBilinear(s, uv, size) is greater one texel further along u and along v, over a texel: eight texels
+// stand for the twelve of three places. Error 6e-7 of the size.
+vec3 imageRiseRow(sampler2D s, vec3 x, float y, vec2 size, int lane) {
+    return vec3(texel(s, vec2(x.x, y), size)[lane], texel(s, vec2(x.y, y), size)[lane], texel(s, vec2(x.z, y), size)[lane]);
+}
+
+vec2 imageRise(sampler2D s, vec2 uv, vec2 size, int lane) {
+    vec2 at = fract(uv) * size;
+    vec2 low = floor(at);
+    vec2 weight = at - low;
+    low -= size * step(size, low);
+    vec2 next = low + 1.0;
+    next -= size * step(size, next);
+    vec2 last = next + 1.0;
+    last -= size * step(size, last);
+    vec3 x = vec3(low.x, next.x, last.x);
+    return texelsRise(imageRiseRow(s, x, low.y, size, lane), imageRiseRow(s, x, next.y, size, lane),
+                      imageRiseRow(s, x, last.y, size, lane), weight) * size;
+}
+
+// By how much a lane of what the sampler shows over a footprint is greater one texel further along u and along v, over a texel.
+vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
+    vec2 at = uv + 0.5 / size;
+    float here = textureGrad(s, at, right, up)[lane];
+    float beyondU = textureGrad(s, at + vec2(1.0 / size.x, 0.0), right, up)[lane];
+    float beyondV = textureGrad(s, at + vec2(0.0, 1.0 / size.y), right, up)[lane];
+    return (vec2(beyondU, beyondV) - here) * size;
+}
+
+// imageRise of a picture with mipmaps, over the footprint that the changes of uv to the pixel's right and upper neighbour span. Up to
+// a texel a pixel its texels are mixed here: the sampler's weights have eight bits, too few for a difference times the size.
+vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
+    vec2 across = right * size, along = up * size;
+    if (max(dot(across, across), dot(along, along)) > 1.0)
+        return imageRiseSampled(s, uv, size, lane, right, up);
+    return imageRise(s, uv, size, lane);
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -77,21 +142,9 @@ uint logarithmBits(float v, int bits) {
     return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
 }
 
-// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
-// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
-// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
-float phongExponent(float x) {
-    float y = x * (2.0 - x);
-    float w = min((1.0 - x) * (1.0 - x), 0.25);
-    float s = w / (2.0 - w);
-    float s2 = s * s;
-    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
-    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
-    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
-    return y > 0.0 ? exponent : 0.0;
-}
-
 void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
     // imageRoles.yaml:8 ImageMap
     vec2 diffuse_image = pictureSize(imageTexture0);
     // imageRoles.yaml:6 Blend
@@ -102,11 +155,10 @@ void main() {
     // imageRoles.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
-    float shininess_1 = imageSampled(imageTexture0, uv, diffuse_image).x;
-    float bumpMap_2 = (imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).x - shininess_1) * diffuse_image.x * 0.04;
-    float bumpMap_3 = (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).x - shininess_1) * diffuse_image.y * 0.04;
-    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
+    float shininess = phongExponent(imageSampled(imageTexture0, uv, diffuse_image).x);
+    // imageRoles.yaml:4 ImageMap
+    vec2 image = imageRiseOver(imageTexture0, uv, diffuse_image, 0, uvByX, uvByY);
+    vec3 bumpMap = cross(image.x * 0.04 * bumpMap_1 + worldTangentU, worldTangentV) + image.y * 0.04 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 21);
-    fragment0 = surface_bits2;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(shininess, 10) << 21);
 }

@@ -86,11 +86,11 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
     return 2 * most;
 }
 
-/* imageSampledOver's footprint is surely below a texel. */
-static bool is_magnified(const FoldArg *args)
+/* The footprint, which is the last two arguments, is surely below a texel. */
+static bool is_magnified(const IrNode *node, const FoldArg *args)
 {
     double texels = 0;
-    for (int i = 3; i < 5; i++)
+    for (int i = node->count - 2; i < node->count; i++)
         texels = fmax(texels, hypot(args[i].numbers[0] * args[2].numbers[0], args[i].numbers[1] * args[2].numbers[1]));
     return texels < 0.5;
 }
@@ -109,7 +109,12 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     case FN_imageSampled:
         return SAMPLER_ERROR;
     case FN_imageSampledOver: /* what a driver takes of a footprint above a texel is its own */
-        return is_magnified(args) ? SAMPLER_ERROR : 1;
+        return is_magnified(node, args) ? SAMPLER_ERROR : 1;
+    case FN_imageRise:
+        return 2e-6 * greatest(&args[2]);
+    case FN_imageRiseOver:
+    case FN_imageRiseBeyond:
+        return (is_magnified(node, args) ? 2e-6 : 1) * greatest(&args[2]);
     case FN_phongExponent:
         return 4e-6 * fabs(value);
     case FN_skyRadiance:
@@ -125,6 +130,8 @@ static double decoding_error(const Erring *e, const IrNode *node, const FoldArg 
     const double decoded = 1.3e-3;
     if (function_arguments((int)node->payload)[0] != 's' || !e->context->textures[(int)args[0].numbers[0]].srgb)
         return 0;
+    if (node->payload == FN_imageRise || node->payload == FN_imageRiseOver || node->payload == FN_imageRiseBeyond)
+        return 2 * decoded * greatest(&args[2]);
     if (node->payload != FN_imageAlong)
         return decoded;
     const double *size = args[2].numbers, *direction = args[3].numbers;

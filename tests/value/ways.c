@@ -88,7 +88,7 @@ double way_bound(const Way *way, const Document *document, int governing)
 /* So far out that differences of the oracle's doubles are no measure of a derivative, or the bounded sine's bound is no more. */
 static const float far_for_slopes = 1000, far_for_sines = 1e5f;
 /* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. Slopes of what it gives, which a BumpMap takes, are
- * test_filtered_picture's. */
+ * test_filtered_picture's where the target fetches no texels for them. */
 static const float far_for_samplers = 100;
 /* Where a filter's points, each of which rounds by itself, lie apart by other distances than they should: a hull moves all of them alike. */
 static const float far_for_filters = 1000;
@@ -110,10 +110,11 @@ static bool has_slopes(const Way *way, const Subjects *subjects)
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
 {
     const bool sampled = way_samples(way, subjects);
+    const bool by_slopes_of_samplers = subjects->has[KIND_BumpMap] && !target_table[way->target].words;
     const bool filters = subjects->has[KIND_Laplace3D] || subjects->has[KIND_Smooth3D];
     return !point_is_extreme(point) && !(has_slopes(way, subjects) && point_is_far(point, far_for_slopes)) &&
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&
-           !(sampled && (subjects->has[KIND_BumpMap] || point_is_far(point, far_for_samplers))) &&
+           !(sampled && (by_slopes_of_samplers || point_is_far(point, far_for_samplers))) &&
            !(filters && point_is_far(point, far_for_filters)) &&
            !(way->choice == CHOICE_noise_simplex && point_on_edges(point));
 }
