@@ -7,45 +7,20 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame/shadow_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
 /* -- rays to lights */
-
-/* Towards a light; its length is the distance, or infinite. */
-static double way_to(const SceneLight *light, const double point[3], double way[3])
-{
-    for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - point[i];
-    const double length = sqrt(reference_dot(way, way));
-    reference_normalize(way);
-    return light->kind == SCENE_Directional ? INFINITY : length;
-}
-
-/* An infinite plane is between: it is met before the light. */
-static bool is_behind_plane(const Scene *scene, const double from[3], const double way[3], double distance)
-{
-    Hit hit = {.distance = distance};
-    Ray ray;
-    memcpy(ray.at, from, sizeof ray.at);
-    memcpy(ray.way, way, sizeof ray.way);
-    for (int i = 0; i < scene->object_count; i++)
-        if (scene->objects[i].kind == SCENE_Plane)
-            reference_plane(&scene->objects[i], &ray, 0, &hit);
-    return hit.distance < distance;
-}
 
 /* From a point a little off a surface, on the light's side of it. */
 static bool is_lit(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3])
 {
     struct RTCIntersectContext context;
     double way[3], from[3];
-    const double distance = way_to(light, point, way);
+    const double distance = shadow_way_to(light, point, way);
     const double off = (reference_dot(facet, way) < 0 ? -1 : 1) * 3e-5;
     for (int i = 0; i < 3; i++)
         from[i] = point[i] + off * facet[i];
@@ -59,25 +34,7 @@ static bool is_lit(const Tracer *tracer, const SceneLight *light, const double p
                          .mask = ~0u};
     rtcInitIntersectContext(&context);
     rtcOccluded1(tracer->traced, &context, &ray);
-    return ray.tfar > 0 && !is_behind_plane(tracer->scene, from, way, distance);
-}
-
-/* A step on the tangent plane that is `step` across the light's way, at an angle around it. */
-static void beside(const Hit *hit, const double way[3], double step, double angle, double moved[3])
-{
-    const int least = fabs(way[0]) < fabs(way[1])   ? fabs(way[0]) < fabs(way[2]) ? 0 : 2
-                      : fabs(way[1]) < fabs(way[2]) ? 1
-                                                    : 2;
-    double helper[3] = {0}, x[3], y[3], across[3];
-    helper[least] = 1;
-    reference_cross(helper, way, x);
-    reference_normalize(x);
-    reference_cross(way, x, y);
-    for (int i = 0; i < 3; i++)
-        across[i] = step * (cos(angle) * x[i] + sin(angle) * y[i]);
-    const double along = -reference_dot(across, hit->facet) / reference_dot(way, hit->facet);
-    for (int i = 0; i < 3; i++)
-        moved[i] = hit->world[i] + across[i] + along * way[i];
+    return ray.tfar > 0 && !shadow_is_behind_plane(tracer->scene, from, way, distance);
 }
 
 /* -- pictures */
@@ -112,7 +69,7 @@ static double texel_at(const Scene *scene, const SceneLight *light, const double
 {
     const double reach = 11.5; /* across all objects, about */
     double way[3];
-    const double distance = way_to(light, point, way);
+    const double distance = shadow_way_to(light, point, way);
     const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
                             ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
                             : 1;
@@ -129,9 +86,9 @@ static int share_of(const Tracer *tracer, const Hit *hit)
     const double step = band_of(tracer->scene) * texel_at(tracer->scene, light, hit->world);
     double way[3], moved[3];
     const bool lit = is_lit(tracer, light, hit->world, hit->facet);
-    way_to(light, hit->world, way);
+    shadow_way_to(light, hit->world, way);
     for (int i = 0; i < 24; i++) {
-        beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
+        shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
         if (is_lit(tracer, light, moved, hit->facet) != lit)
             return -1;
     }
@@ -142,7 +99,7 @@ static int share_of(const Tracer *tracer, const Hit *hit)
 static bool sides_agree(const SceneLight *light, const Hit *hit)
 {
     double way[3];
-    way_to(light, hit->world, way);
+    shadow_way_to(light, hit->world, way);
     return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
 }
 
@@ -181,17 +138,6 @@ static Count compare(GlContext *gl, const char *text, void (*add)(const Tracer *
     return count;
 }
 
-/* Degrees over the ground, and around. */
-static const double angles[][2] = {{.5, 20}, {3, 100}, {12, 200}, {25, 320}, {45, 60}, {70, 250}, {89.5, 10}};
-
-static void place(const double angle[2], double distance, double at[3])
-{
-    const double up = angle[0] * PI / 180, around = angle[1] * PI / 180;
-    at[0] = distance * cos(up) * cos(around);
-    at[1] = distance * cos(up) * sin(around);
-    at[2] = distance * sin(up);
-}
-
 /* A light, but for its place and direction. */
 typedef struct {
     const char *kind; /* and further params */
@@ -203,7 +149,7 @@ static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], co
 {
     char text[4096], place_text[128] = "", direction_text[128] = "";
     double at[3];
-    place(angle, 6, at);
+    shadow_place(angle, 6, at);
     if (lamp->placed)
         snprintf(place_text, sizeof place_text, ", position: [%g, %g, %g]", at[0], at[1], at[2]);
     if (lamp->directed)
@@ -217,12 +163,12 @@ static void by_every_angle(const char *name, const Lamp *lamp, const char *objec
 {
     GlContext *gl = frame_context();
     Count all = {0};
-    for (size_t i = 0; i < sizeof angles / sizeof *angles; i++) {
-        const Count count = at_angle(gl, lamp, angles[i], objects, maps);
+    for (size_t i = 0; i < sizeof shadow_angles / sizeof *shadow_angles; i++) {
+        const Count count = at_angle(gl, lamp, shadow_angles[i], objects, maps);
         all.lit += count.lit, all.dark += count.dark, all.band += count.band;
         all.acne += count.acne, all.leaks += count.leaks;
-        print_message("%-12s %4g degrees: %5d lit, %5d dark, %5d in bands; acne %d, leaks %d\n", name, angles[i][0],
-                      count.lit, count.dark, count.band, count.acne, count.leaks);
+        print_message("%-12s %4g degrees: %5d lit, %5d dark, %5d in bands; acne %d, leaks %d\n", name,
+                      shadow_angles[i][0], count.lit, count.dark, count.band, count.acne, count.leaks);
     }
     gl_close(gl);
     assert_true(all.lit > 8000 && all.dark > 2000);

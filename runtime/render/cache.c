@@ -24,10 +24,10 @@ typedef struct {
     GlContext *gl;
     const CacheSource *source;
     Cache *before, *cache;
-    Known meshes, kinds;
+    Known meshes, kinds, casters;
     Key *file_keys; /* of the scene's meshes */
     TransparencyText transparency;
-    int *kind_of, *row_of; /* by material; kind_of -1: not met */
+    int *kind_of, *row_of, *caster_of; /* by material; kind_of -1: not met; caster_of -1: none */
 } Maker;
 
 /* -1: it is not known. */
@@ -102,69 +102,122 @@ static int mesh_of(Maker *m, const SceneObject *object)
     return m->cache->mesh_count - 1;
 }
 
-static bool make_material(Maker *m, const SetProgram *program, Material *made)
+static bool make_material(Maker *m, const SetProgram *program, bool casts, Material *made)
 {
     const Set *set = m->source->set;
     ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
-    if (program->transparent)
+    if (program->transparent && !casts)
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
     return material_make(m->store, program->program, &text, made);
 }
 
-/* The numbers of all programs of a text, one behind the other. */
-static bool make_numbers(Maker *m, const SetProgram *program, GLuint *buffer)
+/* The program with which one of the set casts shadows, or itself; -1: it casts none. */
+static int drawn_as(const Set *set, int program, bool casts) { return casts ? set->programs[program].caster : program; }
+
+/* Whether materials are drawn with one text, by surfaces and as casters. */
+static bool are_alike(const Set *set, int a, int b, bool casts)
+{
+    const int x = drawn_as(set, a, casts), y = drawn_as(set, b, casts);
+    return set->programs[a].text == set->programs[b].text && x >= 0 && y >= 0 &&
+           set->programs[x].text == set->programs[y].text;
+}
+
+/* The numbers of all programs of a text, one behind the other: of a caster in the order of the surfaces. */
+static bool make_numbers(Maker *m, int surface, bool casts, GLuint *buffer)
 {
     const Set *set = m->source->set;
     const GlContext *gl = m->gl;
-    const size_t size = (size_t)matc_constant_bytes(set->programs[program->text].program);
-    char *rows = calloc((size_t)set_rows(set, program->text) + 1, size);
+    const SetProgram *head = &set->programs[set->programs[drawn_as(set, surface, casts)].text];
+    const size_t size = (size_t)matc_constant_bytes(head->program);
+    const int count = set_rows(set, set->programs[surface].text);
+    char *rows = calloc((size_t)count + 1, size);
     if (!rows)
         return gl_fail(m->gl, "out of memory");
     for (int i = 0; i < set->count; i++)
-        if (set->programs[i].text == program->text)
-            matc_constant_block(set->programs[i].program, rows + size * (size_t)set->programs[i].row);
+        if (are_alike(set, surface, i, casts))
+            matc_constant_block(set->programs[drawn_as(set, i, casts)].program,
+                                rows + size * (size_t)set->programs[i].row);
     gl->GenBuffers(1, buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)size * set_rows(set, program->text), rows, GL_DYNAMIC_DRAW);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)size * count, rows, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     free(rows);
     return gl_check(m->gl, "making a buffer of numbers");
 }
 
-/* A kind of this material, whose program is that; the same one, if what it would be drawn with is the same. */
-static int add_kind(Maker *m, const SetProgram *program, CacheKind *kind)
+/* The buffer of a material's numbers: one for all that are drawn alike. 0: it has none. */
+static bool find_numbers(Maker *m, int surface, bool casts, GLuint *found)
 {
-    Cache *cache = m->cache;
-    GLuint *numbers = &cache->numbers[program->text];
-    const int own = matc_uniform_count(program->program) || !cache->instances ? cache->kind_count : -1;
+    const Set *set = m->source->set;
+    int first = 0;
+    *found = 0;
+    if (!m->cache->instances || !matc_constant_count(set->programs[drawn_as(set, surface, casts)].program))
+        return true;
+    while (!are_alike(set, surface, first, casts))
+        first++;
+    GLuint *numbers = &m->cache->numbers[drawn_as(set, first, casts)];
+    const bool done = *numbers || make_numbers(m, surface, casts, numbers);
+    *found = *numbers;
+    return done;
+}
+
+/* Kinds of one use, and where the next one goes. */
+typedef struct {
+    CacheKind *kinds;
+    int *count;
+    Known *known;
+} Kinds;
+
+/* A kind whose program is that of a material; the same one, if what it would be drawn with is the same. */
+static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, const Kinds *to)
+{
+    const int own = matc_uniform_count(program->program) || !m->cache->instances ? *to->count : -1;
     const Key parts[] = {material_key(&kind->material),
-                         {(uint64_t)(int64_t)own, 0}}; /* whose uniforms are set by themselves */
+                         {(uint64_t)(int64_t)own, kind->numbers}}; /* whose uniforms are set by themselves */
     const Key key = key_of_bytes(parts, sizeof parts);
-    const int known = find(&m->kinds, key);
+    const int known = find(to->known, key);
     if (known >= 0) {
-        material_delete(&kind->material);
+        Material same = kind->material;
+        material_delete(&same);
         return known;
     }
-    cache->kinds[cache->kind_count] = *kind; /* from here on it is the cache's */
-    add(&m->kinds, key, cache->kind_count++);
-    if (cache->instances && matc_constant_count(program->program) && !*numbers && !make_numbers(m, program, numbers))
+    to->kinds[*to->count] = *kind; /* from here on it is the cache's */
+    add(to->known, key, *to->count);
+    return (*to->count)++;
+}
+
+static int make_kind(Maker *m, const SetProgram *surface, bool casts, const Kinds *to)
+{
+    const Set *set = m->source->set;
+    const int number = (int)(surface - set->programs);
+    const SetProgram *program = &set->programs[drawn_as(set, number, casts)];
+    CacheKind kind = {.transparent = surface->transparent};
+    if (!find_numbers(m, number, casts, &kind.numbers) || !make_material(m, program, casts, &kind.material))
         return -1;
-    cache->kinds[cache->kind_count - 1].numbers = *numbers;
-    return cache->kind_count - 1;
+    return add_kind(m, program, &kind, to);
+}
+
+/* How an object of that material casts shadows. */
+static bool find_caster(Maker *m, int material, const SetProgram *surface)
+{
+    Cache *cache = m->cache;
+    const Kinds casters = {cache->casters, &cache->caster_count, &m->casters};
+    m->caster_of[material] = surface->caster < 0 ? -1 : make_kind(m, surface, true, &casters);
+    return surface->caster < 0 || m->caster_of[material] >= 0;
 }
 
 /* The place of an object's kind among the cache's, or -1. Without instances each object has its own, for its matrices. */
 static int kind_of(Maker *m, int material)
 {
-    CacheKind kind = {.numbers = 0};
+    Cache *cache = m->cache;
     const SetProgram *program = set_find(m->source->set, material, "gbuffer");
-    if (m->cache->instances && m->kind_of[material] >= 0)
+    const Kinds kinds = {cache->kinds, &cache->kind_count, &m->kinds};
+    if (cache->instances && m->kind_of[material] >= 0)
         return m->kind_of[material];
-    kind.transparent = program->transparent;
-    if (!make_material(m, program, &kind.material))
-        return -1;
     m->row_of[material] = program->row;
-    return m->kind_of[material] = add_kind(m, program, &kind);
+    if (!find_caster(m, material, program))
+        return -1;
+    return m->kind_of[material] = make_kind(m, program, false, &kinds);
 }
 
 static bool add_surface(Maker *m, int number)
@@ -176,6 +229,7 @@ static bool add_surface(Maker *m, int number)
     if (place.mesh < 0)
         return false;
     place.row = m->row_of[object->material];
+    place.caster = m->caster_of[object->material];
     place.program = m->cache->kinds[place.kind].material.program->name;
     place.transparent = m->cache->kinds[place.kind].transparent;
     m->cache->triangles += m->cache->meshes[place.mesh].index_count / 3;
@@ -190,7 +244,7 @@ static bool add_plane(Maker *m, int number)
     const SetProgram *program = set_find(m->source->set, material, "plane");
     plane->object = number;
     plane->transparent = program->transparent;
-    if (!make_material(m, program, &plane->material))
+    if (!make_material(m, program, false, &plane->material))
         return false;
     m->cache->plane_count++;
     m->cache->opaque_plane_count += !plane->transparent;
@@ -216,7 +270,7 @@ static bool make_sky(Maker *m)
     const int sky = m->source->scene->sky;
     SetProgram program = sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
     program.transparent = false; /* nothing is behind it */
-    cache->has_sky = sky >= 0 && make_material(m, &program, &cache->sky);
+    cache->has_sky = sky >= 0 && make_material(m, &program, false, &cache->sky);
     return sky < 0 || cache->has_sky;
 }
 
@@ -228,6 +282,7 @@ static bool make_room(Maker *m)
     const size_t kinds = cache->instances ? materials : objects;
     cache->number_count = m->source->set->count;
     cache->kinds = calloc(kinds, sizeof *cache->kinds);
+    cache->casters = calloc(kinds, sizeof *cache->casters);
     cache->numbers = calloc((size_t)cache->number_count + 1, sizeof *cache->numbers);
     cache->meshes = calloc(objects, sizeof *cache->meshes);
     cache->boxes = calloc(objects, sizeof *cache->boxes);
@@ -235,15 +290,18 @@ static bool make_room(Maker *m)
     cache->place_of = calloc(objects, sizeof *cache->place_of);
     cache->surfaces = calloc(objects, sizeof *cache->surfaces);
     cache->planes = calloc(objects, sizeof *cache->planes);
-    cache->list = calloc(2 * objects, sizeof *cache->list);
+    cache->list = calloc(CACHE_LISTS * objects, sizeof *cache->list);
+    cache->cast_order = calloc(objects, sizeof *cache->cast_order);
     cache->mesh_keys = m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
     m->file_keys = calloc((size_t)scene->mesh_count + 1, sizeof *m->file_keys);
     m->kinds.keys = calloc(kinds, sizeof *m->kinds.keys);
+    m->casters.keys = calloc(kinds, sizeof *m->casters.keys);
     m->kind_of = calloc(materials, sizeof *m->kind_of);
     m->row_of = calloc(materials, sizeof *m->row_of);
-    return (cache->kinds && cache->numbers && cache->meshes && cache->boxes && cache->places && cache->place_of &&
-            cache->surfaces && cache->planes && cache->list && m->meshes.keys && m->kinds.keys && m->kind_of &&
-            m->row_of && m->file_keys) ||
+    m->caster_of = calloc(materials, sizeof *m->caster_of);
+    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->places &&
+            cache->place_of && cache->surfaces && cache->planes && cache->list && cache->cast_order && m->meshes.keys &&
+            m->kinds.keys && m->casters.keys && m->kind_of && m->row_of && m->caster_of && m->file_keys) ||
            gl_fail(m->gl, "out of memory");
 }
 
@@ -251,10 +309,13 @@ static void forget(Maker *m)
 {
     hash_index_free(&m->meshes.index);
     hash_index_free(&m->kinds.index);
+    hash_index_free(&m->casters.index);
     free(m->kinds.keys);
+    free(m->casters.keys);
     free(m->file_keys);
     free(m->kind_of);
     free(m->row_of);
+    free(m->caster_of);
 }
 
 /* Meshes find the numbers of instances in the list. */
@@ -266,7 +327,11 @@ static bool make_buffers(Maker *m)
         return true;
     gl->GenBuffers(1, &cache->matrices);
     gl->GenBuffers(1, &cache->words);
-    gl->GenBuffers(1, &cache->view);
+    gl->GenBuffers(2, cache->views);
+    gl->BindBuffer(GL_ARRAY_BUFFER, cache->words);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)sizeof *cache->list * CACHE_LISTS * cache->place_count, NULL,
+                   GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     for (int i = 0; i < cache->mesh_count; i++)
         mesh_attach(gl, &cache->meshes[i], cache->words);
     return gl_check(m->gl, "making buffers of instances");
@@ -289,6 +354,8 @@ void cache_delete(GlContext *gl, Cache *cache)
 {
     for (int i = 0; i < cache->kind_count; i++)
         material_delete(&cache->kinds[i].material);
+    for (int i = 0; i < cache->caster_count; i++)
+        material_delete(&cache->casters[i].material);
     for (int i = 0; i < cache->plane_count; i++)
         material_delete(&cache->planes[i].material);
     for (int i = 0; i < cache->mesh_count; i++)
@@ -297,8 +364,10 @@ void cache_delete(GlContext *gl, Cache *cache)
         material_delete(&cache->sky);
     if (cache->numbers)
         gl->DeleteBuffers(cache->number_count, cache->numbers); /* GL ignores the name 0 */
-    gl->DeleteBuffers(3, (const GLuint[]){cache->matrices, cache->words, cache->view});
+    gl->DeleteBuffers(2, (const GLuint[]){cache->matrices, cache->words});
+    gl->DeleteBuffers(2, cache->views);
     free(cache->kinds);
+    free(cache->casters);
     free(cache->numbers);
     free(cache->meshes);
     free(cache->boxes);
@@ -308,5 +377,6 @@ void cache_delete(GlContext *gl, Cache *cache)
     free(cache->surfaces);
     free(cache->planes);
     free(cache->list);
+    free(cache->cast_order);
     *cache = (Cache){0};
 }

@@ -26,6 +26,7 @@ typedef struct {
 typedef struct {
     int object;          /* in Scene.objects */
     int kind, mesh, row; /* `row`: of the kind's numbers */
+    int caster; /* in Cache.casters: with what it is drawn into shadow maps; -1: by depth alone, or it casts none */
     GLuint program;
     bool transparent, mirrored;
 } CachePlace;
@@ -36,10 +37,15 @@ typedef struct {
     bool transparent;
 } CachePlane;
 
+enum { CACHE_LISTS = 3 /* of places, in one buffer */ };
+
 typedef struct {
     bool instances; /* objects are drawn as instances */
     CacheKind *kinds;
     int kind_count;
+    CacheKind
+        *casters; /* programs that draw into shadow maps, of what is transparent; the numbers by the rows of its kind */
+    int caster_count;
     GLuint *numbers; /* by program of the set: a buffer, or 0 */
     int number_count;
     Mesh *meshes;
@@ -57,9 +63,12 @@ typedef struct {
     Material sky;
     bool has_sky;
     long triangles; /* of all surfaces */
-    uint32_t *list; /* places: all of them, then those in view; a buffer has the same */
+    uint32_t *list; /* places: all of them, then those in view, then those that a light sees; a buffer has the same */
     int seen;
-    GLuint matrices, words, view; /* buffers: of places, of the list, of the block View */
+    uint32_t *cast_order; /* places of what casts shadows, sorted by caster and mesh */
+    int cast_count;
+    GLuint matrices, words,
+        views[2]; /* buffers: of places, of the list, of the block View for the camera and for a light */
 } Cache;
 
 typedef struct {
@@ -86,4 +95,17 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
 /* Draws the surfaces in view, each with its program: those that are opaque, or the others. */
 void cache_draw(GlContext *gl, Cache *cache, bool transparent);
+
+/* What a light sees of the scene. */
+typedef struct {
+    const double *clip_from_world; /* 16, by columns */
+    const CullVolume *volume;
+    bool mirrored;   /* triangles turn the other way round there */
+    Material *solid; /* draws depth alone (shadow_depth.glsl) */
+} CacheLight;
+
+/* Sorts what casts shadows. cache_cast.c, as is what follows. */
+bool cache_arrange_casters(GlContext *gl, Cache *cache);
+/* Draws what casts shadows: what is opaque by depth alone, all else by its caster. */
+void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light);
 #endif

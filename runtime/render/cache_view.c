@@ -97,17 +97,19 @@ static bool write_places(GlContext *gl, const CacheSource *source, const Cache *
 
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache)
 {
-    const size_t bytes = sizeof *cache->list * 2 * (size_t)cache->place_count;
+    const size_t bytes = sizeof *cache->list * (size_t)cache->place_count;
     for (int i = 0; i < source->scene->object_count; i++)
         cache->place_of[i] = -1;
     for (int i = 0; i < cache->place_count; i++)
         cache->places[i].mirrored = is_mirrored(&source->scene->objects[cache->places[i].object]);
     qsort(cache->places, (size_t)cache->place_count, sizeof *cache->places, compare);
     find_groups(cache);
+    if (!cache_arrange_casters(gl, cache))
+        return false;
     cache->seen = -1;
     if (cache->instances) {
         gl->BindBuffer(GL_ARRAY_BUFFER, cache->words);
-        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, cache->list, GL_DYNAMIC_DRAW);
+        gl->BufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)bytes, cache->list);
         gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     }
     return (!cache->instances || write_places(gl, source, cache, 0, cache->place_count)) &&
@@ -155,7 +157,7 @@ bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache)
     const Spaces *spaces = &source->space->spaces;
     if (cache->instances) {
         const InstanceView view = instance_view(spaces);
-        gl->BindBuffer(GL_UNIFORM_BUFFER, cache->view);
+        gl->BindBuffer(GL_UNIFORM_BUFFER, cache->views[0]);
         gl->BufferData(GL_UNIFORM_BUFFER, sizeof view, &view, GL_DYNAMIC_DRAW);
         for (int i = 0; i < cache->kind_count; i++)
             spaces_set(spaces, &cache->kinds[i].material);
@@ -193,8 +195,11 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
     const Scene *scene = source->scene;
     bool found = false;
     for (int i = 0; i < cache->place_count; i++)
-        if (scene->objects[cache->places[i].object].material == material)
-            found |= material_set(&cache->kinds[cache->places[i].kind].material, value);
+        if (scene->objects[cache->places[i].object].material == material) {
+            const CachePlace *place = &cache->places[i];
+            found |= material_set(&cache->kinds[place->kind].material, value);
+            found |= place->caster >= 0 && material_set(&cache->casters[place->caster].material, value);
+        }
     for (int i = 0; i < cache->plane_count; i++)
         if (scene->objects[cache->planes[i].object].material == material)
             found |= material_set(&cache->planes[i].material, value);
@@ -211,7 +216,7 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
     bool mirrored = false;
     if (cache->instances) {
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, cache->matrices);
-        gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, cache->view);
+        gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, cache->views[0]);
     }
     for (int i = first; i < end; i++) {
         const Drawable *drawable = &cache->surfaces[i];

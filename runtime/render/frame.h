@@ -244,6 +244,11 @@ bool lighting_change(Render *render, ScreenPass *pass);
 /* Binds what it reads, before it runs. */
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
 
+/* What the cache is made of. */
+CacheSource frame_source(const Render *render);
+
+/* Some light of the scene casts shadows, which are wanted. */
+bool shadow_is_cast(const Render *render);
 /* What lights see, before any pass is made. */
 bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */

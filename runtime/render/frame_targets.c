@@ -1,4 +1,4 @@
-/* Names, formats and textures of a frame's targets; drawing to them. */
+/* Names, formats and textures of a frame's targets; drawing to them; and what the cache is made of. */
 #include "runtime/render/frame.h"
 #include <string.h>
 
@@ -85,4 +85,11 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
 {
     framebuffer_use(render->gl, framebuffer);
     render->gl->Viewport(-render->at[0], -render->at[1], render->whole[0], render->whole[1]);
+}
+
+CacheSource frame_source(const Render *render)
+{
+    return (CacheSource){render->scene,  &render->set,
+                         &render->space, render->options.unculled ? NULL : &render->volume,
+                         render->whole,  render->transparency};
 }

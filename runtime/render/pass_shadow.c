@@ -1,6 +1,8 @@
 /* The pass shadow: depth as lights see it. Maps stay until the scene changes: a further frame draws none. shadow.glsl says what becomes of
  * them. */
 #include "runtime/render/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
 
 extern const char render_text_shadow_depth[];
 
@@ -29,12 +31,12 @@ static bool make_maps(Render *render)
 
 static bool make_solid(Render *render)
 {
-    if (render->shadows.solid.store)
-        return true;
-    const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
+    ShadowMaps *maps = &render->shadows;
+    const bool instances = render->cache.instances, modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
-    const ProgramText text = {.vertex = {head, render_text_shadow_depth}, .fragment = {head, "void main() {}\n"}};
-    return material_make(render->store, NULL, &text, &render->shadows.solid);
+    const ProgramText text = {.vertex = {head, instances ? "#define INSTANCES\n" : "", render_text_shadow_depth},
+                              .fragment = {head, "void main() {}\n"}};
+    return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
 }
 
 bool pass_shadow_make(Render *render) { return make_maps(render) && make_solid(render); }
@@ -55,35 +57,35 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
     }
 }
 
-static void set_matrix(Material *material, const double clip[16], const SceneMatrix *world_from_local)
+/* Half spaces that the map shows. */
+static CullVolume volume_of(const ShadowView *view)
 {
-    const double *local = world_from_local->m;
-    float product[16];
-    for (int i = 0; i < 16; i++) {
-        double sum = 0;
+    CullVolume volume = {.count = 4};
+    for (int i = 0; i < volume.count; i++) {
+        double *plane = volume.planes[i];
+        for (int k = 0; k < 4; k++) {
+            const double far = view->near > 0 ? view->rows[2][k] : k == 3;
+            plane[k] = far + (i % 2 ? 1 : -1) * view->rows[i / 2][k];
+        }
+        const double length = sqrt(scene_vector_dot(plane, plane));
         for (int k = 0; k < 4; k++)
-            sum += clip[4 * k + i % 4] * local[i / 4 * 4 + k];
-        product[i] = (float)sum;
+            plane[k] /= length;
+        volume.terms[i] = fabs(plane[3]);
     }
-    material_set(material, &(MaterialValue){"shadow_clipFromLocal", 16, product});
+    return volume;
 }
 
-static void draw_view(Render *render, int number)
+static void draw_view(Render *render, const CacheSource *source, int number)
 {
     const GlContext *gl = render->gl;
     const ShadowView *view = &render->shadows.views.views[number];
+    const CullVolume volume = volume_of(view);
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
     gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, number);
     gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
-    for (int i = 0; i < render->cache.place_count; i++) {
-        const CachePlace *place = &render->cache.places[i];
-        if (place->transparent)
-            continue; /* it casts none */
-        set_matrix(&render->shadows.solid, clip, &render->scene->objects[place->object].world_from_local);
-        material_use(&render->shadows.solid);
-        mesh_draw(gl, &render->cache.meshes[place->mesh]);
-    }
+    cache_cast(render->gl, source, &render->cache,
+               &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid});
 }
 
 /* Slopes push away from the light; so do two steps of depth. shadow.glsl says by how much, and why. */
@@ -118,9 +120,10 @@ void pass_shadow_draw(Render *render)
 {
     if (render->shadows.drawn)
         return;
+    const CacheSource source = frame_source(render);
     begin(render);
     for (int i = 0; i < render->shadows.views.count; i++)
-        draw_view(render, i);
+        draw_view(render, &source, i);
     end(render);
     render->shadows.drawn = true;
 }

@@ -101,13 +101,6 @@ static void set_size(Render *render, const Scene *scene)
     }
 }
 
-static CacheSource source_of(const Render *render)
-{
-    return (CacheSource){render->scene,  &render->set,
-                         &render->space, render->options.unculled ? NULL : &render->volume,
-                         render->whole,  render->transparency};
-}
-
 static void look(Render *render)
 {
     const SceneCamera *camera = &render->scene->camera;
@@ -121,8 +114,8 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
     render->scene = scene;
     set_size(render, scene);
     look(render);
-    const CacheSource source = source_of(render);
-    return set_make(render->gl, scene, &render->compile, &render->set) &&
+    const CacheSource source = frame_source(render);
+    return set_make(render->gl, scene, &render->compile, shadow_is_cast(render), &render->set) &&
            cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
            frame_make(render) && make_reader(render);
 }
@@ -167,7 +160,7 @@ bool render_changed(Render *render, unsigned what)
         return false;
     if (what & RENDER_CAMERA) {
         look(render);
-        const CacheSource source = source_of(render);
+        const CacheSource source = frame_source(render);
         cache_view(render->gl, &source, &render->cache);
     }
     render->uncounted |= (what & RENDER_CAMERA) != 0;
@@ -179,7 +172,7 @@ bool render_changed_objects(Render *render, int first, int count)
 {
     if (!has_scene(render))
         return false;
-    const CacheSource source = source_of(render);
+    const CacheSource source = frame_source(render);
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
     render->uncounted = true;
@@ -191,8 +184,9 @@ bool render_param(Render *render, int material, const char *name, const float *l
 {
     if (!has_scene(render))
         return false;
-    const CacheSource source = source_of(render);
+    const CacheSource source = frame_source(render);
     render->uncounted = true; /* a cut-out may be another */
+    render->shadows.drawn = false;
     return cache_set(&source, &render->cache, material, &(MaterialValue){name, count, lanes}) ||
            gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
 }

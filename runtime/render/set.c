@@ -12,6 +12,7 @@ typedef struct {
     GlContext *gl;
     const Scene *scene;
     MatcOptions options;
+    bool casts;
     Set *set;
 } Maker;
 
@@ -75,18 +76,28 @@ static bool add_program(Maker *m, int material, const char *pass)
 {
     Set *set = m->set;
     SetProgram *program = &set->programs[set->count];
-    *program = (SetProgram){.material = material, .pass = pass, .text = set->count++};
+    *program = (SetProgram){.material = material, .pass = pass, .text = set->count++, .caster = -1};
     if (!compile(m, program, MATC_KEY))
         return false;
     program->transparent = strcmp(matc_opacity(program->program), "opaque") != 0;
     return true;
 }
 
+/* What is opaque casts shadows by depth alone. */
+static bool add_caster(Maker *m, int surface)
+{
+    Set *set = m->set;
+    if (!m->casts || !set->programs[surface].transparent || strcmp(set->programs[surface].pass, "gbuffer") != 0)
+        return true;
+    set->programs[surface].caster = set->count;
+    return add_program(m, set->programs[surface].material, "shadow");
+}
+
 static bool add_programs(Maker *m)
 {
     const Scene *scene = m->scene;
     bool fine = true;
-    m->set->programs = calloc(2 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
+    m->set->programs = calloc(3 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
     if (!m->set->programs)
         return gl_fail(m->gl, "out of memory");
     bool *met = calloc(2 * (size_t)scene->material_count + 2, sizeof *met);
@@ -94,7 +105,7 @@ static bool add_programs(Maker *m)
         const SceneObject *object = &scene->objects[i];
         bool *known = &met[2 * object->material + (object->kind == SCENE_Plane)];
         if (!*known)
-            fine = add_program(m, object->material, pass_of(object));
+            fine = add_program(m, object->material, pass_of(object)) && add_caster(m, m->set->count - 1);
         *known = true;
     }
     free(met);
@@ -220,9 +231,9 @@ static bool make(Maker *m)
     return true;
 }
 
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, Set *made)
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, bool casts, Set *made)
 {
-    Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
+    Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .casts = casts, .set = made};
     *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330"};
     made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;

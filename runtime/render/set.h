@@ -8,8 +8,9 @@
 
 typedef struct {
     int material;         /* in Scene.materials */
-    const char *pass;     /* "gbuffer", "plane", "sky" */
+    const char *pass;     /* "gbuffer", "plane", "sky"; "shadow": what casts shadows */
     bool transparent;     /* at least in places */
+    int caster;           /* of a surface: the program with which it casts shadows; -1: none of its own */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
     int row;              /* among those of that text */
@@ -25,8 +26,9 @@ typedef struct {
     bool instances; /* programs of surfaces draw instances (instances.h) */
 } Set;
 
-/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. False: see gl->error. *made is empty then. */
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, Set *made);
+/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. Transparent materials of surfaces have programs
+ * that cast shadows where `casts`. False: see gl->error. *made is empty then. */
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, bool casts, Set *made);
 void set_free(Set *set);
 
 /* The program of a material in a pass; there is one. */

@@ -84,14 +84,16 @@ static bool write_planes(Render *render)
 
 /* -- for the lighting of surfaces */
 
-/* A light casts shadows, for which infinite planes need no map. */
-static bool has_planes(const Render *render)
+bool shadow_is_cast(const Render *render)
 {
     bool casts = false;
     for (int i = 0; i < render->scene->light_count; i++)
         casts |= render->scene->lights[i].shadows;
-    return casts && !render->options.no_shadows && render->cache.opaque_plane_count > 0;
+    return casts && !render->options.no_shadows;
 }
+
+/* Infinite planes need no map. */
+static bool has_planes(const Render *render) { return shadow_is_cast(render) && render->cache.opaque_plane_count > 0; }
 
 bool shadow_make_views(Render *render)
 {

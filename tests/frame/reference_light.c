@@ -79,8 +79,10 @@ static void reference_area(const SceneLight *light, const Hit *hit, const double
 /* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are what transparency leaves of diffuse and
  * specular where it is interpolated. emissive, ambient L; (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side; on the other |n.l| k L, and
  * t max(T.l, 0)^m L, where T is the way on and m the exponent of transparencyShininess: the greatest one is Dirac's, 0 the ray tracer's sum. */
-static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, const SlotValues *slots, double sum[3])
+static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray, const SlotValues *slots,
+                            double sum[3])
 {
+    const Scene *scene = tracer->scene;
     double view[3], n[3], reflected[3], l[3];
     memcpy(view, ray->way, sizeof view);
     reference_normalize(view);
@@ -91,13 +93,15 @@ static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, 
     }
     for (int k = 0; k < scene->light_count; k++) {
         const SceneLight *light = &scene->lights[k];
-        double shares[3];
+        double shares[3], passes[3] = {1, 1, 1};
         if (light->kind == SCENE_Area) {
             reference_area(light, hit, reflected, slots, shares);
             for (int i = 0; i < 3; i++)
                 sum[i] += light->light[i] * shares[i];
             continue;
         }
+        if (tracer->shares && light->kind != SCENE_Ambient)
+            tracer->shares(tracer, light, hit, passes);
         const double arrives = reference_arrives(light, hit->world, l), cosine = reference_dot(n, l);
         const double lobe = pow(fmax(reference_dot(reflected, l), 0), slots->lane[SLOT_shininess][0]);
         const double on = pow(fmax(reference_dot(view, l), 0), slots->lane[SLOT_transparencyShininess][0]);
@@ -109,7 +113,7 @@ static void reference_shade(const Scene *scene, const Hit *hit, const Ray *ray, 
             if (light->kind == SCENE_Ambient)
                 sum[i] += slots->lane[SLOT_ambient][i] * light->light[i];
             else
-                sum[i] += (cosine > 0 ? cosine * front : back) * light->light[i] * arrives;
+                sum[i] += (cosine > 0 ? cosine * front : back) * light->light[i] * arrives * passes[i];
         }
     }
 }
@@ -132,22 +136,20 @@ static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions 
 }
 
 /* A surface's light, [0], and the share of what is behind it that passes, [1]. */
-static void reference_layer(const Scene *scene, const Hit *hit, const Ray *ray, const MatcOptions *options,
+static void reference_layer(const Tracer *tracer, const Hit *hit, const Ray *ray, const MatcOptions *options,
                             double layer[2][3])
 {
     SlotValues slots;
+    const Scene *scene = tracer->scene;
     const SceneMaterial *material = &scene->materials[scene->objects[hit->object].material];
     const Surface surface = reference_surface(hit);
     evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1}, &slots);
-    reference_shade(scene, hit, ray, &slots, layer[0]);
+    reference_shade(tracer, hit, ray, &slots, layer[0]);
     memcpy(layer[1], slots.lane[SLOT_transparency], sizeof layer[1]);
 }
 
-enum { REFERENCE_LAYERS = 64 };
-
-/* Front to back, until nothing passes, the sky last. Returns how many surfaces count, and behind them what ends it. */
-static int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],
-                           Hit hits[REFERENCE_LAYERS])
+int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],
+                    Hit hits[REFERENCE_LAYERS])
 {
     const Scene *scene = tracer->scene;
     double passes[3] = {1, 1, 1}, layer[2][3], behind = 0;
@@ -159,7 +161,7 @@ static int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptio
         behind = hit->distance * (1 + 1e-5);
         memset(layer, 0, sizeof layer);
         if (hit->object >= 0)
-            reference_layer(scene, hit, ray, options, layer);
+            reference_layer(tracer, hit, ray, options, layer);
         else if (scene->sky >= 0)
             reference_sky(scene, ray, options, layer[0]);
         for (int i = 0; i < 3; i++) {

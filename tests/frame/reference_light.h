@@ -11,6 +11,11 @@ typedef struct {
     bool nothing;    /* no object is there */
 } Sample;
 
+enum { REFERENCE_LAYERS = 64 };
+
+/* What a ray sees: front to back, until nothing passes, the sky last. Returns how many surfaces count, and behind them what ends it. */
+int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],
+                    Hit hits[REFERENCE_LAYERS]);
 /* What pixel x, y should be. */
 Sample reference_sample(const Tracer *tracer, int x, int y, const MatcOptions *options);
 #endif

@@ -181,8 +181,9 @@ static void reference_add(const Tracer *tracer, int number)
 
 Tracer reference_open(const Scene *scene)
 {
-    Tracer tracer = {scene, calloc((size_t)scene->object_count + 1, sizeof *tracer.shapes), rtcNewDevice("threads=1"),
-                     NULL};
+    Tracer tracer = {.scene = scene,
+                     .shapes = calloc((size_t)scene->object_count + 1, sizeof *tracer.shapes),
+                     .device = rtcNewDevice("threads=1")};
     if (!tracer.shapes || !tracer.device)
         abort();
     tracer.traced = rtcNewScene(tracer.device);

@@ -18,13 +18,18 @@ typedef struct {
     bool front;
 } Hit;
 
+typedef struct Tracer Tracer;
+/* The share of a light that arrives where a ray met a surface. */
+typedef void (*ReferenceShares)(const Tracer *tracer, const SceneLight *light, const Hit *hit, double shares[3]);
+
 /* What rays are traced in; geometry i is object i, but for planes, which have none. */
-typedef struct {
+struct Tracer {
     const Scene *scene;
     Shape *shapes; /* of each object */
     RTCDevice device;
     RTCScene traced;
-} Tracer;
+    ReferenceShares shares; /* for reference_light.h; NULL: all of every light */
+};
 
 /* The scene stays the caller's, and goes later. */
 Tracer reference_open(const Scene *scene);

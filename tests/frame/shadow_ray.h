@@ -1,0 +1,20 @@
+/* Rays from points to lights, and places of lights, for tests of shadows. */
+#ifndef MATC_SHADOW_RAY_H
+#define MATC_SHADOW_RAY_H
+#include "tests/frame/reference_ray.h"
+
+#define PI 3.14159265358979323846
+
+/* Towards a light; its length is the distance, or infinite. */
+double shadow_way_to(const SceneLight *light, const double point[3], double way[3]);
+/* An infinite plane is between: it is met before the light. */
+bool shadow_is_behind_plane(const Scene *scene, const double from[3], const double way[3], double distance);
+/* A step on the tangent plane that is `step` across the light's way, at an angle around it. */
+void shadow_beside(const Hit *hit, const double way[3], double step, double angle, double moved[3]);
+
+/* Degrees over the ground, and around. */
+enum { SHADOW_ANGLES = 7 };
+extern const double shadow_angles[SHADOW_ANGLES][2];
+/* So far from the origin. */
+void shadow_place(const double angle[2], double distance, double at[3]);
+#endif

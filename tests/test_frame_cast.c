@@ -1,0 +1,302 @@
+/* Shadows of what lets light through, against rays of Embree that go on through it with the oracle's transparency in double. A pixel is compared
+ * wherever no end of a shadow is near: where points of the tangent planes of all its layers, a few texels away as each light sees them, have
+ * the same light. There a shadow map knows all that a ray does. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/reference_light.h"
+#include "tests/frame/shadow_ray.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* -- rays */
+
+enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
+
+/* A little off the surface, on the light's side. */
+static double leave(const SceneLight *light, const double point[3], const double facet[3], Ray *ray)
+{
+    const double distance = shadow_way_to(light, point, ray->way);
+    const double off = (reference_dot(facet, ray->way) < 0 ? -1 : 1) * 3e-5;
+    for (int i = 0; i < 3; i++)
+        ray->at[i] = point[i] + off * facet[i];
+    return distance;
+}
+
+/* Materials, in words and as what they let through: a constant; by the cells of a checker, odd ones first; by the side, the front first. */
+typedef struct {
+    const char *text;
+    enum { CONSTANT, CELLS, CUBES, SIDES } by;
+    double scale[3], through[2][3];
+} Glass;
+static const Glass glasses[] = {
+    {"m: { material: Phong, diffuse: .5 }", CONSTANT, {0}, {{0}}},
+    {"round: { material: Phong, diffuse: [.2, .5, .3], transparency: { map: Checker, color1: 1, color2: 0, input: { "
+     "map: "
+     "UVTransform, scaleU: 8, scaleV: 4 } } }",
+     CELLS,
+     {16, 8, 0},
+     {{1, 1, 1}, {0}}},
+    {"coarse: { material: Phong, diffuse: [.5, .5, .3], transparency: { map: Checker, color1: [0, 0, .1], color2: 1, "
+     "input: { map: UVTransform, scaleU: 1, scaleV: 2 } } }",
+     CELLS,
+     {2, 4, 0},
+     {{0, 0, .1}, {1, 1, 1}}},
+    {"solid: { material: Phong, diffuse: [.2, .3, .5], transparency: { map: VolumeChecker, color1: [0, 0, 0], color2: "
+     "[1, 1, 1], input: { map: XYZTransform, transform: { scale: [1.9, 1.9, 1.9] } } } }",
+     CUBES,
+     {1.9, 1.9, 1.9},
+     {{0}, {1, 1, 1}}},
+    {"clear: { material: Phong, diffuse: .3, transparency: [.6, .9, .3] }", CONSTANT, {0}, {{.6, .9, .3}}},
+    {"dim: { material: Phong, diffuse: .3, transparency: [.4, .2, .5] }", CONSTANT, {0}, {{.4, .2, .5}}},
+    {"sided: { material: SideSwitch, frontShader: { material: Phong, diffuse: .5 }, backShader: { material: Phong, "
+     "diffuse: .5, transparency: 1 } }",
+     SIDES,
+     {0},
+     {{0}, {1, 1, 1}}},
+};
+enum { GLASSES = sizeof glasses / sizeof *glasses };
+
+static const Glass *glass_of(const Tracer *tracer, const Hit *hit)
+{
+    const SceneMaterial *material = &tracer->scene->materials[tracer->scene->objects[hit->object].material];
+    const char *name = matc_material_name(material->document, material->index);
+    int i = 0;
+    while (strncmp(glasses[i].text, name, strlen(name)) != 0)
+        i++;
+    return &glasses[i];
+}
+
+/* What a surface lets through. Its front is the side on which the light is: rays go towards it. */
+static const double *through(const Tracer *tracer, const Hit *hit)
+{
+    const Glass *glass = glass_of(tracer, hit);
+    const double *at = glass->by == CELLS ? hit->uv : hit->local;
+    long cells = 0;
+    for (int i = 0; i < 3; i++)
+        cells += glass->scale[i] != 0 ? (long)floor(glass->scale[i] * at[i]) : 0;
+    return glass->through[glass->by == CONSTANT ? 0 : glass->by == SIDES ? hit->front : cells % 2 == 0];
+}
+
+/* A cut-out lets through nothing or all. */
+static void multiply(const Tracer *tracer, const Hit *hit, double shares[3])
+{
+    const double *t = through(tracer, hit);
+    const bool passes = (t[0] + t[1] + t[2]) / 3 > .5;
+    for (int i = 0; i < 3; i++)
+        shares[i] *= passes;
+}
+
+static void shares_at(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3],
+                      double shares[3])
+{
+    Ray ray;
+    const double distance = leave(light, point, facet, &ray);
+    double behind = 0;
+    shares[0] = shares[1] = shares[2] = 1;
+    while (shares[0] + shares[1] + shares[2] > 0) {
+        Hit hit = reference_hit(tracer, &ray, behind);
+        if (hit.object < 0 || hit.distance >= distance)
+            return;
+        multiply(tracer, &hit, shares);
+        behind = fmax(behind, hit.distance) * (1 + 1e-5) + 1e-6;
+    }
+}
+
+static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit, double shares[3])
+{
+    shares_at(tracer, light, hit->world, hit->facet, shares);
+}
+
+/* How far a light's texel reaches at a point, as the documents say. */
+static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
+{
+    const double reach = 11.5; /* across all objects, about */
+    double way[3];
+    const double distance = shadow_way_to(light, point, way);
+    const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
+                            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
+                            : 1;
+    return (light->kind == SCENE_Directional ? reach : 2 * wide * distance) / scene->shadow_size;
+}
+
+/* The light that arrives there is that of all points beside it. */
+static bool is_even(const Tracer *tracer, const SceneLight *light, const Hit *hit)
+{
+    const double step = 3.0 * (tracer->scene->shadow_filter + 1) * texel_at(tracer->scene, light, hit->world);
+    double way[3], moved[3], shares[3], others[3];
+    shadow_way_to(light, hit->world, way);
+    if (reference_dot(way, hit->facet) * reference_dot(way, hit->normal) <= 0)
+        return false; /* at the terminator of what triangles stand for */
+    shares_of(tracer, light, hit, shares);
+    for (int i = 0; i < 24; i++) {
+        shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
+        shares_at(tracer, light, moved, hit->facet, others);
+        for (int k = 0; k < 3; k++)
+            if (fabs(shares[k] - others[k]) > 1e-9)
+                return false;
+    }
+    return true;
+}
+
+/* -- pictures */
+
+typedef struct {
+    int compared, shaded, band;
+    int wrong;
+    double most; /* that any is off */
+} Count;
+
+static bool are_even(const Tracer *tracer, const Hit *hits, int count)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < tracer->scene->light_count; k++)
+            if (hits[i].object >= 0 && !is_even(tracer, &tracer->scene->lights[k], &hits[i]))
+                return false;
+    return true;
+}
+
+static void add_pixel(const Tracer *tracer, const MatcOptions *options, int pixel, const float *rgba, Count *count)
+{
+    Hit hits[REFERENCE_LAYERS];
+    double light[3], unshaded[3], off = 0, shade = 0;
+    const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);
+    const int layers = reference_pixel(tracer, &ray, options, light, hits);
+    if (hits[0].object < 0 || reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, hits, layers))
+        return;
+    if (!are_even(tracer, hits, layers)) {
+        count->band++;
+        return;
+    }
+    Tracer plain = *tracer;
+    plain.shares = NULL;
+    reference_pixel(&plain, &ray, options, unshaded, hits);
+    for (int i = 0; i < 3; i++) {
+        off = fmax(off, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - light[i]));
+        shade = fmax(shade, unshaded[i] - light[i]);
+    }
+    count->compared++;
+    count->shaded += shade > 1e-3;
+    count->wrong += off > 1e-5;
+    count->most = fmax(count->most, off);
+}
+
+enum { STEP = 7, TEXT = 8192 };
+
+static Count compare(GlContext *gl, const char *text, const RenderOptions *with)
+{
+    MatcLayout *layout;
+    MatcDocument *document;
+    const MatcOptions options = frame_float_options(&layout);
+    RenderOptions choice = *with;
+    Count count = {0};
+    Scene *scene = frame_scene(text, &options, &document);
+    choice.compile = &options;
+    choice.view = "light";
+    float *rgba = frame_floats(gl, scene, &choice);
+    Tracer tracer = reference_open(scene);
+    tracer.shares = shares_of;
+    for (int i = 0; i < PIXELS; i += STEP)
+        add_pixel(&tracer, &options, i, rgba + 4 * (size_t)i, &count);
+    reference_close(&tracer);
+    free(rgba);
+    frame_forget(scene, document);
+    matc_layout_free(layout);
+    return count;
+}
+
+#define VIEW                                                                                                           \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
+    "angle: 42 }\n"
+#define GROUND                                                                                                         \
+    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
+    "-4, 0] } }\n"
+#define THINGS                                                                                                         \
+    "- { object: Sphere, radius: .8, material: round, transform: { translation: [-.6, -.4, .9] } }\n"                  \
+    "- { object: Sphere, radius: .3, material: m, transform: { translation: [-.6, -.4, .9] } }\n"                      \
+    "- { object: Box, material: solid, transform: { translation: [1.1, .6, .6], rotation: [0, 0, .3] } }\n"            \
+    "- { object: Box, size: [.4, .4, .4], material: clear, transform: { translation: [.2, 1.4, .3] } }\n"              \
+    "- { object: Box, size: [.4, .4, .4], material: dim, transform: { translation: [.6, -1.5, .3] } }\n"               \
+    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: coarse, transform: { translation: [-2.2, "    \
+    "-.6, .1], scale: [-1, 1, 1] } }\n"                                                                                \
+    "- { object: Parallelogram, u: [.9, 0, 0], v: [0, .9, .1], material: coarse, transform: { translation: [1.3, "     \
+    "-1.5, .8] } }\n"                                                                                                  \
+    "- { object: Parallelogram, u: [.7, 0, .1], v: [0, .7, .1], material: sided, transform: { translation: [-1.9, "    \
+    "1.1, .7] } }\n"                                                                                                   \
+    "- { object: Parallelogram, u: [.7, 0, .1], v: [0, .7, .1], material: sided, transform: { translation: [-.8, "     \
+    "1.4, .9], scale: [-1, 1, 1] } }\n"
+
+/* A light, but for its place and direction. */
+typedef struct {
+    const char *name, *kind; /* and further params */
+    bool placed, directed;
+    const char *maps;
+    int first, step; /* angles */
+    bool old;        /* OpenGL 3.3: objects are drawn by themselves, depth in clip space begins at -1 */
+} Lamp;
+static const Lamp lamps[] = {
+    {"directional", "Directional", false, true, "{ filter: 0 }", 0, 1, false},
+    {"spot", "Spot, innerAngle: 30, outerAngle: 45", true, true, "{ filter: 0 }", 1, 2, false},
+    {"wide spot", "Spot, innerAngle: 80, outerAngle: 100", true, true, "{ filter: 1 }", 2, 2, false},
+    {"point", "Point", true, false, "{ filter: 1 }", 1, 2, false},
+    {"OpenGL 3.3", "Directional", false, true, "{ filter: 0 }", 2, 2, true}};
+enum { LAMPS = sizeof lamps / sizeof *lamps };
+
+/* The light stands at an angle, 6 from the origin, and shines there. */
+static void write_scene(const Lamp *lamp, const double angle[2], const char *things, char text[TEXT])
+{
+    char place[128] = "", direction[128] = "";
+    double at[3];
+    shadow_place(angle, 6, at);
+    if (lamp->placed)
+        snprintf(place, sizeof place, ", position: [%g, %g, %g], intensity: 36", at[0], at[1], at[2]);
+    if (lamp->directed)
+        snprintf(direction, sizeof direction, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
+    int size = snprintf(text, TEXT, VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\nmaterials:\n", lamp->maps,
+                        lamp->kind, place, direction);
+    for (int i = 0; i < GLASSES; i++)
+        size += snprintf(text + size, (size_t)(TEXT - size), "  %s\n", glasses[i].text);
+    snprintf(text + size, (size_t)(TEXT - size), GROUND "%s", things);
+}
+
+static void by_every_angle(const Lamp *lamp, const char *things, const RenderOptions *options)
+{
+    GlContext *gl = frame_context();
+    static char text[TEXT];
+    if (lamp->old) {
+        gl->major = gl->minor = 3;
+        gl->ClipControl = NULL;
+    }
+    Count all = {0};
+    for (int i = lamp->first; i < SHADOW_ANGLES; i += lamp->step) {
+        write_scene(lamp, shadow_angles[i], things, text);
+        const Count count = compare(gl, text, options);
+        print_message("%-12s %4g degrees: %5d compared, %5d shaded, %5d in bands; wrong %d, off by %.2g\n", lamp->name,
+                      shadow_angles[i][0], count.compared, count.shaded, count.band, count.wrong, count.most);
+        all.compared += count.compared, all.shaded += count.shaded, all.wrong += count.wrong;
+    }
+    gl_close(gl);
+    assert_true(all.compared > 1000 && all.shaded > 40);
+    assert_int_equal(all.wrong, 0);
+}
+
+/* More than half transparent, in the mean of all channels, casts none; all else does. */
+static void cut_outs(void **state)
+{
+    (void)state;
+    for (int i = 0; i < LAMPS; i++)
+        by_every_angle(&lamps[i], THINGS, &(RenderOptions){0});
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cut_outs),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
