@@ -202,46 +202,70 @@ static const char *scene_path(const Command *command, const char *input, int fra
                                                            : "-o wants a place for the frame's number: out-%04d.png";
 }
 
-static int draw_picture(const Command *command, const Scene *scene, const char *input,
-                        const ScenePictureOptions *options)
+/* The pictures of a scene: each frame is the scene with another camera. */
+typedef struct {
+    const Command *command;
+    const char *input;
+    Scene seen;
+    ScenePictureOptions options;
+    ScenePictures *pictures; /* NULL before the first */
+    Shown shown;
+} Drawing;
+
+static bool open_or_turn(Drawing *d)
 {
-    ScenePicture picture;
-    Shown *shown = options->user;
-    const bool done = scene_picture_draw(command->picture.view.gl, scene, options, &picture);
-    fputs(progress_erase(&shown->last), stderr);
+    if (d->pictures)
+        return scene_pictures_turn(d->pictures);
+    d->pictures = scene_pictures_open(d->command->picture.view.gl, &d->seen, &d->options);
+    return d->pictures != NULL;
+}
+
+static int draw_picture(Drawing *d, const char *path)
+{
+    ScenePicture picture = {0};
+    const bool done = open_or_turn(d) && scene_pictures_draw(d->pictures, path, &picture);
+    fputs(progress_erase(&d->shown.last), stderr);
     if (!done)
-        return complain(picture.faulty ? picture.faulty : input, command->picture.view.gl->error);
-    fputs(picture.words ? picture.words : "", options->graph ? stdout : stderr);
-    if (!options->graph && strcmp(options->path, "-") != 0)
-        puts(options->path);
+        return complain(picture.faulty ? picture.faulty : d->input, d->command->picture.view.gl->error);
+    fputs(picture.words ? picture.words : "", d->options.graph ? stdout : stderr);
+    if (!d->options.graph && strcmp(path, "-") != 0)
+        puts(path);
     free(picture.words);
     return FINE;
 }
 
-/* Each frame is the scene with another camera. */
-static int draw_scene(const Command *command, const Scene *scene, const char *input)
+static int draw_frames(Drawing *d, const Scene *scene, const Frames *frames)
 {
     char path[LONGEST_PATH];
+    for (int frame = frames->first; frame <= frames->last; frame++) {
+        const char *fault = scene_path(d->command, d->input, frame, path);
+        if (fault)
+            return usage(fault);
+        if (frames->given && !scene_motion_camera(scene, frame, frames->whole, &d->seen.camera))
+            return complain(d->input, "the camera has no direction in this frame");
+        if (draw_picture(d, path) != FINE)
+            return FAULT;
+        d->shown.frame++;
+        if (d->options.progress && d->shown.frames > 1 && frame < frames->last)
+            d->options.progress(&d->shown, 0, 0);
+    }
+    return FINE;
+}
+
+static int draw_scene(const Command *command, const Scene *scene, const char *input)
+{
     Frames frames = command->frames;
-    Shown shown = {.frames = frames.last - frames.first + 1};
+    Drawing d = {.command = command, .input = input, .seen = *scene, .options = scene_options(command, scene)};
     const char *fault = command_check_scene(command, scene);
     if (!fault)
         fault = frames_check(scene, &frames);
-    ScenePictureOptions options = scene_options(command, scene);
-    options.path = path;
-    options.user = &shown;
-    for (int frame = frames.first; !fault && frame <= frames.last; frame++) {
-        Scene seen = *scene;
-        fault = scene_path(command, input, frame, path);
-        if (!fault && frames.given && !scene_motion_camera(scene, frame, frames.whole, &seen.camera))
-            return complain(input, "the camera has no direction in this frame");
-        if (!fault && draw_picture(command, &seen, input, &options) != FINE)
-            return FAULT;
-        shown.frame++;
-        if (options.progress && shown.frames > 1 && frame < frames.last)
-            options.progress(&shown, 0, 0);
-    }
-    return fault ? usage(fault) : FINE;
+    if (fault)
+        return usage(fault);
+    d.shown.frames = frames.last - frames.first + 1;
+    d.options.user = &d.shown;
+    const int status = draw_frames(&d, scene, &frames);
+    scene_pictures_close(d.pictures);
+    return status;
 }
 
 /* What the picture is made of: also of a document that could not be read. */

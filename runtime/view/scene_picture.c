@@ -1,16 +1,15 @@
-/* Opens a renderer for one picture. Tiles are drawn from the top row of them to the lowest: files begin there. */
+/* Opens a renderer for all pictures of a scene. Tiles are drawn from the top row of them to the lowest: files begin there. */
 #include "runtime/view/scene_picture.h"
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct {
+struct ScenePictures {
     GlContext *gl;
-    const ScenePictureOptions *options;
+    ScenePictureOptions options;
     Render *render;
-    PictureFile *file;
-    float *band; /* a row of tiles, four floats a pixel */
+    float *band; /* a row of tiles, four floats a pixel; NULL: no picture was drawn yet */
     float *tile; /* what was read last, where a row has several; or NULL */
-} Drawing;
+};
 
 static int least(int a, int b) { return a < b ? a : b; }
 
@@ -34,38 +33,38 @@ static PictureSpec spec_of(const ScenePictureOptions *o, const Render *render)
 }
 
 /* One tile into its place in the band, whose lowest row is the picture's row y. */
-static bool draw_tile(Drawing *d, int x, int y, int rows)
+static bool draw_tile(ScenePictures *p, int x, int y, int rows)
 {
-    const size_t tile = (size_t)render_tile_width(d->render), width = (size_t)render_width(d->render);
+    const size_t tile = (size_t)render_tile_width(p->render), width = (size_t)render_width(p->render);
     const size_t seen = (size_t)least((int)tile, (int)width - x);
-    render_move(d->render, x, y);
-    if (!render_frame(d->render) || !render_read(d->render, d->tile ? d->tile : d->band))
+    render_move(p->render, x, y);
+    if (!render_frame(p->render) || !render_read(p->render, p->tile ? p->tile : p->band))
         return false;
-    for (size_t row = 0; d->tile && row < (size_t)rows; row++)
-        memcpy(d->band + 4 * (row * width + (size_t)x), d->tile + 4 * row * tile, 4 * seen * sizeof *d->band);
+    for (size_t row = 0; p->tile && row < (size_t)rows; row++)
+        memcpy(p->band + 4 * (row * width + (size_t)x), p->tile + 4 * row * tile, 4 * seen * sizeof *p->band);
     return true;
 }
 
-static bool write_rows(Drawing *d, int rows)
+static bool write_rows(const ScenePictures *p, PictureFile *file, int rows)
 {
-    const size_t floats = 4 * (size_t)render_width(d->render);
+    const size_t floats = 4 * (size_t)render_width(p->render);
     const char *why = NULL;
     for (int row = rows - 1; row >= 0 && !why; row--)
-        why = picture_file_row(d->file, d->band + (size_t)row * floats);
-    return !why || gl_fail(d->gl, "%s", why);
+        why = picture_file_row(file, p->band + (size_t)row * floats);
+    return !why || gl_fail(p->gl, "%s", why);
 }
 
-static bool draw_bands(Drawing *d)
+static bool draw_bands(ScenePictures *p, PictureFile *file)
 {
-    const ScenePictureOptions *o = d->options;
-    const int width = render_width(d->render), height = render_height(d->render);
-    const int tile[2] = {render_tile_width(d->render), render_tile_height(d->render)};
+    const ScenePictureOptions *o = &p->options;
+    const int width = render_width(p->render), height = render_height(p->render);
+    const int tile[2] = {render_tile_width(p->render), render_tile_height(p->render)};
     for (int y = (height - 1) / tile[1] * tile[1]; y >= 0; y -= tile[1]) {
         const int rows = least(tile[1], height - y);
         for (int x = 0; x < width; x += tile[0])
-            if (!draw_tile(d, x, y, rows))
+            if (!draw_tile(p, x, y, rows))
                 return false;
-        if (!write_rows(d, rows))
+        if (!write_rows(p, file, rows))
             return false;
         if (o->progress && y > 0)
             o->progress(o->user, height - y, height);
@@ -73,51 +72,71 @@ static bool draw_bands(Drawing *d)
     return true;
 }
 
-static bool write_picture(Drawing *d, ScenePicture *picture)
+/* Room for a row of tiles, once for all pictures. */
+static bool make_band(ScenePictures *p)
 {
-    const char *why;
-    const PictureSpec spec = spec_of(d->options, d->render);
-    const size_t rows = (size_t)render_tile_height(d->render) * 4 * sizeof(float);
-    const size_t tile = (size_t)render_tile_width(d->render), width = (size_t)render_width(d->render);
-    d->file = picture_file_open(&spec, &why);
-    if (!d->file)
-        return gl_fail(d->gl, "%s", why);
-    d->tile = tile < width ? malloc(rows * tile) : NULL;
-    d->band = malloc(rows * width);
-    if ((tile < width && !d->tile) || !d->band)
-        return gl_fail(d->gl, "out of memory");
-    if (!draw_bands(d))
-        return false;
-    why = picture_file_finish(d->file, d->options->path);
-    picture->faulty = why ? d->options->path : NULL;
-    return !why || gl_fail(d->gl, "%s", why);
+    const size_t rows = (size_t)render_tile_height(p->render) * 4 * sizeof(float);
+    const size_t tile = (size_t)render_tile_width(p->render), width = (size_t)render_width(p->render);
+    if (p->band)
+        return true;
+    p->tile = tile < width ? malloc(rows * tile) : NULL;
+    p->band = tile == width || p->tile ? malloc(rows * width) : NULL;
+    return p->band || gl_fail(p->gl, "out of memory");
 }
 
-static bool draw(Drawing *d, ScenePicture *picture)
+static bool write_picture(ScenePictures *p, const char *path, ScenePicture *picture)
 {
-    if (d->options->graph) {
-        picture->words = render_graph(d->render);
+    const char *why;
+    const PictureSpec spec = spec_of(&p->options, p->render);
+    PictureFile *file = make_band(p) ? picture_file_open(&spec, &why) : NULL;
+    if (!p->band)
+        return false;
+    if (!file)
+        return gl_fail(p->gl, "%s", why);
+    bool done = draw_bands(p, file);
+    why = done ? picture_file_finish(file, path) : NULL;
+    picture->faulty = why ? path : NULL;
+    picture_file_close(file);
+    return done && (!why || gl_fail(p->gl, "%s", why));
+}
+
+bool scene_pictures_draw(ScenePictures *p, const char *path, ScenePicture *picture)
+{
+    *picture = (ScenePicture){0};
+    if (p->options.graph) {
+        picture->words = render_graph(p->render);
         return true;
     }
-    if (!write_picture(d, picture))
+    if (!write_picture(p, path, picture))
         return false;
-    picture->words = d->options->stats ? render_stats(d->render) : NULL;
+    picture->words = p->options.stats ? render_stats(p->render) : NULL;
     return true;
 }
 
-bool scene_picture_draw(GlContext *gl, const Scene *scene, const ScenePictureOptions *options, ScenePicture *picture)
+bool scene_pictures_turn(ScenePictures *p) { return render_changed(p->render, RENDER_CAMERA); }
+
+ScenePictures *scene_pictures_open(GlContext *gl, const Scene *scene, const ScenePictureOptions *options)
 {
-    RenderOptions render = options->render;
-    Drawing d = {.gl = gl, .options = options};
+    ScenePictures *made = calloc(1, sizeof *made);
     const bool exr = options->format == PICTURE_FORMAT_exr;
-    render.linear = exr;
-    render.deep = options->bits > (exr ? 16 : 8);
-    *picture = (ScenePicture){0};
-    d.render = render_open(gl, &render);
-    const bool done = d.render && render_scene(d.render, scene) && draw(&d, picture);
-    render_close(d.render);
-    picture_file_close(d.file);
-    free(d.tile);
-    free(d.band);
-    return done;
+    if (!made)
+        return gl_fail(gl, "out of memory"), NULL;
+    *made = (ScenePictures){.gl = gl, .options = *options};
+    made->options.render.linear = exr;
+    made->options.render.deep = options->bits > (exr ? 16 : 8);
+    made->render = render_open(gl, &made->options.render);
+    if (made->render && render_scene(made->render, scene))
+        return made;
+    scene_pictures_close(made);
+    return NULL;
+}
+
+void scene_pictures_close(ScenePictures *p)
+{
+    if (!p)
+        return;
+    render_close(p->render);
+    free(p->tile);
+    free(p->band);
+    free(p);
 }

@@ -1,4 +1,5 @@
-/* From a scene to a picture in a file: drawn by the renderer, tile by tile, and written row by row. */
+/* From a scene to pictures in files: drawn by the renderer, tile by tile, and written row by row. Frames of a motion are one scene whose camera
+ * moves: what does not depend on it is made once. */
 #ifndef MATC_VIEW_SCENE_PICTURE_H
 #define MATC_VIEW_SCENE_PICTURE_H
 #include "runtime/render/render.h"
@@ -7,7 +8,6 @@
 typedef struct {
     RenderOptions render;
     bool stats, graph; /* what ran, in words; of the graph alone: instead of a picture */
-    const char *path;  /* of the file */
     PictureFormat
         format; /* PNG has the picture as it is shown, OpenEXR its linear light, before exposure and tone mapping */
     int bits;   /* of a lane; 0: 8, of OpenEXR 16, and 32 for what is no picture */
@@ -20,6 +20,14 @@ typedef struct {
     const char *faulty; /* the path, where it is the file that could not be written */
 } ScenePicture;
 
+typedef struct ScenePictures ScenePictures;
+
+/* The scene is there until the end, and so is what the options point to. NULL: gl->error says why. */
+ScenePictures *scene_pictures_open(GlContext *gl, const Scene *scene, const ScenePictureOptions *options);
+/* The scene's camera is another than before. False: gl->error says why. */
+bool scene_pictures_turn(ScenePictures *pictures);
 /* False: gl->error says why, and there is no file. */
-bool scene_picture_draw(GlContext *gl, const Scene *scene, const ScenePictureOptions *options, ScenePicture *picture);
+bool scene_pictures_draw(ScenePictures *pictures, const char *path, ScenePicture *picture);
+/* NULL is nothing. */
+void scene_pictures_close(ScenePictures *pictures);
 #endif
