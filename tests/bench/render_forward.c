@@ -17,11 +17,7 @@
 
 extern const char render_text_surface_phong[];
 
-enum {
-    MOST_LIGHTS = 1024,
-    LIGHT_FLOATS = 4 * VIEW_SPACE_LIGHT_TEXELS,
-    LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float)
-};
+enum { MOST_LIGHTS = 1024, LIGHT_FLOATS = 8, LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float) };
 
 static const char layout_text[] = "layout: forward\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
                                   "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
@@ -35,7 +31,7 @@ static const char tail[] =
     "    vec4 forward_ray, forward_view, forward_ambient;\n"
     "    ivec4 forward_count;\n"
     "};\n"
-    "layout(std140) uniform ForwardLights { vec4 forward_lights[4 * 1024]; };\n" /* view_space.h; as much as a block may have */
+    "layout(std140) uniform ForwardLights { vec4 forward_lights[2 * 1024]; };\n"
     "layout(location = 0) out vec4 forward_light;\n"
     "void main()\n"
     "{\n"
@@ -46,13 +42,11 @@ static const char tail[] =
     "    vec3 reflected = reflect(normalize(point), m.normal);\n"
     "    vec3 sum = m.emissive + m.ambient * forward_ambient.xyz;\n"
     "    for (int i = 0; i < forward_count.x; i++) {\n"
-    "        vec4 place = forward_lights[4 * i], cone = forward_lights[4 * i + 3];\n"
+    "        vec4 place = forward_lights[2 * i];\n"
     "        vec3 way = place.xyz - place.w * point;\n"
     "        float square = max(dot(way, way), 1e-30);\n"
-    "        vec3 l = way * inversesqrt(square);\n"
-    "        float s = clamp(cone.x * -dot(l, forward_lights[4 * i + 2].xyz) + cone.y, 0.0, 1.0);\n"
-    "        sum += forward_lights[4 * i + 1].xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0)) *\n"
-    "            surfaceLobe(m, reflected, l);\n"
+    "        sum += forward_lights[2 * i + 1].xyz / (place.w > 0.0 ? square : 1.0) *\n"
+    "            surfaceLobe(m, reflected, way * inversesqrt(square));\n"
     "    }\n"
     "    forward_light = vec4(sum, 1.0);\n"
     "}\n";
@@ -138,19 +132,35 @@ static bool make_mesh(Forward *f, int object)
     return fine;
 }
 
+/* Where it is, or, of a directional one, the direction to it, in the eye's space, w 1 or 0; its light. */
+static void put_light(const Forward *f, const SceneLight *light, float *to)
+{
+    const double *m = f->space.eye_from_world;
+    const bool near = light->kind == SCENE_Point;
+    for (int row = 0; row < 3; row++) {
+        double sum = near ? m[12 + row] : 0;
+        for (int k = 0; k < 3; k++)
+            sum += m[4 * k + row] * (near ? light->position[k] : -light->direction[k]);
+        to[row] = (float)sum;
+        to[4 + row] = (float)light->light[row];
+    }
+    to[3] = near;
+}
+
 static bool make_blocks(Forward *f)
 {
-    int counts[VIEW_SPACE_SECTIONS];
+    ForwardBlock *block = &f->block;
     if (f->scene->light_count > MOST_LIGHTS)
         return gl_fail(f->gl, "the forward renderer has room for %d lights", MOST_LIGHTS);
     f->lights = calloc(1, LIGHTS_BYTES);
     if (!f->lights)
         return gl_fail(f->gl, "out of memory");
-    view_space_lights(&f->space, f->scene, f->lights, counts);
-    view_space_ambient(f->scene, f->block.ambient);
-    memcpy(f->block.ray, f->space.ray, sizeof f->space.ray);
-    memcpy(f->block.view, f->space.depth, sizeof f->space.depth);
-    f->block.count[0] = counts[VIEW_SPACE_POINTS];
+    for (int i = 0; i < f->scene->light_count; i++)
+        if (f->scene->lights[i].kind != SCENE_Ambient)
+            put_light(f, &f->scene->lights[i], f->lights + LIGHT_FLOATS * block->count[0]++);
+    view_space_ambient(f->scene, block->ambient);
+    memcpy(block->ray, f->space.ray, sizeof f->space.ray);
+    memcpy(block->view, f->space.depth, sizeof f->space.depth);
     return true;
 }
 
