@@ -67,6 +67,12 @@ for scene in examples/scenes/*.yaml; do
     check "$shown is in the gallery" grep -q "!\[$shown\](gallery/$shown.png).*scenes/$shown.yaml" docs/gallery.md
     check "and so is its picture" test -s "docs/gallery/$shown.png"
 done
+for frame in 9 18 27; do
+    shown=$(printf 'carpaint-%02d' $frame)
+    [ -z "$update" ] || "$matview" --size=280 --frame=$frame examples/scenes/carpaint.yaml -o "docs/gallery/$shown.png"
+    check "$shown is in the gallery" grep -q "(gallery/$shown.png)" docs/gallery.md
+    check "and so is its picture" test -s "docs/gallery/$shown.png"
+done
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

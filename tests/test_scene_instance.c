@@ -104,6 +104,23 @@ static void unused(void **state)
     forget(scene, document);
 }
 
+/* matc compiles the materials of a scene, whatever objects its `defs:` have; in a document of materials these are no definitions. */
+static void materials_alone(void **state)
+{
+    (void)state;
+    static const char scene[] = RED "defs: { fir: { object: Box } }\nobjects: []\n",
+                      none[] = RED "defs: { fir: { object: Box } }\n";
+    MatcOptions options;
+    matc_options_init(&options);
+    MatcDocument *document = matc_read("scene.yaml", scene, sizeof scene - 1, &options);
+    assert_string_equal(matc_diagnostics(document, MATC_TEXT), "");
+    assert_int_equal(matc_material_count(document), 1);
+    matc_document_free(document);
+    document = matc_read("materials.yaml", none, sizeof none - 1, &options);
+    assert_int_equal(matc_error_count(document), 1);
+    matc_document_free(document);
+}
+
 /* Definitions that instance the next four times would be 4^30 objects; a chain of them is as deep as it is long. */
 static void instance_bombs(void **state)
 {
@@ -137,10 +154,8 @@ static void instance_bombs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults),
-        cmocka_unit_test(instances),
-        cmocka_unit_test(unused),
-        cmocka_unit_test(instance_bombs),
+        cmocka_unit_test(faults),          cmocka_unit_test(instances),      cmocka_unit_test(unused),
+        cmocka_unit_test(materials_alone), cmocka_unit_test(instance_bombs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -155,14 +155,18 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     return fine;
 }
 
+/* What a scene instances, which is runtime/scene's. */
+static bool is_scene_object(const Tree *tree) { return tree->kind == TREE_object && tree_find(tree, "object"); }
+
 /* Definitions that nothing refers to are checked too: a fault in them is a fault. */
-static void check_defs(Resolver *r)
+static void check_defs(Resolver *r, const Tree *document)
 {
+    const bool scene = resolve_is_scene(document);
     for (size_t i = 0; i < r->def_count; i++)
         for (uint32_t k = 0; k < r->defs[i]->count; k++) {
             Tree *tree = r->defs[i]->members[k].value;
             bool fault = false;
-            if (tree->made != MADE_node && !tree->failed)
+            if (tree->made != MADE_node && !tree->failed && !(scene && is_scene_object(tree)))
                 resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
         }
 }
@@ -220,7 +224,7 @@ Graph *resolve(Session *session, Tree *document)
         fine &= resolve_one(&r, document, materials);
     else
         diag_add(session, document->span, DIAG_definitions_only);
-    check_defs(&r);
+    check_defs(&r, document);
     resolve_picture_spaces(&r, materials, graph->material_count);
     graph->node_count = r.node_count;
     graph->uniforms = r.uniforms;

@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1677721600u, 671088640u, 4411750u, 646447104u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1275068416u, 536870912u, 4083039u, 646381568u);
 }

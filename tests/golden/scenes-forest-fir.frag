@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1006632960u, 805306368u, 4744761u, 646512640u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 738197504u, 536870912u, 4085817u, 646381568u);
 }

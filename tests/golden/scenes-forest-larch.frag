@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 2483027968u, 1006632960u, 3766416u, 646381568u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1543503872u, 603979776u, 3369356u, 646250496u);
 }

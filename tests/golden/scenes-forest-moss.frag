@@ -1,25 +1,75 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout compact
 
-in vec2 uv;
+in vec3 localPosition;
 in vec3 eyeNormal;
 layout(location = 0) out uvec4 fragment0;
 
-// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
-// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
-// upper side.
-vec2 stripesNear2(vec2 q, vec2 edges) {
-    vec2 side = 1.0 - 2.0 * step(0.5, q);
-    vec2 distance = min(min(q, 1.0 - q), abs(q - 0.5));
-    return side * max(min(2.0 * distance / max(edges, 1.0e-6), 1.0), step(edges, vec2(1.0e-6)));
+// A bijective finaliser, two rounds of shift and multiply, so that the top bits of every shift of the hash are good.
+uvec4 latticeFinal(uvec4 h) {
+    h = (h ^ (h >> 16u)) * 0x7FEB352Du;
+    h = (h ^ (h >> 15u)) * 0x846CA68Bu;
+    return h ^ (h >> 16u);
 }
 
-// Mean over boxes of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. For a box of 1/2 and more from the
-// antiderivative. Error 2e-7.
-vec2 stripes2(vec2 q, vec2 edges) {
-    vec2 low = abs(fract(q - 0.5 * edges) - 0.5);
-    vec2 high = abs(fract(q + 0.5 * edges) - 0.5);
-    return mix(stripesNear2(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
+// Hashes of the eight corners of a cell, lanes as latticeMix takes them: xor of the coordinates' products, then a finaliser.
+// The wrap to [0, 65536) is exact for every finite cell: its steps only scale by powers of two and drop high digits.
+void latticeCorners(vec3 cell, out uvec4 low, out uvec4 high) {
+    const uvec3 factor = uvec3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
+    uvec3 c = uvec3(ivec3(cell - 65536.0 * floor(cell * (1.0 / 65536.0))));
+    uvec3 c0 = c * factor;
+    uvec3 c1 = ((c + 1u) & 65535u) * factor;
+    uvec4 square = uvec4(c0.x, c1.x, c0.x, c1.x) ^ uvec4(c0.yy, c1.yy);
+    low = latticeFinal(square ^ (c0.z + 0x165667B1u));
+    high = latticeFinal(square ^ (c1.z + 0x165667B1u));
+}
+
+// Mixes eight corner terms, lanes (x, y) = (0,0) (1,0) (0,1) (1,1), z = 0 in `low` and 1 in `high`, with weights 3d^2 - 2d^3.
+float latticeMix(vec4 low, vec4 high, vec3 d) {
+    vec3 s = d * d * (3.0 - 2.0 * d);
+    vec4 plane = mix(low, high, s.z);
+    vec2 line = mix(plane.xy, plane.zw, s.y);
+    return mix(line.x, line.y, s.x);
+}
+
+// A hash read as a signed number is this much of 1.
+const float latticeScale = 1.0 / 2147483648.0;
+
+// Value plus gradient terms of a face's four corners, times 2^31; d is the offset from the first corner.
+// A corner's numbers are its hash shifted left by 0, 7, 14, 21 and read as signed: uniform, symmetric to 2^-11, no masks.
+vec4 latticeTerms(uvec4 hash, vec3 d) {
+    vec4 dx = vec4(d.x, d.x - 1.0, d.x, d.x - 1.0);
+    vec4 dy = vec4(d.yy, d.yy - 1.0);
+    return 0.5 * vec4(ivec4(hash)) + vec4(ivec4(hash << 7u)) * dx + vec4(ivec4(hash << 14u)) * dy
+         + vec4(ivec4(hash << 21u)) * d.z;
+}
+
+// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
+// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+float lattice(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+}
+
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+float noise(vec3 p) {
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
+}
+
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
+// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < count; k++) {
+        sum += strength * noise(p);
+        strength *= noiseRatio;
+        p *= frequencyRatio;
+    }
+    return sum;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -65,12 +115,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    vec2 uvByX = dFdx(uv);
-    vec2 uvByY = dFdy(uv);
-    // forest.yaml:7 Checker
-    vec2 diffuse_checker_1 = stripes2(fract(uv), max(abs(uvByY), abs(uvByX)));
-    vec3 diffuse_checker = mix(vec3(0.12, 0.13, 0.06), vec3(0.1, 0.12, 0.05), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    // forest.yaml:8 VolumeTurbulence
+    float diffuse_volumeTurbulence = turbulence(localPosition * 1.5, 5, 2.0, 0.7);
+    // forest.yaml:8 Blend
+    vec3 diffuse_blend = mix(vec3(0.05, 0.06, 0.03), vec3(0.13, 0.12, 0.06), clamp(diffuse_volumeTurbulence + 0.5, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1409286144u, 738197504u, surface_bits, 646381568u);
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1140850688u, 603979776u, surface_bits, 646381568u);
 }

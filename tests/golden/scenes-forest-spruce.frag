@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 738197504u, 671088640u, 5329196u, 646578176u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 603979776u, 469762048u, 4737068u, 646447104u);
 }

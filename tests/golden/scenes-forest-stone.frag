@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 2348810240u, 1140850688u, 9211020u, 647036928u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1006632960u, 469762048u, 5592405u, 646381568u);
 }

@@ -1,0 +1,83 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec3 localPosition;
+in vec3 eyeNormal;
+layout(location = 0) out uvec4 fragment0;
+
+// Mandelbrot set: c = 4 (fraction of p.xy) - 2, z from c on; the share of `iterations` steps z^2 + c that stay within
+// |z| <= 2, laid over [-1, 1]. Next to the set's edge rounding may change the number of steps.
+float mandel(vec3 p, int iterations) {
+    vec2 c = 4.0 * fract(p.xy) - 2.0;
+    vec2 z = c;
+    int steps = 0;
+    for (int k = 0; k < iterations; k++) {
+        z = vec2(z.x * z.x - z.y * z.y, 2.0 * z.x * z.y) + c;
+        if (dot(z, z) > 4.0) break;
+        steps++;
+    }
+    return 2.0 * float(steps) / max(float(iterations), 1.0) - 1.0;
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+void main() {
+    // mandelbrot.yaml:23 XYZTransform
+    vec3 steps_xyzTransform = localPosition * vec3(0.64) + vec3(0.02, 0.18, 0.0);
+    // mandelbrot.yaml:23 Mandel
+    float steps_mandel = mandel(steps_xyzTransform, 80);
+    // mandelbrot.yaml:12 steps
+    vec3 steps;
+    if (steps_mandel < -0.78) {
+        vec3 steps_1 = steps_mandel < -0.94 ? (steps_mandel < -1.0 ? vec3(0.01, 0.02, 0.1) : mix(vec3(0.01, 0.02, 0.1), vec3(0.02, 0.08, 0.3), (steps_mandel + 1.0) * 16.666666)) : mix(vec3(0.02, 0.08, 0.3), vec3(0.05, 0.25, 0.6), (steps_mandel + 0.94) * 25.0);
+        vec3 steps_2 = steps_mandel < -0.85 ? mix(vec3(0.05, 0.25, 0.6), vec3(0.3, 0.65, 0.8), (steps_mandel + 0.9) * 20.0) : mix(vec3(0.3, 0.65, 0.8), vec3(0.95, 0.9, 0.65), (steps_mandel + 0.85) * 14.285714);
+        steps = steps_mandel < -0.9 ? steps_1 : steps_2;
+    } else {
+        vec3 steps_3 = steps_mandel < -0.6 ? mix(vec3(0.95, 0.9, 0.65), vec3(0.95, 0.5, 0.05), (steps_mandel + 0.78) * 5.5555553) : mix(vec3(0.95, 0.5, 0.05), vec3(0.5, 0.08, 0.02), (steps_mandel + 0.6) * 2.5);
+        steps = steps_mandel < 0.9 ? (steps_mandel < -0.2 ? steps_3 : mix(vec3(0.5, 0.08, 0.02), vec3(0.1, 0.0, 0.05), (steps_mandel + 0.2) * 0.90909094)) : steps_mandel <= 1.0 ? mix(vec3(0.1, 0.0, 0.05), vec3(0.0), (steps_mandel - 0.9) * 10.0) : vec3(0.0);
+    }
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    uint surface_bits = rootBits(steps.x, 8) | rootBits(steps.y, 8) << 8 | rootBits(steps.z, 8) << 16;
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(steps.x, 5) << 27 | 67108864u, rootBits(steps.y, 5) << 26, surface_bits | 2533359616u, rootBits(steps.z, 5) << 16 | 1319147415u);
+    fragment0 = surface_bits2;
+}
