@@ -142,13 +142,15 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
     return 3 * width / fmax(1, fabs(hull->value.lane[c->slot][lane])) + c->bound < SHARP;
 }
 
-/* How far a drawn number lies outside of its hull or, of a bump, outside of what rounding makes of its program. */
-static double miss_of(const Case *c, const DrawnNumber *drawn)
+/* How far a drawn number lies outside of its hull or, of a few numbers of a bump, outside of what rounding makes of its program. */
+static double miss_of(const Case *c, const DrawnNumber *drawn, int *excused)
 {
     MatcOptions options = c->subject->document->options;
     double miss = hull_miss(drawn->hull, c->slot, drawn->lane, drawn->number);
-    if (miss <= c->bound || !isfinite(drawn->number) || c->slot != SLOT_normal || !c->subjects->has[KIND_BumpMap])
+    const bool is_bump = c->slot == SLOT_normal && c->subjects->has[KIND_BumpMap];
+    if (miss <= c->bound || !isfinite(drawn->number) || !is_bump || *excused == ROUNDING_NUMBERS)
         return miss;
+    ++*excused;
     way_options(c->way, c->slot, &options);
     return fmin(miss, rounding_miss(c->subject->document, c->subject->material, &options, drawn, c->bound));
 }
@@ -162,7 +164,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     Choice derivatives = choice_table[choice].axis == AXIS_derivatives ? choice : CHOICE_derivatives_auto;
     const Hull *hulls = way_samples(c->way, c->subjects) ? sampled_hulls_of(w, c->subject, front)
                                                          : hulls_of(w, c->subject, noise, derivatives, front);
-    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0;
+    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0, excused = 0;
     double worst = 0;
     for (int i = 0; i < JUDGED; i++) {
         const bool judged = way_judges(c->way, c->subjects, &w->run->points[i]);
@@ -170,7 +172,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
             if (!judged && isfinite(rgba[4 * i + k]))
                 continue;
             const DrawnNumber drawn = {c->slot, k, &w->run->points[i], front, &hulls[i], rgba[4 * i + k]};
-            const double miss = miss_of(c, &drawn);
+            const double miss = miss_of(c, &drawn, &excused);
             sharp += is_sharp(&hulls[i], c, k);
             bad += miss > c->bound;
             if (miss > worst) {

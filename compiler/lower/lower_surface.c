@@ -121,7 +121,7 @@ static Ref odd_at(Lower *l, const void *map, Answer q)
 static Answer odd_or_even(Lower *l, Answer q, double step, const Colors *colors)
 {
     Ref odd = odd_at(l, colors, q);
-    Stepped map = {.at = odd_at, .map = colors, .q = q, .repeats = true};
+    Stepped map = {.at = odd_at, .map = colors, .q = q};
     for (int i = 0; i < ir_lanes(l->ir, q.value); i++)
         map.step[i] = step;
     relief_step(l, odd, &map);

@@ -23,7 +23,7 @@ static Ref number(Lower *l, Ref value)
     return build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
 }
 
-/* (f(q + h e) - f(q)) / h, e along a lane. */
+/* (f(q + h e) - f(q)) / h, e along a lane. f repeats, so whole numbers are dropped first: far out the step would be lost beside them. */
 static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
 {
     Ir *ir = l->ir;
@@ -31,8 +31,7 @@ static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
     double step[4] = {0};
     step[lane] = map->step[lane];
     Answer beyond = map->q;
-    Ref from = map->repeats ? build_fract(ir, beyond.value) : beyond.value;
-    beyond.value = build_add(ir, from, ir_const(ir, type, step));
+    beyond.value = build_add(ir, build_fract(ir, map->q.value), ir_const(ir, type, step));
     Ref there = number(l, map->at(l, map->map, beyond));
     return build_scale(ir, build_sub(ir, there, number(l, value)), 1 / map->step[lane]);
 }

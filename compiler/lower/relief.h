@@ -16,7 +16,6 @@ typedef struct {
     const void *map;                                /* of which kind, with which parameters: the caller's */
     Answer q;                                       /* its coordinate at the point */
     double step[3];                                 /* by lane of it; 0: it does not go by that lane */
-    bool repeats; /* alike after whole numbers: what is added to q loses nothing far out */
 } Stepped;
 /* In a displacement of --derivatives=auto: how `value`, the map's at the point, changes by u and v is its finite steps' to say. */
 void relief_step(Lower *l, Ref value, const Stepped *map);

@@ -47,9 +47,10 @@ vec3 imageRiseBeyondRow(sampler2D s, vec3 x, float y, vec2 size, int lane, int a
 
 vec2 imageRiseBeyond(sampler2D s, vec2 uv, vec2 size, int lane, int address, vec2 right, vec2 up) {
     vec2 across = right * size, along = up * size;
+    vec2 turn = address == 1 ? fract(uv * 0.5) * 2.0 : uv; // as imageRiseOver's, two at a time
     if (max(dot(across, across), dot(along, along)) > 1.0)
-        return imageRiseSampled(s, uv, size, lane, right, up);
-    vec2 at = (address == 1 ? fract(uv * 0.5) * 2.0 : uv) * size;
+        return imageRiseSampled(s, turn, size, lane, right, up);
+    vec2 at = turn * size;
     vec2 low = floor(at);
     vec3 x = low.x + vec3(0.0, 1.0, 2.0);
     return texelsRise(imageRiseBeyondRow(s, x, low.y, size, lane, address), imageRiseBeyondRow(s, x, low.y + 1.0, size, lane, address),

@@ -47,6 +47,8 @@ double rounding_miss(Document *document, int material, const MatcOptions *option
 {
     MatcOptions baked = *options;
     double miss = INFINITY;
+    if (!(hull_miss(drawn->hull, drawn->slot, drawn->lane, drawn->number) <= ROUNDING_MOST))
+        return INFINITY;
     baked.constants = "baked";
     for (int level = 0; level <= options->optimize && miss > bound; level += 2) {
         Rounded rounded;
