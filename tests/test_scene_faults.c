@@ -71,6 +71,8 @@ static void faults(void **state)
         {RED "lights: [{ light: Ambient, shadows: true }]\n",
          "2:28: error: Ambient has no parameter 'shadows'; it has color, intensity"},
         {RED "shadowMaps: { size: 8 }\nlights: []\n", "2:21: error: size is 8; it must be from 16 to 8192"},
+        {RED "tools: { gridCells: 0 }\nlights: []\n", "2:21: error: gridCells is 0; it must be from 1 to 1000"},
+        {RED "tools: { grids: true }\n", "2:10: error: Tools has no parameter 'grids'; did you mean 'grid'?"},
         {RED "shadowMaps: { filter: 9 }\nlights: []\n", "2:23: error: filter is 9; it must be from 0 to 8"},
         {RED "lights: [{ light: Directional, direction: [0, 0, 0] }]\n", "2:43: error: direction has no direction"},
         {RED "lights: [{ light: Spot, innerAngle: 40 }]\n",

@@ -9,6 +9,7 @@
 #define EDGE    (1u << FRAME_TARGET_edge)
 #define LISTS   (1u << FRAME_TARGET_lists)
 #define LAYER   (1u << FRAME_TARGET_layer | 1u << FRAME_TARGET_layer_depth | 1u << FRAME_TARGET_layer_keys)
+#define TOOLS   (1u << FRAME_TARGET_tools)
 #define SHOWN   (1u << FRAME_TARGET_shown)
 
 const FramePass frame_passes[] = {
@@ -20,12 +21,6 @@ const FramePass frame_passes[] = {
      "always: what is not drawn is clear",
      NULL},
     {{"plane", 0, 0, DEPTH | GBUFFER}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane", NULL},
-    {{"lists", DEPTH, LISTS, 0},
-     pass_lists_needed,
-     pass_lists_make,
-     pass_lists_draw,
-     "something is transparent, and there is OpenGL 4.3",
-     pass_lists_count},
     {{"shadow", 0, SHADOW, 0},
      pass_shadow_needed,
      pass_shadow_make,
@@ -39,15 +34,27 @@ const FramePass frame_passes[] = {
      "always: what is not lit is black",
      NULL},
     {{"sky", DEPTH, 0, LIGHT}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky", NULL},
-    {{"blend", LISTS, 0, LIGHT}, pass_lists_needed, pass_blend_make, pass_blend_draw, "there are lists", NULL},
-    {{"peel", DEPTH, LAYER, LIGHT},
+    {{"edge", DEPTH, EDGE, 0}, pass_edge_needed, pass_edge_make, pass_edge_draw, "edges are blended by coverage", NULL},
+    {{"tools", 0, TOOLS, DEPTH | LIGHT},
+     pass_tools_needed,
+     pass_tools_make,
+     pass_tools_draw,
+     "tools are asked for",
+     NULL},
+    {{"lists", DEPTH, LISTS, 0},
+     pass_lists_needed,
+     pass_lists_make,
+     pass_lists_draw,
+     "something is transparent, and there is OpenGL 4.3",
+     pass_lists_count},
+    {{"blend", LISTS, 0, LIGHT | TOOLS}, pass_lists_needed, pass_blend_make, pass_blend_draw, "there are lists", NULL},
+    {{"peel", DEPTH, LAYER, LIGHT | TOOLS},
      pass_peel_needed,
      pass_peel_make,
      pass_peel_draw,
      "something is transparent, and there are no lists",
      pass_peel_count},
-    {{"edge", DEPTH, EDGE, 0}, pass_edge_needed, pass_edge_make, pass_edge_draw, "edges are blended by coverage", NULL},
-    {{"tone", LIGHT | EDGE, SHOWN, 0},
+    {{"tone", LIGHT | EDGE | TOOLS, SHOWN, 0},
      pass_light_needed,
      pass_tone_make,
      pass_tone_draw,
@@ -91,14 +98,16 @@ static unsigned wanted(const Render *render)
     return view ? GBUFFER : SHOWN;
 }
 
-/* What no pass writes is not read either. */
+/* What no pass fills is neither read nor changed. */
 static void leave_out(FramePlanPass *rows, unsigned allowed)
 {
-    unsigned written = 0;
+    unsigned filled = 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++)
-        written |= allowed >> i & 1 ? rows[i].fills | rows[i].changes : 0;
-    for (int i = 0; i < PASS_COUNT_HERE; i++)
-        rows[i].reads &= written;
+        filled |= allowed >> i & 1 ? rows[i].fills : 0;
+    for (int i = 0; i < PASS_COUNT_HERE; i++) {
+        rows[i].reads &= filled;
+        rows[i].changes &= filled;
+    }
 }
 
 FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
@@ -196,6 +205,7 @@ void frame_place(Render *render)
     view_space_place(&render->space, render->whole, render->at);
     lighting_place(render, &render->light);
     pass_edge_place(render);
+    pass_tools_place(render);
     pass_tone_place(render);
     lighting_place(render, &render->blend);
     lighting_place(render, &render->peel);
@@ -256,6 +266,7 @@ bool frame_change(Render *render, unsigned what)
 {
     ScreenPass *passes[] = {&render->light, &render->blend, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
+    fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
         if (fine && passes[i]->material.store)
             fine = lighting_change(render, passes[i]);
@@ -275,6 +286,7 @@ void frame_delete(Render *render)
     screen_pass_delete(&render->light);
     screen_pass_delete(&render->tone);
     pass_edge_delete(render);
+    pass_tools_delete(render);
     measure_delete(gl, &render->measured);
     measure_delete(gl, &render->adapted);
     screen_pass_delete(&render->blend);

@@ -19,6 +19,7 @@ typedef enum {
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
     FRAME_TARGET_layer_depth,
     FRAME_TARGET_layer_keys, /* of two layers */
+    FRAME_TARGET_tools,      /* their colours, as they are seen through what is before them */
     FRAME_TARGET_shown,
     FRAME_TARGET_COUNT
 } FrameTarget;
@@ -70,6 +71,15 @@ typedef struct {
     int count;    /* of lines */
 } FrameEdge;
 
+/* Of pass_tools.c. */
+typedef struct {
+    Material material;
+    GLuint array, buffer;      /* of vertices of tool_lines.h */
+    int count;                 /* of vertices */
+    Framebuffer lines, colors; /* light and the tools' target with depth; that target alone */
+    ScreenPass veil;           /* lays what is transparent over the tools: what it lets through */
+} FrameTools;
+
 /* Of pass_lists.c. */
 typedef struct {
     GLuint buffer;
@@ -108,6 +118,7 @@ struct Render {
     bool uncounted;    /* fragments and layers, since the scene changed */
     int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
     FrameEdge edge;
+    FrameTools tools;
     LightTable lights;
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
@@ -210,6 +221,15 @@ bool pass_peel_needed(const Render *render);
 bool pass_peel_make(Render *render);
 void pass_peel_draw(Render *render);
 void pass_peel_delete(Render *render);
+bool pass_tools_needed(const Render *render);
+bool pass_tools_make(Render *render);
+/* The camera or lights are others. */
+bool pass_tools_change(Render *render);
+void pass_tools_place(Render *render);
+void pass_tools_draw(Render *render);
+void pass_tools_delete(Render *render);
+/* The pass runs, and has its target. */
+bool pass_tools_are_there(const Render *render);
 bool pass_tone_make(Render *render);
 void pass_tone_draw(Render *render);
 
@@ -229,6 +249,9 @@ enum {
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
+/* For a pass that lays something transparent over the light, with the text of it that gives no light: and over the tools, where there are some. */
+bool pass_tools_make_veil(Render *render, const LightingText *text);
+void pass_tools_draw_veil(Render *render);
 /* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */
 enum { LIGHT_TABLE_DEFINITION = 64 };
 bool light_table_write(Render *render, int unit);

@@ -2,8 +2,8 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",  "lists",    "light",
-                                                      "edge",  "layer",   "layer.z", "layer.id", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",   "lists", "light", "edge",
+                                                      "layer", "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -30,11 +30,11 @@ static const char *shown_format(const Render *render)
 
 const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
-    const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] = "DEPTH32F",
-                                                 [FRAME_TARGET_layer_depth] = "DEPTH32F",
-                                                 [FRAME_TARGET_light] = is_exact(render) ? "RGBA32F" : "RGBA16F",
-                                                 [FRAME_TARGET_edge] = "R32UI",
-                                                 [FRAME_TARGET_shown] = shown_format(render)};
+    const char *const light = is_exact(render) ? "RGBA32F" : "RGBA16F";
+    const char *const one[FRAME_TARGET_COUNT] = {
+        [FRAME_TARGET_depth] = "DEPTH32F", [FRAME_TARGET_layer_depth] = "DEPTH32F",
+        [FRAME_TARGET_light] = light,      [FRAME_TARGET_tools] = light,
+        [FRAME_TARGET_edge] = "R32UI",     [FRAME_TARGET_shown] = shown_format(render)};
     if (target == FRAME_TARGET_layer_keys)
         return texture < 2 ? "RG32UI" : NULL;
     if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)

@@ -1,5 +1,5 @@
 // The pass blend: a pixel's transparent fragments, out of its list, from the nearest on. Before it stand lighting.glsl, LISTS_STRIDE, and
-// LISTS_TEXELS. The depth is reversed: what is nearer is greater.
+// LISTS_TEXELS; with VEIL no light is asked for. The depth is reversed: what is nearer is greater.
 layout(std430, binding = 2) readonly buffer Lists {
     uint lists_width;
     uint lists_pixels;
@@ -43,7 +43,9 @@ vec3 passOver(ivec2 pixel, out vec3 through)
     through = vec3(1.0);
     for (uint node = nextFragment(list, 0u); node != 0u; node = nextFragment(list, node)) {
         Surface surface = unpackTexels(LISTS_TEXELS);
+#ifndef VEIL
         sum += through * lightOf(pixel, uintBitsToFloat(lists_words[node + 1u]), surface);
+#endif
         through *= surfaceThrough(surface);
     }
     return sum;

@@ -1,6 +1,7 @@
 /* The passes lists and blend: transparent fragments into lists, and these over the light. Their GLSL is lists_store.glsl, around the
  * materials' own, and pass_blend.glsl. */
 #include "runtime/render/frame.h"
+#include <stdio.h>
 
 extern const char render_text_pass_blend[];
 
@@ -132,9 +133,11 @@ bool pass_lists_make(Render *render)
 
 bool pass_blend_make(Render *render)
 {
-    char reader[TRANSPARENCY_TEXT];
+    char reader[TRANSPARENCY_TEXT], veil[TRANSPARENCY_TEXT + sizeof "#define VEIL\n"];
     transparency_reader(&render->set, reader);
-    return lighting_make(render, &(LightingText){{reader, render_text_pass_blend}, true}, &render->blend);
+    snprintf(veil, sizeof veil, "#define VEIL\n%s", reader);
+    return lighting_make(render, &(LightingText){{reader, render_text_pass_blend}, true}, &render->blend) &&
+           pass_tools_make_veil(render, &(LightingText){{veil, render_text_pass_blend}, true});
 }
 
 void pass_blend_draw(Render *render)
@@ -142,6 +145,7 @@ void pass_blend_draw(Render *render)
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->lists.buffer);
     screen_pass_run(&render->blend, &render->draws[FRAME_DRAW_light], &render->screen);
+    pass_tools_draw_veil(render);
 }
 
 void pass_lists_delete(Render *render)

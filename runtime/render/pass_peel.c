@@ -105,11 +105,14 @@ bool pass_peel_count(Render *render, FrameCount step)
 
 bool pass_peel_make(Render *render)
 {
-    const LightingText text = {{render_text_pass_peel}, true};
+    const LightingText text = {{render_text_pass_peel}, true}, veil = {{"#define VEIL\n", render_text_pass_peel}, true};
     if (!make_layer(render, 0) || !make_layer(render, 1) || !lighting_make(render, &text, &render->peel) ||
-        !transparency_units(render, render->peel_units) || !number_objects(render))
+        !pass_tools_make_veil(render, &veil) || !transparency_units(render, render->peel_units) ||
+        !number_objects(render))
         return false;
     screen_pass_sampler(&render->peel, "peel_keys", LIGHTING_FREE_UNIT);
+    if (pass_tools_are_there(render))
+        screen_pass_sampler(&render->tools.veil, "peel_keys", LIGHTING_FREE_UNIT);
     transparency_set(render, "peel_depth", (float)render->peel_units[0]);
     transparency_set(render, "peel_behind", (float)render->peel_units[1]);
     return true;
@@ -123,6 +126,7 @@ void pass_peel_draw(Render *render)
         lighting_bind(render, FRAME_TARGET_layer, FRAME_TARGET_layer_depth);
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_layer_keys, i % 2), LIGHTING_FREE_UNIT);
         screen_pass_run(&render->peel, &render->draws[FRAME_DRAW_light], &render->screen);
+        pass_tools_draw_veil(render);
     }
 }
 

@@ -10,5 +10,9 @@ vec3 passOver(ivec2 pixel, out vec3 through)
     if (depth == NOTHING) return vec3(0.0);
     Surface surface = unpackSurface(pixel);
     through = surfaceThrough(surface);
+#ifdef VEIL
+    return vec3(0.0);
+#else
     return lightOf(pixel, uintBitsToFloat(depth), surface);
+#endif
 }

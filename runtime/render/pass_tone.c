@@ -2,10 +2,11 @@
  * reduced before. */
 #include "runtime/render/frame.h"
 #include <stdio.h>
+#include <string.h>
 
 extern const char render_text_tone[], render_text_pass_tone[], render_text_edge_part[], render_text_edge_none[];
 
-enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT, EDGE_UNIT };
+enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT, EDGE_UNIT, TOOLS_UNIT };
 
 static bool has_edges(const Render *render) { return render->plan.there >> FRAME_TARGET_edge & 1; }
 
@@ -75,6 +76,8 @@ bool pass_tone_make(Render *render)
     snprintf(kind, sizeof kind, "#define TONE_%s\n%s",
              render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name,
              measures(render) ? "#define TONE_MEASURES\n" : "");
+    if (pass_tools_are_there(render))
+        strcat(kind, "#define TONE_TOOLS\n");
     const ScreenPassText text = {.body = {kind, render_text_tone,
                                           has_edges(render) ? render_text_edge_part : render_text_edge_none,
                                           render_text_pass_tone},
@@ -85,6 +88,7 @@ bool pass_tone_make(Render *render)
     set_numbers(render, &render->tone);
     screen_pass_sampler(&render->tone, "tone_light", LIGHT_UNIT);
     screen_pass_sampler(&render->tone, "edge_words", EDGE_UNIT);
+    screen_pass_sampler(&render->tone, "tone_tools", TOOLS_UNIT);
     pass_tone_place(render);
     return true;
 }
@@ -103,5 +107,7 @@ void pass_tone_draw(Render *render)
     texture_bind(render->gl, light, LIGHT_UNIT);
     if (has_edges(render))
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_edge, 0), EDGE_UNIT);
+    if (pass_tools_are_there(render))
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_tools, 0), TOOLS_UNIT);
     screen_pass_run(&render->tone, &render->draws[FRAME_DRAW_shown], &render->screen);
 }

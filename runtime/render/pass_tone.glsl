@@ -2,6 +2,9 @@
 // is mapped first, and blended then: a screen's light is summed by the eye, and an edge beside a lamp stays smooth. Before it stand tone.glsl
 // and what declares edgeShare.
 uniform sampler2D tone_light;
+#ifdef TONE_TOOLS
+uniform sampler2D tone_tools;
+#endif
 
 // IEC 61966-2-1
 vec3 toneEncoded(vec3 c)
@@ -18,6 +21,9 @@ vec4 toneAt(ivec2 pixel)
     if (tone_tiles != 0 && light.w <= 0.0) // nothing is there: sRGB's 0.4 and 0.6
         return vec4(vec3((tile.x + tile.y & 1) != 0 ? 0.13286832 : 0.31854678), 1.0);
     light = vec4(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0), 1.0);
+#ifdef TONE_TOOLS
+    light.xyz = min(light.xyz + texelFetch(tone_tools, pixel, 0).xyz, 1.0);
+#endif
 #endif
     return light;
 }
@@ -27,6 +33,9 @@ vec4 passPixel(ivec2 pixel)
     ivec2 beyond;
     vec4 c = toneAt(pixel);
     float share = edgeShare(pixel, beyond);
+#ifdef TONE_TOOLS
+    if (texelFetch(tone_tools, pixel, 0).xyz != vec3(0.0)) share = 0.0; // a line stays whole
+#endif
     if (share > 0.0) c = mix(c, toneAt(beyond), share);
 #ifndef TONE_LIGHT
     c.xyz = toneEncoded(c.xyz);

@@ -72,6 +72,12 @@ typedef struct {
     int key_count;
 } SceneMotion;
 
+typedef struct {
+    bool grid, axes, lights;
+    int grid_cells; /* from the origin to each side */
+    double grid_step, axes_length, light_size;
+} SceneTools;
+
 typedef struct Scene {
     int width, height; /* pixels */
     SceneCamera camera;
@@ -88,10 +94,11 @@ typedef struct Scene {
     double sky_light[3]; /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
     SceneKind tone;      /* of the sort toneMapping */
     double exposure;     /* a factor; 1 where the kind has none */
-    double tone_numbers[4];   /* ReinhardDevlin: its params; Drago: bias */
-    bool tiles;               /* where nothing is seen */
-    int shadow_size;          /* texels of a shadow map's edge */
-    int shadow_filter;        /* texels over which a shadow's edge is spread; 0: none */
+    double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias */
+    bool tiles;             /* where nothing is seen */
+    int shadow_size;        /* texels of a shadow map's edge */
+    int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
+    SceneTools tools;
     MatcDocument **documents; /* further files of materials */
     int document_count;
 } Scene;

@@ -57,6 +57,22 @@ static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
     return i == r->plane_count;
 }
 
+static void read_tools(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_tools, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_tools, &thing))
+        return;
+    r->scene->tools = (SceneTools){.grid = scene_thing_number(&thing, S_Tools_grid) != 0,
+                                   .axes = scene_thing_number(&thing, S_Tools_axes) != 0,
+                                   .lights = scene_thing_number(&thing, S_Tools_lights) != 0,
+                                   .grid_cells = (int)scene_thing_number(&thing, S_Tools_gridCells),
+                                   .grid_step = scene_thing_number(&thing, S_Tools_gridStep),
+                                   .axes_length = scene_thing_number(&thing, S_Tools_axesLength),
+                                   .light_size = scene_thing_number(&thing, S_Tools_lightSize)};
+}
+
 /* A plane that lies in part behind an orthographic camera would be cut there. */
 static void check_rays(SceneReader *r, const SceneThing *document)
 {
@@ -89,6 +105,7 @@ static void read_scene(SceneReader *r, Tree *document)
         scene_motion_read(r, scene_thing_given(&thing, S_Scene_motion));
     read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
+    read_tools(r, scene_thing_given(&thing, S_Scene_tools));
     if (scene_thing_given(&thing, S_Scene_objects))
         scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
     scene_objects_check_unused(r);

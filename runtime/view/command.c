@@ -46,6 +46,8 @@ const char command_help[] =
     "too\n"
     "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
     "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
+    "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
+    "says\n"
     "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
     "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
     "  --transparency=HOW   auto (default), lists, peeling: how transparent surfaces are put in order; the picture is "
@@ -96,6 +98,30 @@ static const char *read_whole(const char *text, const long range[2], int *number
     return NULL;
 }
 
+/* "grid,axes", or "none". */
+static const char *read_tools(const char *list, SceneTools *tools)
+{
+    static const char fault[] = "--tools: grid, axes, lights, with commas between them; or none";
+    const struct {
+        const char *name;
+        bool *flag;
+    } names[] = {{"grid", &tools->grid}, {"axes", &tools->axes}, {"lights", &tools->lights}};
+    enum { NAMES = sizeof names / sizeof *names };
+    *tools = (SceneTools){0};
+    if (!strcmp(list, "none"))
+        return NULL;
+    for (const char *name = list; name; name = strchr(name, ',') ? strchr(name, ',') + 1 : NULL) {
+        const size_t size = strcspn(name, ",");
+        int i = 0;
+        while (i < NAMES && (strlen(names[i].name) != size || strncmp(names[i].name, name, size) != 0))
+            i++;
+        if (i == NAMES)
+            return fault;
+        *names[i].flag = true;
+    }
+    return NULL;
+}
+
 static const char *set_scene(Command *command, const char *name, const char *value)
 {
     if (!strcmp(name, "--memory"))
@@ -109,6 +135,10 @@ static const char *set_scene(Command *command, const char *name, const char *val
     if (!strcmp(name, "--edges")) {
         command->edges = !strcmp(value, "coverage") ? RENDER_EDGES_coverage : RENDER_EDGES_none;
         return !strcmp(value, "coverage") || !strcmp(value, "none") ? NULL : "--edges: coverage or none";
+    }
+    if (!strcmp(name, "--tools")) {
+        command->has_tools = true;
+        return read_tools(value, &command->tools);
     }
     if (!strcmp(name, "--format")) {
         command->formatted = true;
@@ -219,6 +249,15 @@ const char *command_read(Command *command, int argc, char **argv)
     return fault;
 }
 
+void command_set_tools(const Command *command, SceneTools *tools)
+{
+    if (!command->has_tools)
+        return;
+    tools->grid = command->tools.grid;
+    tools->axes = command->tools.axes;
+    tools->lights = command->tools.lights;
+}
+
 /* NULL, or the option that a scene has no use for. */
 const char *command_check_scene(const Command *command, const Scene *scene)
 {
@@ -238,8 +277,9 @@ const char *command_check_material(const Command *command)
 {
     if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
         return "--size times --samples is more than 8192";
-    if (command->view || command->transparency || command->stats || command->graph || command->shadows)
-        return "--view, --transparency, --shadows, --stats and --emit=frame are of scenes";
+    if (command->view || command->transparency || command->stats || command->graph || command->shadows ||
+        command->has_tools)
+        return "--view, --transparency, --shadows, --tools, --stats and --emit=frame are of scenes";
     return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress ||
                    command->frames.given
                ? "--format, --bits, --memory, --progress and --frames are of scenes; a material's picture is a PNG"

@@ -25,7 +25,9 @@ typedef struct {
     Frames frames;
     const char *transparency;  /* of a scene: how transparent surfaces are put in order */
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
-    bool shadows, no_shadows;  /* of a scene: --shadows was given, and is none */
+    SceneTools tools;          /* of a scene, if --tools was given: which are drawn */
+    bool has_tools;
+    bool shadows, no_shadows; /* of a scene: --shadows was given, and is none */
     bool watch, help, version;
     Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
     struct WatchList *watched; /* files that were met; or NULL */
@@ -40,5 +42,7 @@ const char *command_check(Command *command);
 /* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */
 const char *command_check_scene(const Command *command, const Scene *scene);
 const char *command_check_material(const Command *command);
+/* Those that are drawn, if the command says so; their sizes stay. */
+void command_set_tools(const Command *command, SceneTools *tools);
 void command_free(Command *command);
 #endif

@@ -257,6 +257,7 @@ static int draw_scene(const Command *command, const Scene *scene, const char *in
     Frames frames = command->frames;
     Drawing d = {.command = command, .input = input, .seen = *scene, .options = scene_options(command, scene)};
     const char *fault = command_check_scene(command, scene);
+    command_set_tools(command, &d.seen.tools);
     if (!fault)
         fault = frames_check(scene, &frames);
     if (fault)
