@@ -100,6 +100,35 @@ static void changes(void **unused)
     free(text);
 }
 
+/* As many as before, but others; then the last of several moves, which is what is seen. */
+static void others_in_view(void **unused)
+{
+    (void)unused;
+    char text[1024];
+    size_t size = (size_t)snprintf(text, sizeof text,
+                                   "image: { width: 24, height: 16 }\ncamera: { camera: Perspective, position: [0, -5, "
+                                   "0], angle: 20 }\nlights: [{ light: Ambient }]\nobjects:\n");
+    for (int i = 0; i < 3; i++)
+        size += (size_t)snprintf(text + size, sizeof text - size,
+                                 "- { object: Box, transform: { translation: [%d, 0, 0] }, material: { material: "
+                                 "Phong, ambient: [.5, %g, .1] } }\n",
+                                 4 * i, .2 + .3 * i);
+    Changing c = open_changing(text);
+    for (int i = 1; i < 3; i++) {
+        c.scene->camera.position[0] += 4;
+        assert_true(render_changed(c.render, RENDER_CAMERA));
+        assert_as_new(&c, 112 + 4);
+        float *rgba = read_frame(&c);
+        assert_true(fabsf(rgba[4 * (8 * 24 + 12) + 1] - (.2f + .3f * (float)i)) < 1e-3f);
+        free(rgba);
+    }
+    for (int i = 0; i < 3; i++)
+        c.scene->objects[i].world_from_local.m[12] += .25;
+    assert_true(render_changed_objects(c.render, 0, 3));
+    assert_as_new(&c, (128 + 4) * 3);
+    close_changing(&c);
+}
+
 /* Params of a material are its own, though others have its program. */
 static void params(void **unused)
 {
@@ -153,7 +182,7 @@ static void the_next_scene(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(params),
-                                       cmocka_unit_test(the_next_scene)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(others_in_view),
+                                       cmocka_unit_test(params), cmocka_unit_test(the_next_scene)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,6 +72,16 @@ static void boxes_at_the_planes(void **unused)
     }
 }
 
+/* Each vertex counts, also the last, along each axis. */
+static void boxes_around_meshes(void **unused)
+{
+    (void)unused;
+    ShapeVertex vertices[] = {{.position = {-1, 2, 3}}, {.position = {4, -5, 3}}, {.position = {0, 0, 7}}};
+    const CullBox box = cull_box(&(Shape){.vertices = vertices, .vertex_count = 3});
+    const CullBox wanted = {{-1, -5, 3}, {4, 2, 7}};
+    assert_memory_equal(&box, &wanted, sizeof box);
+}
+
 /* -- instances */
 
 /* By uniforms, object by object, the same is drawn: depth bit for bit, light but for a step of a normal's code. */
@@ -184,11 +194,9 @@ static void calls_do_not_grow(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_in_view_is_left_out),
-        cmocka_unit_test(boxes_at_the_planes),
-        cmocka_unit_test(instances_or_not),
-        cmocka_unit_test(instances_are_valid),
-        cmocka_unit_test(calls_do_not_grow),
+        cmocka_unit_test(nothing_in_view_is_left_out), cmocka_unit_test(boxes_at_the_planes),
+        cmocka_unit_test(boxes_around_meshes),         cmocka_unit_test(instances_or_not),
+        cmocka_unit_test(instances_are_valid),         cmocka_unit_test(calls_do_not_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -91,6 +91,10 @@ static void faults(void **state)
          "2:9: error: a plane is behind this camera, at least in part of the picture: move its position back, and add "
          "as "
          "much to its depth"},
+        {RED "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red, transform: { "
+             "translation: [0, 0, -100] } }, { object: Plane, material: red }]\n",
+         "2:9: error: a plane is behind this camera, at least in part of the picture: move its position back, and add as "
+         "much to its depth"},
         {RED "image: { width: 0 }\n", "2:17: error: width is 0; it must be from 1 to 16384"},
         {RED "image: { width: 2.5 }\n", "2:17: error: width wants a whole number, not the number 2.5"},
         {RED "toneMapping: { toneMapping: Gamma }\n",
