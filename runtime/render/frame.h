@@ -94,6 +94,7 @@ struct Render {
     Store *store;
     MatcOptions compile;
     RenderOptions options;
+    const SurfaceModel *surface;
     const Scene *scene;
     int size[2];  /* of the targets: of a tile */
     int whole[2]; /* of the picture */

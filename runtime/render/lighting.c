@@ -1,8 +1,8 @@
 /* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's own, numbers, textures. */
 #include "runtime/render/frame.h"
+#include <stdio.h>
 
-extern const char render_text_light_area[], render_text_light_sky[], render_text_surface_phong[],
-    render_text_lighting[];
+extern const char render_text_light_area[], render_text_light_sky[], render_text_lighting[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
@@ -51,6 +51,14 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     shadow_samplers(pass, SHADOW_UNIT);
 }
 
+/* The driver's words are of texts that it put together from several. */
+static bool fail_model(const Render *render)
+{
+    char why[sizeof render->gl->error];
+    snprintf(why, sizeof why, "%s", render->gl->error);
+    return gl_fail(render->gl, "lighting surfaces by the model %s: %s", render->surface->name, why);
+}
+
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
     char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
@@ -63,13 +71,13 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
         return false;
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
-                                          render_text_surface_phong, defined, shadows, table, render_text_lighting,
+                                          render->surface->text, defined, shadows, table, render_text_lighting,
                                           own->body[0], own->body[1]},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute,
                                  .over = own->over};
     if (!screen_pass_make(render->store, &text, made))
-        return false;
+        return fail_model(render);
     set_numbers(render, made);
     if (sky)
         light_sky_set(render, SKY_UNIT, made);

@@ -66,19 +66,18 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
     vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
     float pixelSize = 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z);
-    Lit m = surfaceLit(surface);
-    vec3 reflected = reflect(-toEye, m.normal);
-    vec3 sum = m.emissive + m.ambient * light_ambient.xyz;
+    Lit m = surfaceLit(surface, toEye);
+    vec3 sum = surfaceOwn(m, light_ambient.xyz);
     for (int i = 0; i < light_plain; i++) {
         vec3 l;
         vec3 arrives = lightPlain(i, point, l);
-        sum += arrives * surfaceLobe(m, reflected, l);
+        sum += arrives * surfaceLobe(m, l);
     }
     int first = light_plain, last = first + light_points;
     for (int i = first; i < last; i++) {
         vec3 l;
         vec3 arrives = lightAt(i, point, l);
-        vec3 sent = arrives * surfaceLobe(m, reflected, l);
+        vec3 sent = arrives * surfaceLobe(m, l);
 #if defined SHADOW_MAPS || defined SHADOW_PLANES
         if (sent.x + sent.y + sent.z > 0.0)
             sent *= shadowShare(lightTexel(i, 0), ivec2(lightTexel(i, 3).zw), point,
@@ -87,11 +86,11 @@ vec3 lightOf(ivec2 pixel, float depth, Surface surface)
         sum += sent;
     }
 #ifdef LIGHT_HAS_SKY
-    sum += surfaceSky(m, reflected);
+    sum += surfaceSky(m);
 #endif
 #ifdef LIGHT_HAS_AREAS
     for (int i = last; i < last + light_areas; i++)
-        sum += lightTexel(i, 1).xyz * surfaceArea(m, reflected, areaAt(i, point));
+        sum += lightTexel(i, 1).xyz * surfaceArea(m, areaAt(i, point));
 #endif
     return sum;
 }

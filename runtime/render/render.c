@@ -28,6 +28,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
         return gl_fail(gl, "out of memory"), NULL;
     render->gl = gl;
     render->options = *options;
+    render->surface = options->surface ? options->surface : &surface_model_phong;
     render->compile = *options->compile;
     render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute &&
                       gl->BindImageTexture && gl->MemoryBarrier;

@@ -9,6 +9,7 @@
 #ifndef MATC_RENDER_H
 #define MATC_RENDER_H
 #include "runtime/gl/context.h"
+#include "runtime/render/surface_model.h"
 #include "runtime/scene/scene.h"
 
 typedef struct Render Render;
@@ -32,7 +33,8 @@ typedef struct {
     const char *transparency; /* "lists", "peeling", or "auto" (NULL): lists where there are some, and room for them */
     size_t list_bytes;        /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
     bool fragment;            /* passes over all pixels are fragment programs, also where there is compute */
-    bool unculled;            /* what is out of view is drawn, too: for tests */
+    const SurfaceModel *surface; /* of all materials; NULL: surface_model_phong */
+    bool unculled;               /* what is out of view is drawn, too: for tests */
 } RenderOptions;
 
 /* Opens a renderer. NULL: see gl->error. */

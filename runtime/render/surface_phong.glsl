@@ -1,7 +1,7 @@
-// The surface model Phong (semantics.md 4.1): what a point with these slots sends to the eye of light that comes from `l`. Its reference
-// is the sum in tests/frame/reference_light.c. What a layout lacks is as slots.def says of absent slots, and costs nothing.
+// The surface model Phong (semantics.md 4.1), as surface_model.h asks for one: what a point with these slots sends to the eye. What a layout
+// lacks is as slots.def says of absent slots, and costs nothing.
 struct Lit {
-    vec3 normal, diffuse, specular, through, behind, ambient, emissive;
+    vec3 normal, reflected, diffuse, specular, through, behind, ambient, emissive;
     float shininess, straightness;
 };
 
@@ -15,12 +15,14 @@ vec3 surfaceThrough(Surface s)
 #endif
 }
 
-Lit surfaceLit(Surface s)
+Lit surfaceLit(Surface s, vec3 toEye)
 {
-    Lit m = Lit(vec3(0.0, 0.0, 1.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), 4.0, 65504.0);
+    const vec3 NONE = vec3(0.0);
+    Lit m = Lit(vec3(0.0, 0.0, 1.0), NONE, NONE, NONE, NONE, NONE, NONE, NONE, 4.0, 65504.0);
 #ifdef SURFACE_HAS_normal
     m.normal = s.normal;
 #endif
+    m.reflected = reflect(-toEye, m.normal);
 #ifdef SURFACE_HAS_diffuse
     m.diffuse = s.diffuse;
 #endif
@@ -54,31 +56,35 @@ Lit surfaceLit(Surface s)
     return m;
 }
 
-// The lobe, the cosine counted in. `reflected` is the mirrored view; the normal faces the eye. What comes straight through has no cosine.
-vec3 surfaceLobe(Lit m, vec3 reflected, vec3 l)
+vec3 surfaceOwn(Lit m, vec3 ambient)
+{
+    return m.emissive + m.ambient * ambient;
+}
+
+// What comes straight through has no cosine.
+vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
     if (cosine <= 0.0) {
         vec3 sum = -cosine * m.behind;
 #ifdef SURFACE_HAS_transparency
-        sum += m.through * pow(max(dot(reflect(reflected, m.normal), l), 1e-30), m.straightness);
+        sum += m.through * pow(max(dot(reflect(m.reflected, m.normal), l), 1e-30), m.straightness);
 #endif
         return sum;
     }
     vec3 sum = m.diffuse;
 #ifdef SURFACE_HAS_specular
-    float along = max(dot(reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
+    float along = max(dot(m.reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
     sum += m.specular * pow(along, m.shininess);
 #endif
     return cosine * sum;
 }
 
 #ifdef LIGHT_HAS_SKY
-// Of a sky's light, from all around.
-vec3 surfaceSky(Lit m, vec3 reflected)
+vec3 surfaceSky(Lit m)
 {
     vec3 sum = m.diffuse * skyIrradiance(m.normal);
-    if (any(greaterThan(m.specular, vec3(0.0)))) sum += m.specular * skyLobe(m.normal, reflected, m.shininess);
+    if (any(greaterThan(m.specular, vec3(0.0)))) sum += m.specular * skyLobe(m.normal, m.reflected, m.shininess);
     if (any(greaterThan(m.behind, vec3(0.0)))) sum += m.behind * skyIrradiance(-m.normal);
     return sum;
 }
@@ -86,17 +92,17 @@ vec3 surfaceSky(Lit m, vec3 reflected)
 
 #ifdef LIGHT_HAS_AREAS
 // The lobe's integral over a polygon of light, over pi, the cosine counted in.
-vec3 surfaceArea(Lit m, vec3 reflected, Area light)
+vec3 surfaceArea(Lit m, Area light)
 {
     Area above = areaClip(light, m.normal);
     vec3 sum = m.diffuse * areaCosine(above, m.normal);
     if (any(greaterThan(m.specular, vec3(0.0))))
-        sum += m.specular * areaLobe(above, m.normal, reflected, m.shininess);
+        sum += m.specular * areaLobe(above, m.normal, m.reflected, m.shininess);
     if (any(greaterThan(m.behind, vec3(0.0))))
         sum += m.behind * areaCosine(areaClip(light, -m.normal), -m.normal);
 #ifdef SURFACE_HAS_transparency
     if (any(greaterThan(m.through, vec3(0.0)))) {
-        vec3 on = reflect(reflected, m.normal); // of the power, one is the cosine that the integral counts in
+        vec3 on = reflect(m.reflected, m.normal); // of the power, one is the cosine that the integral counts in
         sum += m.through * areaLobe(areaClip(areaClip(light, -m.normal), on), on, on, max(m.straightness - 1.0, 0.0));
     }
 #endif

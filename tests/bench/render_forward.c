@@ -11,11 +11,10 @@
 #include "render_forward.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
+#include "runtime/render/surface_model.h"
 #include "runtime/render/view_space.h"
 #include <stdlib.h>
 #include <string.h>
-
-extern const char render_text_surface_phong[];
 
 enum { MOST_LIGHTS = 1024, LIGHT_FLOATS = 8, LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float) };
 
@@ -38,15 +37,14 @@ static const char tail[] =
     "    surfaceMain();\n"
     "    vec3 point = vec3((2.0 * gl_FragCoord.xy - forward_ray.zw) * forward_ray.xy, -1.0) * (forward_view.x / "
     "gl_FragCoord.z);\n"
-    "    Lit m = surfaceLit(unpackTexels(FORWARD_TEXELS));\n"
-    "    vec3 reflected = reflect(normalize(point), m.normal);\n"
-    "    vec3 sum = m.emissive + m.ambient * forward_ambient.xyz;\n"
+    "    Lit m = surfaceLit(unpackTexels(FORWARD_TEXELS), -normalize(point));\n"
+    "    vec3 sum = surfaceOwn(m, forward_ambient.xyz);\n"
     "    for (int i = 0; i < forward_count.x; i++) {\n"
     "        vec4 place = forward_lights[2 * i];\n"
     "        vec3 way = place.xyz - place.w * point;\n"
     "        float square = max(dot(way, way), 1e-30);\n"
     "        sum += forward_lights[2 * i + 1].xyz / (place.w > 0.0 ? square : 1.0) *\n"
-    "            surfaceLobe(m, reflected, way * inversesqrt(square));\n"
+    "            surfaceLobe(m, way * inversesqrt(square));\n"
     "    }\n"
     "    forward_light = vec4(sum, 1.0);\n"
     "}\n";
@@ -101,7 +99,7 @@ static bool make_material(Forward *f, int number)
     bool fine = text != NULL || gl_fail(f->gl, "%s", matc_program_diagnostics(program, MATC_TEXT));
     if (fine) {
         const ProgramText own = {.fragment = {head, text, "#undef main\n", matc_output(program, MATC_UNPACK, NULL),
-                                              render_text_surface_phong, tail}};
+                                              surface_model_phong.text, tail}};
         fine = material_make(f->store, program, &own, &f->materials[number]) &&
                material_write(&f->materials[number], "Forward", &f->block, sizeof f->block) &&
                material_write(&f->materials[number], "ForwardLights", f->lights, LIGHTS_BYTES);

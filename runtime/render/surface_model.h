@@ -1,0 +1,23 @@
+/* Surface models: how a surface sends light to the eye. What lights surfaces knows a model by these functions of its GLSL alone, in the eye's
+ * space; m.normal is a unit vector that faces the eye, directions are unit vectors, and pi is taken out, so that a white surface sends back what
+ * arrives along its normal:
+ *
+ *     struct Lit { vec3 normal; ... };               what it makes of a Surface, once for all lights; a Surface may lack any slot
+ *     Lit surfaceLit(Surface s, vec3 toEye)
+ *     vec3 surfaceOwn(Lit m, vec3 ambient)           what it sends without a light that has a place: emissive, and of ambient light
+ *     vec3 surfaceLobe(Lit m, vec3 l)                the share of light from the direction l, the cosine counted in
+ *     vec3 surfaceThrough(Surface s)                 the share of the light behind it that passes
+ *     vec3 surfaceSky(Lit m)                         of the sky all around, by light_sky.glsl; under #ifdef LIGHT_HAS_SKY
+ *     vec3 surfaceArea(Lit m, Area light)            of a polygon of radiance 1, by light_area.glsl; under #ifdef LIGHT_HAS_AREAS
+ *
+ * A further model is a text and a row here; tests/frame/reference_light.c has the sum that its light is held against. */
+#ifndef MATC_SURFACE_MODEL_H
+#define MATC_SURFACE_MODEL_H
+
+typedef struct {
+    const char *name;
+    const char *text;
+} SurfaceModel;
+
+extern const SurfaceModel surface_model_phong;
+#endif
