@@ -10,6 +10,7 @@
 #include "tests/frame/reference_ray.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { WIDTH = 240, HEIGHT = 160, SAMPLES = 8 };
 
@@ -300,11 +301,45 @@ static void outlines_are_where_they_are_seen(void **state)
     edge_list_free(&list);
 }
 
+/* Where there is no compute, the reason is said. */
+static void reason(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    Scene *scene = frame_scene("objects: []\n", &options, &document);
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 4; i++) {
+        const RenderOptions how = {
+            .compile = &options, .edges = i & 1 ? RENDER_EDGES_coverage : RENDER_EDGES_none, .fragment = i >> 1};
+        Render *render = render_open(gl, &how);
+        assert_true(render && render_scene(render, scene));
+        char *graph = frame_graph(render);
+        assert_int_equal(strstr(graph, "not run: it takes compute, which is off") != NULL, i == 3);
+        free(graph);
+        render_close(render);
+    }
+    const int major = gl->major, minor = gl->minor;
+    gl->major = 3, gl->minor = 3;
+    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
+    assert_true(render && render_scene(render, scene));
+    char *graph = frame_graph(render);
+    assert_non_null(strstr(graph, "not run: it takes compute, which the driver lacks"));
+    free(graph);
+    render_close(render);
+    gl->major = major, gl->minor = minor;
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(edges_are_coverage),       cmocka_unit_test(hidden_lines_are_not_seen),
-        cmocka_unit_test(tiles_and_light),          cmocka_unit_test(edges_move),
-        cmocka_unit_test(lines_have_their_lengths), cmocka_unit_test(outlines_are_where_they_are_seen)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(edges_are_coverage),
+                                       cmocka_unit_test(hidden_lines_are_not_seen),
+                                       cmocka_unit_test(tiles_and_light),
+                                       cmocka_unit_test(edges_move),
+                                       cmocka_unit_test(lines_have_their_lengths),
+                                       cmocka_unit_test(outlines_are_where_they_are_seen),
+                                       cmocka_unit_test(reason)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -86,6 +86,13 @@ static int class_of(const Render *render, FrameTarget target)
     return first;
 }
 
+const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass)
+{
+    const bool edge = frame_passes[pass].draw == pass_edge_draw;
+    const char *lacks = edge ? pass_edge_lacks(render) : NULL;
+    return lacks ? lacks : frame_plan_reason(request, &render->plan, pass);
+}
+
 /* -- the plan */
 
 static unsigned wanted(const Render *render)

@@ -171,6 +171,8 @@ void frame_draw(Render *render);
 /* Brings up to date what depends on that (a sum of RenderChange), but for the cache. */
 bool frame_change(Render *render, unsigned what);
 void frame_delete(Render *render);
+/* Why a pass does not run; NULL: it does. */
+const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass);
 /* What the plan was asked for. The passes are written to `rows`. */
 FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
                                int classes[FRAME_TARGET_COUNT]);
@@ -190,6 +192,8 @@ bool pass_light_needed(const Render *render);
 bool pass_light_make(Render *render);
 void pass_light_draw(Render *render);
 bool pass_edge_needed(const Render *render);
+/* What is asked for and not there; NULL: nothing. */
+const char *pass_edge_lacks(const Render *render);
 bool pass_edge_make(Render *render);
 /* The camera or objects have moved: looks for the lines again. */
 bool pass_edge_change(Render *render);

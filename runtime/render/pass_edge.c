@@ -14,6 +14,14 @@ bool pass_edge_needed(const Render *render)
     return render->scene && render->compute && render->options.edges == RENDER_EDGES_coverage;
 }
 
+const char *pass_edge_lacks(const Render *render)
+{
+    const bool asked = render->options.edges == RENDER_EDGES_coverage;
+    if (!asked || render->compute)
+        return NULL;
+    return render->options.fragment ? "it takes compute, which is off" : "it takes compute, which the driver lacks";
+}
+
 /* Texels of rows that are full. */
 static float *texels_of(const EdgeList *list, int rows)
 {

@@ -31,7 +31,7 @@ static void put_passes(Text *out, const Render *render, const RenderPassTime *ti
     const FramePlanRequest request = frame_request(render, rows, classes);
     text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes", times ? "milliseconds" : "runs when");
     for (int i = 0; i < frame_pass_count(); i++) {
-        const char *why = frame_plan_reason(&request, &render->plan, i);
+        const char *why = frame_reason(render, &request, i);
         text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
                     joined(out->arena, rows[i].fills | rows[i].changes));
         if (why)
