@@ -108,6 +108,8 @@ static bool make_material(Maker *m, const SetProgram *program, bool casts, Mater
     ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
     if (program->transparent && !casts)
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
+    if (casts && set->casts == SET_CASTS_colored)
+        transparency_wrap_caster(m->gl, &text);
     return material_make(m->store, program->program, &text, made);
 }
 
@@ -244,6 +246,7 @@ static bool add_plane(Maker *m, int number)
     const SetProgram *program = set_find(m->source->set, material, "plane");
     plane->object = number;
     plane->transparent = program->transparent;
+    plane->program = program;
     if (!make_material(m, program, false, &plane->material))
         return false;
     m->cache->plane_count++;

@@ -35,6 +35,7 @@ typedef struct {
     Material material;
     int object;
     bool transparent;
+    const SetProgram *program;
 } CachePlane;
 
 enum { CACHE_LISTS = 3 /* of places, in one buffer */ };
@@ -102,10 +103,11 @@ typedef struct {
     const CullVolume *volume;
     bool mirrored;   /* triangles turn the other way round there */
     Material *solid; /* draws depth alone (shadow_depth.glsl) */
+    int number;      /* of its map: the uniform glass_map of programs that color shadows */
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */
 bool cache_arrange_casters(GlContext *gl, Cache *cache);
-/* Draws what casts shadows: what is opaque by depth alone, all else by its caster. */
-void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light);
+/* Draws what casts shadows: what is opaque by depth alone, or all else by its caster. */
+void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent);
 #endif

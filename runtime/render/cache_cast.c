@@ -45,13 +45,14 @@ bool cache_arrange_casters(GlContext *gl, Cache *cache)
 }
 
 /* Lists the places that the light sees, in the order of drawing. So many. */
-static int list_seen(const CacheSource *source, Cache *cache, const CullVolume *volume)
+static int list_seen(const CacheSource *source, Cache *cache, const CullVolume *volume, bool transparent)
 {
     uint32_t *list = cache->list + (CACHE_LISTS - 1) * cache->place_count;
     int count = 0;
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
-        if (cull_sees(volume, &cache->boxes[place->mesh], &source->scene->objects[place->object].world_from_local))
+        if (place->transparent == transparent &&
+            cull_sees(volume, &cache->boxes[place->mesh], &source->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
     }
     return count;
@@ -109,13 +110,14 @@ static Spaces spaces_of(const CacheSource *source, const CacheLight *light)
     return spaces;
 }
 
-void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light)
+void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent)
 {
-    const int start = (CACHE_LISTS - 1) * cache->place_count, count = list_seen(source, cache, light->volume);
+    const int start = (CACHE_LISTS - 1) * cache->place_count;
+    const int count = list_seen(source, cache, light->volume, transparent);
     const uint32_t *list = cache->list + start;
     const Material *before = NULL;
     Spaces spaces = spaces_of(source, light);
-    if (cache->instances)
+    if (cache->instances && count)
         write_buffers(gl, cache, &spaces, count);
     for (int i = 0, group; i < count; i += group) {
         const CachePlace *place = &cache->places[list[i]];
@@ -124,6 +126,7 @@ void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const Ca
         group = group_of(cache, list + i, count - i);
         if (material != before || !cache->instances)
             set_object(&source->scene->objects[place->object].world_from_local, &spaces, material);
+        material_set_number(material, "glass_map", (float)light->number);
         use(gl, caster, material, before);
         before = material;
         gl->FrontFace(place->mirrored != light->mirrored ? GL_CW : GL_CCW);

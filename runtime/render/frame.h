@@ -40,8 +40,16 @@ typedef struct {
     int count;
 } FrameMemory;
 
+/* Fragments of what is transparent, of each texel of the maps: glass_store.glsl. */
+typedef struct {
+    GLuint buffer;
+    GLuint room; /* fragments */
+    size_t bytes;
+} ShadowGlass;
+
 typedef struct {
     ShadowViews views;
+    ShadowGlass glass;
     GLuint maps;        /* an array of depths, a layer for each view */
     GLuint table;       /* texels of the views, four each: their rows from the eye's space; near, texel */
     GLuint planes;      /* texels of infinite planes in the eye's space */
@@ -206,6 +214,9 @@ bool transparency_check(GlContext *gl, const RenderOptions *options);
 Transparency transparency_first(const Render *render);
 /* Lists would take more than there may be, and are not insisted on. */
 bool transparency_falls_back(const Render *render);
+bool transparency_has_lists(const GlContext *gl);
+/* Of a buffer of fragments. */
+size_t transparency_most_bytes(const Render *render);
 /* A line on the lists' memory. */
 void transparency_put_lists(Text *out, const Render *render);
 /* Something is transparent, and that is how it is drawn. */
@@ -277,6 +288,19 @@ CacheSource frame_source(const Render *render);
 
 /* Some light of the scene casts shadows, which are wanted. */
 bool shadow_is_cast(const Render *render);
+/* How what is transparent does. */
+SetCasts shadow_casts(const Render *render);
+/* Shadows are coloured by something (shadow_glass.c): a buffer of lists, counted, made large enough, begun and ended. */
+enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
+bool shadow_glass_needed(const Render *render);
+bool shadow_glass_make(Render *render);
+void shadow_glass_begin(const Render *render);
+void shadow_glass_end(const Render *render);
+/* After all maps were drawn: whether all fragments found room; *again, and there is room for them now. False: there may not be so much. */
+bool shadow_glass_check(Render *render, bool *again);
+void shadow_glass_delete(Render *render);
+/* The maps are drawn as often as it takes to find room for all fragments. False: see the context's error. */
+bool pass_shadow_count(Render *render);
 /* What lights see, before any pass is made. */
 bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */

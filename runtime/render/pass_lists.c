@@ -8,23 +8,12 @@ extern const char render_text_pass_blend[];
 /* The buffer's first words, as lists_store.glsl has them. */
 enum { WIDTH, PIXELS, ROOM, COUNT, HEADS };
 
-/* The buffer's memory, and the most of it: the driver's, or this. */
-enum { LISTS_MOST = 1 << 30 };
-
 bool pass_lists_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_lists); }
 
 static size_t bytes_of(const Render *render, GLuint fragments)
 {
     const size_t pixels = (size_t)render->size[0] * (size_t)render->size[1];
     return sizeof(GLuint) * (HEADS + pixels + (size_t)fragments * (size_t)transparency_stride(&render->set));
-}
-
-static size_t most_bytes(const Render *render)
-{
-    GLint most = 0;
-    const size_t wanted = render->options.list_bytes ? render->options.list_bytes : LISTS_MOST;
-    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    return (size_t)most < wanted ? (size_t)most : wanted;
 }
 
 static bool make_buffer(Render *render, GLuint room)
@@ -102,7 +91,7 @@ static bool count_fragments(Render *render)
 static bool make_room(Render *render)
 {
     const GLuint count = render->lists.fragments;
-    const size_t most = most_bytes(render);
+    const size_t most = transparency_most_bytes(render);
     render->lists.full = bytes_of(render, count) > most;
     if (render->lists.full)
         return gl_fail(render->gl, "%lu transparent fragments take %lu bytes in lists, and there may be %lu",
@@ -118,7 +107,7 @@ bool pass_lists_count(Render *render, FrameCount step)
     if (step == FRAME_COUNT_end)
         return make_room(render);
     render->lists.fragments = 0;
-    return bytes_of(render, 0) > most_bytes(render) ? make_room(render) : make_buffer(render, 0);
+    return bytes_of(render, 0) > transparency_most_bytes(render) ? make_room(render) : make_buffer(render, 0);
 }
 
 bool pass_lists_make(Render *render)

@@ -39,7 +39,10 @@ static bool make_solid(Render *render)
     return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
 }
 
-bool pass_shadow_make(Render *render) { return make_maps(render) && make_solid(render); }
+bool pass_shadow_make(Render *render)
+{
+    return make_maps(render) && make_solid(render) && shadow_glass_make(render) && pass_shadow_count(render);
+}
 
 /* -- drawing */
 
@@ -84,8 +87,11 @@ static void draw_view(Render *render, const CacheSource *source, int number)
     clip_of(view, render->zero_to_one, clip);
     gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, number);
     gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
-    cache_cast(render->gl, source, &render->cache,
-               &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid});
+    const CacheLight light = {clip, &volume, view->mirrored, &render->shadows.solid, number};
+    cache_cast(render->gl, source, &render->cache, &light, false);
+    gl->DepthMask(!shadow_glass_needed(render)); /* what is transparent hides nothing */
+    cache_cast(render->gl, source, &render->cache, &light, true);
+    gl->DepthMask(GL_TRUE);
 }
 
 /* Slopes push away from the light; so do two steps of depth. shadow.glsl says by how much, and why. */
@@ -122,10 +128,25 @@ void pass_shadow_draw(Render *render)
         return;
     const CacheSource source = frame_source(render);
     begin(render);
+    if (shadow_glass_needed(render))
+        shadow_glass_begin(render);
     for (int i = 0; i < render->shadows.views.count; i++)
         draw_view(render, &source, i);
+    if (shadow_glass_needed(render))
+        shadow_glass_end(render);
     end(render);
     render->shadows.drawn = true;
+}
+
+bool pass_shadow_count(Render *render)
+{
+    bool again = shadow_glass_needed(render) && render->shadows.maps && !render->shadows.drawn, fine = true;
+    while (again && fine) {
+        pass_shadow_draw(render);
+        fine = shadow_glass_check(render, &again);
+        render->shadows.drawn = fine && !again;
+    }
+    return fine;
 }
 
 void pass_shadow_delete(Render *render)
@@ -137,5 +158,6 @@ void pass_shadow_delete(Render *render)
     gl->DeleteTextures(1, &maps->table);
     gl->DeleteTextures(1, &maps->planes);
     shadow_views_free(&maps->views);
+    shadow_glass_delete(render);
     *maps = (ShadowMaps){.solid = maps->solid};
 }

@@ -116,7 +116,7 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
     set_size(render, scene);
     look(render);
     const CacheSource source = frame_source(render);
-    return set_make(render->gl, scene, &render->compile, shadow_is_cast(render), &render->set) &&
+    return set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set) &&
            cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
            frame_make(render) && make_reader(render);
 }
@@ -196,7 +196,8 @@ bool render_param(Render *render, int material, const char *name, const float *l
 static bool recount(Render *render)
 {
     render->uncounted = false;
-    return frame_count(render) || (transparency_falls_back(render) && render_scene(render, render->scene));
+    return (frame_count(render) && pass_shadow_count(render)) ||
+           (transparency_falls_back(render) && render_scene(render, render->scene));
 }
 
 bool render_frame(Render *render)

@@ -48,6 +48,9 @@ static void put_maps(Text *out, const Render *render)
     const int size = render->scene->shadow_size, count = render->shadows.views.count;
     text_format(out, "shadow    %d maps of %d x %d, DEPTH32F, %ld bytes\n", count, size, size,
                 (long)count * size * size * (long)sizeof(float));
+    if (render->shadows.glass.buffer)
+        text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments\n",
+                    (unsigned long)render->shadows.glass.bytes, (unsigned long)render->shadows.glass.room);
 }
 
 static void put_memory(Text *out, const Render *render)

@@ -3,6 +3,7 @@
 #include "runtime/render/instances.h"
 #include "compiler/base/hash.h"
 #include "compiler/layout/custom.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,7 +13,6 @@ typedef struct {
     GlContext *gl;
     const Scene *scene;
     MatcOptions options;
-    bool casts;
     Set *set;
 } Maker;
 
@@ -71,6 +71,21 @@ static bool has_program(const Set *set, int material, const char *pass)
     return false;
 }
 
+/* By how much a plane is transparent, if that is a constant. */
+static bool find_through(Maker *m, SetProgram *program)
+{
+    const SceneMaterial *of = &m->scene->materials[program->material];
+    const char *fault;
+    if (strcmp(program->pass, "plane") != 0 || strcmp(matc_opacity(program->program), "transparent") != 0)
+        return true;
+    char *values = matc_eval(of->document, of->index, "", &m->options, &fault);
+    const char *line = values ? strstr(values, "\ntransparency ") : NULL;
+    program->even = line && sscanf(line, "\ntransparency %f %f %f", &program->through[0], &program->through[1],
+                                   &program->through[2]) == 3;
+    free(values);
+    return program->even || gl_fail(m->gl, "out of memory");
+}
+
 /* Keys, shapes and numbers; no text yet. */
 static bool add_program(Maker *m, int material, const char *pass)
 {
@@ -80,17 +95,17 @@ static bool add_program(Maker *m, int material, const char *pass)
     if (!compile(m, program, MATC_KEY))
         return false;
     program->transparent = strcmp(matc_opacity(program->program), "opaque") != 0;
-    return true;
+    return find_through(m, program);
 }
 
 /* What is opaque casts shadows by depth alone. */
 static bool add_caster(Maker *m, int surface)
 {
     Set *set = m->set;
-    if (!m->casts || !set->programs[surface].transparent || strcmp(set->programs[surface].pass, "gbuffer") != 0)
+    if (!set->casts || !set->programs[surface].transparent || strcmp(set->programs[surface].pass, "gbuffer") != 0)
         return true;
     set->programs[surface].caster = set->count;
-    return add_program(m, set->programs[surface].material, "shadow");
+    return add_program(m, set->programs[surface].material, set->casts == SET_CASTS_colored ? "value" : "shadow");
 }
 
 static bool add_programs(Maker *m)
@@ -231,10 +246,11 @@ static bool make(Maker *m)
     return true;
 }
 
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, bool casts, Set *made)
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetCasts casts, Set *made)
 {
-    Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .casts = casts, .set = made};
-    *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330"};
+    Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
+    *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .casts = casts};
+    maker.options.slot = "transparency"; /* of the pass value */
     made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;
     maker.options.instances = made->instances;

@@ -8,13 +8,22 @@
 
 typedef struct {
     int material;         /* in Scene.materials */
-    const char *pass;     /* "gbuffer", "plane", "sky"; "shadow": what casts shadows */
+    const char *pass;     /* "gbuffer", "plane", "sky"; "shadow", "value": what casts shadows */
     bool transparent;     /* at least in places */
     int caster;           /* of a surface: the program with which it casts shadows; -1: none of its own */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
     int row;              /* among those of that text */
+    bool even;            /* of a plane that is transparent: by the same everywhere, */
+    float through[3];     /* namely by so much */
 } SetProgram;
+
+/* How what is transparent casts shadows. */
+typedef enum {
+    SET_CASTS_none,   /* nothing does */
+    SET_CASTS_cut,    /* as if it were opaque where it lets half of the light through, or less; elsewhere none */
+    SET_CASTS_colored /* by what it lets through */
+} SetCasts;
 
 typedef struct {
     MatcLayout *layout; /* NULL: a named one */
@@ -22,13 +31,14 @@ typedef struct {
     const char *unpack; /* GLSL that reads the layout back; NULL: there is no surface */
     SetProgram *programs;
     int count;
-    int texts;      /* so many different ones */
+    int texts; /* so many different ones */
+    SetCasts casts;
     bool instances; /* programs of surfaces draw instances (instances.h) */
 } Set;
 
-/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. Transparent materials of surfaces have programs
- * that cast shadows where `casts`. False: see gl->error. *made is empty then. */
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, bool casts, Set *made);
+/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. Transparent materials of surfaces have
+ * programs that cast shadows so. False: see gl->error. *made is empty then. */
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetCasts casts, Set *made);
 void set_free(Set *set);
 
 /* The program of a material in a pass; there is one. */

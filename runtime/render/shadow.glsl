@@ -10,6 +10,13 @@
 // A shadow is lost only where what casts it is nearer than that, a texel and a half with the default filter, measured across its plane.
 const int SHADOW_ROW = 1024;
 
+// A share of light; where something transparent casts shadows, one of each colour.
+#ifdef SHADOW_COLORED
+#define SHARE vec3
+#else
+#define SHARE float
+#endif
+
 #ifdef SHADOW_MAPS
 uniform sampler2DArray shadow_maps;
 uniform sampler2D shadow_views;
@@ -43,13 +50,43 @@ vec3 shadowOffFace(vec3 place, int face)
     return face < 2 ? turned : face < 4 ? turned.zxy : turned.yzx;
 }
 
-float shadowTexel(int map, ivec2 texel, float depth)
+#ifdef SHADOW_GLASS
+layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what is in it
+    uint glass_size;
+    uint glass_heads;
+    uint glass_room;
+    uint glass_count;
+    uint glass_words[];
+};
+
+// What all that is transparent and nearer to the light lets through: a product, for which nothing has to be sorted.
+vec3 shadowThrough(int map, ivec2 texel, float depth)
 {
-    return depth >= texelFetch(shadow_maps, ivec3(texel, map), 0).x ? 1.0 : 0.0;
+    vec3 through = vec3(1.0);
+    uint number = glass_words[(uint(map) * glass_size + uint(texel.y)) * glass_size + uint(texel.x)];
+    while (number != 0u) {
+        uint node = glass_heads + (number - 1u) * 4u;
+        uint low = glass_words[node + 2u], high = glass_words[node + 3u];
+        if (uintBitsToFloat(glass_words[node + 1u]) > depth)
+            through *= vec3(low & 2097151u, low >> 21 | (high & 1023u) << 11, high >> 10) / 2097151.0;
+        number = glass_words[node];
+    }
+    return through;
+}
+#endif
+
+SHARE shadowTexel(int map, ivec2 texel, float depth)
+{
+    if (depth < texelFetch(shadow_maps, ivec3(texel, map), 0).x) return SHARE(0.0);
+#ifdef SHADOW_GLASS
+    return shadowThrough(map, texel, depth);
+#else
+    return SHARE(1.0);
+#endif
 }
 
 // A texel beyond the edge of a face is one of a neighbour's: that which its centre falls into.
-float shadowBeyond(int first, int face, vec3 place, ivec2 texel, float near)
+SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, float near)
 {
     vec2 at = (vec2(2 * texel + 1) / float(SHADOW_SIZE) - 1.0) * place.z;
     int other;
@@ -59,17 +96,17 @@ float shadowBeyond(int first, int face, vec3 place, ivec2 texel, float near)
 }
 
 // The share of a square of SHADOW_FILTER texels around the point that the light reaches.
-float shadowFiltered(int first, bool cube, vec3 place, vec4 how)
+SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 {
     int face = 0;
     vec3 turned = cube ? shadowOnFace(place, face) : place;
     float depth = how.x > 0.0 ? how.x / turned.z : max(turned.z, 0.0);
     vec2 at = ((how.x > 0.0 ? turned.xy / turned.z : turned.xy) * 0.5 + 0.5) * float(SHADOW_SIZE);
-    if (how.x > 0.0 && turned.z <= 0.0) return 1.0; // behind a spot
+    if (how.x > 0.0 && turned.z <= 0.0) return SHARE(1.0); // behind a spot
     vec2 corner = clamp(at, -16.0, float(SHADOW_SIZE) + 16.0) - 0.5 * float(SHADOW_FILTER);
     ivec2 low = ivec2(floor(corner));
     vec2 part = SHADOW_FILTER > 0 ? corner - vec2(low) : vec2(0.0);
-    float sum = 0.0;
+    SHARE sum = SHARE(0.0);
     for (int y = 0; y <= SHADOW_FILTER; y++)
         for (int x = 0; x <= SHADOW_FILTER; x++) {
             ivec2 texel = low + ivec2(x, y);
@@ -78,13 +115,13 @@ float shadowFiltered(int first, bool cube, vec3 place, vec4 how)
             bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(SHADOW_SIZE)));
             sum += weight * (inside ? shadowTexel(first + face, texel, depth)
                              : cube ? shadowBeyond(first, face, turned, texel, how.x)
-                                    : 1.0);
+                                    : SHARE(1.0));
         }
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
 // `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are `count` from `first` on.
-float shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
+SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, 3);
     vec3 place = shadowPlace(first, vec4(point, 1.0));
@@ -99,27 +136,44 @@ float shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 #ifdef SHADOW_PLANES
 uniform sampler2D shadow_planes;
 
-// A plane stands between a point and a light if they are on its two sides. A point of the plane itself is on both.
-bool shadowPlanes(vec4 light, vec3 point)
+vec4 shadowPlane(int texel)
 {
-    for (int i = 0; i < SHADOW_PLANES; i++) {
-        vec4 plane = texelFetch(shadow_planes, ivec2(i % SHADOW_ROW, i / SHADOW_ROW), 0);
-        float here = dot(plane, vec4(point, 1.0));
-        if (here * dot(plane, light) < 0.0 && abs(here) > 4e-6 * (length(point) + abs(plane.w))) return true;
-    }
-    return false;
+    return texelFetch(shadow_planes, ivec2(texel % SHADOW_ROW, texel / SHADOW_ROW), 0);
+}
+
+// A plane stands between a point and a light if they are on its two sides. A point of the plane itself is on both.
+bool shadowBetween(vec4 plane, vec4 light, vec3 point)
+{
+    float here = dot(plane, vec4(point, 1.0));
+    return here * dot(plane, light) < 0.0 && abs(here) > 4e-6 * (length(point) + abs(plane.w));
+}
+
+// Of all planes: first those that are opaque, then, two texels each, those that let through the same everywhere.
+SHARE shadowPlanes(vec4 light, vec3 point)
+{
+    SHARE share = SHARE(1.0);
+    for (int i = 0; i < SHADOW_PLANES; i++)
+        if (shadowBetween(shadowPlane(i), light, point)) return SHARE(0.0);
+#ifdef SHADOW_GLASS_PLANES
+    for (int i = 0; i < SHADOW_GLASS_PLANES; i++)
+        if (shadowBetween(shadowPlane(SHADOW_PLANES + 2 * i), light, point))
+            share *= shadowPlane(SHADOW_PLANES + 2 * i + 1).xyz;
+#endif
+    return share;
 }
 #endif
 
 // The share of a light that reaches a point. `views` has the first of its views, or -1, and how many; it casts no shadow if that is less.
-float shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
+SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
 {
-    if (views.y < 0) return 1.0;
+    SHARE share = SHARE(1.0);
+    if (views.y < 0) return share;
 #ifdef SHADOW_PLANES
-    if (shadowPlanes(light, point)) return 0.0;
+    share = shadowPlanes(light, point);
+    if (share == SHARE(0.0)) return share;
 #endif
 #ifdef SHADOW_MAPS
-    if (views.y > 0) return shadowMapped(views.x, views.y, point, normal, pixel);
+    if (views.y > 0) share *= shadowMapped(views.x, views.y, point, normal, pixel);
 #endif
-    return 1.0;
+    return share;
 }

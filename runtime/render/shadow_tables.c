@@ -1,6 +1,7 @@
 /* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
 #include "runtime/render/frame.h"
 #include "runtime/scene/scene_matrix.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,16 +68,42 @@ static bool write_views(Render *render)
     return done;
 }
 
-static bool write_planes(Render *render)
+/* Such a plane has a shadow that is known without a map: that of what is the same everywhere. */
+static bool is_glass(const CachePlane *plane) { return plane->transparent && plane->program->even; }
+
+static int count_glass(const Render *render)
 {
     int count = 0;
-    float(*texels)[4] = calloc((size_t)render->cache.plane_count + ROW, sizeof *texels);
+    for (int i = 0; i < render->cache.plane_count; i++)
+        count += is_glass(&render->cache.planes[i]);
+    return count;
+}
+
+/* What a plane lets through: of a cut-out all or nothing. */
+static void put_through(const Render *render, const SetProgram *program, float texel[4])
+{
+    const float *t = program->through;
+    for (int i = 0; i < 3; i++)
+        texel[i] = !render->scene->shadow_colored ? t[0] + t[1] + t[2] > 1.5f : fminf(fmaxf(t[i], 0), 1);
+}
+
+/* Opaque ones, then those of glass, each with what it lets through behind it. */
+static bool write_planes(Render *render)
+{
+    const Cache *cache = &render->cache;
+    int count = 0;
+    float(*texels)[4] = calloc(2 * (size_t)cache->plane_count + ROW, sizeof *texels);
     if (!texels)
         return gl_fail(render->gl, "out of memory");
-    for (int i = 0; i < render->cache.plane_count; i++)
-        if (!render->cache.planes[i].transparent)
-            put_plane(render, &render->scene->objects[render->cache.planes[i].object].world_from_local,
-                      texels[count++]);
+    for (int glass = 0; glass < 2; glass++)
+        for (int i = 0; i < cache->plane_count; i++) {
+            const CachePlane *plane = &cache->planes[i];
+            if (glass ? !is_glass(plane) : plane->transparent)
+                continue;
+            put_plane(render, &render->scene->objects[plane->object].world_from_local, texels[count++]);
+            if (glass)
+                put_through(render, plane->program, texels[count++]);
+        }
     const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1}, &render->shadows.planes);
     free(texels);
     return done;
@@ -92,8 +119,18 @@ bool shadow_is_cast(const Render *render)
     return casts && !render->options.no_shadows;
 }
 
+SetCasts shadow_casts(const Render *render)
+{
+    if (!shadow_is_cast(render))
+        return SET_CASTS_none;
+    return render->scene->shadow_colored && transparency_has_lists(render->gl) ? SET_CASTS_colored : SET_CASTS_cut;
+}
+
 /* Infinite planes need no map. */
-static bool has_planes(const Render *render) { return shadow_is_cast(render) && render->cache.opaque_plane_count > 0; }
+static bool has_planes(const Render *render)
+{
+    return shadow_is_cast(render) && (render->cache.opaque_plane_count > 0 || count_glass(render) > 0);
+}
 
 bool shadow_make_views(Render *render)
 {
@@ -117,6 +154,7 @@ bool shadow_change(Render *render, bool drawn_again)
         if (!shadow_make_views(render))
             return false;
         maps->drawn = false;
+        render->uncounted |= shadow_glass_needed(render);
     }
     if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.material.store))
         return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
@@ -127,15 +165,22 @@ bool shadow_change(Render *render, bool drawn_again)
 const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
 {
     const bool maps = pass_shadow_needed(render), planes = has_planes(render);
+    const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
     int size = 0;
     *defined = 0;
+    if (glass || panes)
+        size +=
+            snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s", glass ? "#define SHADOW_GLASS\n" : "");
     if (maps)
-        size = snprintf(defined, SHADOW_DEFINITIONS,
-                        "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
-                        render->scene->shadow_size, render->scene->shadow_filter);
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
+                         render->scene->shadow_size, render->scene->shadow_filter);
     if (planes)
-        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
-                 render->cache.opaque_plane_count);
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
+                         render->cache.opaque_plane_count);
+    if (panes)
+        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_GLASS_PLANES %d\n",
+                 count_glass(render));
     return maps || planes ? render_text_shadow : "";
 }
 
@@ -173,4 +218,6 @@ void shadow_bind(const Render *render, int unit)
     }
     if (maps->planes)
         texture_bind(gl, maps->planes, unit + 2);
+    if (maps->glass.buffer)
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, maps->glass.buffer);
 }

@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-extern const char render_text_lists_store[], render_text_peel_layer[];
+extern const char render_text_lists_store[], render_text_peel_layer[], render_text_glass_store[];
 
 /* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target, %2$d its first word. */
 static const struct {
@@ -140,4 +140,12 @@ void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *pr
         return;
     const char *const vertex_pieces[] = {text->head, without_version(vertex), vertex_tail};
     memcpy(program->vertex, vertex_pieces, sizeof vertex_pieces);
+}
+
+void transparency_wrap_caster(const GlContext *gl, ProgramText *program)
+{
+    const bool modern = gl->major * 10 + gl->minor >= 45;
+    const char *const pieces[] = {modern ? "#version 450 core\n" : "#version 430 core\n", "#define main surfaceMain\n",
+                                  without_version(program->fragment[0]), "#undef main\n", render_text_glass_store};
+    memcpy(program->fragment, pieces, sizeof pieces);
 }

@@ -31,6 +31,9 @@ void transparency_text(const GlContext *gl, const Set *set, Transparency way, Tr
 /* Puts a material's programs, each of one piece, between. */
 void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *program);
 
+/* Puts a program that gives what a surface lets through before what keeps that for shadow maps (glass_store.glsl). */
+void transparency_wrap_caster(const GlContext *gl, ProgramText *program);
+
 /* Words that a fragment takes in a list. */
 int transparency_stride(const Set *set);
 /* GLSL for who reads the lists: LISTS_STRIDE, and LISTS_TEXELS, what unpackTexels takes of the node at `node`. */

@@ -2,6 +2,9 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
+/* The most memory of a buffer of fragments: the driver's, or this. */
+enum { LISTS_MOST = 1 << 30 };
+
 static bool is_there(const Cache *cache)
 {
     return cache->surface_count > cache->opaque_count || cache->plane_count > cache->opaque_plane_count;
@@ -38,8 +41,7 @@ bool transparency_units(Render *render, int units[2])
            gl_fail(render->gl, "a transparent material has %d textures, and the driver room for %d", most, units[0]);
 }
 
-/* There is what lists take. */
-static bool has_lists(const GlContext *gl)
+bool transparency_has_lists(const GlContext *gl)
 {
     return gl->major * 10 + gl->minor >= 43 && gl->BindBufferBase && gl->ClearBufferSubData && gl->MemoryBarrier;
 }
@@ -49,13 +51,15 @@ bool transparency_check(GlContext *gl, const RenderOptions *options)
     const char *way = options->transparency;
     if (way && strcmp(way, "auto") != 0 && strcmp(way, "lists") != 0 && strcmp(way, "peeling") != 0)
         return gl_fail(gl, "transparency is auto, lists or peeling, not '%s'", way);
-    return !way || strcmp(way, "lists") != 0 || has_lists(gl) || gl_fail(gl, "lists of fragments take OpenGL 4.3");
+    return !way || strcmp(way, "lists") != 0 || transparency_has_lists(gl) ||
+           gl_fail(gl, "lists of fragments take OpenGL 4.3");
 }
 
 Transparency transparency_first(const Render *render)
 {
     const char *way = render->options.transparency;
-    return (way && !strcmp(way, "peeling")) || !has_lists(render->gl) ? TRANSPARENCY_peeling : TRANSPARENCY_lists;
+    return (way && !strcmp(way, "peeling")) || !transparency_has_lists(render->gl) ? TRANSPARENCY_peeling
+                                                                                   : TRANSPARENCY_lists;
 }
 
 bool transparency_falls_back(const Render *render)
@@ -72,4 +76,12 @@ void transparency_put_lists(Text *out, const Render *render)
                     (unsigned long)render->lists.fragments);
     else
         text_format(out, "%-8s  %-24s  not there\n", "lists", "a buffer");
+}
+
+size_t transparency_most_bytes(const Render *render)
+{
+    GLint most = 0;
+    const size_t wanted = render->options.list_bytes ? render->options.list_bytes : LISTS_MOST;
+    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    return (size_t)most < wanted ? (size_t)most : wanted;
 }

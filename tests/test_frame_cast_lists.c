@@ -1,0 +1,120 @@
+/* Coloured shadows by their closed form, and what is there for them: lists where something transparent casts shadows, and nowhere else. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* -- a product, by its closed form */
+
+enum { PANES_MOST = 10, TEXT = 8192 };
+
+/* From under panes and under an infinite plane of glass: on the ground, which is an infinite plane as well. */
+static void write_panes(int panes, double expected[3], char text[TEXT])
+{
+    int size =
+        snprintf(text, TEXT,
+                 "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, .5], up: [0, "
+                 "1, 0], angle: 60 }\nshadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: [3, 0, -4] "
+                 "}]\nobjects:\n"
+                 "- { object: Plane, material: { material: Phong, diffuse: [.5, .6, .7] } }\n"
+                 "- { object: Plane, transform: { translation: [0, 0, 20] }, material: { material: Phong, "
+                 "transparency: [.75, 1, .625] } }\n");
+    for (int i = 0; i < 3; i++)
+        expected[i] = (.5 + .1 * i) * .8 * (i == 0 ? .75 : i == 1 ? 1 : .625);
+    for (int k = 0; k < panes; k++) {
+        double t[3];
+        for (int i = 0; i < 3; i++)
+            expected[i] *= t[i] = .8 + .02 * ((7 * k + 3 * i) % 11);
+        size +=
+            snprintf(text + size, (size_t)(TEXT - size),
+                     "- { object: Parallelogram, u: [30, 0, 0], v: [0, 30, 0], transform: { translation: [-15, -15, "
+                     "%d] }, material: { material: Phong, transparency: [%.2f, %.2f, %.2f] } }\n",
+                     k + 1, t[0], t[1], t[2]);
+    }
+}
+
+static void products(void **state)
+{
+    (void)state;
+    static char text[TEXT];
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    GlContext *gl = frame_context();
+    for (int panes = 0; panes <= PANES_MOST; panes += 5) {
+        double expected[3], off = 0;
+        MatcDocument *document;
+        write_panes(panes, expected, text);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        for (int i = 0; i < 4 * 16 * 16; i++)
+            if (i % 4 < 3)
+                off = fmax(off, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - expected[i % 4]));
+        print_message("%2d panes and a plane: off by %.2g\n", panes, off);
+        assert_true(off <= 1e-6);
+        free(rgba);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+    matc_layout_free(layout);
+}
+
+/* -- what is there for it */
+
+/* Of a pane as wide as the map, but for three texels of 16 on each side: 144 texels see it. 4 bytes a texel, 16 a fragment. */
+static void room(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *colored, *clear, *said; /* by the graph, or of the fault */
+        size_t most;
+        bool old, buffer;
+    } cases[] = {
+        {"true", ".5", "a buffer of what is transparent there: 3344 bytes for 144 fragments", 3344, false, true},
+        {"true", ".5", "take 3344 bytes for 144 fragments, and there may be 3343", 3343, false, false},
+        {"true", "1", "a buffer of what is transparent there: 1040 bytes for 0 fragments", 0, false, true},
+        {"true", "0", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
+        {"false", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
+        {"true", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, true, false},
+    };
+    const MatcOptions options = frame_exact_options();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[1024];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "image: { width: 8, height: 8 }\nshadowMaps: { size: 16, colored: %s }\nlights: [{ light: Directional "
+                 "}]\nobjects:\n- { object: Parallelogram, material: { material: Phong, transparency: %s } }\n",
+                 cases[i].colored, cases[i].clear);
+        Scene *scene = frame_scene(text, &options, &document);
+        GlContext *gl = frame_context();
+        if (cases[i].old) {
+            gl->major = gl->minor = 3;
+            gl->ClipControl = NULL;
+        }
+        Render *render = render_open(
+            gl, &(RenderOptions){.compile = &options, .list_bytes = cases[i].most, .transparency = "peeling"});
+        const bool done = render && render_scene(render, scene) && render_frame(render);
+        char *graph = done ? frame_graph(render) : NULL;
+        if (!strstr(graph ? graph : gl->error, cases[i].said) ||
+            (graph && cases[i].buffer != (strstr(graph, "transparent there") != NULL)))
+            fail_msg("case %d: %s", (int)i, graph ? graph : gl->error);
+        free(graph);
+        render_close(render);
+        gl_close(gl);
+        frame_forget(scene, document);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(products),
+        cmocka_unit_test(room),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
