@@ -205,7 +205,8 @@ static void call_variants(Test *t)
 static bool exists(int function, Target target)
 {
     const bool of_sampler = function == FN_imageSampledOver || function == FN_pictureSize ||
-                            function == FN_imageRiseOver || function == FN_imageRiseBeyond; /* of GLSL 1.30 */
+                            function == FN_imageRiseOver || function == FN_imageRiseNear ||
+                            function == FN_imageRiseBeyond; /* of GLSL 1.30 */
     return target_table[target].words || (function_row(function)->result != TYPE_uint && !of_sampler);
 }
 

@@ -23,9 +23,9 @@ Function area_picture_function(const Lower *l, bool smooth);
 Ref area_picture(Lower *l, const Picture *picture, Ref uv);
 /* At a point near uv, as it would be shown at uv: for differences. */
 Ref area_picture_near(Lower *l, const Picture *picture, Ref point, Ref uv);
-/* How a lane of what is shown rises over one texel along u and along v, a vec2, by the texels themselves where the picture is magnified; 0:
- * nothing but differences of area_picture_near can tell. */
-Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int lane);
+/* How a lane of what is shown rises over one texel along u and along v, a vec2, by the texels themselves where the picture is magnified, else as `shown`,
+ * by differences of area_picture_near; 0: nothing but these can tell. */
+Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int lane, Ref shown);
 /* 1 / (high - low) of known numbers, computed in double here or where the buffer is filled; 0 where they are equal. */
 Ref area_known_inverse(Lower *l, Ref low, Ref high);
 /* The share of the way from `low` to `high` that t has gone, in [0, 1], as a mean over a box of t; equal ones make a step. */

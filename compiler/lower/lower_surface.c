@@ -241,27 +241,10 @@ static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
     return turn > 0 ? stepped(l, uv, step, turn) : build_add(l->ir, uv, step);
 }
 
-/* By the texels, lane by lane; 0: they do not tell. */
-static Ref texels_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
-{
-    Ref slope[4];
-    const bool all = sampled->lane == ALL_LANES;
-    for (int i = 0; i < (all ? 4 : 1); i++) {
-        Ref rise = area_picture_rise(l, picture, uv, all ? i : sampled->lane);
-        if (!rise)
-            return 0;
-        slope[i] = build_swizzle(l->ir, rise, by_v ? "y" : "x");
-    }
-    return all ? build_vec_of(l->ir, TYPE_vec4, slope, 4) : slope[0];
-}
-
-/* The slope by the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
-static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
+/* By the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
+static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
     Ir *ir = l->ir;
-    Ref exact = texels_slope(l, sampled, picture, uv, by_v);
-    if (exact)
-        return exact;
     Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
     Ref h = sampled->step > 0 ? build_float(ir, sampled->step) : build_div(ir, build_float(ir, 1), lane);
     Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
@@ -270,6 +253,25 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
     Ref there = lanes_of(l, sampled, area_picture_near(l, picture, beyond, uv));
     Ref rise = build_sub(ir, there, here);
     return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step) : build_mul(ir, rise, lane);
+}
+
+/* The same of a step of a texel, by eight texels instead of three places, where they tell. */
+static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
+{
+    Ir *ir = l->ir;
+    const bool all = sampled->lane == ALL_LANES;
+    Ref slope[4], by[2];
+    for (int i = 0; i < 2; i++)
+        by[i] = difference(l, sampled, picture, uv, i);
+    for (int i = 0; i < (all ? 4 : 1); i++) {
+        Ref shown =
+            build_vec(ir, TYPE_vec2, build_swizzle(ir, by[0], lane_name[i]), build_swizzle(ir, by[1], lane_name[i]));
+        Ref rise = sampled->step > 0 ? 0 : area_picture_rise(l, picture, uv, all ? i : sampled->lane, shown);
+        if (!rise)
+            return by[by_v];
+        slope[i] = build_swizzle(ir, rise, by_v ? "y" : "x");
+    }
+    return all ? build_vec_of(ir, TYPE_vec4, slope, 4) : slope[0];
 }
 
 static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)

@@ -2,6 +2,7 @@
 #include "runtime/library/reference.h"
 #include "runtime/library/srgb.h"
 #include <stddef.h>
+#include <string.h>
 
 enum { LANES = 4 };
 
@@ -219,6 +220,18 @@ REFERENCE(imageRise)
 }
 
 REFERENCE(imageRiseOver) { rise(texture_of(context, args[0]), &args[1], args[5], &args[6], result); }
+
+/* Far from the origin the picture itself counts, and not what is said of it. */
+REFERENCE(imageRiseNear)
+{
+    enum { FAR = 65536 };
+    const ReferenceTexture *texture = texture_of(context, args[0]);
+    const bool minified = fmax(texels_across(texture, &args[6]), texels_across(texture, &args[8])) > 1;
+    if (minified && fmax(fabs(args[1]) * texture->width, fabs(args[2]) * texture->height) <= FAR)
+        memcpy(result, &args[10], 2 * sizeof *result);
+    else
+        rise(texture, &args[1], args[5], &args[6], result);
+}
 
 REFERENCE(imageRiseBeyond)
 {

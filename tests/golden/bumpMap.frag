@@ -72,14 +72,16 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRise of a picture with mipmaps, over the footprint that the changes of uv to the pixel's right and upper neighbour span. Up to
-// a texel a pixel its texels are mixed here: the sampler's weights have eight bits, too few for a difference times the size. Far from
-// the origin the sampler's steps would be lost, so whole turns are dropped; it is told the footprint, and sees no seam.
-vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
-    vec2 across = right * size, along = up * size;
-    if (max(dot(across, across), dot(along, along)) > 1.0)
+// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
+// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
+// the sampler is told the footprint, so that it sees no seam.
+vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
+    vec2 across = right * size, along = up * size, far = abs(uv) * size;
+    if (max(dot(across, across), dot(along, along)) <= 1.0)
+        return imageRise(s, uv, size, lane);
+    if (max(far.x, far.y) > 65536.0)
         return imageRiseSampled(s, fract(uv), size, lane, right, up);
-    return imageRise(s, uv, size, lane);
+    return shown;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -131,8 +133,9 @@ void main() {
     // bumpMap.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
-    vec2 tiles_3 = imageRiseOver(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0));
-    vec3 bumpMap = cross(tiles_3.x * 6.0 * 0.08 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_3.y * 3.0 * 0.08 * cross(worldTangentU, bumpMap_1);
+    vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
+    vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
+    vec3 bumpMap = cross(tiles_4.x * 6.0 * 0.08 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 3.0 * 0.08 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2701131776u, 1031840161u);
 }

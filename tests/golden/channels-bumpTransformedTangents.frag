@@ -72,14 +72,16 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRise of a picture with mipmaps, over the footprint that the changes of uv to the pixel's right and upper neighbour span. Up to
-// a texel a pixel its texels are mixed here: the sampler's weights have eight bits, too few for a difference times the size. Far from
-// the origin the sampler's steps would be lost, so whole turns are dropped; it is told the footprint, and sees no seam.
-vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
-    vec2 across = right * size, along = up * size;
-    if (max(dot(across, across), dot(along, along)) > 1.0)
+// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
+// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
+// the sampler is told the footprint, so that it sees no seam.
+vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
+    vec2 across = right * size, along = up * size, far = abs(uv) * size;
+    if (max(dot(across, across), dot(along, along)) <= 1.0)
+        return imageRise(s, uv, size, lane);
+    if (max(far.x, far.y) > 65536.0)
         return imageRiseSampled(s, fract(uv), size, lane, right, up);
-    return imageRise(s, uv, size, lane);
+    return shown;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -134,9 +136,10 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(diffuse_image_2.x, 8) | rootBits(diffuse_image_2.y, 8) << 8 | rootBits(diffuse_image_2.z, 8) << 16;
     // bumpTransformedTangents.yaml:6 ImageMap
-    vec2 image = imageRiseOver(imageTexture0, laid_1, diffuse_image, 0, mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uvByX, mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uvByY);
-    float bumpMap_2 = image.x * 5.760017 + image.y * -1.168255;
-    float bumpMap_3 = image.x * 1.7838734 + image.y * 2.7631829;
+    vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y);
+    vec2 image_2 = imageRiseNear(imageTexture0, laid_1, diffuse_image, 0, mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uvByX, mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uvByY, image);
+    float bumpMap_2 = image_2.x * 5.760017 + image_2.y * -1.168255;
+    float bumpMap_3 = image_2.x * 1.7838734 + image_2.y * 2.7631829;
     vec3 bumpMap_4 = cross((bumpMap_3 * 0.06490306 + bumpMap_2 * 0.15351017) * 0.04 * bumpMap_1 + laid, laid_2);
     vec3 bumpMap = bumpMap_4 + (bumpMap_3 * 0.32000095 + bumpMap_2 * -0.099104084) * 0.04 * cross(laid, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -78,14 +78,16 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRise of a picture with mipmaps, over the footprint that the changes of uv to the pixel's right and upper neighbour span. Up to
-// a texel a pixel its texels are mixed here: the sampler's weights have eight bits, too few for a difference times the size. Far from
-// the origin the sampler's steps would be lost, so whole turns are dropped; it is told the footprint, and sees no seam.
-vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
-    vec2 across = right * size, along = up * size;
-    if (max(dot(across, across), dot(along, along)) > 1.0)
+// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
+// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
+// the sampler is told the footprint, so that it sees no seam.
+vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
+    vec2 across = right * size, along = up * size, far = abs(uv) * size;
+    if (max(dot(across, across), dot(along, along)) <= 1.0)
+        return imageRise(s, uv, size, lane);
+    if (max(far.x, far.y) > 65536.0)
         return imageRiseSampled(s, fract(uv), size, lane, right, up);
-    return imageRise(s, uv, size, lane);
+    return shown;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -159,8 +161,9 @@ void main() {
     uint diffuse_bits = rootBits(diffuse_image_2.y, 8);
     uint specular_bits = rootBits(imageNearest(imageTexture1, uv, vec2(64.0)).x, 8);
     // imageChannel.yaml:3 ImageMap
-    vec2 image = imageRiseOver(imageTexture0, uv, diffuse_image, 2, uvByX, uvByY);
-    vec3 bumpMap = cross(image.x * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + image.y * 0.02 * cross(worldTangentU, bumpMap_1);
+    vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.y);
+    vec2 image_2 = imageRiseNear(imageTexture0, uv, diffuse_image, 2, uvByX, uvByY, image);
+    vec3 bumpMap = cross(image_2.x * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + image_2.y * 0.02 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 34611264u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(diffuse_image_2.z), 10) << 21);
     fragment0 = surface_bits;

@@ -31,20 +31,6 @@ uint rootBits(float v, int bits) {
     return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
-// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
-// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
-// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
-float phongExponent(float x) {
-    float y = x * (2.0 - x);
-    float w = min((1.0 - x) * (1.0 - x), 0.25);
-    float s = w / (2.0 - w);
-    float s2 = s * s;
-    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
-    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
-    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
-    return y > 0.0 ? exponent : 0.0;
-}
-
 // Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
@@ -87,14 +73,16 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRise of a picture with mipmaps, over the footprint that the changes of uv to the pixel's right and upper neighbour span. Up to
-// a texel a pixel its texels are mixed here: the sampler's weights have eight bits, too few for a difference times the size. Far from
-// the origin the sampler's steps would be lost, so whole turns are dropped; it is told the footprint, and sees no seam.
-vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
-    vec2 across = right * size, along = up * size;
-    if (max(dot(across, across), dot(along, along)) > 1.0)
+// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
+// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
+// the sampler is told the footprint, so that it sees no seam.
+vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
+    vec2 across = right * size, along = up * size, far = abs(uv) * size;
+    if (max(dot(across, across), dot(along, along)) <= 1.0)
+        return imageRise(s, uv, size, lane);
+    if (max(far.x, far.y) > 65536.0)
         return imageRiseSampled(s, fract(uv), size, lane, right, up);
-    return imageRise(s, uv, size, lane);
+    return shown;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -143,6 +131,20 @@ uint logarithmBits(float v, int bits) {
     return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
 }
 
+// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
+// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
+// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+float phongExponent(float x) {
+    float y = x * (2.0 - x);
+    float w = min((1.0 - x) * (1.0 - x), 0.25);
+    float s = w / (2.0 - w);
+    float s2 = s * s;
+    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
+    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
+    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
+    return y > 0.0 ? exponent : 0.0;
+}
+
 void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
@@ -156,10 +158,12 @@ void main() {
     // imageRoles.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
-    float shininess = phongExponent(imageSampled(imageTexture0, uv, diffuse_image).x);
+    float shininess_1 = imageSampled(imageTexture0, uv, diffuse_image).x;
     // imageRoles.yaml:4 ImageMap
-    vec2 image = imageRiseOver(imageTexture0, uv, diffuse_image, 0, uvByX, uvByY);
-    vec3 bumpMap = cross(image.x * 0.04 * bumpMap_1 + worldTangentU, worldTangentV) + image.y * 0.04 * cross(worldTangentU, bumpMap_1);
+    vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).x - shininess_1) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).x - shininess_1) * diffuse_image.y);
+    vec2 image_2 = imageRiseNear(imageTexture0, uv, diffuse_image, 0, uvByX, uvByY, image);
+    vec3 bumpMap = cross(image_2.x * 0.04 * bumpMap_1 + worldTangentU, worldTangentV) + image_2.y * 0.04 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(shininess, 10) << 21);
+    uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 21);
+    fragment0 = surface_bits2;
 }

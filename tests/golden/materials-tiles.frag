@@ -72,14 +72,16 @@ vec2 imageRiseSampled(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec
     return (vec2(beyondU, beyondV) - here) * size;
 }
 
-// imageRise of a picture with mipmaps, over the footprint that the changes of uv to the pixel's right and upper neighbour span. Up to
-// a texel a pixel its texels are mixed here: the sampler's weights have eight bits, too few for a difference times the size. Far from
-// the origin the sampler's steps would be lost, so whole turns are dropped; it is told the footprint, and sees no seam.
-vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up) {
-    vec2 across = right * size, along = up * size;
-    if (max(dot(across, across), dot(along, along)) > 1.0)
+// imageRise up to a texel a pixel, where the sampler's weights have eight bits, too few for a difference times the size; from there
+// on the rise of what it shows. Beyond 65536 texels floats keep a step of a texel to less than 1/256: there whole turns are dropped, and
+// the sampler is told the footprint, so that it sees no seam.
+vec2 imageRiseNear(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 up, vec2 shown) {
+    vec2 across = right * size, along = up * size, far = abs(uv) * size;
+    if (max(dot(across, across), dot(along, along)) <= 1.0)
+        return imageRise(s, uv, size, lane);
+    if (max(far.x, far.y) > 65536.0)
         return imageRiseSampled(s, fract(uv), size, lane, right, up);
-    return imageRise(s, uv, size, lane);
+    return shown;
 }
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
@@ -134,8 +136,9 @@ void main() {
     // tiles.yaml:11 Blend
     float specular_blend = mix(0.02, 0.45, clamp((tiles_2.x - 0.04) * 25.0, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 8);
-    vec2 tiles_3 = imageRiseOver(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(8.0, 4.0), uvByY * vec2(8.0, 4.0));
-    vec3 bumpMap = cross(tiles_3.x * 8.0 * 0.2 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_3.y * 4.0 * 0.2 * cross(worldTangentU, bumpMap_1);
+    vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
+    vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(8.0, 4.0), uvByY * vec2(8.0, 4.0), tiles_3);
+    vec3 bumpMap = cross(tiles_4.x * 8.0 * 0.2 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 4.0 * 0.2 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
     fragment0 = surface_bits2;

@@ -86,11 +86,12 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
     return 2 * most;
 }
 
-/* The footprint, which is the last two arguments, is surely below a texel. */
+/* The footprint, which the last two arguments are but for what is shown, is surely below a texel. */
 static bool is_magnified(const IrNode *node, const FoldArg *args)
 {
     double texels = 0;
-    for (int i = node->count - 2; i < node->count; i++)
+    const int end = node->count - (node->payload == FN_imageRiseNear);
+    for (int i = end - 2; i < end; i++)
         texels = fmax(texels, hypot(args[i].numbers[0] * args[2].numbers[0], args[i].numbers[1] * args[2].numbers[1]));
     return texels < 0.5;
 }
@@ -113,6 +114,7 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     case FN_imageRise:
         return 2e-6 * greatest(&args[2]);
     case FN_imageRiseOver:
+    case FN_imageRiseNear:
     case FN_imageRiseBeyond:
         return (is_magnified(node, args) ? 2e-6 : 1) * greatest(&args[2]);
     case FN_phongExponent:
@@ -130,7 +132,7 @@ static double decoding_error(const Erring *e, const IrNode *node, const FoldArg 
     const double decoded = 1.3e-3;
     if (function_arguments((int)node->payload)[0] != 's' || !e->context->textures[(int)args[0].numbers[0]].srgb)
         return 0;
-    if (node->payload == FN_imageRise || node->payload == FN_imageRiseOver || node->payload == FN_imageRiseBeyond)
+    if (function_row((int)node->payload)->result == TYPE_vec2 && node->count > 3)
         return 2 * decoded * greatest(&args[2]);
     if (node->payload != FN_imageAlong)
         return decoded;
