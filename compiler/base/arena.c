@@ -101,6 +101,22 @@ void arena_reset(Arena *arena)
     arena->next = (char *)kept + aligned(sizeof *kept);
 }
 
+/* Its blocks come behind the newest one, which stays the one that is filled. */
+void arena_adopt(Arena *arena, Arena *other)
+{
+    ArenaBlock *oldest = other->block;
+    if (!arena->block) {
+        *arena = *other;
+    } else if (oldest) {
+        while (oldest->older)
+            oldest = oldest->older;
+        oldest->older = arena->block->older;
+        arena->block->older = other->block;
+        arena->used += other->used;
+    }
+    *other = (Arena){0};
+}
+
 void arena_free(Arena *arena)
 {
     for (ArenaBlock *block = arena->block, *older; block; block = older) {

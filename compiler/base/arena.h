@@ -22,6 +22,8 @@ void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t 
 /* Gives everything back but keeps the newest block for what comes next. */
 void arena_reset(Arena *arena);
 void arena_free(Arena *arena);
+/* What another arena holds lives as long as this one; the other one is empty then. */
+void arena_adopt(Arena *arena, Arena *other);
 
 #define ARENA_NEW(arena, Type)          ((Type *)arena_zero(arena, sizeof(Type)))
 #define ARENA_ARRAY(arena, Type, count) ((Type *)arena_zero(arena, sizeof(Type) * (size_t)(count)))
