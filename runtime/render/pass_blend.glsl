@@ -24,8 +24,7 @@ bool isBefore(uint a, uint b)
     return a < b;
 }
 
-// The first fragment behind `last`, a node, of all of a list: 0, there is none. Looks at each of them, so a pixel of n fragments takes n^2 / 2 steps
-// and no memory.
+// The first fragment behind `last`, a node, of all of a list: 0, there is none. For pixels with fragments at one depth: n of them take n^2 steps.
 uint nextFragment(uint list, uint last)
 {
     uint nearest = 0u;
@@ -36,17 +35,64 @@ uint nextFragment(uint list, uint last)
     return nearest;
 }
 
+// The nearest fragments of a list that are behind some depth, sorted: depth, as bits, which are ordered as depths are, and node. A place that is
+// not taken is 0. No index but constants, so that they stay in registers: NEAREST steps for each fragment of a list, and a walk along it for
+// each NEAREST of them.
+// Worked example, NEAREST 3, depths 5 9 7 8 inserted: 5 - -, 9 5 -, 9 7 5, 9 8 7; the next walk, behind 7, has 5 - -.
+const int NEAREST = 16;
+struct Nearest {
+    uvec2 at[NEAREST];
+    bool tied; // two of one depth: their order is another's to find
+};
+
+Nearest nearestBehind(uint list, uint behind)
+{
+    Nearest found;
+    found.tied = false;
+    for (int i = 0; i < NEAREST; i++) found.at[i] = uvec2(0u);
+    for (uint number = list; number != 0u;) {
+        uint node = nodeAt(number);
+        uvec2 moved = uvec2(lists_words[node + 1u], node);
+        number = lists_words[node];
+        if (moved.x >= behind) continue;
+        for (int i = 0; i < NEAREST; i++) {
+            uvec2 held = found.at[i];
+            bool nearer = moved.x > held.x;
+            found.tied = found.tied || (moved.x == held.x && moved.x != 0u);
+            found.at[i] = nearer ? moved : held;
+            moved = nearer ? held : moved;
+        }
+    }
+    return found;
+}
+
 vec3 passOver(ivec2 pixel, out vec3 through)
 {
     vec3 sum = vec3(0.0);
     uint list = lists_words[uint(pixel.y) * lists_width + uint(pixel.x)];
     through = vec3(1.0);
-    for (uint node = nextFragment(list, 0u); node != 0u; node = nextFragment(list, node)) {
+    if (list == 0u) return sum;
+    Nearest near = nearestBehind(list, 0xFFFFFFFFu);
+    int left = NEAREST;
+    uint node = near.tied ? nextFragment(list, 0u) : near.at[0].y;
+    while (node != 0u) {
+        uint depth = lists_words[node + 1u];
         Surface surface = unpackTexels(LISTS_TEXELS);
 #ifndef VEIL
-        sum += through * lightOf(pixel, uintBitsToFloat(lists_words[node + 1u]), surface);
+        sum += through * lightOf(pixel, uintBitsToFloat(depth), surface);
 #endif
         through *= surfaceThrough(surface);
+        if (near.tied) {
+            node = nextFragment(list, node);
+            continue;
+        }
+        for (int i = 1; i < NEAREST; i++) near.at[i - 1] = near.at[i];
+        near.at[NEAREST - 1] = uvec2(0u);
+        if (--left == 0) {
+            near = nearestBehind(list, depth);
+            left = NEAREST;
+        }
+        node = near.tied ? nextFragment(list, node) : near.at[0].y;
     }
     return sum;
 }

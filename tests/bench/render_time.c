@@ -86,18 +86,16 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[2]
     return gl_check(bench->gl, "drawing frames") || said(bench->gl->error);
 }
 
-int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime medians[RENDER_PASSES_MOST])
+int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime least[RENDER_PASSES_MOST])
 {
-    static double seconds[RENDER_PASSES_MOST][MOST_FRAMES];
     const double end = bench_now() + bench->seconds;
-    int frames = 0, count = 0;
-    for (; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end); frames++) {
-        count = render_time_passes(scene->render, medians);
+    RenderPassTime times[RENDER_PASSES_MOST];
+    const int count = render_time_passes(scene->render, least);
+    for (int frames = 1; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end); frames++) {
+        render_time_passes(scene->render, times);
         for (int i = 0; i < count; i++)
-            seconds[i][frames] = medians[i].seconds;
+            least[i].seconds = fmin(least[i].seconds, times[i].seconds);
     }
-    for (int i = 0; i < count; i++)
-        medians[i].seconds = bench_median(seconds[i], frames);
     return count;
 }
 

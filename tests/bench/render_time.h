@@ -32,8 +32,8 @@ bool bench_scene_open_forward(const Bench *bench, BenchScene *made);
 void bench_scene_close(BenchScene *scene);
 /* Frames of the renderer and, where there is one, of the forward renderer, in turns, each finished. */
 bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[2]);
-/* Medians of the seconds that each pass takes; how many passes there are. */
-int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime medians[RENDER_PASSES_MOST]);
+/* The least seconds that each pass takes; how many passes there are. */
+int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime least[RENDER_PASSES_MOST]);
 /* The share of pixels at which both pictures' light, cut at 1, is apart by more than `bound`. NAN: they are black,
  * or could not be read. */
 double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound);
