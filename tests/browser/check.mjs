@@ -3,13 +3,17 @@
 // - every program links, draws without an error, and writes finite numbers;
 // - the pass `value` of every slot of every example has the values of `matc --eval`;
 // - what one program packs, another unpacks within the layout's stated errors.
-// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each; --part=2/5 takes of the combinations
-// the 2nd, the 7th and so on. BROWSER_PART=drawValues in the environment does that part alone.
+// --all takes all combinations of pass, layout, noise, antialiasing and precision, instead of some of each: 840, whose programs are tens of thousands
+// of texts. Those that linked and drew are kept in FOLDER/judged and not drawn again by the same browser, so that --all --minutes=20
+// goes on where it ended, and after a change of matc draws what has changed. --part=2/5 takes of the combinations the 2nd, the 7th and so on.
+// BROWSER_PART=drawValues in the environment does that part alone.
 import {chromium} from 'playwright-core';
 import {Matc, exampleDocuments} from './matc.mjs';
 import {linkAndDraw} from './programs.mjs';
 import {drawValues} from './values.mjs';
 import {roundTrips} from './gbuffer.mjs';
+import {Judged} from './judged.mjs';
+import fs from 'node:fs';
 import path from 'node:path';
 
 const [program, root, folder, executablePath] = process.argv.slice(2, 6).map(p => path.resolve(p));
@@ -19,6 +23,12 @@ if (!(number >= 1 && +number <= +count)) {
   console.log('FAILED: --part=K/N takes the Kth part of N');
   process.exit(2);
 }
+const minutes = +(process.argv.find(a => a.startsWith('--minutes='))?.slice('--minutes='.length) ?? Infinity), end = Date.now() + minutes * 60_000;
+if (!(minutes > 0)) {
+  console.log('FAILED: --minutes=N takes a number above 0');
+  process.exit(2);
+}
+const isOver = () => Date.now() > end;
 const inPart = list => list.filter((_, i) => i % count === number - 1);
 
 // In software, as root too, and without a network.
@@ -65,9 +75,13 @@ function progress(done, of, what) {
   saidAt = Date.now();
   console.log(`  ${done} of ${of} ${what}, ${faults} faults`);
 }
-const context = {matc, documents, share, root, run, all, inPart, report, progress};
+const asked = ['page.js', 'programs.mjs'].map(file => fs.readFileSync(path.join(import.meta.dirname, file), 'utf8'));
+const unknown = {has: () => false, add() {}}; // ctest draws all that it asks for
+const judged = all ? new Judged(path.join(folder, 'judged'), [browser.version(), renderer, ...asked].join('\0')) : unknown;
+const context = {matc, documents, share, root, run, all, inPart, report, progress, judged, isOver};
 const only = process.env.BROWSER_PART, parts = [linkAndDraw, drawValues, roundTrips].filter(part => !only || part.name === only);
 for (const part of parts) {
+  if (isOver()) break;
   const start = Date.now(), found = faults, said = await part(context);
   console.log(`${said}; ${faults - found} faults; ${((Date.now() - start) / 1000).toFixed(1)} s`);
 }

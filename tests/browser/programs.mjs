@@ -1,5 +1,5 @@
 // Programs: that each links with its own vertex program, draws into its targets without an error, and writes finite numbers.
-const size = 4, corners = [[-1, -1, 0], [3, -1, 0], [-1, 3, 0]];
+const size = 4, SOME = 64, corners = [[-1, -1, 0], [3, -1, 0], [-1, 3, 0]];
 const attributes = {
   0: {lanes: 3, values: corners.flat()}, 1: {lanes: 3, values: [0, 0, 1, 0.3, 0, 1, 0, 0.4, 1]},
   2: {lanes: 2, values: [0.1, 0.2, 2.3, 0.4, 0.5, 2.6]},
@@ -36,24 +36,40 @@ const notFinite = pixels => pixels.some(numbers => numbers.some(n => typeof n ==
 // Where the driver puts a block's members and where matc says that they are.
 const misplaced = (job, offsets) => job.block?.members.find(({name, offset}) => name in offsets && offsets[name] !== offset);
 
-export async function linkAndDraw({matc, documents, share, run, all, inPart, report, progress}) {
-  const seen = new Set(), combinations = inPart([...(all ? every : some).entries()]);
-  for (const [done, [turn, options]] of combinations.entries()) {
-    progress(done, combinations.length, `combinations, ${seen.size} programs`);
-    const fresh = matc.batch(options, all ? documents : share(turn)).filter(({job}) => {
-      const text = job.vertex + job.fragment.replace(/^\/\/ .*\n/gm, ''), known = seen.has(text);
-      seen.add(text);
-      return !known;
-    });
-    const whole = job => ({...job, width: size, height: size, points: 0, attributes, uniforms: [...uniforms, ...job.uniforms]});
-    const results = await run(fresh.map(({job}) => whole(job)));
-    results.forEach(({error, pixels, offsets, drawn}, i) => {
-      const {what, job} = fresh[i], member = !error && misplaced(job, offsets);
-      if (error) report(`${what}: ${error}`);
-      else if (!drawn) report(`${what}: draws nothing`);
-      else if (notFinite(pixels)) report(`${what}: draws a number that is none`);
-      else if (member) report(`${what}: ${member.name} is at ${offsets[member.name]} in its block, not at ${member.offset}`);
-    });
+// Its text without the first comments, which name the document: equal ones are one program.
+const textOf = job => job.vertex + job.fragment.replace(/^\/\/ .*\n/gm, '');
+const whole = job => ({...job, width: size, height: size, points: 0, attributes, uniforms: [...uniforms, ...job.uniforms]});
+
+// What is wrong with a program that ran; undefined: nothing.
+function faultOf(job, {error, pixels, offsets, drawn}) {
+  if (error) return error;
+  if (!drawn) return 'draws nothing';
+  if (notFinite(pixels)) return 'draws a number that is none';
+  const member = misplaced(job, offsets);
+  return member && `${member.name} is at ${offsets[member.name]} in its block, not at ${member.offset}`;
+}
+
+// Of what `matc` wrote by one combination, the programs that no other wrote and that are not known to be good.
+async function judge(batch, seen, {run, judged, report, isOver}) {
+  const fresh = batch.map(draw => ({...draw, text: textOf(draw.job)})).filter(({text}) => !seen.has(text) && seen.add(text) && !judged.has(text));
+  for (let i = 0; i < fresh.length && !isOver(); i += SOME) {
+    const some = fresh.slice(i, i + SOME), results = await run(some.map(({job}) => whole(job)));
+    const faults = some.map(({job}, k) => faultOf(job, results[k]));
+    some.forEach(({what}, k) => faults[k] && report(`${what}: ${faults[k]}`));
+    judged.add(some.filter((_, k) => !faults[k]).map(({text}) => text));
   }
-  return `${seen.size} programs link and draw`;
+  return fresh.length;
+}
+
+export async function linkAndDraw(context) {
+  const {matc, documents, share, all, inPart, progress, isOver} = context, seen = new Set();
+  const combinations = inPart([...(all ? every : some).entries()]);
+  let done = 0, drawn = 0;
+  for (const [turn, options] of combinations) {
+    progress(done, combinations.length, `combinations, ${seen.size} programs, ${drawn} of them drawn in this run`);
+    drawn += await judge(matc.batch(options, all ? documents : share(turn)), seen, context);
+    if (isOver()) return `time is over at combination ${done + 1} of ${combinations.length}: the same command goes on from here`;
+    done++;
+  }
+  return `${seen.size} programs link and draw, ${drawn} of them in this run`;
 }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# What matc writes for WebGL 2, linked and drawn by a browser: run.sh MATC BUILD_FOLDER [--all] [--part=K/N]. MATC_BROWSER names a
+# What matc writes for WebGL 2, linked and drawn by a browser: run.sh MATC BUILD_FOLDER [--all] [--part=K/N] [--minutes=N]. MATC_BROWSER names a
 # Chromium; without it the first that is installed. Run from the project's root. Status 77: skipped.
 set -u
 . tests/npm.sh
@@ -8,5 +8,5 @@ folder=$2/browser
 shift 2
 browser=${MATC_BROWSER:-$(command -v chromium || command -v chromium-browser || command -v google-chrome)} ||
     skip "no Chromium is installed (./setup browser installs it), so no browser drew anything"
-npm_fetch tests/browser "$folder" check.mjs matc.mjs programs.mjs values.mjs gbuffer.mjs pictures.mjs page.js
+npm_fetch tests/browser "$folder" check.mjs matc.mjs programs.mjs values.mjs gbuffer.mjs judged.mjs pictures.mjs page.js
 exec node "$folder/check.mjs" "$matc" . "$folder" "$browser" "$@"
