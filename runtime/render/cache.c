@@ -110,7 +110,8 @@ static bool make_material(Maker *m, const SetProgram *program, bool casts, Mater
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
     if (casts && set->casts == SET_CASTS_colored)
         transparency_wrap_caster(m->gl, &text);
-    return material_make(m->store, program->program, &text, made);
+    return material_make(m->store, program->program, &text, made) ||
+           set_fail(m->gl, m->source->scene, program->material);
 }
 
 /* The program with which one of the set casts shadows, or itself; -1: it casts none. */

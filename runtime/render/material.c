@@ -49,15 +49,20 @@ bool material_set_number(Material *m, const char *name, float number)
     return material_set(m, &(MaterialValue){name, 1, &number});
 }
 
+static int most_textures(const Material *m)
+{
+    const int units = context(m)->max_texture_units;
+    return units < MATERIAL_TEXTURES ? units : MATERIAL_TEXTURES;
+}
+
 bool material_set_texture(Material *m, const char *sampler, const TextureSpec *spec)
 {
     GlContext *gl = context(m);
     const int unit = m->texture_count;
-    const int most = gl->max_texture_units < MATERIAL_TEXTURES ? gl->max_texture_units : MATERIAL_TEXTURES;
     if (!material_set_number(m, sampler, (float)unit))
         return true;
-    if (unit >= most)
-        return gl_fail(gl, "more textures than the driver's %d", most);
+    if (unit >= most_textures(m))
+        return gl_fail(gl, "more textures than the driver's %d", most_textures(m));
     gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit); /* making a texture binds it */
     m->textures[unit] = store_texture(m->store, spec);
     m->texture_count += m->textures[unit] != NULL;
@@ -150,6 +155,9 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
 {
     static const float identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const ProgramText whole = complete(text, program);
+    if (program && matc_texture_count(program) > most_textures(m))
+        return gl_fail(context(m), "it has %d textures, and the driver room for %d", matc_texture_count(program),
+                       most_textures(m)); /* a driver would say so in words of its own */
     m->program = store_program(m->store, &whole);
     if (!m->program || !make_room(m))
         return false;

@@ -19,6 +19,14 @@ typedef struct {
 /* A surface's pass; NULL: it has none of its own. */
 static const char *pass_of(const SceneObject *object) { return object->kind == SCENE_Plane ? "plane" : "gbuffer"; }
 
+bool set_fail(GlContext *gl, const Scene *scene, int material)
+{
+    const SceneMaterial *of = &scene->materials[material];
+    char why[sizeof gl->error];
+    snprintf(why, sizeof why, "%s", gl->error);
+    return gl_fail(gl, "%s: the material '%s': %s", of->place, matc_material_name(of->document, of->index), why);
+}
+
 static bool add_ranges(Maker *m, MatcRanges *ranges)
 {
     bool *added = calloc((size_t)m->scene->material_count + 1, sizeof *added);
@@ -31,7 +39,7 @@ static bool add_ranges(Maker *m, MatcRanges *ranges)
             continue;
         added[material] = true;
         fine = matc_ranges_add(ranges, of->document, of->index, &m->options, &fault) ||
-               gl_fail(m->gl, "%s", fault ? fault : "out of memory");
+               (gl_fail(m->gl, "%s", fault ? fault : "out of memory"), set_fail(m->gl, m->scene, material));
         free(fault);
     }
     free(added);
@@ -60,7 +68,10 @@ static bool compile(Maker *m, SetProgram *program, unsigned outputs)
     m->options.pass = program->pass;
     matc_program_free(program->program);
     program->program = matc_compile(of->document, of->index, outputs, &m->options);
-    return matc_ok(program->program) || gl_fail(m->gl, "%s", matc_program_diagnostics(program->program, MATC_TEXT));
+    if (matc_ok(program->program))
+        return true;
+    gl_fail(m->gl, "%s", matc_program_diagnostics(program->program, MATC_TEXT));
+    return set_fail(m->gl, m->scene, program->material);
 }
 
 static bool has_program(const Set *set, int material, const char *pass)

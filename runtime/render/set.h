@@ -41,6 +41,9 @@ typedef struct {
 bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetCasts casts, Set *made);
 void set_free(Set *set);
 
+/* Puts the place and the name of a material before what gl->error says of it. False. */
+bool set_fail(GlContext *gl, const Scene *scene, int material);
+
 /* The program of a material in a pass; there is one. */
 const SetProgram *set_find(const Set *set, int material, const char *pass);
 /* So many programs are drawn with the text of one. */

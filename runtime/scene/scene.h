@@ -21,6 +21,7 @@ typedef struct {
 typedef struct {
     MatcDocument *document;
     int index;
+    const char *place; /* FILE:LINE:COLUMN */
 } SceneMaterial;
 
 /* A mesh out of a file; objects of one file share it. */

@@ -1,6 +1,5 @@
-// The preview's light pass. It stands behind the text that declares Surface and unpackSurface, lights what the G-buffer
-// holds by the Phong shading of a ray tracer, and leaves linear display colours in [0, 1]: the view filters and encodes them.
-// A layout may lack any slot: SURFACE_HAS_<slot> tells which members there are, and what is not there costs nothing.
+// The preview's light pass. It stands behind the texts that declare Surface and unpackSurface, and the surface model Phong; it lights what the
+// G-buffer holds, and leaves linear display colours in [0, 1]: the view filters and encodes them.
 uniform sampler2D light_depth;
 uniform mat4 light_eyeFromClip;
 uniform vec3 light_up;   // the world's up, in eye space
@@ -32,65 +31,12 @@ vec3 mirrored(vec3 direction)
     return mix(.6 * GROUND, SKY, smoothstep(-.3, .5, dot(direction, light_up)));
 }
 
-// A surface as the light pass wants it: what the layout lacks is as slots.def says of absent slots.
-struct Lit {
-    vec3 normal, kd, ks, through, behind, ambient, emissive;
-    float shininess;
-};
-
-Lit material(Surface s)
-{
-    Lit m = Lit(vec3(0., 0., 1.), vec3(0.), vec3(0.), vec3(0.), vec3(0.), vec3(0.), vec3(0.), 4.);
-#ifdef SURFACE_HAS_normal
-    m.normal = s.normal;
-#endif
-#ifdef SURFACE_HAS_diffuse
-    m.kd = s.diffuse;
-#endif
-#ifdef SURFACE_HAS_specular
-    m.ks = s.specular;
-#endif
-#ifdef SURFACE_HAS_shininess
-    m.shininess = min(s.shininess, SHARPEST);
-#endif
-#ifdef SURFACE_HAS_transparency
-    m.through = clamp(s.transparency, 0., 1.);
-    vec3 kept = 1. - s.transparency;
-#ifdef SURFACE_HAS_interpolatedTransparency
-    kept = mix(vec3(1.), kept, s.interpolatedTransparency);
-#endif
-    m.kd *= kept;
-    m.ks *= kept;
-#endif
-#ifdef SURFACE_HAS_diffuseTransparency
-    m.behind = s.diffuseTransparency;
-#endif
-#ifdef SURFACE_HAS_ambient
-    m.ambient = s.ambient;
-#endif
-#ifdef SURFACE_HAS_emissive
-    m.emissive = s.emissive;
-#endif
-    return m;
-}
-
-// (k_d + k_s max(R.l, 0)^n) |n.l| L in front of the surface, |n.l| k L behind it. What comes straight through from behind
-// is the background.
-vec3 lit(Lit m, vec3 reflected, int i)
-{
-    float cosine = dot(m.normal, lightDirection[i]);
-    if (cosine <= 0.) return -cosine * m.behind * lightColor[i];
-    float lobe = max(dot(reflected, lightDirection[i]), 1e-6); // pow(0., 0.) is undefined
-    return (m.kd + m.ks * pow(lobe, m.shininess)) * cosine * lightColor[i];
-}
-
 // Light from all around meets the diffuse colour, the ambient one, and what lets it through from behind.
-vec3 shade(Lit m, vec3 toEye)
+vec3 shade(Lit m)
 {
-    vec3 reflected = reflect(-toEye, m.normal);
-    vec3 sum = m.emissive + (m.kd + m.ambient) * ambient(m.normal) + m.behind * ambient(-m.normal);
-    sum += m.ks * mirrored(reflected); // without anything to mirror, a metal would be black
-    for (int i = 0; i < LIGHTS; i++) sum += lit(m, reflected, i);
+    vec3 sum = surfaceOwn(m, ambient(m.normal)) + m.diffuse * ambient(m.normal) + m.behind * ambient(-m.normal);
+    sum += m.specular * mirrored(m.reflected); // without anything to mirror, a metal would be black
+    for (int i = 0; i < LIGHTS; i++) sum += lightColor[i] * surfaceLobe(m, lightDirection[i]);
     return sum;
 }
 
@@ -125,8 +71,10 @@ void main()
     if (depth >= 1.) return; // nothing was drawn here
 
     vec4 eye = light_eyeFromClip * vec4(2. * gl_FragCoord.xy / light_size - 1., 2. * depth - 1., 1.);
-    Lit m = material(unpackSurface(pixel));
-    vec2 bent = p - .18 * (1. - m.normal.z) * m.normal.xy; // no refraction, a hint of form
-    vec3 color = shade(m, -normalize(eye.xyz / eye.w)) + m.through * checker(bent);
+    Lit m = surfaceLit(unpackSurface(pixel), -normalize(eye.xyz / eye.w));
+    vec3 behind = clamp(m.through, 0., 1.) * checker(p - .18 * (1. - m.normal.z) * m.normal.xy); // no refraction, a hint of form
+    m.through = vec3(0.); // what comes straight through is the background alone
+    m.shininess = min(m.shininess, SHARPEST);
+    vec3 color = shade(m) + behind;
     light_color.rgb = tone(max(color, 0.));
 }

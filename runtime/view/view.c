@@ -7,6 +7,7 @@
 #include "runtime/gl/message.h"
 #include "runtime/gl/screen.h"
 #include "runtime/render/spaces.h"
+#include "runtime/render/surface_model.h"
 #include "runtime/render/targets.h"
 #include <math.h>
 #include <stdio.h>
@@ -58,9 +59,10 @@ static bool make_light(View *v)
     char define[DEFINE_ROOM] = "\n";
     if (look)
         snprintf(define, sizeof define, "\n#define SLOT_SHOWN (%s)\n", look->shown);
-    const ProgramText text = {
-        .vertex = {VERSION, o->screen_text},
-        .fragment = {version_for(unpack), unpack, turned_normals, define, "#line 1\n", look ? o->slot_text : o->light_text}};
+    const ProgramText text = {.vertex = {VERSION, o->screen_text},
+                              .fragment = {version_for(unpack), unpack, turned_normals, define,
+                                           look ? "" : surface_model_phong.text, "\n#line 1\n",
+                                           look ? o->slot_text : o->light_text}};
     return material_make(v->store, NULL, &text, &v->light);
 }
 
