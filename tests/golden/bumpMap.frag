@@ -135,7 +135,7 @@ void main() {
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
     vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
     vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
-    vec3 bumpMap = cross(tiles_4.x * 6.0 * 0.08 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 3.0 * 0.08 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap = cross(tiles_4.x * 0.48 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 0.24 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2701131776u, 1031840161u);
 }

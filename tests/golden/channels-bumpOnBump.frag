@@ -83,9 +83,8 @@ void main() {
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     vec2 carpenter_1 = floor(uv);
     vec2 carpenter_2 = uv - (carpenter_1 - clamp(carpenter_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 * 0.01 * bumpMap_1 + waveMap;
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 * 0.01 * cross(waveMap, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2, waveMap_7) + bumpMap_3;
+    vec3 bumpMap_2 = cross((carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 2.0 * bumpMap_1 + waveMap, waveMap_7);
+    vec3 bumpMap = bumpMap_2 + (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 2.0 * cross(waveMap, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2152956275u, 807436416u);
 }

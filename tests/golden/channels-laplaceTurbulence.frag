@@ -138,8 +138,7 @@ void main() {
     float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x);
     float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x);
     float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x);
-    float diffuse_blend_5 = diffuse_blend_4 * 0.083333336;
-    vec3 diffuse_blend = mix(mix(vec3(0.8862745, 0.85490197, 0.76862746), vec3(0.21176471, 0.27450982, 0.25490198), clamp((diffuse_blend_5 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011764706, 0.023529412, 0.023529412), clamp(diffuse_blend_5 * 5.0, 0.0, 1.0));
+    vec3 diffuse_blend = mix(mix(vec3(0.8862745, 0.85490197, 0.76862746), vec3(0.21176471, 0.27450982, 0.25490198), clamp((diffuse_blend_4 * 0.083333336 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011764706, 0.023529412, 0.023529412), clamp(diffuse_blend_4 * 0.41666666, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -49,7 +49,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 vec3 smooth3DInput0(vec3 p) {
     // smoothNested.yaml:13 VolumeChecker
-    vec3 diffuse_volumeChecker_1 = fract(p * 3.0 * 0.5);
+    vec3 diffuse_volumeChecker_1 = fract(p * 1.5);
     vec3 diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? vec3(0.87058824, 0.74509805, 0.5254902) : vec3(0.043137256, 0.050980393, 0.14509805);
     return diffuse_volumeChecker;
 }

@@ -174,9 +174,8 @@ void main() {
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     vec2 plates_1 = floor(uv);
     vec2 plates_2 = uv - (plates_1 - clamp(plates_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_2 = (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.005, 0.0), vec2(256.0)) - plates) * 200.0 * 0.016 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.0, 0.005), vec2(256.0)) - plates) * 200.0 * 0.016 * cross(worldTangentU, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
+    vec3 bumpMap_2 = cross((carpenterRelief(carpenterTexture0, plates_2 + vec2(0.005, 0.0), vec2(256.0)) - plates) * 3.2 * bumpMap_1 + worldTangentU, worldTangentV);
+    vec3 bumpMap = bumpMap_2 + (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.0, 0.005), vec2(256.0)) - plates) * 3.2 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | 1207959552u, 631261256u);
 }

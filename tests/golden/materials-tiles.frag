@@ -138,7 +138,7 @@ void main() {
     uint specular_bits = rootBits(specular_blend, 8);
     vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
     vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(8.0, 4.0), uvByY * vec2(8.0, 4.0), tiles_3);
-    vec3 bumpMap = cross(tiles_4.x * 8.0 * 0.2 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 4.0 * 0.2 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap = cross(tiles_4.x * 1.6 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 0.8 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 1193279488u);
     fragment0 = surface_bits2;

@@ -49,7 +49,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // E.yaml:10 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.37 * 2.7182817;
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0057642;
     // E.yaml:4 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.043137256, 0.003921569, 0.02745098), vec3(0.5411765, 0.05882353, 0.105882354), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9647059, 0.74509805, 0.38039216), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);

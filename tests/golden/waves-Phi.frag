@@ -49,7 +49,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // Phi.yaml:10 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.62 * 1.618034;
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0031811;
     // Phi.yaml:4 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.023529412, 0.011764706, 0.003921569), vec3(0.4627451, 0.14509805, 0.02745098), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.95686275, 0.76862746, 0.45490196), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -49,7 +49,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // Pi.yaml:10 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(0.8, 0.0, 0.6)) * 0.32 * 3.1415927;
+    float diffuse_gradient = dot(localPosition, vec3(0.8, 0.0, 0.6)) * 1.0053097;
     // Pi.yaml:4 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.003921569, 0.011764706, 0.05490196), vec3(0.050980393, 0.27450982, 0.43529412), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.92156863, 0.8627451, 0.69411767), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
