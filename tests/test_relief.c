@@ -132,6 +132,11 @@ static void what_has_no_slope_is_said(void **state)
         {CHECKER, false, true, false},
         {"{ map: Mandel }", false, true, false},
         {"{ map: Wood }", false, false, false},
+        {"{ map: Checker, color1: 0.5, color2: 0.5 }", true, true, true},
+        {"{ map: Checker, color1: 0.5, color2: 0.4 }", false, true, false},
+        {"{ map: Checker, color1: { map: Leopard, frequency: 0 }, color2: 0 }", true, true, true},
+        {"{ map: Checker, color1: { map: Leopard }, color2: 0 }", false, false, false},
+        {"{ map: Checker, input: { map: UVTransform, scaleV: 0 } }", false, true, false}, /* along u alone */
         {RAMP(STEP("1, 0, 0")), false, false, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)

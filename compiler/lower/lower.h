@@ -81,11 +81,11 @@ typedef struct {
     size_t to_differ_count, to_differ_room;
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
-    Affine affine;        /* affine.c */
-    uint8_t *uniform_use; /* by uniform: 1 as a count, 2 as a number */
-    const struct Crossing
-        *crossing; /* Blends whose coordinates are to be looked at, the last first; lower_unreached.c */
-    bool failed;   /* a diagnostic was made */
+    Affine affine;                   /* affine.c */
+    uint8_t *uniform_use;            /* by uniform: 1 as a count, 2 as a number */
+    const struct Crossing *crossing; /* Blends whose coordinates are to be looked at, the last first; lower_doubt.c */
+    const struct Relief *reliefs;    /* displacements whose slopes are, the last first */
+    bool failed;                     /* a diagnostic was made */
 } Lower;
 
 /* The point of a rasterised surface. lower_pass.c */
@@ -136,9 +136,11 @@ void lower_no_case(Lower *l, const Node *material, const Env *env);
 /* The slots that a case of a layout made for a set must store for the material to take it, 1 << slot; alpha is in the
  * transparency. */
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
-/* Remembers the coordinate of a Blend with items; and, when all is lowered, warns of those that never reach them. lower_unreached.c */
+/* Remembers the coordinate of a Blend with items, and the slopes of a displacement (0: none). lower_doubt.c */
 void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate);
-void lower_doubt_crossings(Lower *l);
+void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
+/* When all is lowered: warns of those that never reach their items, and of those that are 0. */
+void lower_doubt(Lower *l);
 Answer lower_wave(Lower *l, const Wave *wave, Answer v);
 /* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse of its matrix,
  * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */

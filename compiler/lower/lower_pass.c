@@ -217,7 +217,7 @@ Ir *lower_averaging(const LowerRequest *what, int below, MapList *seen)
         *seen = l.averageable;
     if (l.failed)
         return NULL;
-    lower_doubt_crossings(&l);
+    lower_doubt(&l);
     slope_done(&l);
     return l.ir;
 }

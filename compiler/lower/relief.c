@@ -120,8 +120,7 @@ Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
     Slopes slopes = how == CHOICE_derivatives_finite     ? channels(l, displacement, env)
                     : how == CHOICE_derivatives_analytic ? computed(l, displacement, env)
                                                          : stepped(l, displacement, env);
-    if (!slopes.u && !slopes.v && !l->failed)
-        diag_add(l->session, displacement->span, DIAG_flat_displacement);
+    lower_note_relief(l, displacement, slopes.u, slopes.v);
     slopes.u = build_or_zero(ir, slopes.u, TYPE_float);
     slopes.v = build_or_zero(ir, slopes.v, TYPE_float);
     return slopes;

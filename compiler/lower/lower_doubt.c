@@ -1,7 +1,11 @@
-/* Blends whose coordinate never comes between their items: warnings, by the intervals of what was lowered.
+/* What shows nothing, by the intervals of what was lowered: warnings.
  *
  *     { map: Blend, blend: [{ value: -1, input: red }, { value: 0, input: blue }], input: { map: Wood } }
- *     Wood is a distance, at least 0: it is blue everywhere. */
+ *     Wood is a distance, at least 0: it is blue everywhere.
+ *
+ *     { map: BumpMap, displacement: { map: Checker, color1: 0.5, color2: 0.5 } }
+ *     An edge has the slope (0.5 - 0.5) / 0.05: it is flat everywhere, as is a Blend beyond its items, or a map whose coordinate is
+ *     scaled by 0. A picture may be of one colour: its texels are not read to compile it, and nothing is said. */
 #include "compiler/ir/range.h"
 #include "compiler/lower/lower.h"
 
@@ -9,6 +13,12 @@ struct Crossing {
     const Node *blend;
     Ref coordinate;
     const struct Crossing *next;
+};
+
+struct Relief {
+    const Node *displacement;
+    Ref slope[2];
+    const struct Relief *next;
 };
 
 static const Items *items_of(const Node *blend) { return node_param(blend, P_Blend_blend)->items; }
@@ -41,13 +51,29 @@ static void doubt(Session *session, const Node *blend, Interval x)
              below ? "first" : "last", item.at);
 }
 
-void lower_doubt_crossings(Lower *l)
+void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v)
+{
+    struct Relief *relief = ARENA_NEW(l->session->arena, struct Relief);
+    *relief = (struct Relief){displacement, {by_u, by_v}, l->reliefs};
+    l->reliefs = relief;
+}
+
+static bool is_nought(const Ranges *ranges, const Ir *ir, Ref slope)
+{
+    const Interval x = slope ? range_of(ranges, ir, slope, 0) : (Interval){0, 0};
+    return x.low == 0 && x.high == 0;
+}
+
+void lower_doubt(Lower *l)
 {
     Arena arena = {0};
-    if (!l->crossing)
+    if (!l->crossing && !l->reliefs)
         return;
     const Ranges ranges = range_find(l->ir, &arena, 1);
     for (const struct Crossing *at = l->crossing; at; at = at->next)
         doubt(l->session, at->blend, range_of(&ranges, l->ir, at->coordinate, 0));
+    for (const struct Relief *at = l->reliefs; at; at = at->next)
+        if (is_nought(&ranges, l->ir, at->slope[0]) && is_nought(&ranges, l->ir, at->slope[1]))
+            diag_add(l->session, at->displacement->span, DIAG_flat_displacement);
     arena_free(&arena);
 }
