@@ -125,12 +125,12 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
-    // bumpMap.yaml:9 UVTransform
+    // bumpMap.yaml:10 UVTransform
     vec2 tiles_uvTransform = uv * vec2(6.0, 3.0);
-    // bumpMap.yaml:7 tiles
+    // bumpMap.yaml:8 tiles
     vec2 tiles = pictureSize(imageTexture0);
     vec4 tiles_2 = imageSampled(imageTexture0, tiles_uvTransform, tiles);
-    // bumpMap.yaml:4 BumpMap
+    // bumpMap.yaml:5 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
     vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);

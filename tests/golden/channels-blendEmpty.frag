@@ -68,9 +68,9 @@ void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // blendEmpty.yaml:6 Checker
+    // blendEmpty.yaml:7 Checker
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(8.0, 4.0)), max(abs(uvByY * vec2(8.0, 4.0)), abs(uvByX * vec2(8.0, 4.0))));
-    vec3 diffuse_checker = mix(vec3(0.16078432, 0.050980393, 0.078431375), vec3(0.80784315, 0.7176471, 0.5254902), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    vec3 diffuse_checker = mix(vec3(0.16202937, 0.051269457, 0.07818742), vec3(0.80695224, 0.7156935, 0.5271151), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -48,9 +48,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // blendEqualValues.yaml:4 Blend
-    vec3 diffuse_blend_1 = localPosition.x < 0.0 ? mix(vec3(0.8980392, 0.69411767, 0.37254903), vec3(0.4509804, 0.06666667, 0.02745098), (localPosition.x + 0.8) * 1.25) : localPosition.x <= 0.8 ? mix(vec3(0.011764706, 0.047058824, 0.078431375), vec3(0.34509805, 0.54509807, 0.5254902), localPosition.x * 1.25) : vec3(0.34509805, 0.54509807, 0.5254902);
-    vec3 diffuse_blend = localPosition.x < -0.8 ? vec3(0.8980392, 0.69411767, 0.37254903) : diffuse_blend_1;
+    // blendEqualValues.yaml:5 Blend
+    vec3 diffuse_blend_1 = localPosition.x < 0.0 ? mix(vec3(0.8962694, 0.69387174, 0.3712377), vec3(0.4507858, 0.06662594, 0.027320892), (localPosition.x + 0.8) * 1.25) : localPosition.x <= 0.8 ? mix(vec3(0.011612245, 0.046665087, 0.07818742), vec3(0.34670407, 0.54572445, 0.5271151), localPosition.x * 1.25) : vec3(0.34670407, 0.54572445, 0.5271151);
+    vec3 diffuse_blend = localPosition.x < -0.8 ? vec3(0.8962694, 0.69387174, 0.3712377) : diffuse_blend_1;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

@@ -48,8 +48,8 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // blendItemWithoutInput.yaml:4 Blend
-    vec4 diffuse_blend = mix(vec4(0.5254902, 0.14509805, 0.03137255, 1.0), vec4(0.0), clamp((localPosition.z + 0.7) * 0.71428573, 0.0, 1.0));
+    // blendItemWithoutInput.yaml:5 Blend
+    vec4 diffuse_blend = mix(vec4(0.5271151, 0.14412847, 0.031896032, 1.0), vec4(0.0), clamp((localPosition.z + 0.7) * 0.71428573, 0.0, 1.0));
     vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;

@@ -52,7 +52,7 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // blendParams.yaml:4 Blend
+    // blendParams.yaml:5 Blend
     float diffuse_blend_1 = high - low;
     vec3 diffuse_blend_2 = localPosition.x < high ? mix(cold, warm, (localPosition.x - low) / (diffuse_blend_1 == 0.0 ? 1.0 : diffuse_blend_1)) : warm;
     vec3 diffuse_blend = localPosition.x < low ? cold : diffuse_blend_2;

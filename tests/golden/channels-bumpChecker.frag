@@ -66,9 +66,9 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
-    // bumpChecker.yaml:3 BumpMap
+    // bumpChecker.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // bumpChecker.yaml:3 Checker
+    // bumpChecker.yaml:4 Checker
     vec2 checker = fract(uv * vec2(6.0, 3.0));
     vec2 checker_2 = max(abs(uvByY * vec2(6.0, 3.0)), abs(uvByX * vec2(6.0, 3.0)));
     vec2 checker_3 = stripes2(checker, checker_2);

@@ -68,13 +68,13 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // bumpCheckerOfMaps.yaml:4 BumpMap
+    // bumpCheckerOfMaps.yaml:5 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // bumpCheckerOfMaps.yaml:8 Carpenter
+    // bumpCheckerOfMaps.yaml:9 Carpenter
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     vec2 carpenter_1 = floor(uv);
     vec2 carpenter_2 = uv - (carpenter_1 - clamp(carpenter_1, vec2(-2.0), vec2(1.0)));
-    // bumpCheckerOfMaps.yaml:7 Checker
+    // bumpCheckerOfMaps.yaml:8 Checker
     vec2 checker = fract(uv * vec2(4.0, 2.0));
     bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
     vec2 checker_3 = fract(checker + vec2(0.05, 0.0));
@@ -87,5 +87,5 @@ void main() {
     float bumpMap_3 = (checker_8 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0)) * 0.04;
     vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2353489559u, 903908492u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2353489815u, 903908492u);
 }

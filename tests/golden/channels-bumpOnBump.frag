@@ -68,7 +68,7 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // bumpOnBump.yaml:7 WaveMap
+    // bumpOnBump.yaml:8 WaveMap
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 50.265484;
     float waveMap_3 = uv.y * 31.415926;
@@ -77,9 +77,9 @@ void main() {
     vec3 waveMap = waveMap_5 + worldTangentU;
     vec3 waveMap_6 = cross(waveMap, worldTangentV) + cross(worldTangentU, waveMap_1) * waveMap_4;
     vec3 waveMap_7 = waveMap_4 * waveMap_1 + worldTangentV;
-    // bumpOnBump.yaml:4 BumpMap
+    // bumpOnBump.yaml:5 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(waveMap_6), 1e-30) * waveMap_6;
-    // bumpOnBump.yaml:6 Carpenter
+    // bumpOnBump.yaml:7 Carpenter
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     vec2 carpenter_1 = floor(uv);
     vec2 carpenter_2 = uv - (carpenter_1 - clamp(carpenter_1, vec2(-2.0), vec2(1.0)));

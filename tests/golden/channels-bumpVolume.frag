@@ -178,11 +178,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // bumpVolume.yaml:3 BumpMap
+    // bumpVolume.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // bumpVolume.yaml:3 VolumeTurbulence
+    // bumpVolume.yaml:4 VolumeTurbulence
     vec3 volumeTurbulence = turbulenceGradient(localPosition * 3.0, vec3(0.0), 3, 2.0, 0.5, 0.0).xyz;
     vec3 bumpMap = cross(dot(volumeTurbulence, localTangentU * 3.0) * 0.1 * bumpMap_1 + worldTangentU, worldTangentV) + dot(volumeTurbulence, localTangentV * 3.0) * 0.1 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2709747025u, 807444897u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2709747026u, 807444897u);
 }

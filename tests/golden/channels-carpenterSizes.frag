@@ -69,10 +69,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // carpenterSizes.yaml:6 Carpenter
+    // carpenterSizes.yaml:7 Carpenter
     float diffuse_carpenter = carpenterRelief(carpenterTexture0, uv * vec2(2.0, 1.0), vec2(96.0, 40.0));
-    // carpenterSizes.yaml:4 Blend
-    vec3 diffuse_blend = mix(vec3(0.019607844, 0.011764706, 0.03137255), vec3(0.7921569, 0.62352943, 0.34509805), clamp(diffuse_carpenter, 0.0, 1.0));
+    // carpenterSizes.yaml:5 Blend
+    vec3 diffuse_blend = mix(vec3(0.019382361, 0.011612245, 0.031896032), vec3(0.7912979, 0.6239604, 0.34670407), clamp(diffuse_carpenter, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

@@ -68,9 +68,9 @@ void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // checkerUnderXYZTransform.yaml:4 Checker
+    // checkerUnderXYZTransform.yaml:5 Checker
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(8.0, 4.0)), max(abs(uvByY * vec2(8.0, 4.0)), abs(uvByX * vec2(8.0, 4.0))));
-    vec3 diffuse_checker = mix(vec3(0.17254902, 0.050980393, 0.11764706), vec3(0.87058824, 0.7764706, 0.6313726), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    vec3 diffuse_checker = mix(vec3(0.17144111, 0.051269457, 0.116970666), vec3(0.8713671, 0.7758222, 0.63075715), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

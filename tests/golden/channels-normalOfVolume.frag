@@ -44,8 +44,8 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // normalOfVolume.yaml:3 Gradient
+    // normalOfVolume.yaml:4 Gradient
     float gradient = localPosition.z + 0.1;
     vec3 normal = safeNormalize(eyeFromWorld(vec3(gradient))) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 6723206u, 645922816u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 6788742u, 645922816u);
 }

@@ -67,9 +67,9 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
-    // phongInputAlone.yaml:4 Checker
+    // phongInputAlone.yaml:5 Checker
     vec2 diffuse_checker_1 = stripes2(fract(uv), max(abs(uvByY), abs(uvByX)));
-    vec3 diffuse_checker = mix(vec3(0.03137255, 0.09411765, 0.14509805), vec3(0.8235294, 0.6784314, 0.4745098), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
+    vec3 diffuse_checker = mix(vec3(0.031896032, 0.093058966, 0.14412847), vec3(0.82278574, 0.6795425, 0.47353148), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

@@ -115,10 +115,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // presetOverride.yaml:6 VolumeTurbulence
+    // presetOverride.yaml:7 VolumeTurbulence
     float diffuse_volumeTurbulence = turbulence(localPosition * 4.0, 2, 2.0, 0.5);
-    // presetOverride.yaml:4 Blend
-    vec3 diffuse_blend = mix(vec3(0.015686275, 0.03137255, 0.043137256), vec3(0.6862745, 0.62352943, 0.47843137), clamp((diffuse_volumeTurbulence + 0.8) * 0.625, 0.0, 1.0));
+    // presetOverride.yaml:5 Blend
+    vec3 diffuse_blend = mix(vec3(0.015996294, 0.031896032, 0.04373503), vec3(0.6866853, 0.6239604, 0.47932017), clamp((diffuse_volumeTurbulence + 0.8) * 0.625, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

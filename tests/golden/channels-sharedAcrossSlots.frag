@@ -150,12 +150,12 @@ float phongExponent(float x) {
 }
 
 void main() {
-    // sharedAcrossSlots.yaml:2 grain
+    // sharedAcrossSlots.yaml:3 grain
     float grain = granite(localPosition) * 0.6 + 0.5;
-    // sharedAcrossSlots.yaml:4 Blend
-    vec3 diffuse_blend = mix(vec3(0.023529412, 0.023529412, 0.03137255), vec3(0.58431375, 0.4862745, 0.39607844), clamp((grain - 0.1) * 1.4285715, 0.0, 1.0));
+    // sharedAcrossSlots.yaml:5 Blend
+    vec3 diffuse_blend = mix(vec3(0.023153367, 0.023153367, 0.031896032), vec3(0.58407843, 0.48514995, 0.39675522), clamp((grain - 0.1) * 1.4285715, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // sharedAcrossSlots.yaml:7 Blend
+    // sharedAcrossSlots.yaml:8 Blend
     vec3 emissive_blend = clamp((grain - 0.7) * 5.0, 0.0, 1.0) * vec3(0.4, 0.2, 0.1);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uint specular_bits = rootBits(grain, 8);

@@ -114,7 +114,7 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 smooth3DInput0(vec3 p) {
-    // smoothCostly.yaml:6 Granite
+    // smoothCostly.yaml:7 Granite
     float diffuse_granite = granite(p) * 1.2;
     return vec3(diffuse_granite);
 }
@@ -130,8 +130,8 @@ vec3 smooth3DInput0Sum(vec3 p, vec3 size) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // smoothCostly.yaml:4 Blend
-    vec3 diffuse_blend = mix(vec3(0.16862746, 0.11372549, 0.078431375), vec3(0.8509804, 0.78039217, 0.6392157), clamp((smooth3DInput0Sum(localPosition, vec3(0.2, 0.2, 0.1)).x * 0.037037037 + 0.4) * 1.1111112, 0.0, 1.0));
+    // smoothCostly.yaml:5 Blend
+    vec3 diffuse_blend = mix(vec3(0.1682694, 0.114435375, 0.07818742), vec3(0.8549926, 0.7835378, 0.63759685), clamp((smooth3DInput0Sum(localPosition, vec3(0.2, 0.2, 0.1)).x * 0.037037037 + 0.4) * 1.1111112, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

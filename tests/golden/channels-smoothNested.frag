@@ -48,14 +48,14 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 vec3 smooth3DInput0(vec3 p) {
-    // smoothNested.yaml:13 VolumeChecker
+    // smoothNested.yaml:14 VolumeChecker
     vec3 diffuse_volumeChecker_1 = fract(p * 1.5);
-    vec3 diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? vec3(0.87058824, 0.74509805, 0.5254902) : vec3(0.043137256, 0.050980393, 0.14509805);
+    vec3 diffuse_volumeChecker = ((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z) ? vec3(0.8713671, 0.7454042, 0.5271151) : vec3(0.04373503, 0.051269457, 0.14412847);
     return diffuse_volumeChecker;
 }
 
 vec3 smooth3DInput1(vec3 p) {
-    // smoothNested.yaml:9 Smooth3D
+    // smoothNested.yaml:10 Smooth3D
     vec3 diffuse_smooth3D_1 = smooth3DInput0(p + vec3(-0.15, -0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, -0.15, 0.0)) + smooth3DInput0(p - vec3(0.15)));
     vec3 diffuse_smooth3D_2 = smooth3DInput0(p + vec3(-0.15, 0.0, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.0, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.0, -0.15)) + diffuse_smooth3D_1));
     vec3 diffuse_smooth3D_3 = smooth3DInput0(p + vec3(-0.15, 0.15, 0.15)) + (smooth3DInput0(p + vec3(-0.15, 0.15, 0.0)) + (smooth3DInput0(p + vec3(-0.15, 0.15, -0.15)) + diffuse_smooth3D_2));
@@ -79,7 +79,7 @@ vec3 smooth3DInput1Sum(vec3 p, vec3 size) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // smoothNested.yaml:4 Smooth3D
+    // smoothNested.yaml:5 Smooth3D
     vec3 diffuse_smooth3D = smooth3DInput1Sum(localPosition, vec3(0.1)) * 0.037037037;
     uint surface_bits = rootBits(diffuse_smooth3D.x, 8) | rootBits(diffuse_smooth3D.y, 8) << 8 | rootBits(diffuse_smooth3D.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

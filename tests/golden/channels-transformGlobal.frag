@@ -66,13 +66,13 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 worldPositionByX = dFdx(worldPosition);
     vec3 worldPositionByY = dFdy(worldPosition);
-    // transformGlobal.yaml:7 Gradient
+    // transformGlobal.yaml:8 Gradient
     float diffuse_gradient_1 = dot(worldPositionByX * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0;
     float diffuse_gradient_2 = dot(worldPositionByY * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     float diffuse_gradient = triangleMean(dot(worldPosition * 1.5, vec3(1.0, 0.0, 1.0)) * 2.0, sqrt(diffuse_gradient_2 * diffuse_gradient_2 + diffuse_gradient_1 * diffuse_gradient_1));
-    // transformGlobal.yaml:4 Blend
-    vec3 diffuse_blend = mix(vec3(0.8862745, 0.8392157, 0.7372549), vec3(0.015686275, 0.039215688, 0.105882354), clamp((diffuse_gradient + 0.2) * 2.5, 0.0, 1.0));
+    // transformGlobal.yaml:5 Blend
+    vec3 diffuse_blend = mix(vec3(0.8879231, 0.838799, 0.7379104), vec3(0.015996294, 0.039546236, 0.107023105), clamp((diffuse_gradient + 0.2) * 2.5, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -67,13 +67,13 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // transformMatrix.yaml:8 XYZTransform
+    // transformMatrix.yaml:9 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(2.598, 1.5, 0.0), vec3(-1.5, 2.598, 0.0), vec3(0.0, 0.0, 3.0)) * localPosition + vec3(0.25, 0.5, 0.75);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // transformMatrix.yaml:4 VolumeChecker
+    // transformMatrix.yaml:5 VolumeChecker
     vec3 diffuse_volumeChecker_1 = max(abs(mat3(vec3(2.598, 1.5, 0.0), vec3(-1.5, 2.598, 0.0), vec3(0.0, 0.0, 3.0)) * localPositionByY * 0.5), abs(mat3(vec3(2.598, 1.5, 0.0), vec3(-1.5, 2.598, 0.0), vec3(0.0, 0.0, 3.0)) * localPositionByX * 0.5));
     vec3 diffuse_volumeChecker_2 = stripes3(fract(diffuse_xyzTransform * 0.5), diffuse_volumeChecker_1);
-    vec3 diffuse_volumeChecker = mix(vec3(0.03137255, 0.14509805, 0.043137256), vec3(0.8156863, 0.7176471, 0.5254902), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
+    vec3 diffuse_volumeChecker = mix(vec3(0.031896032, 0.14412847, 0.04373503), vec3(0.8148466, 0.7156935, 0.5271151), 0.5 - diffuse_volumeChecker_2.z * (diffuse_volumeChecker_2.y * diffuse_volumeChecker_2.x) * 0.5);
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

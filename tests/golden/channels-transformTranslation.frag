@@ -68,9 +68,9 @@ void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // transformTranslation.yaml:4 VolumeChecker
+    // transformTranslation.yaml:5 VolumeChecker
     vec3 diffuse_volumeChecker_1 = stripes3(fract((localPosition + vec3(0.3, 0.2, 0.4)) * 0.5), max(abs(localPositionByY * 0.5), abs(localPositionByX * 0.5)));
-    vec3 diffuse_volumeChecker = mix(vec3(0.03137255, 0.09411765, 0.19607843), vec3(0.8156863, 0.7176471, 0.5254902), 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5);
+    vec3 diffuse_volumeChecker = mix(vec3(0.031896032, 0.093058966, 0.19461784), vec3(0.8148466, 0.7156935, 0.5271151), 0.5 - diffuse_volumeChecker_1.z * (diffuse_volumeChecker_1.y * diffuse_volumeChecker_1.x) * 0.5);
     uint surface_bits = rootBits(diffuse_volumeChecker.x, 8) | rootBits(diffuse_volumeChecker.y, 8) << 8 | rootBits(diffuse_volumeChecker.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -47,7 +47,7 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // waveMapBoxTop.yaml:3 WaveMap
+    // waveMapBoxTop.yaml:4 WaveMap
     float waveMap_1 = uv.x - 0.25;
     float waveMap_2 = uv.y - 0.33333334;
     bool waveMap_3 = 0.0 <= waveMap_1 && waveMap_1 <= 0.25 && (0.0 <= waveMap_2 && waveMap_2 <= 0.33333334);

@@ -47,11 +47,11 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // waveMapUnderTransform.yaml:8 UVTransform
+    // waveMapUnderTransform.yaml:9 UVTransform
     vec2 uvTransform_1 = mat2(vec2(2.6327477, -0.9588511), vec2(1.4382766, 1.7551651)) * uv;
     vec3 uvTransform = worldTangentV * 0.15980852 + worldTangentU * 0.29252753;
     vec3 uvTransform_2 = worldTangentV * 0.43879128 + worldTangentU * -0.23971277;
-    // waveMapUnderTransform.yaml:4 WaveMap
+    // waveMapUnderTransform.yaml:5 WaveMap
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uvTransform_1.x * 18.849556;
     float waveMap_3 = uvTransform_1.y * 12.566371;
@@ -59,5 +59,5 @@ void main() {
     vec3 waveMap_5 = cross(uvTransform, waveMap_1) * (-(sin(waveMap_3) * 12.566371) * cos(waveMap_2) * 0.01);
     vec3 waveMap = cross(waveMap_4 + uvTransform, uvTransform_2) + waveMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2710658678u, 903913889u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2710658934u, 903913889u);
 }

@@ -48,8 +48,8 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // blendOfThree.yaml:4 Blend
-    vec4 diffuse_blend = mix(mix(vec4(0.8, 0.8, 0.8, 1.0), vec4(0.43529412, 0.050980393, 0.03137255, 1.0), clamp((localPosition.x + 0.8) * 1.25, 0.0, 1.0)), vec4(0.05, 0.1, 0.3, 0.2), clamp(localPosition.x * 1.25, 0.0, 1.0));
+    // blendOfThree.yaml:5 Blend
+    vec4 diffuse_blend = mix(mix(vec4(0.8, 0.8, 0.8, 1.0), vec4(0.43415365, 0.051269457, 0.031896032, 1.0), clamp((localPosition.x + 0.8) * 1.25, 0.0, 1.0)), vec4(0.05, 0.1, 0.3, 0.2), clamp(localPosition.x * 1.25, 0.0, 1.0));
     vec3 transparency = vec3(1.0) - diffuse_blend.www;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;

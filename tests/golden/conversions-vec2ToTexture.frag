@@ -39,7 +39,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // vec2ToTexture.yaml:4 Checker
+    // vec2ToTexture.yaml:5 Checker
     vec2 specular_checker = fract(at);
     bool specular_checker_2 = (0.5 <= specular_checker.x) != (0.5 <= specular_checker.y);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, specular_checker_2 ? 3023542739u : 1362598355u, specular_checker_2 ? 645969076u : 645943633u);

@@ -60,7 +60,7 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // image.yaml:4 ImageMap
+    // image.yaml:5 ImageMap
     vec4 diffuse_image = imageSampled(imageTexture0, uv * vec2(6.0, 3.0), pictureSize(imageTexture0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;

@@ -71,9 +71,9 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // Floor.yaml:13 XYZTransform
+    // Floor.yaml:14 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
-    // Floor.yaml:10 Wood
+    // Floor.yaml:11 Wood
     vec4 diffuse_wood_1 = woodGradient(diffuse_xyzTransform);
     float diffuse_wood_2 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPositionByX) * 8.0;
     float diffuse_wood_3 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPositionByY) * 8.0;
@@ -81,8 +81,8 @@ void main() {
     float diffuse_wood_4 = diffuse_wood_1.w * 8.0;
     float diffuse_wood_5 = (rampMean(diffuse_wood_4, sqrt(diffuse_wood_3 * diffuse_wood_3 + diffuse_wood_2 * diffuse_wood_2)) + 1.0) * 0.5;
     float diffuse_wood = diffuse_wood_4 - diffuse_wood_5;
-    // Floor.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(diffuse_wood * 0.2857143, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp((diffuse_wood - 3.5) * 0.2857143, 0.0, 1.0));
+    // Floor.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.008023193, 0.031896032, 0.023153367), vec3(0.07818742, 0.3231432, 0.107023105), clamp(diffuse_wood * 0.2857143, 0.0, 1.0)), vec3(0.8713671, 0.8468732, 0.55201143), clamp((diffuse_wood - 3.5) * 0.2857143, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

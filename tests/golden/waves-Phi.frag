@@ -48,10 +48,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Phi.yaml:10 Gradient
+    // Phi.yaml:11 Gradient
     float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0031811;
-    // Phi.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.023529412, 0.011764706, 0.003921569), vec3(0.4627451, 0.14509805, 0.02745098), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.95686275, 0.76862746, 0.45490196), clamp(diffuse_gradient, 0.0, 1.0));
+    // Phi.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.023153367, 0.011612245, 0.004024717), vec3(0.462077, 0.14412847, 0.027320892), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9559733, 0.76815116, 0.45641103), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

@@ -71,16 +71,16 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // Ramp.yaml:13 XYZTransform
+    // Ramp.yaml:14 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
-    // Ramp.yaml:10 Wood
+    // Ramp.yaml:11 Wood
     vec4 diffuse_wood_1 = woodGradient(diffuse_xyzTransform);
     float diffuse_wood_2 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPositionByX) * 6.0;
     float diffuse_wood_3 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPositionByY) * 6.0;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     float diffuse_wood = rampMean(diffuse_wood_1.w * 6.0, sqrt(diffuse_wood_3 * diffuse_wood_3 + diffuse_wood_2 * diffuse_wood_2));
-    // Ramp.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.003921569, 0.011764706, 0.05490196), vec3(0.050980393, 0.27450982, 0.43529412), clamp(diffuse_wood + 1.0, 0.0, 1.0)), vec3(0.92156863, 0.8627451, 0.69411767), clamp(diffuse_wood, 0.0, 1.0));
+    // Ramp.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.004024717, 0.011612245, 0.054480277), vec3(0.051269457, 0.2746773, 0.43415365), clamp(diffuse_wood + 1.0, 0.0, 1.0)), vec3(0.92158186, 0.8631572, 0.69387174), clamp(diffuse_wood, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -65,16 +65,16 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 localPositionByX = dFdx(localPosition);
     vec3 localPositionByY = dFdy(localPosition);
-    // Sin01.yaml:13 XYZTransform
+    // Sin01.yaml:14 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
-    // Sin01.yaml:10 Wood
+    // Sin01.yaml:11 Wood
     vec4 diffuse_wood_1 = woodGradient(diffuse_xyzTransform);
     float diffuse_wood_2 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPositionByX) * 4.0;
     float diffuse_wood_3 = dot(diffuse_wood_1.xyz, mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPositionByY) * 4.0;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     float diffuse_wood = sin(fract(diffuse_wood_1.w * 4.0) * 6.2831855) * sincMean(sqrt(diffuse_wood_3 * diffuse_wood_3 + diffuse_wood_2 * diffuse_wood_2) * 6.2831855);
-    // Sin01.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.023529412, 0.011764706, 0.003921569), vec3(0.4627451, 0.14509805, 0.02745098), clamp(diffuse_wood + 1.0, 0.0, 1.0)), vec3(0.95686275, 0.76862746, 0.45490196), clamp(diffuse_wood, 0.0, 1.0));
+    // Sin01.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.023153367, 0.011612245, 0.004024717), vec3(0.462077, 0.14412847, 0.027320892), clamp(diffuse_wood + 1.0, 0.0, 1.0)), vec3(0.9559733, 0.76815116, 0.45641103), clamp(diffuse_wood, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -65,10 +65,10 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // Tanh.yaml:10 Gradient
+    // Tanh.yaml:11 Gradient
     float diffuse_gradient = waveTanh(dot(localPosition, vec3(0.8, 0.0, 0.6)) * 3.0);
-    // Tanh.yaml:4 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.007843138, 0.03137255, 0.023529412), vec3(0.078431375, 0.32156864, 0.105882354), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.87058824, 0.84705883, 0.5529412), clamp(diffuse_gradient, 0.0, 1.0));
+    // Tanh.yaml:5 Blend
+    vec3 diffuse_blend = mix(mix(vec3(0.008023193, 0.031896032, 0.023153367), vec3(0.07818742, 0.3231432, 0.107023105), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.8713671, 0.8468732, 0.55201143), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
