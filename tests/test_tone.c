@@ -294,36 +294,60 @@ static void tiles(void **state)
     gl_close(gl);
 }
 
-/* What sees the whole picture draws no tiles; what does not, draws those of the whole picture. */
+/* -- in tiles */
+
+static const char *const tiled[] = {"toneMapping: { toneMapping: Linear, exposure: 1 }",
+                                    "toneMapping: { toneMapping: ReinhardDevlin }",
+                                    "toneMapping: { toneMapping: Drago }", ""};
+
+/* A plane to the horizon and a sky, bright on the left, dark on the right. */
+static Scene *read_horizon(const char *mapping, const MatcOptions *options, MatcDocument **document)
+{
+    char text[1024];
+    snprintf(text, sizeof text,
+             "image: { width: 75, height: 53, tiles: true }\ncamera: { camera: Perspective, position: [0, -5, 1], "
+             "target: [0, 0, 1.31] }\nmaterials: { m: { material: Phong, diffuse: [0.9, 0.3, 0.1] } }\n"
+             "objects: [{ object: Plane, material: m }]\nsky: { material: RGBA, r: 0.3, g: 0.5, b: 0.7 }\n"
+             "lights: [{ light: Point, position: [-3, 1, 1], intensity: 9 }]\n%s\n",
+             mapping);
+    return frame_scene(text, options, document);
+}
+
+/* What a picture asks of all of it is the same in tiles, but for the order of sums: with edges, which take tiles that overlap, and of a scene that changes. */
 static void in_tiles(void **state)
 {
     (void)state;
-    static const char empty[] = "image: { width: 64, height: 64, tiles: true }\nlights: []\n";
+    MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    MatcOptions options;
-    matc_options_init(&options);
-    for (int linear = 0; linear < 2; linear++) {
-        char text[256];
-        Scene *scene = NULL;
-        float rgba[4 * 32 * 18];
-        snprintf(text, sizeof text, "%s%s", empty, linear ? "toneMapping: { toneMapping: Linear }\n" : "");
-        MatcDocument *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options, .tile = {32, 18}});
-        assert_true(render && scene);
-        assert_int_equal(render_scene(render, scene), !linear);
-        if (linear) {
-            assert_string_equal(gl->error,
-                                "the tone mapping Linear asks for the whole picture, which would be drawn in "
-                                "tiles: it wants more memory, or a smaller picture");
-        } else {
-            render_move(render, 32, 18);
-            assert_true(render_frame(render) && render_read(render, rgba));
-            assert_true(fabsf(rgba[0] - .4f) < .004f && fabsf(rgba[4 * 32 * 13] - .4f) < .004f &&
-                        fabsf(rgba[4 * 32 * 14] - .6f) < .004f);
-        }
+    for (int k = 0; k < 8; k++) {
+        MatcDocument *document;
+        Scene *scene = read_horizon(tiled[k / 2], &options, &document);
+        RenderOptions how = {.compile = &options,
+                             .deep = true,
+                             .edges = k & 1 ? RENDER_EDGES_coverage : RENDER_EDGES_none,
+                             .tile = {32, 18}};
+        Render *render = render_open(gl, &how);
+        float part[4 * 32 * 18];
+        assert_true(render && render_scene(render, scene) && render_frame(render));
+        scene->camera.position[2] = .8;
+        scene->lights[0].light[0] *= 2;
+        assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render));
+        assert_true(render_changed(render, RENDER_LIGHTS));
+        how.tile[0] = how.tile[1] = 0;
+        float *whole = frame_floats(gl, scene, &how);
+        for (int y = 0; y < 53; y += 18)
+            for (int x = 0; x < 75; x += 32) {
+                render_move(render, x, y);
+                assert_true(render_frame(render) && render_read(render, part));
+                for (int row = 0; row < 18 && y + row < 53; row++)
+                    for (int i = 0; i < 4 * 32 && x + i / 4 < 75; i++)
+                        if (!(fabsf(part[4 * 32 * row + i] - whole[4 * (75 * (y + row) + x) + i]) <= 4e-5f))
+                            fail_msg("%s: %g, not %g", tiled[k / 2], part[4 * 32 * row + i],
+                                     whole[4 * (75 * (y + row) + x) + i]);
+            }
+        free(whole);
         render_close(render);
-        scene_free(scene);
-        matc_document_free(document);
+        frame_forget(scene, document);
     }
     gl_close(gl);
 }

@@ -59,7 +59,7 @@ const FramePass frame_passes[] = {
      pass_tone_make,
      pass_tone_draw,
      "the picture is wanted",
-     NULL},
+     pass_tone_count},
 };
 enum { PASS_COUNT_HERE = sizeof frame_passes / sizeof *frame_passes };
 
@@ -218,14 +218,17 @@ void frame_place(Render *render)
     lighting_place(render, &render->peel);
 }
 
-static void draw_depth(Render *render)
+/* What a pass counts in: all that is drawn before it, if it sees light, else depths alone. */
+static void draw_before(Render *render, int pass)
 {
+    const bool all = (frame_passes[pass].plan.reads & LIGHT) != 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++)
-        if (render->plan.runs >> i & 1 && (frame_passes[i].plan.fills | frame_passes[i].plan.changes) & DEPTH)
+        if (render->plan.runs >> i & 1 &&
+            (all ? i < pass : (frame_passes[i].plan.fills | frame_passes[i].plan.changes) & DEPTH))
             frame_passes[i].draw(render);
 }
 
-static bool count_tiles(Render *render, bool (*count)(Render *render, FrameCount step))
+static bool count_tiles(Render *render, int pass)
 {
     const int at[2] = {render->at[0], render->at[1]}, margin = render->margin;
     const int step[2] = {render->size[0] - 2 * margin, render->size[1] - 2 * margin};
@@ -235,21 +238,30 @@ static bool count_tiles(Render *render, bool (*count)(Render *render, FrameCount
             render->at[0] = x - margin;
             render->at[1] = y - margin;
             frame_place(render);
-            draw_depth(render);
-            fine = count(render, FRAME_COUNT_tile);
+            draw_before(render, pass);
+            fine = frame_passes[pass].count(render, FRAME_COUNT_tile);
         }
     memcpy(render->at, at, sizeof at);
     frame_place(render);
     return fine;
 }
 
+static bool count_pass(Render *render, int pass)
+{
+    bool (*count)(Render *, FrameCount) = frame_passes[pass].count;
+    bool fine = count(render, FRAME_COUNT_begin);
+    do
+        fine = fine && count_tiles(render, pass);
+    while (fine && count(render, FRAME_COUNT_again));
+    return fine && count(render, FRAME_COUNT_end);
+}
+
 bool frame_count(Render *render)
 {
     bool fine = true;
     for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
-        if (render->plan.runs >> i & 1 && frame_passes[i].count)
-            fine = frame_passes[i].count(render, FRAME_COUNT_begin) && count_tiles(render, frame_passes[i].count) &&
-                   frame_passes[i].count(render, FRAME_COUNT_end);
+        if (render->plan.runs >> i & 1 && frame_passes[i].count && frame_passes[i].count(render, FRAME_COUNT_wanted))
+            fine = count_pass(render, i);
     return fine;
 }
 
@@ -291,11 +303,9 @@ void frame_delete(Render *render)
 {
     GlContext *gl = render->gl;
     screen_pass_delete(&render->light);
-    screen_pass_delete(&render->tone);
+    pass_tone_delete(render);
     pass_edge_delete(render);
     pass_tools_delete(render);
-    measure_delete(gl, &render->measured);
-    measure_delete(gl, &render->adapted);
     screen_pass_delete(&render->blend);
     pass_lists_delete(render);
     pass_peel_delete(render);

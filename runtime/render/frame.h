@@ -119,7 +119,9 @@ struct Render {
     FramePlan plan;
     FrameMemory memory[FRAME_PLAN_MOST];
     Framebuffer draws[FRAME_DRAW_COUNT];
-    Measure measured, adapted; /* what tone mapping asks of the picture, and of what it makes of that */
+    Measure measured, adapted;                /* what tone mapping asks of the picture, and of what it makes of that */
+    GLuint whole_picture[2];                  /* textures of the same, of all tiles; 0: there is one tile */
+    float whole_texels[2][MEASURE_TEXELS][4]; /* what is in them */
     ScreenPass light, tone, blend, peel;
     FrameLists lists;
     Framebuffer layers[2]; /* that are peeled, in turns */
@@ -142,8 +144,9 @@ bool light_sky_make(Render *render);
 void light_sky_set(const Render *render, int unit, ScreenPass *pass);
 void light_sky_bind(const Render *render, int unit);
 
-/* Counting begins, goes on in each tile, where the depth of what is opaque is drawn then, and ends. */
-typedef enum { FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_end } FrameCount;
+/* Whether there is something to count; it begins, goes on in each tile, where what the pass reads is drawn then, once more in all tiles where `again`
+ * says so, and ends. */
+typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_again, FRAME_COUNT_end } FrameCount;
 
 /* A pass, as a row: frame.c has the list. */
 typedef struct {
@@ -246,8 +249,11 @@ void pass_tools_draw(Render *render);
 void pass_tools_delete(Render *render);
 /* The pass runs, and has its target. */
 bool pass_tools_are_there(const Render *render);
+/* In tiles, what tone mapping asks of the whole picture. */
+bool pass_tone_count(Render *render, FrameCount step);
 bool pass_tone_make(Render *render);
 void pass_tone_draw(Render *render);
+void pass_tone_delete(Render *render);
 
 /* What surfaces are drawn with: the framebuffer and the depth test; then the state of a context that begins. */
 void pass_surface_begin(const Render *render, const Framebuffer *framebuffer, GLenum test);

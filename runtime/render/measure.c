@@ -1,5 +1,6 @@
 /* Steps of a reduction, each with a target of its own. Their GLSL is measure.glsl. */
 #include "runtime/render/measure.h"
+#include <math.h>
 
 extern const char render_text_measure[];
 
@@ -49,6 +50,30 @@ void measure_run(Measure *measure, GLuint picture, const Screen *screen)
         GlContext *gl = store_context(measure->passes[i].material.store);
         texture_bind(gl, i ? measure->targets[i - 1].colors[0] : picture, 0);
         screen_pass_run(&measure->passes[i], &measure->targets[i], screen);
+    }
+}
+
+void measure_set_part(Measure *measure, const int part[2][2])
+{
+    Material *first = &measure->passes[0].material;
+    material_set_number(first, "measure_x", (float)part[0][0]);
+    material_set_number(first, "measure_y", (float)part[0][1]);
+    material_set_number(first, "measure_width", (float)part[1][0]);
+    material_set_number(first, "measure_height", (float)part[1][1]);
+}
+
+bool measure_read(const Measure *measure, float texels[MEASURE_TEXELS][4])
+{
+    GlContext *gl = store_context(measure->passes[0].material.store);
+    return framebuffer_read(gl, &measure->targets[measure->count - 1], 0, texels[0]);
+}
+
+void measure_merge(float texels[MEASURE_TEXELS][4], const float other[MEASURE_TEXELS][4])
+{
+    for (int i = 0; i < 4; i++) {
+        texels[0][i] = fmaxf(texels[0][i], other[0][i]);
+        texels[1][i] += other[1][i];
+        texels[2][i] = i < 2 ? texels[2][i] + other[2][i] : fminf(texels[2][i], other[2][i]);
     }
 }
 

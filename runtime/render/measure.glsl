@@ -3,6 +3,7 @@
 layout(std140) uniform Measure {
     int measure_width, measure_height; // pixels, or groups of three texels
     int measure_first;                 // they are pixels
+    int measure_x, measure_y;          // of these, the first that count
 };
 uniform sampler2D measure_from;
 
@@ -24,6 +25,7 @@ vec4 passPixel(ivec2 place)
 {
     int what = place.x % 3;
     ivec2 first = ivec2(place.x / 3, place.y) * BLOCK, last = min(first + BLOCK, ivec2(measure_width, measure_height));
+    first = max(first, ivec2(measure_x, measure_y));
     vec4 result = vec4(0.0, 0.0, what < 2 ? 0.0 : GREATEST, what < 2 ? 0.0 : GREATEST);
     for (int y = first.y; y < last.y; y++)
         for (int x = first.x; x < last.x; x++) {

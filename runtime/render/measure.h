@@ -3,7 +3,9 @@
 #define MATC_RENDER_MEASURE_H
 #include "runtime/render/screen_pass.h"
 
-enum { MEASURE_BLOCK = 16, MEASURE_STEPS = 4 /* to one from a side of 16384 */ };
+enum { MEASURE_BLOCK = 16, MEASURE_STEPS = 4 /* to one from a side of 16384 */, MEASURE_TEXELS = 3 };
+
+#define MEASURE_GREATEST 1e18f /* as tone.glsl has it */
 
 typedef struct {
     int count; /* of steps */
@@ -15,6 +17,12 @@ typedef struct {
 bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts, Measure *made);
 /* Of a texture of that size. What else the first step reads is bound by the caller. */
 void measure_run(Measure *measure, GLuint picture, const Screen *screen);
+/* Of a picture, pixels from the first of `part` up to the other one count alone; they lie in it. */
+void measure_set_part(Measure *measure, const int part[2][2]);
+/* The three texels of the result. */
+bool measure_read(const Measure *measure, float texels[MEASURE_TEXELS][4]);
+/* What parts of a picture have, as that of both: into `texels`. */
+void measure_merge(float texels[MEASURE_TEXELS][4], const float other[MEASURE_TEXELS][4]);
 /* The texture of the result. */
 GLuint measure_result(const Measure *measure);
 /* Safe on an empty one, which it leaves behind. */

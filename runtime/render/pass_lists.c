@@ -102,6 +102,8 @@ static bool make_room(Render *render)
 /* A buffer that has not even room for the heads of the lists counts nothing. */
 bool pass_lists_count(Render *render, FrameCount step)
 {
+    if (step == FRAME_COUNT_wanted || step == FRAME_COUNT_again)
+        return step == FRAME_COUNT_wanted;
     if (step == FRAME_COUNT_tile)
         return count_fragments(render);
     if (step == FRAME_COUNT_end)

@@ -100,7 +100,9 @@ bool pass_peel_count(Render *render, FrameCount step)
 {
     if (step == FRAME_COUNT_begin)
         render->layer_count = 0;
-    return step != FRAME_COUNT_tile || count_layers(render);
+    if (step == FRAME_COUNT_tile)
+        return count_layers(render);
+    return step != FRAME_COUNT_again;
 }
 
 bool pass_peel_make(Render *render)

@@ -33,7 +33,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
         numbers[i] = (float)scene->tone_numbers[i];
     material_set_number(&pass->material, "tone_exposure", (float)scene->exposure);
     material_set_number(&pass->material, "tone_tiles", scene->tiles);
-    material_set_number(&pass->material, "tone_pixels", (float)render->size[0] * (float)render->size[1]);
+    material_set_number(&pass->material, "tone_pixels", (float)render->whole[0] * (float)render->whole[1]);
     material_set(&pass->material, &(MaterialValue){"tone_numbers", 4, numbers});
     screen_pass_sampler(pass, "tone_measured", MEASURED_UNIT);
     screen_pass_sampler(pass, "tone_adapted", ADAPTED_UNIT);
@@ -68,11 +68,6 @@ void pass_tone_place(Render *render)
 bool pass_tone_make(Render *render)
 {
     char kind[96];
-    if (measures(render) && is_tiled(render))
-        return gl_fail(render->gl,
-                       "the tone mapping %s asks for the whole picture, which would be drawn in tiles: it wants "
-                       "more memory, or a smaller picture",
-                       scene_kind_table[render->scene->tone].name);
     snprintf(kind, sizeof kind, "#define TONE_%s\n%s",
              render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name,
              measures(render) ? "#define TONE_MEASURES\n" : "");
@@ -93,7 +88,74 @@ bool pass_tone_make(Render *render)
     return true;
 }
 
-void pass_tone_draw(Render *render)
+/* -- in tiles: all of them are drawn before the first is shown; what they measure is merged */
+
+/* The pixels of the tile that are the picture's, and no other tile's. */
+static void find_part(const Render *render, int part[2][2])
+{
+    for (int i = 0; i < 2; i++) {
+        const int inner = render->size[i] - render->margin, left = render->whole[i] - render->at[i];
+        part[0][i] = render->margin;
+        part[1][i] = left < inner ? left : inner;
+    }
+}
+
+static bool measure_tile(Render *render, Measure *measure)
+{
+    int part[2][2];
+    float texels[MEASURE_TEXELS][4];
+    const bool adapted = measure == &render->adapted;
+    find_part(render, part);
+    measure_set_part(measure, (const int(*)[2])part);
+    if (adapted)
+        texture_bind(render->gl, render->whole_picture[0], MEASURED_UNIT);
+    measure_run(measure, frame_texture(render, FRAME_TARGET_light, 0), &render->screen);
+    if (!measure_read(measure, texels))
+        return false;
+    measure_merge(render->whole_texels[adapted], (const float(*)[4])texels);
+    return true;
+}
+
+static bool make_whole(Render *render, int number)
+{
+    const TextureSpec spec = {
+        .width = MEASURE_TEXELS, .height = 1, .lanes = 4, .floats = render->whole_texels[number][0]};
+    render->gl->ActiveTexture(GL_TEXTURE0); /* making a texture binds it */
+    render->whole_picture[number] = texture_make(render->gl, &spec);
+    return render->whole_picture[number] != 0;
+}
+
+static bool begin_whole(Render *render)
+{
+    static const float nothing[MEASURE_TEXELS][4] = {{0}, {0}, {0, 0, MEASURE_GREATEST, MEASURE_GREATEST}};
+    render->gl->DeleteTextures(2, render->whole_picture); /* GL ignores the name 0 */
+    for (int i = 0; i < 2; i++) {
+        render->whole_picture[i] = 0;
+        memcpy(render->whole_texels[i], nothing, sizeof nothing);
+    }
+    return true;
+}
+
+/* What the second round measures takes what the first has. */
+bool pass_tone_count(Render *render, FrameCount step)
+{
+    const bool second = render->whole_picture[0] != 0;
+    switch (step) {
+    case FRAME_COUNT_wanted:
+        return measures(render) && is_tiled(render);
+    case FRAME_COUNT_begin:
+        return begin_whole(render);
+    case FRAME_COUNT_tile:
+        return measure_tile(render, second ? &render->adapted : &render->measured);
+    case FRAME_COUNT_again:
+        return !second && make_whole(render, 0) && adapts(render->scene);
+    default:
+        return second && (!adapts(render->scene) || make_whole(render, 1));
+    }
+}
+
+/* Of one tile that is the picture. */
+static void measure_picture(Render *render)
 {
     const GLuint light = frame_texture(render, FRAME_TARGET_light, 0);
     if (render->measured.count) {
@@ -104,10 +166,29 @@ void pass_tone_draw(Render *render)
         measure_run(&render->adapted, light, &render->screen);
         texture_bind(render->gl, measure_result(&render->adapted), ADAPTED_UNIT);
     }
+}
+
+void pass_tone_draw(Render *render)
+{
+    const GLuint light = frame_texture(render, FRAME_TARGET_light, 0);
+    if (!render->whole_picture[0])
+        measure_picture(render);
+    for (int i = 0; i < 2; i++)
+        if (render->whole_picture[i])
+            texture_bind(render->gl, render->whole_picture[i], i ? ADAPTED_UNIT : MEASURED_UNIT);
     texture_bind(render->gl, light, LIGHT_UNIT);
     if (has_edges(render))
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_edge, 0), EDGE_UNIT);
     if (pass_tools_are_there(render))
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_tools, 0), TOOLS_UNIT);
     screen_pass_run(&render->tone, &render->draws[FRAME_DRAW_shown], &render->screen);
+}
+
+void pass_tone_delete(Render *render)
+{
+    screen_pass_delete(&render->tone);
+    measure_delete(render->gl, &render->measured);
+    measure_delete(render->gl, &render->adapted);
+    render->gl->DeleteTextures(2, render->whole_picture); /* GL ignores the name 0 */
+    memset(render->whole_picture, 0, sizeof render->whole_picture);
 }

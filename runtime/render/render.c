@@ -164,7 +164,8 @@ bool render_changed(Render *render, unsigned what)
         const CacheSource source = frame_source(render);
         cache_view(render->gl, &source, &render->cache);
     }
-    render->uncounted |= (what & RENDER_CAMERA) != 0;
+    render->uncounted |=
+        (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));
     return shadow_change(render, what & RENDER_LIGHTS) && frame_change(render, what) &&
            gl_check(render->gl, "changing a scene");
 }
