@@ -38,5 +38,5 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 7522020u, 645922816u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 3825205248u, 1610612736u, 7522020u, 646840320u);
 }

@@ -72,5 +72,5 @@ void main() {
     vec3 diffuse_checker = mix(vec3(0.5, 0.52, 0.55), vec3(0.75), 0.5 - diffuse_checker_1.y * diffuse_checker_1.x * 0.5);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_checker.x, 8) | rootBits(diffuse_checker.y, 8) << 8 | rootBits(diffuse_checker.z, 8) << 16;
-    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 3019898880u, 1476395008u, surface_bits, 647364608u);
 }
