@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,9 +68,10 @@ static void count_calls(GlContext *gl)
     COUNT(LinkProgram)
     COUNT(GetIntegerv)
     COUNT(GetProgramiv)
-    COUNT(TexParameteri) COUNT(FramebufferTexture2D) COUNT(Uniform1fv) COUNT(Uniform2fv) COUNT(Uniform3fv)
-        COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements)
-            COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
+    COUNT(TexParameteri)
+    COUNT(FramebufferTexture2D)
+    COUNT(Uniform1fv) COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv)
+        COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a plane of glass. */
@@ -93,6 +95,26 @@ static void draw_again(Render *render, int expected)
     assert_int_equal(draws, expected);
 }
 
+/* Frames but the first, of a scene drawn with such options, take so many draws each, 0: the second's; and nothing else. */
+static void expect_draws_only(const Scene *scene, RenderOptions options, int expected)
+{
+    GlContext *gl = frame_context();
+    count_calls(gl);
+    Render *render = render_open(gl, &options);
+    assert_non_null(render);
+    assert_true(render_scene(render, scene));
+    assert_true(render_frame(render));
+    assert_true(calls > 0);
+    calls = draws = 0;
+    assert_true(render_frame(render));
+    assert_int_equal(calls, 0);
+    draw_again(render, expected ? expected : draws);
+    draw_again(render, expected ? expected : draws);
+    assert_true(gl_check(gl, "four frames"));
+    render_close(render);
+    gl_close(gl);
+}
+
 static void a_second_frame_only_draws(void **state)
 {
     (void)state;
@@ -104,21 +126,27 @@ static void a_second_frame_only_draws(void **state)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(busy, &options, &document);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        GlContext *gl = frame_context();
-        count_calls(gl);
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options, .transparency = cases[i].transparency});
-        assert_non_null(render);
-        assert_true(render_scene(render, scene));
-        assert_true(render_frame(render));
-        assert_true(calls > 0);
-        draw_again(render, cases[i].draws);
-        draw_again(render, cases[i].draws);
-        assert_true(gl_check(gl, "three frames"));
-        render_close(render);
-        gl_close(gl);
-    }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        expect_draws_only(scene, (RenderOptions){.compile = &options, .transparency = cases[i].transparency},
+                          cases[i].draws);
     frame_forget(scene, document);
+}
+
+/* Nor with edges, nor where tone mapping asks the whole picture. */
+static void tones_and_edges_only_draw(void **state)
+{
+    (void)state;
+    static const char *const tones[] = {"Linear", "ReinhardDevlin", "Drago"};
+    const MatcOptions options = frame_exact_options();
+    char text[sizeof busy + 64];
+    for (size_t i = 0; i < sizeof tones / sizeof *tones; i++) {
+        MatcDocument *document;
+        snprintf(text, sizeof text, "%stoneMapping: { toneMapping: %s }\n", busy, tones[i]);
+        Scene *scene = frame_scene(text, &options, &document);
+        expect_draws_only(
+            scene, (RenderOptions){.compile = &options, .width = 96, .height = 64, .edges = RENDER_EDGES_coverage}, 0);
+        frame_forget(scene, document);
+    }
 }
 
 /* -- what there is */
@@ -190,6 +218,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_second_frame_only_draws),
+        cmocka_unit_test(tones_and_edges_only_draw),
         cmocka_unit_test(programs_are_shared),
         cmocka_unit_test(views_need_less),
     };

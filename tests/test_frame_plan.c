@@ -1,5 +1,5 @@
 /* Plans of frames, worked out by hand: which passes run, which targets there are, which share memory. And of random lists of passes: what runs
- * finds what it reads, and no two that live at once share. */
+ * finds what it reads, and no two that live at once share. And of the renderer's own list. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
-#include "runtime/render/frame_plan.h"
+#include "runtime/render/frame.h"
 
 enum { X = 1, Y = 2, Z = 4, V = 8 };
 
@@ -120,9 +120,62 @@ static void random_plans(void **state)
     }
 }
 
+/* -- the renderer's own rows */
+
+/* The passes of these names, as a set; the names end with NULL. */
+static unsigned passes_of(const char *const *names)
+{
+    unsigned passes = 0;
+    for (; *names; names++) {
+        int i = 0;
+        while (i < frame_pass_count() && strcmp(frame_passes[i].plan.name, *names) != 0)
+            i++;
+        assert_true(i < frame_pass_count());
+        passes |= 1u << i;
+    }
+    return passes;
+}
+#define PASSES(...) passes_of((const char *const[]){__VA_ARGS__, NULL})
+
+/* The plan of a scene for which these passes have something to do. A layer has the G-buffer's textures, no two others are alike. */
+static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
+{
+    FramePlanPass rows[FRAME_PLAN_MOST];
+    int classes[FRAME_TARGET_COUNT];
+    FramePlan plan;
+    for (int i = 0; i < frame_pass_count(); i++)
+        rows[i] = frame_passes[i].plan;
+    for (int i = 0; i < FRAME_TARGET_COUNT; i++)
+        classes[i] = i == FRAME_TARGET_layer ? FRAME_TARGET_gbuffer : i;
+    frame_plan(&(FramePlanRequest){rows, frame_pass_count(), allowed, 1u << wanted, FRAME_TARGET_COUNT, classes},
+               &plan);
+    return plan;
+}
+
+static void rows_of_glass_shadows_and_edges(void **state)
+{
+    (void)state;
+    const unsigned lit = PASSES("surface", "shadow", "light", "lists", "blend");
+    const unsigned shown = lit | PASSES("edge", "tone");
+    const unsigned peeled = PASSES("surface", "light", "peel", "tone");
+    assert_int_equal(plan_of_frame(shown, FRAME_TARGET_shown).runs, shown);
+    assert_int_equal(plan_of_frame(shown, FRAME_TARGET_light).runs, lit); /* no edge without tone */
+    assert_int_equal(plan_of_frame(shown, FRAME_TARGET_gbuffer).runs, PASSES("surface"));
+    assert_int_equal(plan_of_frame(shown, FRAME_TARGET_depth).runs, PASSES("surface"));
+    assert_int_equal(plan_of_frame(shown & ~PASSES("blend"), FRAME_TARGET_shown).runs,
+                     shown & ~PASSES("blend", "lists")); /* nobody reads the lists */
+    const FramePlan plan = plan_of_frame(peeled, FRAME_TARGET_shown);
+    assert_int_equal(plan.runs, peeled);
+    assert_int_equal(plan.memory[FRAME_TARGET_layer], plan.memory[FRAME_TARGET_gbuffer]);
+    assert_true(plan.there >> FRAME_TARGET_layer_keys & 1);
+    assert_false(plan.there >> FRAME_TARGET_lists & 1);
+    assert_false(plan_of_frame(shown, FRAME_TARGET_shown).there >> FRAME_TARGET_layer & 1);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(only_what_is_needed), cmocka_unit_test(memory_is_shared),
-                                       cmocka_unit_test(changes_keep), cmocka_unit_test(random_plans)};
+                                       cmocka_unit_test(changes_keep), cmocka_unit_test(random_plans),
+                                       cmocka_unit_test(rows_of_glass_shadows_and_edges)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,6 +39,13 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     screen_pass_sampler(pass, "tone_adapted", ADAPTED_UNIT);
 }
 
+/* Every step, as all share a program: what one had else would be handed over in every frame. */
+static void set_steps(const Render *render, Measure *measure)
+{
+    for (int i = 0; i < measure->count; i++)
+        set_numbers(render, &measure->passes[i]);
+}
+
 /* A second reduction is of what the first one's result makes of all pixels. */
 static bool make_measures(Render *render, const char *kind)
 {
@@ -48,12 +55,12 @@ static bool make_measures(Render *render, const char *kind)
         return true;
     if (!measure_make(render->store, render->size, render->compute, first, &render->measured))
         return false;
-    set_numbers(render, &render->measured.passes[0]);
+    set_steps(render, &render->measured);
     if (!adapts(render->scene))
         return true;
     if (!measure_make(render->store, render->size, render->compute, second, &render->adapted))
         return false;
-    set_numbers(render, &render->adapted.passes[0]);
+    set_steps(render, &render->adapted);
     return true;
 }
 

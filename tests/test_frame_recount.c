@@ -1,0 +1,109 @@
+/* Transparent fragments and layers are counted again where the scene changes: a list that was made for few would lose what is too many. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 32, HEIGHT = 24, FAR_FRAGMENTS = 400, ROOM = 4 * (4 + WIDTH * HEIGHT + 6 * FAR_FRAGMENTS) };
+
+/* Two boxes of glass, far away: some hundred fragments; from near by each fills the picture. */
+static const char far_away[] =
+    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -40, 0], angle: 20 }\n"
+    "lights: [{ light: Ambient }]\nsky: { material: RGBA, g: .5 }\nobjects:\n"
+    "- { object: Box, material: { material: Phong, ambient: [.5, .1, .1], transparency: .5 } }\n"
+    "- { object: Box, material: { material: Phong, ambient: [.1, .1, .5], transparency: [.5, .9, .3] }, transform: { "
+    "translation: [.2, 4, 0] } }\n";
+
+typedef enum { MOVE_objects, MOVE_camera } Move;
+
+static bool move(Render *render, Scene *scene, Move what)
+{
+    if (what == MOVE_camera) {
+        scene->camera.position[1] = -3;
+        return render_changed(render, RENDER_CAMERA);
+    }
+    for (int i = 0; i < 2; i++)
+        scene->objects[i].world_from_local.m[13] -= 37;
+    return render_changed_objects(render, 0, 2);
+}
+
+/* The picture after a move, from malloc; before it, one was drawn. */
+static float *draw_moved(GlContext *gl, Scene *scene, const RenderOptions *options, Move what)
+{
+    float *rgba = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *rgba);
+    Render *render = render_open(gl, options);
+    assert_true(rgba && render && render_scene(render, scene) && render_frame(render));
+    assert_true(move(render, scene, what) && render_frame(render) && render_read(render, rgba));
+    render_close(render);
+    return rgba;
+}
+
+/* As a new renderer draws it, bit for bit: by lists, by peeling, and where the lists do so long no more. */
+static void more_are_counted(void **state)
+{
+    (void)state;
+    static const RenderOptions ways[] = {
+        {.transparency = "lists"}, {.transparency = "peeling"}, {.transparency = NULL, .list_bytes = ROOM}};
+    const MatcOptions compile = frame_exact_options();
+    for (int i = 0; i < 6; i++) {
+        MatcDocument *document;
+        Scene *scene = frame_scene(far_away, &compile, &document);
+        GlContext *gl = frame_context();
+        RenderOptions options = ways[i / 2];
+        options.compile = &compile;
+        options.view = "light";
+        float *moved = draw_moved(gl, scene, &options, (Move)(i % 2));
+        float *new = frame_floats(gl, scene, &options);
+        assert_memory_equal(moved, new, (size_t)WIDTH * HEIGHT * 4 * sizeof *new);
+        assert_true(new[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2)] > .1f); /* there is glass before the sky */
+        free(moved);
+        free(new);
+        gl_close(gl);
+        frame_forget(scene, document);
+    }
+}
+
+/* Whether a pass runs, by the graph. */
+static bool runs(const Render *render, const char *line)
+{
+    char *graph = frame_graph(render);
+    const bool found = strstr(graph, line) != NULL;
+    free(graph);
+    return found;
+}
+
+/* From lists to peeling; or, where lists are insisted on, an error. */
+static void lists_that_are_too_long(void **state)
+{
+    (void)state;
+    const MatcOptions compile = frame_exact_options();
+    for (int insists = 0; insists < 2; insists++) {
+        MatcDocument *document;
+        Scene *scene = frame_scene(far_away, &compile, &document);
+        GlContext *gl = frame_context();
+        const RenderOptions options = {
+            .compile = &compile, .list_bytes = ROOM, .transparency = insists ? "lists" : NULL};
+        Render *render = render_open(gl, &options);
+        assert_true(render && render_scene(render, scene) && render_frame(render));
+        assert_false(runs(render, "lists depth lists not run"));
+        assert_true(move(render, scene, MOVE_objects));
+        assert_int_equal(render_frame(render), !insists);
+        if (insists)
+            assert_non_null(strstr(gl->error, "transparent fragments take"));
+        else
+            assert_true(runs(render, "lists depth lists not run: nothing to do"));
+        render_close(render);
+        gl_close(gl);
+        frame_forget(scene, document);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(more_are_counted), cmocka_unit_test(lists_that_are_too_long)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
