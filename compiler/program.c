@@ -115,45 +115,49 @@ static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *
     return out.at;
 }
 
+static void keep_text(MatcProgram *p, MatcOutput output, const char *text)
+{
+    keep(p, output, text, text ? strlen(text) : 0);
+}
+
+static void keep_written(MatcProgram *p, MatcOutput output, const Text *text) { keep(p, output, text->at, text->size); }
+
+static void keep_reflection(MatcProgram *p)
+{
+    const NamedMaterial *named = &p->document->graph->materials[p->material];
+    GraphSky sky;
+    const bool lights = p->job.pass == PASS_sky && graph_sky(named->node, &sky);
+    const Reflected reflected = {&p->products.interface, named->name, matc_opacity(p), p->products.fragment,
+                                 lights ? &sky : NULL};
+    keep_text(p, MATC_REFLECT, emit_reflection(&p->session, p->ir, &p->job, &reflected));
+}
+
 static void fill_outputs(MatcProgram *p, unsigned outputs)
 {
-    Session *session = &p->session;
-    const NamedMaterial *named = &p->document->graph->materials[p->material];
-    Text ir = text_new(&p->arena), dot = text_new(&p->arena);
+    Text ir = text_new(&p->arena), dot = text_new(&p->arena), layout = text_new(&p->arena);
     Products *made = &p->products;
     if (!made->vertex && outputs & MATC_VERTEX)
-        made->vertex = emit_vertex(session, &p->job, &made->interface);
+        made->vertex = emit_vertex(&p->session, &p->job, &made->interface);
     keep(p, MATC_FRAGMENT, made->fragment, made->fragment_size);
-    keep(p, MATC_VERTEX, made->vertex, made->vertex ? strlen(made->vertex) : 0);
-    if (outputs & MATC_UNPACK) {
-        const char *unpack = emit_unpack(session, &p->job);
-        keep(p, MATC_UNPACK, unpack, strlen(unpack));
-    }
-    if (outputs & MATC_REFLECT && !p->job.instances) {
-        GraphSky sky;
-        const bool lights = p->job.pass == PASS_sky && graph_sky(named->node, &sky);
-        const Reflected reflected = {&made->interface, named->name, matc_opacity(p), made->fragment,
-                                     lights ? &sky : NULL};
-        const char *json = emit_reflection(session, p->ir, &p->job, &reflected);
-        keep(p, MATC_REFLECT, json, strlen(json));
-    }
+    keep_text(p, MATC_VERTEX, made->vertex);
+    if (outputs & MATC_UNPACK)
+        keep_text(p, MATC_UNPACK, emit_unpack(&p->session, &p->job));
+    if (outputs & MATC_REFLECT && !p->job.instances)
+        keep_reflection(p);
     if (outputs & MATC_IR) {
         ir_print(&ir, p->ir);
-        keep(p, MATC_IR, ir.at, ir.size);
+        keep_written(p, MATC_IR, &ir);
     }
     if (outputs & MATC_DOT) {
         ir_dot(&dot, p->ir);
-        keep(p, MATC_DOT, dot.at, dot.size);
+        keep_written(p, MATC_DOT, &dot);
     }
     if (outputs & MATC_LAYOUT) {
-        Text layout = text_new(&p->arena);
         layout_write(&layout, p->job.layout);
-        keep(p, MATC_LAYOUT, layout.at, layout.size);
+        keep_written(p, MATC_LAYOUT, &layout);
     }
-    if (outputs & MATC_STATS) {
-        const char *stats = stats_text(p, p->document, &p->job);
-        keep(p, MATC_STATS, stats, strlen(stats));
-    }
+    if (outputs & MATC_STATS)
+        keep_text(p, MATC_STATS, stats_text(p, p->document, &p->job));
 }
 
 static const Node *material_of(const MatcProgram *p) { return p->document->graph->materials[p->material].node; }

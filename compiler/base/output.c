@@ -91,7 +91,11 @@ const char *output_write(const char *path, const void *bytes, size_t size)
     return why;
 }
 
-char *output_ktx(const MatcTexture *t, size_t *file_size)
+enum { KTX_IDENTIFIER = 12, KTX_WORDS = 13, KTX_HEADER = KTX_IDENTIFIER + 4 * KTX_WORDS };
+
+/* What KTX 1.1 says of a texture: endianness; type, its size, format, internal format, base format; width, height, depth; elements, faces,
+ * levels; bytes of keys. */
+static void fill_ktx_header(const MatcTexture *t, unsigned char header[KTX_HEADER])
 {
     enum {
         GL_UNSIGNED_BYTE = 0x1401,
@@ -102,37 +106,43 @@ char *output_ktx(const MatcTexture *t, size_t *file_size)
         GL_R32F = 0x822E,
         GL_RGBA8 = 0x8058,
         GL_RGBA32F = 0x8814,
-        KTX_ENDIANNESS = 0x04030201,
-        HEADER = 64
+        ENDIANNESS = 0x04030201
     };
-    static const unsigned char identifier[12] = {0xAB, 'K', 'T', 'X', ' ', '1', '1', 0xBB, '\r', '\n', 0x1A, '\n'};
-    bool floats = t->floats != NULL, rgba = t->lanes == 4;
-    size_t row = (size_t)t->width * (size_t)t->lanes * (floats ? sizeof(float) : 1), padded = (row + 3) & ~(size_t)3;
-    uint32_t size = (uint32_t)(padded * (size_t)t->height);
-    uint32_t words[13] = {KTX_ENDIANNESS,
-                          floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
-                          floats ? 4 : 1,
-                          rgba ? GL_RGBA : GL_RED,
-                          floats ? (rgba ? GL_RGBA32F : GL_R32F)
-                          : rgba ? GL_RGBA8
-                                 : GL_R8,
-                          rgba ? GL_RGBA : GL_RED,
-                          (uint32_t)t->width,
-                          (uint32_t)t->height,
-                          0,
-                          0,
-                          1,
-                          1,
-                          0};
-    unsigned char *file = calloc(1, HEADER + sizeof size + size);
+    static const unsigned char identifier[KTX_IDENTIFIER] = {0xAB, 'K',  'T',  'X',  ' ',  '1',
+                                                             '1',  0xBB, '\r', '\n', 0x1A, '\n'};
+    const bool floats = t->floats != NULL, rgba = t->lanes == 4;
+    const uint32_t format = rgba ? GL_RGBA : GL_RED;
+    const uint32_t inside = floats ? (rgba ? GL_RGBA32F : GL_R32F) : (rgba ? GL_RGBA8 : GL_R8);
+    const uint32_t words[KTX_WORDS] = {ENDIANNESS,
+                                       floats ? GL_FLOAT : GL_UNSIGNED_BYTE,
+                                       floats ? sizeof(float) : 1,
+                                       format,
+                                       inside,
+                                       format,
+                                       (uint32_t)t->width,
+                                       (uint32_t)t->height,
+                                       0,
+                                       0,
+                                       1,
+                                       1,
+                                       0};
+    memcpy(header, identifier, sizeof identifier);
+    memcpy(header + sizeof identifier, words, sizeof words);
+}
+
+char *output_ktx(const MatcTexture *t, size_t *file_size)
+{
+    const size_t row = (size_t)t->width * (size_t)t->lanes * (t->floats ? sizeof(float) : 1);
+    const size_t padded = (row + 3) & ~(size_t)3;
+    const uint32_t size = (uint32_t)(padded * (size_t)t->height);
+    unsigned char *file = calloc(1, KTX_HEADER + sizeof size + size);
     if (!file)
         abort();
-    memcpy(file, identifier, sizeof identifier);
-    memcpy(file + sizeof identifier, words, sizeof words);
-    memcpy(file + HEADER, &size, sizeof size);
-    const unsigned char *texels = floats ? (const unsigned char *)t->floats : t->bytes;
+    fill_ktx_header(t, file);
+    memcpy(file + KTX_HEADER, &size, sizeof size);
+    const unsigned char *texels = t->floats ? (const unsigned char *)t->floats : t->bytes;
     for (int y = 0; y < t->height; y++)
-        memcpy(file + HEADER + sizeof size + (size_t)y * padded, texels + (size_t)y * row, row);
-    *file_size = HEADER + sizeof size + size;
+        memcpy(file + KTX_HEADER + sizeof size + (size_t)y * padded, texels + (size_t)y * row, row);
+    *file_size = KTX_HEADER + sizeof size + size;
     return (char *)file;
 }

@@ -169,26 +169,32 @@ static bool covers(const exr_attr_box2i_t *a, const exr_attr_box2i_t *b)
     return a->min.x <= b->min.x && a->min.y <= b->min.y && a->max.x >= b->max.x && a->max.y >= b->max.y;
 }
 
+/* Of a picture that is no larger than pictures may be. */
+static bool start_read(ExrReader *d)
+{
+    const exr_context_initializer_t calls = {
+        .size = sizeof calls,
+        .error_handler_fn = on_error,
+        .alloc_fn = on_allocate,
+        .free_fn = free,
+        .user_data = d,
+        .read_fn = on_read,
+        .size_fn = on_size,
+        .max_image_width = LIMIT_IMAGE_SIDE,
+        .max_image_height = LIMIT_IMAGE_SIDE,
+        .max_tile_width = LIMIT_IMAGE_SIDE,
+        .max_tile_height = LIMIT_IMAGE_SIDE,
+        .zip_level = -2,
+        .dwa_quality = -1,
+        .flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION,
+    };
+    return done(d, exr_start_read(&d->exr, "picture", &calls));
+}
+
 static bool read_header(ExrReader *d)
 {
     Image *image = d->file->image;
-    if (!done(d,
-              exr_start_read(&d->exr, "picture",
-                             &(exr_context_initializer_t){.size = sizeof(exr_context_initializer_t),
-                                                          .error_handler_fn = on_error,
-                                                          .alloc_fn = on_allocate,
-                                                          .free_fn = free,
-                                                          .user_data = d,
-                                                          .read_fn = on_read,
-                                                          .size_fn = on_size,
-                                                          .max_image_width = LIMIT_IMAGE_SIDE,
-                                                          .max_image_height = LIMIT_IMAGE_SIDE,
-                                                          .max_tile_width = LIMIT_IMAGE_SIDE,
-                                                          .max_tile_height = LIMIT_IMAGE_SIDE,
-                                                          .zip_level = -2,
-                                                          .dwa_quality = -1,
-                                                          .flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION})) ||
-        !read_part(d))
+    if (!start_read(d) || !read_part(d))
         return false;
     const char *why = image_file_check_side(width_of(&d->display), height_of(&d->display));
     if (why)

@@ -218,40 +218,65 @@ static void commit(Batch *b)
         batch_complain(b, NULL, b->line->folder, why);
 }
 
-static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
+/* Where numbers stand: as asked for, else where fewer programs come of it. */
+static void choose_numbers(Batch *b)
 {
     static const char *const modes[] = {
         [NUMBERS_baked] = "baked", [NUMBERS_uniform] = "uniform", [NUMBERS_auto] = "auto"};
-    const char *why = NULL;
-    *b = (Batch){.line = line, .calls = calls, .numbers = NUMBERS_auto, .options = line->compile};
-    pthread_mutex_init(&b->mutex, NULL);
-    for (int i = 0; line->compile.constants && i <= NUMBERS_auto; i++)
-        if (!strcmp(line->compile.constants, modes[i]))
+    const char *asked = b->line->compile.constants;
+    b->numbers = NUMBERS_auto;
+    for (int i = 0; asked && i <= NUMBERS_auto; i++)
+        if (!strcmp(asked, modes[i]))
             b->numbers = (Numbers)i;
     b->options.constants = modes[b->numbers];
-    b->options.linked = b->linked = matc_linked_new();
-    b->options.pass = NULL; /* each request has its own */
-    b->request_count = line->pass_count;
-    for (int i = 0; i < line->pass_count; i++)
-        b->requests[i] = line->passes[i];
+}
+
+/* What is written of each program. */
+static void choose_outputs(Batch *b)
+{
+    b->request_count = b->line->pass_count;
+    for (int i = 0; i < b->request_count; i++)
+        b->requests[i] = b->line->passes[i];
     for (int emit = 0; emit < EMIT_COUNT; emit++)
-        if (line->emit[emit] && batch_is_of_program(emit))
+        if (b->line->emit[emit] && batch_is_of_program(emit))
             b->outputs |= options_emit_output(&b->options, emit);
     b->outputs |= b->outputs ? 0 : MATC_FRAGMENT;
-    b->document_count = line->input_count;
+}
+
+static void take_documents(Batch *b)
+{
+    b->document_count = b->line->input_count;
     b->documents = sets_resize(NULL, (size_t)b->document_count * sizeof *b->documents);
     memset(b->documents, 0, (size_t)b->document_count * sizeof *b->documents);
     for (int i = 0; i < b->document_count; i++) {
-        b->documents[i].path = line->inputs[i];
+        b->documents[i].path = b->line->inputs[i];
         pthread_mutex_init(&b->documents[i].mutex, NULL);
     }
-    if (line->textures)
-        b->textures = outputs_open(&b->folders, line->textures, STAGING_new_folder, &why);
-    if (line->textures && !b->textures)
-        batch_complain(b, NULL, line->textures, why);
-    else if (!(b->staging = outputs_open(&b->folders, line->folder, STAGING_new_folder, &why)))
-        batch_complain(b, NULL, line->folder, why);
-    return b->staging && batch_stored_open(b);
+}
+
+/* The folders that are written; false: one cannot be, which is said. */
+static bool open_folders(Batch *b)
+{
+    const char *textures = b->line->textures, *why = NULL;
+    if (textures)
+        b->textures = outputs_open(&b->folders, textures, STAGING_new_folder, &why);
+    if (textures && !b->textures)
+        batch_complain(b, NULL, textures, why);
+    else if (!(b->staging = outputs_open(&b->folders, b->line->folder, STAGING_new_folder, &why)))
+        batch_complain(b, NULL, b->line->folder, why);
+    return b->staging != NULL;
+}
+
+static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
+{
+    *b = (Batch){.line = line, .calls = calls, .options = line->compile};
+    pthread_mutex_init(&b->mutex, NULL);
+    choose_numbers(b);
+    b->options.linked = b->linked = matc_linked_new();
+    b->options.pass = NULL; /* each request has its own */
+    choose_outputs(b);
+    take_documents(b);
+    return open_folders(b) && batch_stored_open(b);
 }
 
 /* For --watch: what decided the outcome, with faults, too. */

@@ -16,6 +16,26 @@ static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
     return ok;
 }
 
+/* NULL: it is not asked for, or does not compile. */
+static MatcProgram *compile_variant(const MeasureRequest *request, const Variant *variant)
+{
+    MatcOptions options = variant_options(variant, request->options);
+    options.pass = "gbuffer";
+    if (!is_wanted(request, &options))
+        return NULL;
+    return variant_compile(request->document, request->material, MATC_FRAGMENT | MATC_UNPACK, &options);
+}
+
+/* Whether one of them has the same text. */
+static bool is_among(const Candidate *kept, int count, const MatcProgram *program)
+{
+    const char *text = matc_output(program, MATC_FRAGMENT, NULL);
+    for (int k = 0; k < count; k++)
+        if (variant_programs_equal(matc_output(kept[k].program, MATC_FRAGMENT, NULL), text))
+            return true;
+    return false;
+}
+
 Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, int *count)
 {
     int all;
@@ -27,22 +47,14 @@ Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, in
         abort();
     *count = 0;
     for (int i = 0; i < all; i++) {
-        MatcOptions options = variant_options(&variants[i], request->options);
-        options.pass = "gbuffer";
-        MatcProgram *program = is_wanted(request, &options) ? variant_compile(request->document, request->material,
-                                                                             MATC_FRAGMENT | MATC_UNPACK, &options)
-                                                            : NULL;
-        bool same = false;
-        for (int k = 0; k < *count && program && !same; k++)
-            same = variant_programs_equal(matc_output(kept[k].program, MATC_FRAGMENT, NULL),
-                                          matc_output(program, MATC_FRAGMENT, NULL));
+        MatcProgram *program = compile_variant(request, &variants[i]);
+        const bool same = program && is_among(kept, *count, program);
         list->same += same;
         list->refused += !program;
-        if (same || !program) {
+        if (program && !same)
+            kept[(*count)++] = (Candidate){variants[i], program};
+        else
             matc_program_free(program);
-            continue;
-        }
-        kept[(*count)++] = (Candidate){variants[i], program};
     }
     free(variants);
     return kept;

@@ -115,29 +115,34 @@ static void discard(Work *w, int materials)
     free(w);
 }
 
+/* Errors of all candidates, then the times of those that are left. */
+static bool measure_candidates(Work *w, MeasuredList *list)
+{
+    int count;
+    Candidate *candidates = candidates_make(w->request, list, &count);
+    measure_errors(w, candidates, count, list);
+    for (int i = 0; i < count; i++)
+        matc_program_free(candidates[i].program);
+    free(candidates);
+    char *error = w->meter->error;
+    if (list->count == 0)
+        return *error ||
+               message_fail(error, sizeof w->meter->error, "the material compiles in no way that is asked for");
+    return measure_times(w, list);
+}
+
 bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList *list)
 {
     Work *w = errors_room(1, sizeof *w);
-    int count;
+    Variant base;
     *list = (MeasuredList){0};
     w->meter = meter;
     w->request = request;
     w->start = meter_now();
     *meter->error = 0;
-    Variant base;
     variant_of(request->options, &base);
     bool fine = errors_open(&w->errors, meter, request) && errors_has_truth(&w->errors, &base);
-    if (fine) {
-        Candidate *candidates = candidates_make(request, list, &count);
-        measure_errors(w, candidates, count, list);
-        for (int i = 0; i < count; i++)
-            matc_program_free(candidates[i].program);
-        free(candidates);
-        fine = list->count > 0 ? measure_times(w, list)
-                               : *meter->error || message_fail(meter->error, sizeof meter->error,
-                                                               "the material compiles in no way that is asked for");
-        fine = fine && list->count > 0;
-    }
+    fine = fine && measure_candidates(w, list) && list->count > 0;
     if (fine)
         mark_fronts(list);
     discard(w, list->count);
