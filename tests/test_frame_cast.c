@@ -16,7 +16,7 @@
 
 /* -- rays */
 
-enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
+enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, FAR = 400 /* across the far ground */ };
 
 /* A little off the surface, on the light's side. */
 static double leave(const SceneLight *light, const double point[3], const double facet[3], Ray *ray)
@@ -118,10 +118,20 @@ static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *
     shares_at(tracer, light, hit->world, hit->facet, shares);
 }
 
+/* As far as all can be seen there: the far ground is 400 deep, so cascades end at 25, 100 and 400; the picture's diagonal is 1.3 of the depth. */
+static double reach_of_cascade(const Scene *scene, const double point[3])
+{
+    double depth = 0;
+    for (int i = 0; i < 3; i++)
+        depth -= (point[i] - scene->camera.position[i]) * scene->camera.back[i];
+    return 1.5 * (depth < 24 ? 25 : depth < 98 ? 100 : 400);
+}
+
 /* How far a light's texel reaches at a point, as the documents say. */
 static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
 {
-    const double reach = 11.5; /* across all objects, about */
+    const bool far = scene->objects[0].numbers[0] == FAR;
+    const double reach = far ? reach_of_cascade(scene, point) : 11.5; /* across all objects */
     double way[3];
     const double distance = shadow_way_to(light, point, way);
     const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
@@ -251,20 +261,35 @@ static Count compare(GlContext *gl, const char *text, const RenderOptions *with)
     "- { object: Box, size: [.4, .9, .3], material: red, transform: { translation: [-1.6, -1.6, .5], rotation: [.2, "  \
     ".1, .4] } }\n"
 
+/* Along a wide ground, with something at every distance. */
+#define FAR_VIEW                                                                                                       \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 3], target: [1, 0, 1.6], "  \
+    "angle: 42 }\n"
+#define FAR_GROUND                                                                                                     \
+    "objects:\n- { object: Parallelogram, u: [400, 0, 0], v: [0, 400, 0], material: m, transform: { translation: "     \
+    "[-200, -10, 0] } }\n"                                                                                             \
+    "- { object: Box, size: [3, 3, 6], material: m, transform: { translation: [-6, 20, 3] } }\n"                       \
+    "- { object: Box, size: [3, 3, 6], material: clear, transform: { translation: [6, 14, 3.1] } }\n"                  \
+    "- { object: Box, size: [8, 8, 16], material: m, transform: { translation: [14, 60, 8] } }\n"                      \
+    "- { object: Box, size: [20, 20, 50], material: m, transform: { translation: [-30, 150, 25] } }\n"
+
 /* A light, but for its place and direction. */
 typedef struct {
     const char *name, *kind; /* and further params */
     bool placed, directed;
     const char *maps;
     int first, step; /* angles */
+    bool far;        /* over a wide ground */
     bool old;        /* OpenGL 3.3: objects are drawn by themselves, depth in clip space begins at -1 */
 } Lamp;
 static const Lamp lamps[] = {
-    {"directional", "Directional", false, true, "filter: 0", 0, 2, false},
-    {"spot", "Spot, innerAngle: 30, outerAngle: 45", true, true, "filter: 0", 1, 3, false},
-    {"wide spot", "Spot, innerAngle: 80, outerAngle: 100", true, true, "filter: 1", 2, 3, false},
-    {"point", "Point", true, false, "filter: 1", 1, 3, false},
-    {"OpenGL 3.3", "Directional", false, true, "filter: 0", 2, 4, true}};
+    {"directional", "Directional", false, true, "filter: 0", 0, 2, false, false},
+    {"spot", "Spot, innerAngle: 30, outerAngle: 45", true, true, "filter: 0", 1, 3, false, false},
+    {"wide spot", "Spot, innerAngle: 80, outerAngle: 100", true, true, "filter: 1", 2, 3, false, false},
+    {"point", "Point", true, false, "filter: 1", 1, 3, false, false},
+    {"OpenGL 3.3", "Directional", false, true, "filter: 0", 2, 4, false, true}};
+static const Lamp cascaded = {"cascades", "Directional", false, true, "filter: 0, cascades: 4", 0, 2, true, false};
+static const Lamp uncascaded = {"one map", "Directional", false, true, "filter: 0", 2, 4, true, false};
 enum { LAMPS = sizeof lamps / sizeof *lamps };
 
 /* The light stands at an angle, 6 from the origin, and shines there. */
@@ -277,14 +302,15 @@ static void write_scene(const Lamp *lamp, const double angle[2], const char *thi
         snprintf(place, sizeof place, ", position: [%g, %g, %g], intensity: 36", at[0], at[1], at[2]);
     if (lamp->directed)
         snprintf(direction, sizeof direction, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
-    int size = snprintf(text, TEXT, VIEW "shadowMaps: { %s, colored: %s }\nlights: [{ light: %s%s%s }]\nmaterials:\n",
-                        lamp->maps, colored ? "true" : "false", lamp->kind, place, direction);
+    int size =
+        snprintf(text, TEXT, "%sshadowMaps: { %s, colored: %s }\nlights: [{ light: %s%s%s }]\nmaterials:\n",
+                 lamp->far ? FAR_VIEW : VIEW, lamp->maps, colored ? "true" : "false", lamp->kind, place, direction);
     for (int i = 0; i < GLASSES; i++)
         size += snprintf(text + size, (size_t)(TEXT - size), "  %s\n", glasses[i].text);
-    snprintf(text + size, (size_t)(TEXT - size), GROUND "%s", things);
+    snprintf(text + size, (size_t)(TEXT - size), "%s%s", lamp->far ? FAR_GROUND : GROUND, things);
 }
 
-static void by_every_angle(const Lamp *lamp, const char *things, bool colored, const RenderOptions *options)
+static Count by_angles(const Lamp *lamp, const char *things, bool colored, const RenderOptions *options)
 {
     GlContext *gl = frame_context();
     static char text[TEXT];
@@ -302,7 +328,12 @@ static void by_every_angle(const Lamp *lamp, const char *things, bool colored, c
     }
     gl_close(gl);
     assert_true(all.compared > 700 && all.shaded > 40);
-    assert_int_equal(all.wrong, 0);
+    return all;
+}
+
+static void by_every_angle(const Lamp *lamp, const char *things, bool colored, const RenderOptions *options)
+{
+    assert_int_equal(by_angles(lamp, things, colored, options).wrong, 0);
 }
 
 /* More than half transparent, in the mean of all channels, casts none; all else does. */
@@ -322,11 +353,20 @@ static void colors(void **state)
             by_every_angle(&lamps[i], THINGS PANES, true, &(RenderOptions){.fragment = i == 1});
 }
 
+/* In each of them all is as exact as its texels are; one map for all is not. */
+static void cascades(void **state)
+{
+    (void)state;
+    by_every_angle(&cascaded, THINGS, true, &(RenderOptions){0});
+    assert_true(by_angles(&uncascaded, THINGS, true, &(RenderOptions){0}).wrong > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cut_outs),
         cmocka_unit_test(colors),
+        cmocka_unit_test(cascades),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -180,9 +180,25 @@ static void the_next_scene(void **unused)
     close_changing(&c);
 }
 
+/* Cascades go with the camera: their maps are drawn again, into what is there. */
+static void cascades(void **state)
+{
+    (void)state;
+    Changing c = open_changing(
+        "image: { width: 64, height: 48 }\ncamera: { camera: Perspective, position: [1, -7, 3] }\nshadowMaps: { size: "
+        "64, cascades: 3 }\nlights: [{ light: Directional, direction: [1, 2, -3] }]\nobjects:\n"
+        "- { object: Parallelogram, u: [90, 0, 0], v: [0, 90, 0], material: { material: Phong, diffuse: .5 }, "
+        "transform: { translation: [-45, -45, 0] } }\n"
+        "- { object: Box, material: { material: Phong, diffuse: .5 }, transform: { translation: [0, 0, .5] } }\n");
+    c.scene->camera.position[0] += 2;
+    assert_true(render_changed(c.render, RENDER_CAMERA));
+    assert_as_new(&c, 112 + 4 * 2);
+    close_changing(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(others_in_view),
-                                       cmocka_unit_test(params), cmocka_unit_test(the_next_scene)};
+                                       cmocka_unit_test(params), cmocka_unit_test(cascades), cmocka_unit_test(the_next_scene)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,6 +48,9 @@ static void put_maps(Text *out, const Render *render)
     const int size = render->scene->shadow_size, count = render->shadows.views.count;
     text_format(out, "shadow    %d maps of %d x %d, DEPTH32F, %ld bytes\n", count, size, size,
                 (long)count * size * size * (long)sizeof(float));
+    for (int i = 0; i < count; i++)
+        if (render->shadows.views.views[i].near <= 0)
+            text_format(out, "shadow    map %d: texels of %.3g\n", i, render->shadows.views.views[i].texel);
     if (render->shadows.glass.buffer)
         text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments\n",
                     (unsigned long)render->shadows.glass.bytes, (unsigned long)render->shadows.glass.room);

@@ -120,13 +120,26 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
+// The finest of a light's cascades that has all texels around a point: the last has all that casts shadows.
+int shadowCascade(int first, int count, vec3 point, vec3 normal, float pixel)
+{
+    int view = first;
+    for (; view < first + count - 1; view++) {
+        float lift = SHADOW_LIFT * shadowRow(view, 3).y + pixel / 64.0;
+        vec2 place = abs(shadowPlace(view, vec4(point + lift * normal, 1.0)).xy);
+        if (max(place.x, place.y) <= 1.0 - float(SHADOW_FILTER + 2) / float(SHADOW_SIZE)) break;
+    }
+    return view;
+}
+
 // `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are `count` from `first` on.
 SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 {
+    if (shadowRow(first, 3).x <= 0.0) first = shadowCascade(first, count, point, normal, pixel);
     vec4 how = shadowRow(first, 3);
     vec3 place = shadowPlace(first, vec4(point, 1.0));
     vec3 size = abs(place);
-    bool cube = count > 1;
+    bool cube = how.x > 0.0 && count > 1;
     float away = how.x > 0.0 ? cube ? max(max(size.x, size.y), size.z) : size.z : 1.0;
     vec3 lifted = point + normal * (SHADOW_LIFT * how.y * away + pixel / 64.0);
     return shadowFiltered(first, cube, shadowPlace(first, vec4(lifted, 1.0)), how);

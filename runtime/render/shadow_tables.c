@@ -134,7 +134,8 @@ static bool has_planes(const Render *render)
 
 bool shadow_make_views(Render *render)
 {
-    return render->options.no_shadows || shadow_views_make(render->scene, &render->cache, &render->shadows.views) ||
+    return render->options.no_shadows ||
+           shadow_views_make(render->scene, &render->cache, render->whole, &render->shadows.views) ||
            gl_fail(render->gl, "out of memory");
 }
 

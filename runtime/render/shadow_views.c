@@ -10,9 +10,12 @@ enum { CORNERS = 8 };
 static const double widest = 0.5;         /* cosine: a spot with a wider cone has a cube, whose texels are finer */
 static const double nearest = 1.0 / 4096; /* of the distance to the farthest object: what is nearer casts no shadow */
 
+static const double coarser = 4; /* a cascade ends at so many times the depth of the one before */
+
 typedef struct {
     const Scene *scene;
     ShadowViews *made;
+    const int *size;      /* of the picture */
     double (*corners)[3]; /* of boxes around what casts shadows, in the world */
     int count;
 } Fit;
@@ -122,8 +125,8 @@ static void range_of(const Fit *fit, const double axis[3], double range[2])
     }
 }
 
-/* All that casts shadows, from the side. */
-static void fit_box(const Fit *fit, const SceneLight *light, ShadowView *view)
+/* What a cascade shows along two axes, or all that casts shadows. */
+static void fit_box(const Fit *fit, const SceneLight *light, const double (*shown)[2], ShadowView *view)
 {
     double axes[3][3], ranges[3][2], most = 1e-30;
     memcpy(axes[2], light->direction, sizeof axes[2]);
@@ -133,15 +136,79 @@ static void fit_box(const Fit *fit, const SceneLight *light, ShadowView *view)
         most = fmax(most, ranges[i][1] - ranges[i][0]);
     }
     for (int i = 0; i < 2; i++) {
-        const double half = fmax((ranges[i][1] - ranges[i][0]) / 2, 1e-4 * most) * widened(fit->scene);
+        const double low = shown ? fmax(ranges[i][0], shown[i][0]) : ranges[i][0];
+        const double high = shown ? fmin(ranges[i][1], shown[i][1]) : ranges[i][1];
+        const double half = fmax((high - low) / 2, 1e-4 * most) * widened(fit->scene);
         set_row(axes[i], 1 / half, (double[]){0, 0, 0}, view->rows[i]);
-        view->rows[i][3] = -(ranges[i][0] + ranges[i][1]) / 2 / half;
+        view->rows[i][3] = -(low + high) / 2 / half;
         view->texel = fmax(view->texel, 2 * half / fit->scene->shadow_size);
     }
     const double deep = 2 * fmax(ranges[2][1] - ranges[2][0], 1e-4 * most);
     set_row(axes[2], -1 / deep, (double[]){0, 0, 0}, view->rows[2]);
     view->rows[2][3] = 1 + ranges[2][0] / deep;
     view->mirrored = true;
+}
+
+/* The nearest and farthest depth at which the camera can see something that casts shadows. */
+static void depths_of(const Fit *fit, double depths[2])
+{
+    const SceneCamera *camera = &fit->scene->camera;
+    const double least = camera->kind == SCENE_Perspective ? camera->near : 0,
+                 at = scene_vector_dot(camera->back, camera->position);
+    depths[0] = INFINITY;
+    depths[1] = -INFINITY;
+    for (int i = 0; i < fit->count; i++) {
+        const double depth = at - scene_vector_dot(camera->back, fit->corners[i]);
+        depths[0] = fmin(depths[0], depth);
+        depths[1] = fmax(depths[1], depth);
+    }
+    depths[0] = fmax(depths[0], fmax(least, 1e-6 * fabs(depths[1])));
+    depths[1] = fmax(depths[1], depths[0] * (1 + 1e-6));
+}
+
+/* A corner of what the picture shows at a depth, 0 to 3. */
+static void corner_of(const Fit *fit, double depth, int number, double corner[3])
+{
+    const SceneCamera *camera = &fit->scene->camera;
+    const double shorter = fmin(fit->size[0], fit->size[1]);
+    const double reach = camera->half / shorter * (camera->kind == SCENE_Perspective ? depth : 1);
+    const double right = (number & 1 ? 1 : -1) * reach * fit->size[0],
+                 up = (number & 2 ? 1 : -1) * reach * fit->size[1];
+    for (int i = 0; i < 3; i++)
+        corner[i] = camera->position[i] - depth * camera->back[i] + right * camera->right[i] + up * camera->up[i];
+}
+
+/* From the least depth to another: how far that reaches along two axes across the light. */
+static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2], double shown[2][2])
+{
+    double axes[2][3], corner[3];
+    axes_around(light->direction, axes[0], axes[1]);
+    for (int axis = 0; axis < 2; axis++) {
+        shown[axis][0] = INFINITY;
+        shown[axis][1] = -INFINITY;
+        for (int i = 0; i < CORNERS; i++) {
+            corner_of(fit, depths[i / 4], i % 4, corner);
+            const double along = scene_vector_dot(axes[axis], corner);
+            shown[axis][0] = fmin(shown[axis][0], along);
+            shown[axis][1] = fmax(shown[axis][1], along);
+        }
+    }
+}
+
+/* Four cascades of what is seen from 1 to 64: to 4, to 16, to 64, and the last of all objects. Where less is seen, by smaller steps: from 1 to
+ * 8 they end at 2, 4, 8. What is seen nowhere takes the view of all. */
+static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *views)
+{
+    const int seen = fit->scene->shadow_cascades - 1;
+    double depths[2], shown[2][2];
+    depths_of(fit, depths);
+    const double step = fmin(coarser, pow(depths[1] / depths[0], 1.0 / fmax(seen, 1)));
+    for (int i = 0; i < seen; i++) {
+        const double part[2] = {depths[0], fmax(depths[1] * pow(step, i + 1 - seen), depths[0])};
+        find_shown(fit, light, part, shown);
+        fit_box(fit, light, (const double(*)[2])shown, &views[i]);
+    }
+    fit_box(fit, light, NULL, &views[seen]);
 }
 
 /* -- */
@@ -163,14 +230,15 @@ static void fit_light(Fit *fit, int number)
     else if (light->kind == SCENE_Spot)
         fit_cone(fit, light, views);
     else
-        fit_box(fit, light, views);
-    fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : 1};
+        fit_cascades(fit, light, views);
+    const int flat = light->kind == SCENE_Spot ? 1 : fit->scene->shadow_cascades;
+    fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
     fit->made->count += fit->made->lights[number].count;
 }
 
-bool shadow_views_make(const Scene *scene, const Cache *cache, ShadowViews *made)
+bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)
 {
-    Fit fit = {.scene = scene, .made = made};
+    Fit fit = {.scene = scene, .made = made, .size = size};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
     made->views = calloc(lights * SHADOW_VIEWS_CUBE, sizeof *made->views);

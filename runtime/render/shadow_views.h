@@ -16,7 +16,8 @@ typedef struct {
     bool mirrored;     /* left-handed: triangles turn the other way round */
 } ShadowView;
 
-/* Views of a light: none, one, or SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2 k + 1 against it, with the axes k + 1 and
+/* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the last of which has all objects; or
+ * SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2 k + 1 against it, with the axes k + 1 and
  * k + 2 (modulo 3) as x and y. */
 typedef struct {
     int first, count;
@@ -28,8 +29,8 @@ typedef struct {
     ShadowLight *lights; /* of each light of the scene */
 } ShadowViews;
 
-/* False: memory ran out; *made is empty then. */
-bool shadow_views_make(const Scene *scene, const Cache *cache, ShadowViews *made);
+/* Of a picture of that size, which cascades are fitted to. False: memory ran out; *made is empty then. */
+bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made);
 /* Safe on an empty one, which it leaves behind. */
 void shadow_views_free(ShadowViews *views);
 #endif

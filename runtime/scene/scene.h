@@ -99,6 +99,7 @@ typedef struct Scene {
     bool tiles;             /* where nothing is seen */
     int shadow_size;        /* texels of a shadow map's edge */
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
+    int shadow_cascades;      /* maps of a directional light */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
     SceneTools tools;
     MatcDocument **documents; /* further files of materials */
