@@ -1,9 +1,11 @@
-/* Many lights: of every kind in any order, more than a block of numbers holds, against the reference in double. */
+/* Many lights: of every kind in any order, more than a block of numbers holds, against the reference in double; and far ones that are taken together,
+ * against all of them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/render/frame.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
@@ -98,8 +100,170 @@ static void every_light_counts(void **state)
     matc_layout_free(layout);
 }
 
+/* -- far lights that are taken together */
+
+/* A screen's colour of light, from 0 to 1. */
+static double shown_of(SceneKind tone, double exposure, double light)
+{
+    const double x = light * exposure;
+    const double y = tone == SCENE_Filmic ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14) : x;
+    const double cut = y < 0 ? 0 : y > 1 ? 1 : y;
+    return cut <= .0031308 ? 12.92 * cut : 1.055 * pow(cut, 1 / 2.4) - .055;
+}
+
+static const double half_step = 1. / 510;
+
+/* What light may be off is less than half a step, for light of any strength. */
+static void budgets_hold(void **state)
+{
+    (void)state;
+    static const SceneKind tones[] = {SCENE_Clamp, SCENE_Filmic};
+    double budget[2];
+    for (size_t i = 0; i < 2; i++) {
+        assert_true(light_far_budget(tones[i], budget));
+        assert_true(budget[0] > 1e-3 && budget[1] > 1e-4);
+        for (double light = 1e-7; light < 100; light *= 1.001) {
+            const double off = budget[0] * light + budget[1], shown = shown_of(tones[i], 1, light);
+            assert_true(fabs(shown_of(tones[i], 1, light + off) - shown) < half_step);
+            assert_true(fabs(shown_of(tones[i], 1, light - off) - shown) < half_step);
+        }
+    }
+    assert_false(light_far_budget(SCENE_Drago, budget));
+}
+
+typedef struct {
+    const char *name, *head; /* objects, camera, tone mapping */
+    const char *kind;        /* of lights */
+    int count;
+    double low, high, reach, sum; /* their heights; how far to the sides; of their intensities */
+    int bright;                   /* so many times as bright as the others is the first */
+} FarCase;
+
+#define NEAR_CAMERA "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0] }\n"
+#define FLOOR(slots)                                                                                                   \
+    "{ object: Parallelogram, u: [12, 0, 0], v: [0, 12, 0], transform: { translation: [-6, -6, 0] }, material: { "     \
+    "material: Phong, " slots " } }"
+
+static const FarCase far_cases[] = {
+    {"above a floor", NEAR_CAMERA "objects: [" FLOOR("diffuse: [.6, .5, .4]") "]\n", "Point", 400, .3, 1.2, 5, 20, 1},
+    {"a dark floor", NEAR_CAMERA "objects: [" FLOOR("diffuse: .02") "]\n", "Point", 400, .3, 1.2, 5, 20, 1},
+    {"just above it", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Point", 300, .004, .03, 5, 2, 1},
+    {"below it", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Point", 300, -1, .2, 5, 9, 1},
+    {"seen at a grazing angle",
+     "camera: { camera: Perspective, position: [0, -7, .2], target: [0, 0, 0] }\nobjects: [" FLOOR("diffuse: .5") "]\n",
+     "Point", 300, .3, 1, 5, 20, 1},
+    {"gloss", NEAR_CAMERA "objects: [" FLOOR("diffuse: .3, specular: .9, shininess: .95") "]\n", "Point", 300, .3, 1.2,
+     5, 9, 1},
+    {"broad gloss", NEAR_CAMERA "objects: [" FLOOR("diffuse: .1, specular: .5, shininess: .2") "]\n", "Point", 120, .3,
+     1.2, 5, 9, 1},
+    {"borders of cones", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Spot", 200, 3, 6, 4, 200, 1},
+    {"from infinitely far",
+     NEAR_CAMERA
+     "objects: [" FLOOR("diffuse: .5") ", { object: Sphere, material: { material: Phong, diffuse: .7 } }]\n",
+     "Directional", 100, 1, 2, 1, 1, 1},
+    {"one is bright", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Point", 500, .3, 1.2, 5, 3, 3000},
+    {"spheres before each other",
+     NEAR_CAMERA "objects: [" FLOOR(
+         "diffuse: .5") ", { object: Scatter, count: 40, size: [6, 6, 1], seed: 3, objects: "
+                        "[{ object: Sphere, radius: .2, material: { material: Phong, diffuse: [.9, .4, .2] } }] }]\n",
+     "Point", 300, .3, 3, 5, 20, 1},
+    {"a checker of black and white",
+     NEAR_CAMERA "objects: [" FLOOR("diffuse: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, scaleU: "
+                                    "40, scaleV: 40 } }, specular: { map: Checker, color1: 0, color2: .2 }") "]\n",
+     "Point", 300, .3, 1.2, 5, 20, 1},
+    {"glass over it",
+     NEAR_CAMERA
+     "objects: [" FLOOR("diffuse: .5") ", { object: Box, size: [3, 3, .1], transform: { translation: [0, 0, .6] }, "
+                                       "material: { material: RGBA, r: .9, g: .5, b: .2, a: .3 } }]\n",
+     "Point", 300, .3, 1.2, 5, 20, 1},
+    {"light from behind", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5, diffuseTransparency: [.5, .3, .1]") "]\n",
+     "Point", 300, -1, 1, 5, 20, 1},
+    {"parallel rays",
+     "camera: { camera: Orthographic, position: [.5, -6, 3], size: 4, depth: 40 }\nobjects: [" FLOOR(
+         "diffuse: .5") "]\n",
+     "Point", 300, .3, 1.2, 5, 20, 1},
+    {"a film, brighter",
+     NEAR_CAMERA "toneMapping: { toneMapping: Filmic, exposure: 2 }\nobjects: [" FLOOR("diffuse: .5") "]\n", "Point",
+     400, .3, 1.2, 5, 3, 1},
+    {"a film, darker",
+     NEAR_CAMERA "toneMapping: { toneMapping: Filmic, exposure: -3 }\nobjects: [" FLOOR("diffuse: .5") "]\n", "Point",
+     400, .3, 1.2, 5, 60, 1},
+};
+
+/* From malloc. */
+static char *far_text(const FarCase *c)
+{
+    char *text = malloc(TEXT);
+    assert_non_null(text);
+    size_t size = 0;
+    state_of_lights = 7;
+    APPEND("image: { width: 128, height: 88 }\n%slights:\n", c->head);
+    for (int i = 0; i < c->count; i++) {
+        const double x = chance(), y = chance(), z = chance(), red = chance(), green = chance(), blue = chance();
+        APPEND("- { light: %s, intensity: %.6f, color: [%.3f, %.3f, %.3f], shadows: false", c->kind,
+               c->sum / c->count * (i == 0 ? c->bright : 1), red, green, blue);
+        if (strcmp(c->kind, "Directional") != 0)
+            APPEND(", position: [%.4f, %.4f, %.5f]", c->reach * (2 * x - 1), c->reach * (2 * y - 1),
+                   c->low + (c->high - c->low) * z);
+        if (strcmp(c->kind, "Point") != 0)
+            APPEND(", direction: [%.4f, %.4f, -1]", x - .5, y - .5);
+        if (!strcmp(c->kind, "Spot"))
+            APPEND(", innerAngle: %.2f, outerAngle: %.2f", 40 + 30 * x, 70 + 15 * y);
+        APPEND(" }\n");
+    }
+    assert_true(size < TEXT);
+    return text;
+}
+
+/* The most that a shown pixel is off, in half steps; *apart: how many lanes are. */
+static double most_off(const Scene *scene, const float *all, const float *bounded, int *apart)
+{
+    double most = 0;
+    *apart = 0;
+    for (int i = 0; i < scene->width * scene->height * 4; i++) {
+        const double off =
+            fabs(shown_of(scene->tone, scene->exposure, bounded[i]) - shown_of(scene->tone, scene->exposure, all[i]));
+        assert_true(isfinite(bounded[i]));
+        most = fmax(most, off);
+        *apart += bounded[i] != all[i];
+    }
+    return most / half_step;
+}
+
+/* Scenes made to attack the bound: no lane of any pixel is further off than it says. */
+static void far_lights_are_within_the_bound(void **state)
+{
+    (void)state;
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    GlContext *gl = frame_context();
+    int faults = 0;
+    for (size_t i = 0; i < sizeof far_cases / sizeof *far_cases; i++) {
+        const FarCase *c = &far_cases[i];
+        MatcDocument *document;
+        char *text = far_text(c);
+        int apart;
+        Scene *scene = frame_scene(text, &options, &document);
+        RenderOptions drawn = {.compile = &options, .view = "light", .lights = "all"};
+        float *all = frame_floats(gl, scene, &drawn);
+        drawn.lights = "bounded";
+        float *bounded = frame_floats(gl, scene, &drawn);
+        const double most = most_off(scene, all, bounded, &apart);
+        print_message("%-30s %4.2f of half a step, %d lanes differ\n", c->name, most, apart);
+        faults += !(most <= 1) || apart == 0; /* where all were summed nothing would be proved */
+        free(all);
+        free(bounded);
+        free(text);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+    matc_layout_free(layout);
+    assert_int_equal(faults, 0);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_light_counts)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_light_counts), cmocka_unit_test(budgets_hold),
+                                       cmocka_unit_test(far_lights_are_within_the_bound)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,17 +16,21 @@
     "vec3 surfaceThrough(Surface s) { return s.transparency; }\n"
 
 static const SurfaceModel lambert = {
-    "Lambert", LIT "vec3 surfaceOwn(Lit m, vec3 ambient) { return vec3(0.0); }\n"
-                   "vec3 surfaceLobe(Lit m, vec3 l) { return m.color * max(dot(m.normal, l), 0.0); }\n"
-                   "#ifdef LIGHT_HAS_AREAS\n"
-                   "vec3 surfaceArea(Lit m, Area a) { return m.color * areaCosine(areaClip(a, m.normal), m.normal); }\n"
-                   "#endif\n"};
-static const SurfaceModel flat = {"Flat", LIT "vec3 surfaceOwn(Lit m, vec3 ambient) { return m.color; }\n"
-                                              "vec3 surfaceLobe(Lit m, vec3 l) { return vec3(0.0); }\n"
-                                              "#ifdef LIGHT_HAS_AREAS\n"
-                                              "vec3 surfaceArea(Lit m, Area a) { return vec3(0.0); }\n"
-                                              "#endif\n"};
-static const SurfaceModel broken = {"Broken", "struct Lit { vec3 normal; };\n"};
+    "Lambert",
+    LIT "vec3 surfaceOwn(Lit m, vec3 ambient) { return vec3(0.0); }\n"
+        "vec3 surfaceLobe(Lit m, vec3 l) { return m.color * max(dot(m.normal, l), 0.0); }\n"
+        "#ifdef LIGHT_HAS_AREAS\n"
+        "vec3 surfaceArea(Lit m, Area a) { return m.color * areaCosine(areaClip(a, m.normal), m.normal); }\n"
+        "#endif\n",
+    false};
+static const SurfaceModel flat = {"Flat",
+                                  LIT "vec3 surfaceOwn(Lit m, vec3 ambient) { return m.color; }\n"
+                                      "vec3 surfaceLobe(Lit m, vec3 l) { return vec3(0.0); }\n"
+                                      "#ifdef LIGHT_HAS_AREAS\n"
+                                      "vec3 surfaceArea(Lit m, Area a) { return vec3(0.0); }\n"
+                                      "#endif\n",
+                                  false};
+static const SurfaceModel broken = {"Broken", "struct Lit { vec3 normal; };\n", false};
 
 #define SOLIDS                                                                                                         \
     "image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [0, -6, 4], target: [0, 0, .5] }\n"    \

@@ -211,6 +211,7 @@ void frame_place(Render *render)
 {
     view_space_place(&render->space, render->whole, render->at);
     lighting_place(render, &render->light);
+    lighting_place(render, &render->far.gather);
     pass_edge_place(render);
     pass_tools_place(render);
     pass_tone_place(render);
@@ -283,7 +284,7 @@ bool frame_make(Render *render)
 
 bool frame_change(Render *render, unsigned what)
 {
-    ScreenPass *passes[] = {&render->light, &render->blend, &render->peel};
+    ScreenPass *passes[] = {&render->light, &render->far.gather, &render->blend, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
@@ -304,6 +305,7 @@ void frame_delete(Render *render)
     GlContext *gl = render->gl;
     screen_pass_delete(&render->light);
     pass_tone_delete(render);
+    light_far_delete(render);
     pass_edge_delete(render);
     pass_tools_delete(render);
     screen_pass_delete(&render->blend);

@@ -72,6 +72,12 @@ typedef struct {
     float irradiance[SKY_NUMBERS][4];
 } SkyLight;
 
+/* Of light_far.c, where lights are many. */
+typedef struct {
+    ScreenPass gather;
+    GLuint numbers, words; /* storage buffers of far_blocks.glsl */
+} FrameFar;
+
 /* Of the pass edge. */
 typedef struct {
     Material material;
@@ -130,6 +136,7 @@ struct Render {
     int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
     FrameEdge edge;
     FrameTools tools;
+    FrameFar far;
     LightTable lights;
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
@@ -263,8 +270,9 @@ void pass_plane_planes(Render *render, bool transparent);
 
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
 typedef struct {
-    const char *body[2];
+    const char *body[5];
     bool over; /* it is passOver() */
+    int block; /* of screen_pass.h */
 } LightingText;
 enum {
     LIGHTING_UNITS = FRAMEBUFFER_COLORS + 6,
@@ -274,6 +282,8 @@ bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
 /* For a pass that lays something transparent over the light, with the text of it that gives no light: and over the tools, where there are some. */
 bool pass_tools_make_veil(Render *render, const LightingText *text);
 void pass_tools_draw_veil(Render *render);
+/* Counts the lights, and writes their numbers. */
+bool lighting_lights(Render *render);
 /* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */
 enum { LIGHT_TABLE_DEFINITION = 64 };
 bool light_table_write(Render *render, int unit);
@@ -307,6 +317,16 @@ bool shadow_glass_check(Render *render, bool *again);
 void shadow_glass_delete(Render *render);
 /* The maps are drawn as often as it takes to find room for all fragments. False: see the context's error. */
 bool pass_shadow_count(Render *render);
+/* Many lights (light_bound.c, light_far.c): the choice can be met; far ones are taken together; the pass light of that, made; what is gathered for it, before it
+ * runs; deleted. */
+bool light_far_check(GlContext *gl, const RenderOptions *options);
+bool light_far_used(const Render *render);
+/* What light may be off, at exposure 0: times itself, and besides. False: it may not. */
+bool light_far_budget(SceneKind tone, double budget[2]);
+bool light_far_make(Render *render);
+void light_far_draw(Render *render);
+void light_far_delete(Render *render);
+
 /* What lights see, before any pass is made. */
 bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */

@@ -1,5 +1,5 @@
 /* Numbers of lights on the driver's side: as a block of each program that lights, where the driver's blocks have room for them all, else as a
- * texture. */
+ * texture; so, too, where invocations read different lights, which a block gives one after the other. */
 #include "runtime/render/frame.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -41,6 +41,7 @@ static bool fits_block(const Render *render)
 bool light_table_write(Render *render, int unit)
 {
     LightTable *lights = &render->lights;
+    const bool others = render->light_counts[VIEW_SPACE_POINTS] > 0;
     if (!lights->texels)
         lights->texels =
             calloc((size_t)room_for(render->scene->light_count * VIEW_SPACE_LIGHT_TEXELS), sizeof *lights->texels);
@@ -48,11 +49,13 @@ bool light_table_write(Render *render, int unit)
         return gl_fail(render->gl, "out of memory");
     view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels, render->light_counts);
     shadow_put_lights(render, lights->texels);
+    if (render->far.numbers && others != (render->light_counts[VIEW_SPACE_POINTS] > 0))
+        return gl_fail(render->gl, "lights cast shadows, or do not, where none did otherwise: this is another scene");
     const int count = room_for(view_space_texels(render->light_counts, VIEW_SPACE_SECTIONS));
     if (lights->count && count > lights->count)
         return gl_fail(render->gl, "the lights take %d texels, not %d: this is another scene", count, lights->count);
     lights->count = lights->count ? lights->count : count;
-    return fits_block(render) || write_texture(render, unit);
+    return (fits_block(render) && !light_far_used(render)) || write_texture(render, unit);
 }
 
 void light_table_define(const Render *render, char defined[LIGHT_TABLE_DEFINITION])

@@ -59,10 +59,12 @@ static bool fail_model(const Render *render)
     return gl_fail(render->gl, "lighting surfaces by the model %s: %s", render->surface->name, why);
 }
 
+bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_UNIT); }
+
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
     char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
-    if ((!render->lights.texels && !light_table_write(render, LIGHTS_UNIT)) || !shadow_make_tables(render))
+    if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
         return false;
     light_table_define(render, table);
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
@@ -72,10 +74,11 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
                                           render->surface->text, defined, shadows, table, render_text_lighting,
-                                          own->body[0], own->body[1]},
+                                          own->body[0], own->body[1], own->body[2], own->body[3], own->body[4]},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute,
-                                 .over = own->over};
+                                 .over = own->over,
+                                 .block = own->block};
     if (!screen_pass_make(render->store, &text, made))
         return fail_model(render);
     set_numbers(render, made);

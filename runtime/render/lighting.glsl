@@ -58,39 +58,71 @@ Area areaAt(int light, vec3 point)
 }
 #endif
 
-// Of the surface whose depth is `depth`, which is greater than 0, at a pixel.
-vec3 lightOf(ivec2 pixel, float depth, Surface surface)
+// A surface, as a pixel sees it.
+struct Seen {
+    vec3 point;
+    float pixelSize; // of a pixel, there
+    Lit m;
+};
+
+// Of the surface whose depth is `depth`, which is greater than 0.
+Seen lightSeen(ivec2 pixel, float depth, Surface surface)
 {
     bool orthographic = light_view.y > 0.0;
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
     vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
-    float pixelSize = 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z);
-    Lit m = surfaceLit(surface, toEye);
-    vec3 sum = surfaceOwn(m, light_ambient.xyz);
-    for (int i = 0; i < light_plain; i++) {
-        vec3 l;
-        vec3 arrives = lightPlain(i, point, l);
-        sum += arrives * surfaceLobe(m, l);
-    }
-    int first = light_plain, last = first + light_points;
-    for (int i = first; i < last; i++) {
-        vec3 l;
-        vec3 arrives = lightAt(i, point, l);
-        vec3 sent = arrives * surfaceLobe(m, l);
-#if defined SHADOW_MAPS || defined SHADOW_PLANES
-        if (sent.x + sent.y + sent.z > 0.0)
-            sent *= shadowShare(lightTexel(i, 0), ivec2(lightTexel(i, 3).zw), point,
-                                dot(m.normal, l) < 0.0 ? -m.normal : m.normal, pixelSize);
-#endif
-        sum += sent;
-    }
+    return Seen(point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, toEye));
+}
+
+// What it sends of all light but that of plain lights and of others that shine from one direction.
+vec3 lightEven(Seen seen)
+{
+    vec3 sum = surfaceOwn(seen.m, light_ambient.xyz);
 #ifdef LIGHT_HAS_SKY
-    sum += surfaceSky(m);
+    sum += surfaceSky(seen.m);
 #endif
 #ifdef LIGHT_HAS_AREAS
-    for (int i = last; i < last + light_areas; i++)
-        sum += lightTexel(i, 1).xyz * surfaceArea(m, areaAt(i, point));
+    int first = light_plain + light_points;
+    for (int i = first; i < first + light_areas; i++)
+        sum += lightTexel(i, 1).xyz * surfaceArea(seen.m, areaAt(i, seen.point));
 #endif
     return sum;
+}
+
+vec3 lightFromPlain(int light, Seen seen)
+{
+    vec3 l;
+    vec3 arrives = lightPlain(light, seen.point, l);
+    return arrives * surfaceLobe(seen.m, l);
+}
+
+vec3 lightFromOther(int light, Seen seen)
+{
+    vec3 l;
+    vec3 arrives = lightAt(light, seen.point, l);
+    vec3 sent = arrives * surfaceLobe(seen.m, l);
+#if defined SHADOW_MAPS || defined SHADOW_PLANES
+    if (sent.x + sent.y + sent.z > 0.0)
+        sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point,
+                            dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal, seen.pixelSize);
+#endif
+    return sent;
+}
+
+vec3 lightFromAll(Seen seen)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < light_plain; i++)
+        sum += lightFromPlain(i, seen);
+    for (int i = light_plain; i < light_plain + light_points; i++)
+        sum += lightFromOther(i, seen);
+    return sum;
+}
+
+// All of it.
+vec3 lightOf(ivec2 pixel, float depth, Surface surface)
+{
+    Seen seen = lightSeen(pixel, depth, surface);
+    return lightEven(seen) + lightFromAll(seen);
 }

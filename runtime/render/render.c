@@ -21,7 +21,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && find_slot(options->view) == SLOT_COUNT)
         return gl_fail(gl, "there is no view '%s': shown, light, depth, or a slot", options->view), NULL;
-    if (!transparency_check(gl, options))
+    if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
     Render *render = calloc(1, sizeof *render);
     if (!render)

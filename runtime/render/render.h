@@ -31,8 +31,11 @@ typedef struct {
     int tile[2];       /* at most so many pixels at once; 0: as many as the memory holds */
     bool no_shadows;   /* no light casts any */
     const char *transparency; /* "lists", "peeling", or "auto" (NULL): lists where there are some, and room for them */
-    size_t list_bytes;        /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
-    bool fragment;            /* passes over all pixels are fragment programs, also where there is compute */
+    /* "all": each light is summed at each pixel; "bounded": far ones together, within a bound that holds for the picture as it is shown (by Clamp or
+     * Filmic); "auto" (NULL): that, where lights are many and the picture has 8 bits */
+    const char *lights;
+    size_t list_bytes;           /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
+    bool fragment;               /* passes over all pixels are fragment programs, also where there is compute */
     const SurfaceModel *surface; /* of all materials; NULL: surface_model_phong */
     bool unculled;               /* what is out of view is drawn, too: for tests */
 } RenderOptions;

@@ -45,14 +45,18 @@ bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made
     int count = 1;
     for (int i = 0; i < SCREEN_PASS_PIECES && text->body[i]; i++)
         pieces[count++] = text->body[i];
-    pieces[count] = entry_of(text);
+    if (!text->block)
+        pieces[count] = entry_of(text);
     ProgramText program = {0};
     memcpy(text->compute ? program.compute : program.fragment, pieces, sizeof pieces);
     if (!text->compute) {
         program.vertex[0] = head;
         program.vertex[1] = screen_text;
     }
-    *made = (ScreenPass){.compute = text->compute, .over = text->over, .format = formats[format].format};
+    *made = (ScreenPass){.compute = text->compute,
+                         .over = text->over,
+                         .block = text->block ? text->block : GROUP,
+                         .format = formats[format].format};
     return material_make(store, NULL, &program, &made->material);
 }
 
@@ -81,6 +85,7 @@ static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *scre
 void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *screen)
 {
     GlContext *gl = store_context(pass->material.store);
+    const GLuint block = (GLuint)pass->block;
     if (!pass->compute) {
         draw(pass, target, screen);
         return;
@@ -88,8 +93,8 @@ void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *
     material_use(&pass->material);
     gl->BindImageTexture(0, target->colors[0], 0, GL_FALSE, 0, pass->over ? GL_READ_WRITE : GL_WRITE_ONLY,
                          pass->format);
-    gl->DispatchCompute(((GLuint)target->spec.width + GROUP - 1) / GROUP,
-                        ((GLuint)target->spec.height + GROUP - 1) / GROUP, 1);
+    gl->DispatchCompute(((GLuint)target->spec.width + block - 1) / block,
+                        ((GLuint)target->spec.height + block - 1) / block, 1);
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

@@ -13,11 +13,13 @@ typedef struct {
     const char *format;                   /* of the target: "RGBA16F", ... */
     bool compute;                         /* wanted; there must be GL 4.3 then */
     bool over;                            /* the body is passOver(): what it gives is laid over what is in the target */
+    int block; /* 0, or the body has a compute entry of its own, for squares of so many pixels */
 } ScreenPassText;
 
 typedef struct {
     Material material;
     bool compute, over;
+    int block; /* the edge, in pixels, of what a group of invocations draws */
     GLenum format;
 } ScreenPass;
 

@@ -3,4 +3,4 @@
 
 extern const char render_text_surface_phong[];
 
-const SurfaceModel surface_model_phong = {"Phong", render_text_surface_phong};
+const SurfaceModel surface_model_phong = {"Phong", render_text_surface_phong, true};

@@ -10,13 +10,22 @@
  *     vec3 surfaceSky(Lit m)                         of the sky all around, by light_sky.glsl; under #ifdef LIGHT_HAS_SKY
  *     vec3 surfaceArea(Lit m, Area light)            of a polygon of radiance 1, by light_area.glsl; under #ifdef LIGHT_HAS_AREAS
  *
+ * Where there are many lights, a model with `parts` has those that are far summed for many pixels at once. Its lobe is then, for light from the side of
+ * the eye, the cosine times E, and at most times E + G max(w.l, 0)^n; light from the other side is nothing, if it lets none through:
+ *
+ *     vec3 surfaceEven(Lit m), surfaceGloss(Lit m), surfaceMirror(Lit m)    E, G, and w, of length 1
+ *     float surfaceExponent(Lit m)                                          n
+ *     bool surfaceLetsThrough(Lit m)
+ *
  * A further model is a text and a row here; tests/frame/reference_light.c has the sum that its light is held against. */
 #ifndef MATC_SURFACE_MODEL_H
 #define MATC_SURFACE_MODEL_H
+#include <stdbool.h>
 
 typedef struct {
     const char *name;
     const char *text;
+    bool parts;
 } SurfaceModel;
 
 extern const SurfaceModel surface_model_phong;

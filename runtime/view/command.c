@@ -53,6 +53,8 @@ const char command_help[] =
     "  --transparency=HOW   auto (default), lists, peeling: how transparent surfaces are put in order; the picture is "
     "the "
     "same\n"
+    "  --lights=HOW         auto (default), bounded, all: far ones of many together, less than half a step of 8 bits "
+    "off\n"
     "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
     "  --emit=frame         the passes and their targets, and no picture\n"
     "of both\n"
@@ -176,6 +178,8 @@ static const char *set_view(Command *command, const char *name, const char *valu
         command->view = value;
     else if (!strcmp(name, "--transparency"))
         command->transparency = value;
+    else if (!strcmp(name, "--lights"))
+        command->lights = value;
     else
         return set_scene(command, name, value);
     return NULL;
@@ -277,9 +281,9 @@ const char *command_check_material(const Command *command)
 {
     if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
         return "--size times --samples is more than 8192";
-    if (command->view || command->transparency || command->stats || command->graph || command->shadows ||
-        command->has_tools)
-        return "--view, --transparency, --shadows, --tools, --stats and --emit=frame are of scenes";
+    if (command->view || command->transparency || command->lights || command->stats || command->graph ||
+        command->shadows || command->has_tools)
+        return "--view, --transparency, --lights, --shadows, --tools, --stats and --emit=frame are of scenes";
     return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress ||
                    command->frames.given
                ? "--format, --bits, --memory, --progress and --frames are of scenes; a material's picture is a PNG"

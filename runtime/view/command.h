@@ -24,6 +24,7 @@ typedef struct {
     RenderEdges edges;
     Frames frames;
     const char *transparency;  /* of a scene: how transparent surfaces are put in order */
+    const char *lights;        /* of a scene: how many lights are summed */
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     SceneTools tools;          /* of a scene, if --tools was given: which are drawn */
     bool has_tools;

@@ -170,6 +170,7 @@ static ScenePictureOptions scene_options(const Command *command, const Scene *sc
                                             .view = command->view,
                                             .no_shadows = command->no_shadows,
                                             .transparency = command->transparency,
+                                            .lights = command->lights,
                                             .width = width,
                                             .height = height > 0 ? (int)height : 1,
                                             .edges = command->edges,
@@ -186,10 +187,8 @@ static const char *scene_path(const Command *command, const char *input, int fra
 {
     char name[LONGEST_NAME], pattern[LONGEST_PATH];
     name_of(input, NULL, name);
-    if (!command->frames.given) {
-        path_of(command, name, path);
-        return NULL;
-    }
+    if (!command->frames.given)
+        return path_of(command, name, path), NULL;
     if (command->output && command->frames.first == command->frames.last && !strchr(command->output, '%'))
         return snprintf(path, LONGEST_PATH, "%s", command->output), NULL;
     const size_t size = strlen(name);

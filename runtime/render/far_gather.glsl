@@ -1,0 +1,243 @@
+// Before the pass light where lights are many: for each group of a block's pixels, what far lights give together, and which are near. light_bound.c says
+// how, and what it is off at most. Before it stands far_group.glsl.
+
+// -- lights
+
+// A light as the group sees it: the way to the centre, of length 1; the group's radius over its distance, 0 if that is infinite; what arrives at
+// the centre; the least and the most of n.(l - p) over its distance; whether it shines on all of the group alike and without shadows.
+struct Far {
+    vec3 way, power;
+    float ratio, least, most;
+    bool whole;
+};
+
+// The cosines that a direction can have with one that is within an angle of an axis: x the least, y the most.
+vec2 farCosines(float along, float cosine, float sine)
+{
+    float aside = sqrt(max(1.0 - along * along, 0.0)) * sine;
+    return vec2(along > -cosine ? along * cosine - aside : -1.0, along < cosine ? along * cosine + aside : 1.0);
+}
+
+// What a spot's cone lets through, at least and at most, from the group.
+vec2 farCone(int light, vec3 way, float ratio)
+{
+    vec2 cone = lightTexel(light, 3).xy;
+    float sine = min(ratio, 1.0);
+    vec2 cosines = ratio < 1.0 ? farCosines(-dot(way, lightTexel(light, 2).xyz), sqrt(1.0 - sine * sine), sine)
+                               : vec2(-1.0, 1.0);
+    return clamp(cone.x * cosines + cone.y, 0.0, 1.0);
+}
+
+Far farLight(int light, Group group)
+{
+    Far far;
+    vec4 place = lightTexel(light, 0);
+    vec3 way = place.xyz - place.w * group.centre;
+    float over = inversesqrt(max(dot(way, way), 1e-30)), finite = place.w > 0.0 ? over : 0.0;
+    far.way = way * over;
+    far.ratio = group.radius * finite;
+    far.power = lightTexel(light, 1).xyz * (place.w > 0.0 ? over * over : 1.0);
+    vec2 cosines = farCosines(dot(far.way, far_axis), group.cosine, group.sine);
+    far.least = cosines.x - group.above * finite;
+    far.most = cosines.y - group.below * finite;
+    far.whole = true;
+#ifdef FAR_OTHERS
+    if (light >= light_plain) {
+        vec2 cone = farCone(light, far.way, far.ratio);
+        far.whole = cone.x >= 1.0 && lightTexel(light, 3).w < 0.0;
+        if (cone.y <= 0.0) far.power = vec3(0.0);
+    }
+#endif
+    return far;
+}
+
+bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least >= 0.0; }
+
+// No pixel of the group sees it.
+bool farIsDark(Far far, Group group) { return far.power == vec3(0.0) || (far.most <= 0.0 && !group.behind); }
+
+// What the light surely gives to each pixel of the group, but for what its surface sends back of that.
+vec3 farSure(Far far)
+{
+    if (!far.whole || far.least <= 0.0) return vec3(0.0);
+    float further = 1.0 / (1.0 + far.ratio);
+    return far.power * (far.least * further * further * further);
+}
+
+// How much it gives more or less than what it is taken for: the rest of its series, or all.
+vec3 farRest(Far far)
+{
+    float q = far.ratio, nearer = 1.0 / (1.0 - q);
+    if (farExpands(far)) return far.power * (q * q * q * q * (5.0 - 4.0 * q) * nearer * nearer);
+    return far.power * (nearer * nearer * min(far.most * nearer, 1.0));
+}
+
+// The most that it gives by gloss, to a surface whose gloss is 1.
+vec3 farGloss(Far far, Group group)
+{
+    float q = far.ratio, nearer = 1.0 / (1.0 - q), beside = sqrt(1.0 - q * q);
+    float mirror = farCosines(group.mirror, beside, q).x; // of the angles' sum
+    vec2 cosines = farCosines(dot(far.way, far_mirror), mirror, sqrt(max(1.0 - mirror * mirror, 0.0)));
+    return far.power * (nearer * nearer * min(far.most * nearer, 1.0) * pow(max(cosines.y, 1e-30), group.exponent));
+}
+
+// The share of the budgets that it takes if it isn't summed at each pixel; they are 1 over what may be off.
+float farShare(Far far, Group group, vec3 even, vec3 gloss)
+{
+    if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
+    vec3 share = farRest(far) * even;
+#ifdef SURFACE_HAS_specular
+    share = max(share, farGloss(far, group) * group.gloss * gloss);
+#endif
+    return max(max(share.x, share.y), share.z);
+}
+
+// -- sums over the invocations
+
+void farPart(int row, vec3 part)
+{
+    int at = row * 3 * PITCH + int(gl_LocalInvocationIndex);
+    far_parts[at] = part.x;
+    far_parts[at + PITCH] = part.y;
+    far_parts[at + 2 * PITCH] = part.z;
+}
+
+void farSum(int rows)
+{
+    barrier();
+    for (int row = int(gl_LocalInvocationIndex); row < 3 * rows; row += GROUP) {
+        float sum = 0.0;
+        for (int i = 0; i < GROUP; i++)
+            sum += far_parts[row * PITCH + i];
+        far_sums[row] = sum;
+    }
+    barrier();
+}
+
+vec3 farTotal(int row) { return vec3(far_sums[3 * row], far_sums[3 * row + 1], far_sums[3 * row + 2]); }
+
+// -- which are near
+
+int farCount() { return light_plain + light_points; }
+
+vec3 farSureOfAll(Group group)
+{
+    vec3 sure = vec3(0.0);
+    for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP)
+        sure += farSure(farLight(i, group));
+    farPart(0, sure);
+    farSum(1);
+    return farTotal(0);
+}
+
+// The greatest share that a light may take, so that the sum of all shares up to it is 1 at most. Shares are counted by powers of two, and
+// each counts as the greatest of its kind: 3 of 0.1 and 5 of 0.02 are 3 / 8 + 5 / 32 = 0.53.
+float farThreshold(Group group, vec3 even, vec3 gloss)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
+        Far far = farLight(i, group);
+        float share = farShare(far, group, even, gloss);
+        if (share < 1.0 && !farIsDark(far, group))
+            atomicAdd(far_shares[min(126 - int(floatBitsToUint(share) >> 23), 31)], 1u); // by the float's exponent
+    }
+    barrier();
+    float sum = 0.0, threshold = 0.0;
+    for (int i = 31; i >= 0; i--) {
+        sum += float(far_shares[i]) * exp2(float(-i));
+        if (sum > 1.0) break;
+        threshold = exp2(float(-i));
+    }
+    return threshold * 0.9999; // a share that is computed again may be rounded otherwise
+}
+
+// Sums the series of what is far, and marks what is near.
+void farGather(Group group, float threshold, vec3 even, vec3 gloss)
+{
+    vec3 sums[FAR_TERMS];
+#define FAR_CLEAR(k) sums[k] = vec3(0.0);
+    FAR_EACH(FAR_CLEAR)
+    for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
+        Far far = farLight(i, group);
+        if (farIsDark(far, group)) continue;
+        if (!(farShare(far, group, even, gloss) < threshold)) atomicOr(far_near[i >> 5], 1u << (i & 31));
+        else if (farExpands(far)) farAdd(far.way, far.ratio, far.power, sums);
+    }
+#define FAR_PART(k) farPart(k, sums[k]);
+    FAR_EACH(FAR_PART)
+    farSum(FAR_TERMS);
+}
+
+// The places of what is near, in their order. Returns how many.
+int farList()
+{
+    int count = 0;
+    for (int word = 0; word < WORDS; word++) {
+        if (word % GROUP == int(gl_LocalInvocationIndex)) {
+            int at = count;
+            for (uint bits = far_near[word]; bits != 0u; bits &= bits - 1u)
+                far_parts[at++] = float(32 * word + findLSB(bits));
+        }
+        count += bitCount(far_near[word]);
+    }
+    barrier();
+    return count;
+}
+
+// -- what is kept
+
+int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
+
+// The sums lie four terms of a lane in a texel: texels 1 to 6 of red, 7 to 12 of green, 13 to 18 of blue.
+void farKeep(Group group, int number, int count)
+{
+    int at = (farBlock() * FAR_GROUPS + number) * FAR_TEXELS * 4, self = int(gl_LocalInvocationIndex);
+    if (self == 0) {
+        for (int i = 0; i < 3; i++)
+            far_numbers[at + i] = group.centre[i];
+        far_numbers[at + 3] = 1.0 / max(group.radius, 1e-30);
+    }
+    for (int i = self; i < 3 * FAR_TERMS; i += GROUP)
+        far_numbers[at + 4 + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
+    int words = farBlock() * FAR_WORDS + FAR_MAP + number * FAR_LIST;
+    if (self == 0) far_words[words] = uint(count);
+    for (int i = 2 * self; i < min(count, FAR_MOST); i += 2 * GROUP)
+        far_words[words + 1 + i / 2] = uint(far_parts[i]) | uint(far_parts[i + 1]) << 16;
+}
+
+void farKeepMap(uint members)
+{
+    for (int k = 0; k < PIXELS; k++)
+        if ((members >> k & 1u) != 0u) atomicOr(far_map[farNumber(k) >> 5], 1u << (farNumber(k) & 31u));
+    barrier();
+    if (gl_LocalInvocationIndex < uint(FAR_MAP))
+        far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = far_map[gl_LocalInvocationIndex];
+}
+
+int farLights(Group group)
+{
+    vec3 least = far_relative * farSureOfAll(group);
+#ifdef SURFACE_HAS_specular
+    const float part = 0.5;
+#else
+    const float part = 1.0;
+#endif
+    vec3 even = 1.0 / max(part * (least + far_absolute / max(group.even, 1e-20)), 1e-30);
+    vec3 gloss = 1.0 / max(0.5 * (least * group.dim + far_absolute), 1e-30);
+    farGather(group, farThreshold(group, even, gloss), even, gloss);
+    return farList();
+}
+
+void main()
+{
+    uint waiting = farBegin(), members = 0u;
+    for (int number = 0; number < FAR_GROUPS; number++) {
+        if (!farFindSeed(waiting)) break;
+        members = farMembers(waiting, number == FAR_GROUPS - 1);
+        Group group = farFindGroup(members);
+        farKeep(group, number, farLights(group));
+        waiting &= ~members;
+        if (number == 0) members = 0u;
+        barrier();
+    }
+    farKeepMap(members);
+}

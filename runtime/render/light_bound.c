@@ -1,0 +1,76 @@
+/* Many lights: which are summed at each pixel, and which are taken together, so that the picture as it is shown is within half a step of 8 bits,
+ * 1/510, of the sum of all. far_gather.glsl does it, for each block of 16 x 16 pixels by itself:
+ *
+ *  1. Pixels that lie near each other are a group, with a centre c, a greatest distance from it, a cone of normals. Most blocks have one.
+ *  2. A light that all of the group sees whole is a series around c (far_terms.glsl), whose rest is bounded; one that no pixel sees is nothing; any
+ *     other is bounded by the most that it can give. Gloss of a light that is taken together is left out, and bounded too.
+ *  3. E, what all whole lights give at least to each pixel, is a lower bound of the light. The bounds of what is taken together, the smallest first,
+ *     may sum up to r E + a; what does not go into that is summed at each pixel.
+ *
+ * A pixel's light L is then off by r L + a at most, in each lane, whatever its colour is. r and a are such that this is less than a step's half after
+ * exposure, tone mapping and the encoding as sRGB, whose slope T' may be steep: (r L + a) T'(L) <= 1/510 for every L. Clamp's slope is 12.92 at most,
+ * where it is dark, and L T'(L) is 0.44 at most, where it is white: r = 0.9 / 0.44 / 510 and a = 0.9 / 12.92 / 510 leave 1/510 * 0.98 of it.
+ * tests/test_frame_lights.c tries every L. Edges mix two such pixels, and are within it as well: 1 / T' of the encoding is concave. */
+#include "runtime/render/frame.h"
+#include <string.h>
+
+enum {
+    LEAST_HARDWARE = 128, /* lights from which on it takes less time */
+    LEAST_SOFTWARE = 256,
+    MOST = 4096 /* whose bits an invocation group has room for */
+};
+
+static const double half_step = 1. / 510;
+
+/* Shares of half a step over the greatest L T'(L), and over the greatest T'(L), with exposure 0. */
+static const struct {
+    SceneKind tone;
+    double relative, absolute;
+} budgets[] = {{SCENE_Clamp, .9 / .4398, .9 / 12.92}, {SCENE_Filmic, .7 / .286, .7 / 6.395}};
+
+/* Other tone mappings ask the whole picture: what a pixel is off moves all of them. */
+bool light_far_budget(SceneKind tone, double budget[2])
+{
+    for (size_t i = 0; i < sizeof budgets / sizeof *budgets; i++)
+        if (budgets[i].tone == tone) {
+            budget[0] = budgets[i].relative * half_step;
+            budget[1] = budgets[i].absolute * half_step;
+            return true;
+        }
+    return false;
+}
+
+static int count_lights(const Scene *scene)
+{
+    int count = 0;
+    for (int i = 0; i < scene->light_count; i++)
+        count += scene->lights[i].kind != SCENE_Ambient && scene->lights[i].kind != SCENE_Area;
+    return count;
+}
+
+static bool is_way(const RenderOptions *options, const char *way)
+{
+    return !strcmp(options->lights ? options->lights : "auto", way);
+}
+
+bool light_far_check(GlContext *gl, const RenderOptions *options)
+{
+    return is_way(options, "auto") || is_way(options, "all") || is_way(options, "bounded") ||
+           gl_fail(gl, "lights are auto, all or bounded, not '%s'", options->lights);
+}
+
+/* The picture has 8 bits, and nothing else is asked for. */
+static bool is_shown(const RenderOptions *options)
+{
+    return !options->deep && !options->linear && (!options->view || !strcmp(options->view, "shown"));
+}
+
+bool light_far_used(const Render *render)
+{
+    double budget[2];
+    const int count = count_lights(render->scene), least = render->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
+    if (!render->compute || !render->surface->parts || is_way(&render->options, "all") || count > MOST ||
+        !light_far_budget(render->scene->tone, budget))
+        return false;
+    return is_way(&render->options, "bounded") ? count > 0 : count >= least && is_shown(&render->options);
+}
