@@ -7,17 +7,18 @@ in vec3 worldTangentV;
 in vec2 uv;
 uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
+uniform sampler2D imageTexture1;
 layout(location = 0) out uvec4 fragment0;
-
-// Width and height of a picture, texels.
-vec2 pictureSize(sampler2D s) {
-    return vec2(textureSize(s, 0));
-}
 
 // A picture by its sampler, which takes the footprint from the neighbouring pixels: not in branches. A texel's value stands at its
 // lower corner, the sampler's at its centre. Below a texel a pixel the sampler's weights err by 1/256.
 vec4 imageSampled(sampler2D s, vec2 uv, vec2 size) {
     return texture(s, uv + 0.5 / size);
+}
+
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
 }
 
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
@@ -125,17 +126,19 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec2 uvByX = dFdx(uv);
     vec2 uvByY = dFdy(uv);
-    // bumpMap.yaml:10 UVTransform
-    vec2 tiles_uvTransform = uv * vec2(6.0, 3.0);
-    // bumpMap.yaml:8 tiles
-    vec2 tiles = pictureSize(imageTexture0);
-    vec4 tiles_2 = imageSampled(imageTexture0, tiles_uvTransform, tiles);
+    // bumpMap.yaml:7 grid
+    vec2 grid = uv * vec2(6.0, 3.0);
+    // bumpMap.yaml:8 ImageMap
+    vec4 diffuse_image = imageSampled(imageTexture0, grid, pictureSize(imageTexture0));
     // bumpMap.yaml:5 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
-    vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles).x - tiles_2.x) * tiles.y);
-    vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
-    vec3 bumpMap = cross(tiles_4.x * 0.48 * bumpMap_1 + worldTangentU, worldTangentV) + tiles_4.y * 0.24 * cross(worldTangentU, bumpMap_1);
+    // bumpMap.yaml:7 ImageMap
+    vec2 image = pictureSize(imageTexture1);
+    uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
+    float image_2 = imageSampled(imageTexture1, grid, image).x;
+    vec2 image_3 = vec2((imageSampled(imageTexture1, vec2(1.0 / image.x, 0.0) + grid, image).x - image_2) * image.x, (imageSampled(imageTexture1, vec2(0.0, 1.0 / image.y) + grid, image).x - image_2) * image.y);
+    vec2 image_4 = imageRiseNear(imageTexture1, grid, image, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), image_3);
+    vec3 bumpMap = cross(image_4.x * 0.48 * bumpMap_1 + worldTangentU, worldTangentV) + image_4.y * 0.24 * cross(worldTangentU, bumpMap_1);
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 2701131776u, 1031840161u);
 }

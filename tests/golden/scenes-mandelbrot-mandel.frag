@@ -63,7 +63,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // mandelbrot.yaml:23 XYZTransform
-    vec3 steps_xyzTransform = localPosition * vec3(0.64) + vec3(0.02, 0.18, 0.0);
+    vec3 steps_xyzTransform = localPosition * vec3(0.64) + vec3(0.02, 0.17, 0.0);
     // mandelbrot.yaml:23 Mandel
     float steps_mandel = mandel(steps_xyzTransform, 80);
     // mandelbrot.yaml:12 steps
