@@ -8,6 +8,7 @@
 #include "runtime/render/frame.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/frame_lamps.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -102,15 +103,6 @@ static void every_light_counts(void **state)
 
 /* -- far lights that are taken together */
 
-/* A screen's colour of light, from 0 to 1. */
-static double shown_of(SceneKind tone, double exposure, double light)
-{
-    const double x = light * exposure;
-    const double y = tone == SCENE_Filmic ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14) : x;
-    const double cut = y < 0 ? 0 : y > 1 ? 1 : y;
-    return cut <= .0031308 ? 12.92 * cut : 1.055 * pow(cut, 1 / 2.4) - .055;
-}
-
 static const double half_step = 1. / 510;
 
 /* What light may be off is less than half a step, for light of any strength. */
@@ -123,97 +115,69 @@ static void budgets_hold(void **state)
         assert_true(light_far_budget(tones[i], budget));
         assert_true(budget[0] > 1e-3 && budget[1] > 1e-4);
         for (double light = 1e-7; light < 100; light *= 1.001) {
-            const double off = budget[0] * light + budget[1], shown = shown_of(tones[i], 1, light);
-            assert_true(fabs(shown_of(tones[i], 1, light + off) - shown) < half_step);
-            assert_true(fabs(shown_of(tones[i], 1, light - off) - shown) < half_step);
+            const double off = budget[0] * light + budget[1], shown = frame_lamps_shown(tones[i], 1, light);
+            assert_true(fabs(frame_lamps_shown(tones[i], 1, light + off) - shown) < half_step);
+            assert_true(fabs(frame_lamps_shown(tones[i], 1, light - off) - shown) < half_step);
         }
     }
     assert_false(light_far_budget(SCENE_Drago, budget));
 }
 
-typedef struct {
-    const char *name, *head; /* objects, camera, tone mapping */
-    const char *kind;        /* of lights */
-    int count;
-    double low, high, reach, sum; /* their heights; how far to the sides; of their intensities */
-    int bright;                   /* so many times as bright as the others is the first */
-} FarCase;
-
-#define NEAR_CAMERA "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0] }\n"
-#define FLOOR(slots)                                                                                                   \
-    "{ object: Parallelogram, u: [12, 0, 0], v: [0, 12, 0], transform: { translation: [-6, -6, 0] }, material: { "     \
-    "material: Phong, " slots " } }"
-
-static const FarCase far_cases[] = {
-    {"above a floor", NEAR_CAMERA "objects: [" FLOOR("diffuse: [.6, .5, .4]") "]\n", "Point", 400, .3, 1.2, 5, 20, 1},
-    {"a dark floor", NEAR_CAMERA "objects: [" FLOOR("diffuse: .02") "]\n", "Point", 400, .3, 1.2, 5, 20, 1},
-    {"just above it", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Point", 300, .004, .03, 5, 2, 1},
-    {"below it", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Point", 300, -1, .2, 5, 9, 1},
+static const FrameLamps far_cases[] = {
+    {"above a floor", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n", "Point", 400,
+     .3, 1.2, 5, 20, 1},
+    {"a dark floor", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .02") "]\n", "Point", 400, .3, 1.2, 5,
+     20, 1},
+    {"just above it", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point", 300, .004, .03,
+     5, 2, 1},
+    {"below it", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point", 300, -1, .2, 5, 9, 1},
     {"seen at a grazing angle",
-     "camera: { camera: Perspective, position: [0, -7, .2], target: [0, 0, 0] }\nobjects: [" FLOOR("diffuse: .5") "]\n",
+     "camera: { camera: Perspective, position: [0, -7, .2], target: [0, 0, 0] }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .5") "]\n",
      "Point", 300, .3, 1, 5, 20, 1},
-    {"gloss", NEAR_CAMERA "objects: [" FLOOR("diffuse: .3, specular: .9, shininess: .95") "]\n", "Point", 300, .3, 1.2,
-     5, 9, 1},
-    {"broad gloss", NEAR_CAMERA "objects: [" FLOOR("diffuse: .1, specular: .5, shininess: .2") "]\n", "Point", 120, .3,
-     1.2, 5, 9, 1},
-    {"borders of cones", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Spot", 200, 3, 6, 4, 200, 1},
+    {"gloss", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .9, shininess: .95") "]\n",
+     "Point", 300, .3, 1.2, 5, 9, 1},
+    {"broad gloss", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .5, shininess: .2") "]\n",
+     "Point", 120, .3, 1.2, 5, 9, 1},
+    {"borders of cones", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Spot", 200, 3, 6, 4,
+     200, 1},
     {"from infinitely far",
-     NEAR_CAMERA
-     "objects: [" FLOOR("diffuse: .5") ", { object: Sphere, material: { material: Phong, diffuse: .7 } }]\n",
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .5") ", { object: Sphere, material: { material: Phong, diffuse: .7 } }]\n",
      "Directional", 100, 1, 2, 1, 1, 1},
-    {"one is bright", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5") "]\n", "Point", 500, .3, 1.2, 5, 3, 3000},
+    {"one is bright", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point", 500, .3, 1.2, 5,
+     3, 3000},
     {"spheres before each other",
-     NEAR_CAMERA "objects: [" FLOOR(
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
          "diffuse: .5") ", { object: Scatter, count: 40, size: [6, 6, 1], seed: 3, objects: "
                         "[{ object: Sphere, radius: .2, material: { material: Phong, diffuse: [.9, .4, .2] } }] }]\n",
      "Point", 300, .3, 3, 5, 20, 1},
     {"a checker of black and white",
-     NEAR_CAMERA "objects: [" FLOOR("diffuse: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, scaleU: "
+     FRAME_LAMPS_CAMERA
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, scaleU: "
                                     "40, scaleV: 40 } }, specular: { map: Checker, color1: 0, color2: .2 }") "]\n",
      "Point", 300, .3, 1.2, 5, 20, 1},
     {"glass over it",
-     NEAR_CAMERA
-     "objects: [" FLOOR("diffuse: .5") ", { object: Box, size: [3, 3, .1], transform: { translation: [0, 0, .6] }, "
-                                       "material: { material: RGBA, r: .9, g: .5, b: .2, a: .3 } }]\n",
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .5") ", { object: Box, size: [3, 3, .1], transform: { translation: [0, 0, .6] }, "
+                        "material: { material: RGBA, r: .9, g: .5, b: .2, a: .3 } }]\n",
      "Point", 300, .3, 1.2, 5, 20, 1},
-    {"light from behind", NEAR_CAMERA "objects: [" FLOOR("diffuse: .5, diffuseTransparency: [.5, .3, .1]") "]\n",
-     "Point", 300, -1, 1, 5, 20, 1},
+    {"light from behind",
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5, diffuseTransparency: [.5, .3, .1]") "]\n", "Point",
+     300, -1, 1, 5, 20, 1},
     {"parallel rays",
-     "camera: { camera: Orthographic, position: [.5, -6, 3], size: 4, depth: 40 }\nobjects: [" FLOOR(
+     "camera: { camera: Orthographic, position: [.5, -6, 3], size: 4, depth: 40 }\nobjects: [" FRAME_LAMPS_FLOOR(
          "diffuse: .5") "]\n",
      "Point", 300, .3, 1.2, 5, 20, 1},
     {"a film, brighter",
-     NEAR_CAMERA "toneMapping: { toneMapping: Filmic, exposure: 2 }\nobjects: [" FLOOR("diffuse: .5") "]\n", "Point",
-     400, .3, 1.2, 5, 3, 1},
+     FRAME_LAMPS_CAMERA
+     "toneMapping: { toneMapping: Filmic, exposure: 2 }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "Point", 400, .3, 1.2, 5, 3, 1},
     {"a film, darker",
-     NEAR_CAMERA "toneMapping: { toneMapping: Filmic, exposure: -3 }\nobjects: [" FLOOR("diffuse: .5") "]\n", "Point",
-     400, .3, 1.2, 5, 60, 1},
+     FRAME_LAMPS_CAMERA
+     "toneMapping: { toneMapping: Filmic, exposure: -3 }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "Point", 400, .3, 1.2, 5, 60, 1},
 };
-
-/* From malloc. */
-static char *far_text(const FarCase *c)
-{
-    char *text = malloc(TEXT);
-    assert_non_null(text);
-    size_t size = 0;
-    state_of_lights = 7;
-    APPEND("image: { width: 128, height: 88 }\n%slights:\n", c->head);
-    for (int i = 0; i < c->count; i++) {
-        const double x = chance(), y = chance(), z = chance(), red = chance(), green = chance(), blue = chance();
-        APPEND("- { light: %s, intensity: %.6f, color: [%.3f, %.3f, %.3f], shadows: false", c->kind,
-               c->sum / c->count * (i == 0 ? c->bright : 1), red, green, blue);
-        if (strcmp(c->kind, "Directional") != 0)
-            APPEND(", position: [%.4f, %.4f, %.5f]", c->reach * (2 * x - 1), c->reach * (2 * y - 1),
-                   c->low + (c->high - c->low) * z);
-        if (strcmp(c->kind, "Point") != 0)
-            APPEND(", direction: [%.4f, %.4f, -1]", x - .5, y - .5);
-        if (!strcmp(c->kind, "Spot"))
-            APPEND(", innerAngle: %.2f, outerAngle: %.2f", 40 + 30 * x, 70 + 15 * y);
-        APPEND(" }\n");
-    }
-    assert_true(size < TEXT);
-    return text;
-}
 
 /* The most that a shown pixel is off, in half steps; *apart: how many lanes are. */
 static double most_off(const Scene *scene, const float *all, const float *bounded, int *apart)
@@ -221,8 +185,8 @@ static double most_off(const Scene *scene, const float *all, const float *bounde
     double most = 0;
     *apart = 0;
     for (int i = 0; i < scene->width * scene->height * 4; i++) {
-        const double off =
-            fabs(shown_of(scene->tone, scene->exposure, bounded[i]) - shown_of(scene->tone, scene->exposure, all[i]));
+        const double off = fabs(frame_lamps_shown(scene->tone, scene->exposure, bounded[i]) -
+                                frame_lamps_shown(scene->tone, scene->exposure, all[i]));
         assert_true(isfinite(bounded[i]));
         most = fmax(most, off);
         *apart += bounded[i] != all[i];
@@ -239,9 +203,9 @@ static void far_lights_are_within_the_bound(void **state)
     GlContext *gl = frame_context();
     int faults = 0;
     for (size_t i = 0; i < sizeof far_cases / sizeof *far_cases; i++) {
-        const FarCase *c = &far_cases[i];
+        const FrameLamps *c = &far_cases[i];
         MatcDocument *document;
-        char *text = far_text(c);
+        char *text = frame_lamps_text(c, 128, 88);
         int apart;
         Scene *scene = frame_scene(text, &options, &document);
         RenderOptions drawn = {.compile = &options, .view = "light", .lights = "all"};

@@ -1,6 +1,6 @@
 // What the light of many lamps is kept in between two dispatches: for each block of 16 x 16 pixels FAR_GROUPS groups of them, each with its centre, 1 over its
 // radius, its sums in four by four terms of red, green and blue, and a list of near lights, which a pixel sums by itself. Of more than FAR_MOST a group has
-// no list: its pixels sum all lights. Before it stand FAR_LIGHTS, how many there are, and FAR_OTHERS, if not all are plain.
+// no list: its pixels sum all lights. Before it stand FAR_LIGHTS, how many there are at most, and FAR_OTHERS, if not all are plain.
 const int FAR_BLOCK = 16, FAR_GROUPS = 2, FAR_PIXELS = FAR_BLOCK * FAR_BLOCK;
 const int FAR_TEXELS = 1 + 3 * FAR_TERMS / 4;
 const int FAR_MAP = FAR_PIXELS / 32, FAR_MOST = 256;

@@ -177,14 +177,23 @@ static bool make_draw(Render *render, FrameDraw draw)
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-/* The pixels of a tile: as many whole rows as there is memory for; blocks of 2 x 2 pixels stay together. */
+/* Whole rows that the memory holds; blocks of 2 x 2 pixels, or those of far lights, stay together. */
+static size_t rows_in_memory(const Render *render, int width)
+{
+    const size_t memory = render->options.memory ? render->options.memory : RENDER_MEMORY;
+    const size_t block = (size_t)light_far_block(render), down = block > 2 ? block : 2;
+    const size_t across = ((size_t)width + block - 1) / block * block;
+    return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
+}
+
+/* The pixels of a tile: as many rows as there is memory for. */
 static void find_tile(const Render *render, int margin, int tile[2])
 {
     const RenderOptions *options = &render->options;
-    const size_t memory = options->memory ? options->memory : RENDER_MEMORY;
     const int most = (render->gl->max_texture_size & ~1) - 2 * margin;
-    const int width = least(render->whole[0], most), height = least(render->whole[1], most);
-    const size_t rows = memory / ((size_t)(width + 2 * margin) * (size_t)frame_all_bytes(render)) & ~(size_t)1;
+    const int width = least(render->whole[0], most), beside = width + 2 * margin;
+    const int height = least(least(render->whole[1], most), light_far_rows(render, beside) - 2 * margin);
+    const size_t rows = rows_in_memory(render, beside);
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
     tile[0] = least(width, options->tile[0] ? options->tile[0] : width);
     tile[1] = least(height, options->tile[1]            ? options->tile[1]

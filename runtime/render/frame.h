@@ -173,7 +173,7 @@ int frame_pass_count(void);
 const char *frame_format(const Render *render, FrameTarget target, int texture);
 int frame_bytes(const Render *render, FrameTarget target);   /* of a pixel */
 bool frame_shares(const Render *render, FrameTarget target); /* its memory is that of one before it */
-int frame_all_bytes(const Render *render);                   /* of a pixel, in all memory there is */
+int frame_all_bytes(const Render *render);                   /* of a pixel, in all memory there is, but for lists */
 const char *frame_target_name(FrameTarget target);
 
 /* Draws to these targets from now on, by the picture's coordinates. */
@@ -317,12 +317,22 @@ bool shadow_glass_check(Render *render, bool *again);
 void shadow_glass_delete(Render *render);
 /* The maps are drawn as often as it takes to find room for all fragments. False: see the context's error. */
 bool pass_shadow_count(Render *render);
-/* Many lights (light_bound.c, light_far.c): the choice can be met; far ones are taken together; the pass light of that, made; what is gathered for it, before it
+/* Many lights (light_bound.c, light_far.c, light_room.c): the choice can be met; far ones are taken together; the pass light of that, made; what is gathered for it, before it
  * runs; deleted. */
 bool light_far_check(GlContext *gl, const RenderOptions *options);
 bool light_far_used(const Render *render);
 /* What light may be off, at exposure 0: times itself, and besides. False: it may not. */
 bool light_far_budget(SceneKind tone, double budget[2]);
+/* Blocks in a row of so many pixels. */
+enum { LIGHT_FAR_BLOCK = 16 /* the edge of one, in pixels */ };
+int light_far_blocks(int pixels);
+/* What the plan's light takes besides, in buffers: bytes of a pixel, rounded up, or 0; the edge of the blocks of pixels that take them, or 1; the most
+ * rows of a tile so wide; a line on them, once they are there. */
+int light_far_bytes(const Render *render);
+int light_far_block(const Render *render);
+int light_far_rows(const Render *render, int width);
+void light_far_put(Text *out, const Render *render);
+bool light_far_make_buffers(Render *render);
 bool light_far_make(Render *render);
 void light_far_draw(Render *render);
 void light_far_delete(Render *render);

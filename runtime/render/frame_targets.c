@@ -68,7 +68,7 @@ bool frame_shares(const Render *render, FrameTarget target)
 
 int frame_all_bytes(const Render *render)
 {
-    int bytes = 0;
+    int bytes = light_far_bytes(render);
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         if (render->plan.memory[i] >= 0 && !frame_shares(render, (FrameTarget)i))
             bytes += frame_bytes(render, (FrameTarget)i);

@@ -17,7 +17,9 @@
 enum {
     LEAST_HARDWARE = 128, /* lights from which on it takes less time */
     LEAST_SOFTWARE = 256,
-    MOST = 4096 /* whose bits an invocation group has room for */
+    MOST = 4096,       /* whose bits an invocation group has room for */
+    BINDINGS = 6,      /* points at which storage buffers are bound: 4 and 5 */
+    STORAGE_BLOCKS = 3 /* of a program: two, and lists of what is transparent in shadow maps */
 };
 
 static const double half_step = 1. / 510;
@@ -65,12 +67,20 @@ static bool is_shown(const RenderOptions *options)
     return !options->deep && !options->linear && (!options->view || !strcmp(options->view, "shown"));
 }
 
+static bool has_buffers(const GlContext *gl)
+{
+    GLint blocks = 0, bindings = 0;
+    gl->GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
+    gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
+    return blocks >= STORAGE_BLOCKS && bindings >= BINDINGS;
+}
+
 bool light_far_used(const Render *render)
 {
     double budget[2];
     const int count = count_lights(render->scene), least = render->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
     if (!render->compute || !render->surface->parts || is_way(&render->options, "all") || count > MOST ||
-        !light_far_budget(render->scene->tone, budget))
+        !light_far_budget(render->scene->tone, budget) || !has_buffers(render->gl))
         return false;
     return is_way(&render->options, "bounded") ? count > 0 : count >= least && is_shown(&render->options);
 }

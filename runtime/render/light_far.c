@@ -6,33 +6,7 @@ extern const char render_text_far_terms[], render_text_far_blocks[], render_text
     render_text_pass_light_far[];
 
 /* As far_blocks.glsl has them. */
-enum {
-    BLOCK = 16,
-    GROUPS = 2,
-    TEXELS = 19,
-    WORDS = BLOCK * BLOCK / 32 + GROUPS * (1 + 128),
-    NUMBERS_BINDING = 5,
-    WORDS_BINDING = 4
-};
-
-static int blocks_along(const Render *render, int axis) { return (render->size[axis] + BLOCK - 1) / BLOCK; }
-
-static size_t block_count(const Render *render)
-{
-    return (size_t)blocks_along(render, 0) * (size_t)blocks_along(render, 1);
-}
-
-static size_t numbers_bytes(const Render *render) { return block_count(render) * GROUPS * TEXELS * 4 * sizeof(float); }
-
-static size_t words_bytes(const Render *render) { return block_count(render) * WORDS * sizeof(GLuint); }
-
-static void make_buffer(const GlContext *gl, size_t bytes, GLuint *buffer)
-{
-    gl->GenBuffers(1, buffer);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_COPY);
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-}
+enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
 
 /* Behind transparent layers what is relative stays so, and what is not may grow. */
 static void set_budget(const Render *render, ScreenPass *pass)
@@ -42,12 +16,16 @@ static void set_budget(const Render *render, ScreenPass *pass)
     light_far_budget(render->scene->tone, budget);
     material_set_number(&pass->material, "far_relative", (float)budget[0]);
     material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
-    material_set_number(&pass->material, "far_row", (float)blocks_along(render, 0));
+    material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));
 }
 
+/* So many at most: programs are shared by numbers of lights that are near. */
 static int count_lights(const Render *render)
 {
-    return render->light_counts[VIEW_SPACE_PLAIN] + render->light_counts[VIEW_SPACE_POINTS];
+    int most = 512;
+    while (most < render->light_counts[VIEW_SPACE_PLAIN] + render->light_counts[VIEW_SPACE_POINTS])
+        most *= 2;
+    return most;
 }
 
 bool light_far_make(Render *render)
@@ -60,16 +38,14 @@ bool light_far_make(Render *render)
     const LightingText gather = {
         {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, render_text_far_gather},
         false,
-        BLOCK};
+        LIGHT_FAR_BLOCK};
     const LightingText light = {
         {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far}, false, 0};
     if (!lighting_make(render, &gather, &render->far.gather) || !lighting_make(render, &light, &render->light))
         return false;
     set_budget(render, &render->far.gather);
     set_budget(render, &render->light);
-    make_buffer(render->gl, numbers_bytes(render), &render->far.numbers);
-    make_buffer(render->gl, words_bytes(render), &render->far.words);
-    return gl_check(render->gl, "making room for many lights");
+    return light_far_make_buffers(render);
 }
 
 void light_far_draw(Render *render)

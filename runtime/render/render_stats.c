@@ -76,6 +76,7 @@ static void put_memory(Text *out, const Render *render)
             text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),
                         shared ? ", shared" : "");
     }
+    light_far_put(out, render);
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);

@@ -1,0 +1,65 @@
+/* What light_far.c keeps of blocks of pixels: two buffers, and the room that they take. */
+#include "runtime/render/frame.h"
+#include <limits.h>
+
+/* As far_blocks.glsl has them. */
+enum { GROUPS = 2, TEXELS = 19, WORDS = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK / 32 + GROUPS * (1 + 128) };
+
+/* Of a block. */
+static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float), words_bytes = WORDS * sizeof(GLuint);
+
+int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
+
+static bool is_there(const Render *render)
+{
+    return render->plan.there >> FRAME_TARGET_light & 1 && light_far_used(render);
+}
+
+int light_far_bytes(const Render *render)
+{
+    const size_t pixels = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK;
+    return is_there(render) ? (int)((numbers_bytes + words_bytes + pixels - 1) / pixels) : 0;
+}
+
+int light_far_block(const Render *render) { return is_there(render) ? LIGHT_FAR_BLOCK : 1; }
+
+/* Words take more than numbers. */
+int light_far_rows(const Render *render, int width)
+{
+    GLint most = 0;
+    if (!is_there(render))
+        return INT_MAX;
+    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    const size_t rows = (size_t)most / (words_bytes * (size_t)light_far_blocks(width));
+    return rows < INT_MAX / LIGHT_FAR_BLOCK ? (int)rows * LIGHT_FAR_BLOCK : INT_MAX;
+}
+
+static size_t block_count(const Render *render)
+{
+    return (size_t)light_far_blocks(render->size[0]) * (size_t)light_far_blocks(render->size[1]);
+}
+
+void light_far_put(Text *out, const Render *render)
+{
+    if (render->far.numbers)
+        text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
+                    light_far_bytes(render), (unsigned long)(block_count(render) * (numbers_bytes + words_bytes)),
+                    LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
+}
+
+/* Of so many bytes for each block. */
+static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
+{
+    const GlContext *gl = render->gl;
+    gl->GenBuffers(1, buffer);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(block_count(render) * bytes), NULL, GL_DYNAMIC_COPY);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
+bool light_far_make_buffers(Render *render)
+{
+    make_buffer(render, numbers_bytes, &render->far.numbers);
+    make_buffer(render, words_bytes, &render->far.words);
+    return gl_check(render->gl, "making room for many lights");
+}
