@@ -8,7 +8,7 @@
 #include "runtime/library/references.h"
 #include <math.h>
 
-enum { MOST_GUARDS = 16 };
+enum { MOST_GUARDS = 16, SEEN_SLOTS = 128 };
 
 typedef struct {
     Ref ref;
@@ -18,9 +18,27 @@ typedef struct {
 typedef struct Guards {
     Guard at[MOST_GUARDS];
     int count;
-    int steps; /* left */
-    int depth; /* of nodes that are being looked at again */
+    uint64_t marks; /* of the guarded nodes */
+    uint32_t set;   /* these guards, and no others: each set that held has a number of its own */
+    int steps;      /* left */
+    int depth;      /* of nodes that are being looked at again */
 } Guards;
+
+/* What was found of a node's lane while a set of guards held. */
+typedef struct {
+    uint32_t set;
+    Ref ref;
+    int lane;
+    Interval found;
+} SeenLane;
+
+typedef struct Seen {
+    uint64_t *marks; /* by Ref: of what conditions compare, what this node is made of */
+    SeenLane slots[SEEN_SLOTS];
+    uint32_t sets; /* so many have held */
+} Seen;
+
+static uint64_t mark_of(Ref ref) { return 1ull << (ref & 63); }
 
 static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
@@ -34,33 +52,41 @@ static Interval kept_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
  *
  *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1], so [0, 2] */
 
-/* What comes before every guarded node cannot depend on one. */
-static bool is_before(const Guards *guards, Ref ref)
+static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
 {
-    for (int i = 0; i < guards->count; i++)
-        if (ref >= guards->at[i].ref)
-            return false;
-    return true;
+    return &r->seen->slots[(ref * 4 + (Ref)lane) % SEEN_SLOTS];
+}
+
+/* Of a node that is made of guarded ones, as its operands are where the guards hold. */
+static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    Guards *guards = r->guards;
+    const uint32_t set = guards->set;
+    SeenLane *slot = seen_slot(r, ref, lane);
+    if (slot->set == set && slot->ref == ref && slot->lane == lane)
+        return slot->found;
+    if (guards->depth == LIMIT_GUARD_DEPTH || guards->steps-- <= 0)
+        return everything;
+    guards->depth++;
+    const Interval found = range_computed(r, ir, ref, lane);
+    guards->depth--;
+    *slot = (SeenLane){set, ref, lane, found};
+    return found;
 }
 
 static Interval guarded_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
-    Guards *guards = r->guards;
+    const Guards *guards = r->guards;
     Interval kept = kept_range(r, ir, ref, lane);
-    const Op op = (Op)ir_at(ir, ref)->op;
     bool guarded = false;
     for (int i = 0; i < guards->count; i++)
         if (guards->at[i].ref == ref) {
             kept = both(kept, guards->at[i].within);
             guarded = true;
         }
-    if (guarded || ref >= r->count || op == OP_const || is_before(guards, ref) || guards->depth == LIMIT_GUARD_DEPTH ||
-        guards->steps-- <= 0)
+    if (guarded || ref >= r->count || !(r->seen->marks[ref] & guards->marks))
         return kept;
-    guards->depth++;
-    Interval found = range_computed(r, ir, ref, lane);
-    guards->depth--;
-    Interval narrow = both(kept, found);
+    const Interval found = found_again(r, ir, ref, lane), narrow = both(kept, found);
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
 }
 
@@ -94,9 +120,15 @@ static Interval arm_range(const Ranges *r, const Ir *ir, Ref arm, int lane, Guar
     if (is_empty(side.within))
         return none; /* it is never taken */
     Guards *guards = r->guards;
+    const uint64_t marks = guards->marks;
+    const uint32_t set = guards->set;
     guards->at[guards->count++] = side;
+    guards->marks |= mark_of(side.ref);
+    guards->set = ++r->seen->sets;
     Interval found = range_of(r, ir, arm, lane);
     guards->count--;
+    guards->marks = marks;
+    guards->set = set;
     return found;
 }
 
@@ -317,9 +349,27 @@ bool range_is_exact(Op op)
     }
 }
 
+/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs; and those of its operands. */
+static Seen *mark_compared(const Ir *ir, Arena *arena)
+{
+    Seen *seen = ARENA_NEW(arena, Seen);
+    seen->marks = ARENA_ARRAY(arena, uint64_t, ir->count);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        for (int i = 0; (ir_is(ir, ref, OP_lt) || ir_is(ir, ref, OP_le)) && i < 2; i++)
+            seen->marks[ir_arg(ir, ref, i)] = mark_of(ir_arg(ir, ref, i));
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        for (int i = 0; i < ir_at(ir, ref)->count; i++)
+            seen->marks[ref] |= seen->marks[ir_arg(ir, ref, i)];
+        if (ir_applies(ir, ref))
+            seen->marks[ref] |= seen->marks[ir->functions[ir_at(ir, ref)->payload].result];
+    }
+    return seen;
+}
+
 Ranges range_find(const Ir *ir, Arena *arena, int lanes)
 {
-    Ranges r = {ARENA_ARRAY(arena, Interval, ir->count * (size_t)lanes), (Ref)ir->count, lanes, NULL};
+    Ranges r = {.of = ARENA_ARRAY(arena, Interval, ir->count * (size_t)lanes), .count = (Ref)ir->count, .lanes = lanes};
+    r.seen = lanes == 1 ? NULL : mark_compared(ir, arena); /* all lanes as one know no guards */
     for (Ref ref = 1; ref < r.count; ref++)
         for (int lane = 0; lane < lanes && lane < (lanes == 1 ? 1 : ir_lanes(ir, ref)); lane++) {
             Interval range = range_computed(&r, ir, ref, lane);

@@ -9,6 +9,7 @@ typedef struct {
     Ref count;             /* of nodes when they were found */
     int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
     struct Guards *guards; /* under way: range.c */
+    struct Seen *seen;     /* while they hold; NULL: `lanes` is 1 */
 } Ranges;
 
 /* Of all nodes, in the arena. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
