@@ -22,9 +22,10 @@ static const char *pass_of(const SceneObject *object) { return object->kind == S
 bool set_fail(GlContext *gl, const Scene *scene, int material)
 {
     const SceneMaterial *of = &scene->materials[material];
-    char why[sizeof gl->error];
+    char why[sizeof gl->error], place[SCENE_PLACE];
     snprintf(why, sizeof why, "%s", gl->error);
-    return gl_fail(gl, "%s: the material '%s': %s", of->place, matc_material_name(of->document, of->index), why);
+    scene_material_place(of, place);
+    return gl_fail(gl, "%s: the material '%s': %s", place, matc_material_name(of->document, of->index), why);
 }
 
 static bool add_ranges(Maker *m, MatcRanges *ranges)

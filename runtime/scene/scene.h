@@ -9,7 +9,8 @@ enum {
     SCENE_OBJECTS =
         1 << 20,        /* objects and groups that a scene may have, those that an alias repeats counted each time */
     SCENE_PLANES = 256, /* infinite planes: each is asked at every pixel */
-    SCENE_NUMBERS = 6
+    SCENE_NUMBERS = 6,
+    SCENE_PLACE = 1024 /* bytes of a place as text, longer names of files being cut */
 };
 
 /* By columns, as GL has them: m[4 * column + row]; the last row is 0, 0, 0, 1. */
@@ -21,7 +22,6 @@ typedef struct {
 typedef struct {
     MatcDocument *document;
     int index;
-    const char *place; /* FILE:LINE:COLUMN */
 } SceneMaterial;
 
 /* A mesh out of a file; objects of one file share it. */
@@ -99,7 +99,7 @@ typedef struct Scene {
     bool tiles;             /* where nothing is seen */
     int shadow_size;        /* texels of a shadow map's edge */
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
-    int shadow_cascades;      /* maps of a directional light */
+    int shadow_cascades;    /* maps of a directional light */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
     SceneTools tools;
     MatcDocument **documents; /* further files of materials */
@@ -111,6 +111,8 @@ typedef struct Scene {
 MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **scene);
 /* NULL is nothing. */
 void scene_free(Scene *scene);
+/* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
+void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 
 /* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene has a motion. False: it has no direction. */
 bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera *camera);

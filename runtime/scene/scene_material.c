@@ -28,7 +28,7 @@ static int use(SceneReader *r, MatcDocument *document, int index)
         if (other->document == document && other->index == index)
             return (int)probe.number;
     }
-    const SceneMaterial material = {document, index, ""};
+    const SceneMaterial material = {document, index};
     size_t count = (size_t)scene->material_count;
     hash_index_add(r->session->arena, &r->used, hash, (uint32_t)count);
     ARENA_PUSH(r->session->arena, scene->materials, count, r->used_room, material);
@@ -188,26 +188,20 @@ static Tree *only_materials(SceneReader *r, const Tree *document)
     return tree;
 }
 
-/* All are resolved. */
-static const char *place_of(SceneReader *r, const SceneMaterial *material)
+void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE])
 {
     const MatcDocument *document = material->document;
     const Span span = document->graph->materials[material->index].node->span;
     const Source *source = &document->session.sources[span.file];
     const SourcePosition at = source_position(source, span.start);
-    Text place = text_new(r->session->arena);
-    text_format(&place, "%s:%d:%d", source->name, at.line, at.column);
-    return place.at;
+    snprintf(place, SCENE_PLACE, "%s:%d:%d", source->name, at.line, at.column);
 }
 
 void scene_material_resolve(SceneReader *r, const Tree *document)
 {
-    Scene *scene = r->scene;
     Tree *tree = only_materials(r, document);
     if (!tree->count)
         return; /* nothing that has a material */
     document_resolve(r->document, tree);
     r->fine &= r->document->graph != NULL;
-    for (int i = 0; r->fine && i < scene->material_count; i++)
-        scene->materials[i].place = place_of(r, &scene->materials[i]);
 }
