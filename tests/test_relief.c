@@ -99,6 +99,50 @@ static void slopes_are_those_of_closed_forms(void **state)
     }
 }
 
+/* Whichever way the tangents turn, as mirrored texture coordinates make them, the normal stays on its side and leans away from what rises. With
+ * heights a and b per unit of u and v, Tu = (s, 0, 0) and Tv = (0, t, 0) the surface rises by a / s along x and b / t along y. */
+static void normals_lean_out_of_their_side(void **state)
+{
+    (void)state;
+#define SLOPE        "{ map: BumpMap, displacement: " STEP("3, -2, 0") " }"
+#define UNDER(scale) "{ map: BumpMap, displacement: " STEP("3, -2, 0") ", input: { map: UVTransform, " scale " } }"
+#define WAVES        "{ map: WaveMap, amplitude: 0.0031830988618379067, uCount: 1, vCount: 1 }" /* 0.02 cos(2 pi u) / 2 pi */
+    static const struct {
+        const char *input, *point;
+        double by_x, by_y, side;
+    } cases[] = {
+        {SLOPE, "dpxdu=1 dpydv=1 nz=1", 3, -2, 1},
+        {SLOPE, "dpxdu=-1 dpydv=1 nz=1", -3, -2, 1},
+        {SLOPE, "dpxdu=1 dpydv=-4 nz=1", 3, 0.5, 1},
+        {SLOPE, "dpxdu=-1 dpydv=-1 nz=1", -3, 2, 1},
+        {SLOPE, "dpxdu=1 dpydv=1 nz=-1", 3, -2, -1},
+        {SLOPE, "dpxdu=-1 dpydv=1 nz=-1", -3, -2, -1},
+        {SLOPE, "dpxdu=-1 dpydv=1 nz=25", -3, -2, 1},
+        {UNDER("scaleU: -2"), "dpxdu=1 dpydv=1 nz=1", 3, -2, 1},
+        {UNDER("scaleV: -0.5"), "dpxdu=-1 dpydv=1 nz=1", -3, -2, 1},
+        {WAVES, "u=0.25 v=0 dpxdu=1 dpydv=1 nz=1", -1, 0, 1},
+        {WAVES, "u=0.25 v=0 dpxdu=-1 dpydv=1 nz=1", 1, 0, 1},
+        {WAVES, "u=0.25 v=0 dpxdu=1 dpydv=-1 nz=1", -1, 0, 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char source[1000];
+        MatcOptions options;
+        const char *fault;
+        double n[3];
+        matc_options_init(&options);
+        snprintf(source, sizeof source, "material: Phong\ninput: %s\n", cases[i].input);
+        MatcDocument *document = matc_read("relief.yaml", source, strlen(source), &options);
+        char *text = matc_eval(document, 0, cases[i].point, &options, &fault);
+        assert_non_null(text);
+        assert_int_equal(sscanf(strstr(text, "normal"), "normal %lf %lf %lf", &n[0], &n[1], &n[2]), 3);
+        const double height = fabs(n[2]), by_x = -n[0] / height / 0.02, by_y = -n[1] / height / 0.02;
+        if (!(fabs(by_x - cases[i].by_x) < 1e-4 && fabs(by_y - cases[i].by_y) < 1e-4 && n[2] * cases[i].side > 0))
+            fail_msg("%s at %s: %g %g %g", cases[i].input, cases[i].point, n[0], n[1], n[2]);
+        free(text);
+        matc_document_free(document);
+    }
+}
+
 static bool says_flat(const char *displacement, const char *derivatives, int optimize)
 {
     MatcOptions options;
@@ -156,6 +200,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(slopes_are_those_of_closed_forms),
+        cmocka_unit_test(normals_lean_out_of_their_side),
         cmocka_unit_test(what_has_no_slope_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -18,18 +18,28 @@ static Frame input_frame(Lower *l, const Node *input, const Env *env)
     return f;
 }
 
-/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv' with the unit normal n. Of n' the term du dv (n x n) is 0 and left out: of steep
- * slopes the product would be none of floats. */
+/* n' = Tu' x Tv', by n's side. Multiplied out, its term du dv (n x n) is 0 and left out: of steep slopes the product would be none of floats.
+ * Tangents that turn left around n, as mirrored texture coordinates and transforms make them, would have it point to the other side:
+ *   n = (0, 0, 1), Tu = (-1, 0, 0), Tv = (0, 1, 0), du = 0.1, dv = 0: a rise towards -x, so the normal leans to x
+ *   Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n < 0, so n' = (0.1, 0, 1) */
+static Ref tilted_normal(Lower *l, const Frame *f, const Ref slope[2])
+{
+    Ir *ir = l->ir;
+    Ref flat = build_cross(ir, f->tu, f->tv);
+    Ref across = build_sub(ir, build_mul(ir, f->tv, slope[0]), build_mul(ir, f->tu, slope[1]));
+    Ref normal = build_add(ir, flat, build_cross(ir, f->unit, across));
+    Ref turns_left = build_lt(ir, build_dot(ir, flat, f->unit), build_float(ir, 0));
+    return build_select(ir, turns_left, build_neg(ir, normal), normal);
+}
+
+/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv' with the unit normal n. */
 static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 {
     Ir *ir = l->ir;
-    Ref tu = group == GROUP_DV ? 0 : build_add(ir, f->tu, build_mul(ir, f->unit, slope[0]));
-    if (group == GROUP_DU)
-        return tu;
-    if (group == GROUP_DV)
-        return build_add(ir, f->tv, build_mul(ir, f->unit, slope[1]));
-    Ref by_v = build_mul(ir, build_cross(ir, f->tu, f->unit), slope[1]);
-    return build_add(ir, build_cross(ir, tu, f->tv), by_v);
+    if (group == GROUP_N)
+        return tilted_normal(l, f, slope);
+    const bool by_v = group == GROUP_DV;
+    return build_add(ir, by_v ? f->tv : f->tu, build_mul(ir, f->unit, slope[by_v]));
 }
 
 static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }

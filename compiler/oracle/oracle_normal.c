@@ -21,8 +21,17 @@ static double cross(const double a[3], const double b[3], int lane)
     return a[i] * b[j] - a[j] * b[i];
 }
 
-/* One lane of the frame after the tangents were raised along the normal by the given slopes. The new normal is their
- * cross product, not normalised; without n x n, which is 0 but as the difference of steep slopes' products would be noise. */
+/* -1 where the tangents turn left around the normal, as mirrored ones do, else 1. */
+static double turning(const Frame *frame)
+{
+    double volume = 0;
+    for (int i = 0; i < 3; i++)
+        volume += cross(frame->du, frame->dv, i) * frame->n[i];
+    return volume < 0 ? -1 : 1;
+}
+
+/* One lane of the frame after the tangents were raised along the normal by the given slopes. The new normal is their cross product, not
+ * normalised, to the old one's side; without n x n, which is 0 but as the difference of steep slopes' products would be noise. */
 static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
 {
     int lane = lane_of(channel);
@@ -30,8 +39,9 @@ static double raised(const Frame *frame, double slope_u, double slope_v, int cha
         return frame->du[lane] + slope_u * frame->n[lane];
     if (group_of(channel) == GROUP_DV)
         return frame->dv[lane] + slope_v * frame->n[lane];
-    return cross(frame->du, frame->dv, lane) + slope_u * cross(frame->n, frame->dv, lane) +
-           slope_v * cross(frame->du, frame->n, lane);
+    const double normal = cross(frame->du, frame->dv, lane) + slope_u * cross(frame->n, frame->dv, lane) +
+                          slope_v * cross(frame->du, frame->n, lane);
+    return turning(frame) * normal;
 }
 
 static bool in_frame(int channel)

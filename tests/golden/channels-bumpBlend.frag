@@ -138,16 +138,18 @@ void main() {
     // bumpBlend.yaml:7 Blend
     bool blend = localPosition.x <= 1.0;
     bool blend_2 = localPosition.x < -1.0;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(tiles_2.x, 8) | rootBits(tiles_2.y, 8) << 8 | rootBits(tiles_2.z, 8) << 16;
     float blend_3 = (localPosition.x + 1.0) * 0.5;
-    float bumpMap_2 = tiles_2.x - 0.3;
+    float bumpMap_3 = tiles_2.x - 0.3;
     vec2 tiles_3 = vec2((imageSampled(imageTexture0, vec2(1.0 / tiles.x, 0.0) + tiles_uvTransform, tiles) - tiles_2).x * tiles.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / tiles.y) + tiles_uvTransform, tiles) - tiles_2).x * tiles.y);
     vec2 tiles_4 = imageRiseNear(imageTexture0, tiles_uvTransform, tiles, 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0), tiles_3);
-    float bumpMap_3 = tiles_4.x * 6.0;
-    float bumpMap_4 = tiles_4.y * 3.0;
-    float bumpMap_5 = (blend_2 ? 0.0 : blend ? bumpMap_3 * blend_3 + bumpMap_2 * (localTangentU.x * 0.5) : bumpMap_3) * 0.08;
-    float bumpMap_6 = (blend_2 ? 0.0 : blend ? bumpMap_4 * blend_3 + bumpMap_2 * (localTangentV.x * 0.5) : bumpMap_4) * 0.08;
-    vec3 bumpMap = cross(bumpMap_5 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_6 * cross(worldTangentU, bumpMap_1);
+    float bumpMap_4 = tiles_4.x * 6.0;
+    float bumpMap_5 = tiles_4.y * 3.0;
+    float bumpMap_6 = (blend_2 ? 0.0 : blend ? bumpMap_4 * blend_3 + bumpMap_3 * (localTangentU.x * 0.5) : bumpMap_4) * 0.08;
+    float bumpMap_7 = (blend_2 ? 0.0 : blend ? bumpMap_5 * blend_3 + bumpMap_3 * (localTangentV.x * 0.5) : bumpMap_5) * 0.08;
+    vec3 bumpMap_8 = cross(bumpMap_1, bumpMap_6 * worldTangentV - bumpMap_7 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_8 : bumpMap_8;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

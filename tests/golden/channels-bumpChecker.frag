@@ -68,6 +68,7 @@ void main() {
     vec2 uvByY = dFdy(uv);
     // bumpChecker.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // bumpChecker.yaml:4 Checker
     vec2 checker = fract(uv * vec2(6.0, 3.0));
     vec2 checker_2 = max(abs(uvByY * vec2(6.0, 3.0)), abs(uvByX * vec2(6.0, 3.0)));
@@ -75,9 +76,9 @@ void main() {
     float checker_4 = 0.5 - checker_3.y * checker_3.x * 0.5;
     vec2 checker_5 = stripes2(fract(checker + vec2(0.05, 0.0)), checker_2);
     vec2 checker_6 = stripes2(fract(checker + vec2(0.0, 0.05)), checker_2);
-    vec3 bumpMap_2 = (0.5 - checker_5.y * checker_5.x * 0.5 - checker_4) * 3.6 * bumpMap_1 + worldTangentU;
-    vec3 bumpMap_3 = (0.5 - checker_6.y * checker_6.x * 0.5 - checker_4) * 1.8 * cross(worldTangentU, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2, worldTangentV) + bumpMap_3;
+    vec3 bumpMap_3 = (0.5 - checker_5.y * checker_5.x * 0.5 - checker_4) * 3.6 * worldTangentV - (0.5 - checker_6.y * checker_6.x * 0.5 - checker_4) * 1.8 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2708833937u, 903913889u);
 }

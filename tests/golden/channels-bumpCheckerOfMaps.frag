@@ -70,6 +70,7 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // bumpCheckerOfMaps.yaml:5 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // bumpCheckerOfMaps.yaml:9 Carpenter
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     vec2 carpenter_1 = floor(uv);
@@ -83,9 +84,10 @@ void main() {
     float checker_6 = carpenter - 0.4;
     float checker_7 = checker_6 * ((((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 80.0);
     float checker_8 = checker_6 * ((((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 40.0);
-    float bumpMap_2 = (checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0)) * 0.04;
-    float bumpMap_3 = (checker_8 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0)) * 0.04;
-    vec3 bumpMap = cross(bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + bumpMap_3 * cross(worldTangentU, bumpMap_1);
+    float bumpMap_3 = (checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0)) * 0.04;
+    float bumpMap_4 = (checker_8 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0)) * 0.04;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2353489815u, 903908492u);
 }

@@ -132,6 +132,7 @@ void main() {
     uvByY = dFdy(uv);
     // bumpFilter.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // bumpFilter.yaml:7 Smooth3D
     vec2 smooth3D = uv - vec2(0.005);
     vec2 smooth3D_2 = uv + vec2(-0.005, 0.0);
@@ -163,11 +164,12 @@ void main() {
     vec3 smooth3D_28 = smooth3DInput1(smooth3D_6);
     vec3 smooth3D_29 = smooth3DInput1(smooth3D_7);
     vec3 smooth3D_30 = smooth3D_29 + (smooth3D_28 + (smooth3D_27 + smooth3D_26 + smooth3D_27 + smooth3D_27) + smooth3D_28 + smooth3D_28);
-    float bumpMap_2 = smooth3DInput0(smooth3D_8).x;
-    float bumpMap_3 = smooth3DInput1(smooth3D_8).x;
-    vec3 bumpMap_4 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_2 + bumpMap_2 + bumpMap_2) * 0.0014814815 * bumpMap_1;
-    vec3 bumpMap_5 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.0014814815 * cross(worldTangentU, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_4 + worldTangentU, worldTangentV) + bumpMap_5;
+    float bumpMap_3 = smooth3DInput0(smooth3D_8).x;
+    float bumpMap_4 = smooth3DInput1(smooth3D_8).x;
+    vec3 bumpMap_5 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.0014814815 * worldTangentV;
+    vec3 bumpMap_6 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_4 + bumpMap_4 + bumpMap_4) * 0.0014814815 * worldTangentU;
+    vec3 bumpMap_7 = cross(bumpMap_1, bumpMap_5 - bumpMap_6) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_7 : bumpMap_7;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);
 }

@@ -72,19 +72,23 @@ void main() {
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 50.265484;
     float waveMap_3 = uv.y * 31.415926;
-    float waveMap_4 = -(sin(waveMap_3) * 31.415926) * cos(waveMap_2) * 0.03;
-    vec3 waveMap_5 = cos(waveMap_3) * -(sin(waveMap_2) * 50.265484) * 0.03 * waveMap_1;
-    vec3 waveMap = waveMap_5 + worldTangentU;
-    vec3 waveMap_6 = cross(waveMap, worldTangentV) + cross(worldTangentU, waveMap_1) * waveMap_4;
-    vec3 waveMap_7 = waveMap_4 * waveMap_1 + worldTangentV;
+    float waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 50.265484) * 0.03;
+    float waveMap_5 = -(sin(waveMap_3) * 31.415926) * cos(waveMap_2) * 0.03;
+    vec3 waveMap_6 = cross(worldTangentU, worldTangentV);
+    vec3 waveMap_7 = cross(waveMap_1, waveMap_4 * worldTangentV - waveMap_5 * worldTangentU) + waveMap_6;
+    vec3 waveMap = dot(waveMap_6, waveMap_1) < 0.0 ? -waveMap_7 : waveMap_7;
+    vec3 waveMap_8 = waveMap_4 * waveMap_1 + worldTangentU;
+    vec3 waveMap_9 = waveMap_5 * waveMap_1 + worldTangentV;
     // bumpOnBump.yaml:5 BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(waveMap_6), 1e-30) * waveMap_6;
+    vec3 bumpMap_1 = 1.0 / max(length(waveMap), 1e-30) * waveMap;
+    vec3 bumpMap_2 = cross(waveMap_8, waveMap_9);
     // bumpOnBump.yaml:7 Carpenter
     float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
     vec2 carpenter_1 = floor(uv);
     vec2 carpenter_2 = uv - (carpenter_1 - clamp(carpenter_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_2 = cross((carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 2.0 * bumpMap_1 + waveMap, waveMap_7);
-    vec3 bumpMap = bumpMap_2 + (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 2.0 * cross(waveMap, bumpMap_1);
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 2.0 * waveMap_9 - (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 2.0 * waveMap_8;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2152956275u, 807436416u);
 }

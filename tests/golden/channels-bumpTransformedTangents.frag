@@ -134,14 +134,16 @@ void main() {
     vec3 laid_2 = worldTangentV * 0.32000095 + worldTangentU * -0.099104084;
     // bumpTransformedTangents.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(laid, laid_2);
     uint surface_bits = rootBits(diffuse_image_2.x, 8) | rootBits(diffuse_image_2.y, 8) << 8 | rootBits(diffuse_image_2.z, 8) << 16;
     // bumpTransformedTangents.yaml:6 ImageMap
     vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + laid_1, diffuse_image).x - diffuse_image_2.x) * diffuse_image.y);
     vec2 image_2 = imageRiseNear(imageTexture0, laid_1, diffuse_image, 0, mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uvByX, mat2(vec2(5.760017, -1.168255), vec2(1.7838734, 2.7631829)) * uvByY, image);
-    float bumpMap_2 = image_2.x * 5.760017 + image_2.y * -1.168255;
-    float bumpMap_3 = image_2.x * 1.7838734 + image_2.y * 2.7631829;
-    vec3 bumpMap_4 = cross((bumpMap_3 * 0.06490306 + bumpMap_2 * 0.15351017) * 0.04 * bumpMap_1 + laid, laid_2);
-    vec3 bumpMap = bumpMap_4 + (bumpMap_3 * 0.32000095 + bumpMap_2 * -0.099104084) * 0.04 * cross(laid, bumpMap_1);
+    float bumpMap_3 = image_2.x * 5.760017 + image_2.y * -1.168255;
+    float bumpMap_4 = image_2.x * 1.7838734 + image_2.y * 2.7631829;
+    vec3 bumpMap_5 = (bumpMap_4 * 0.06490306 + bumpMap_3 * 0.15351017) * 0.04 * laid_2 - (bumpMap_4 * 0.32000095 + bumpMap_3 * -0.099104084) * 0.04 * laid;
+    vec3 bumpMap_6 = cross(bumpMap_1, bumpMap_5) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_6 : bumpMap_6;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

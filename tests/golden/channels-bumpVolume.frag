@@ -182,7 +182,10 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // bumpVolume.yaml:4 VolumeTurbulence
     vec3 volumeTurbulence = turbulenceGradient(localPosition * 3.0, vec3(0.0), 3, 2.0, 0.5, 0.0).xyz;
-    vec3 bumpMap = cross(dot(volumeTurbulence, localTangentU * 3.0) * 0.1 * bumpMap_1 + worldTangentU, worldTangentV) + dot(volumeTurbulence, localTangentV * 3.0) * 0.1 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    vec3 bumpMap_3 = dot(volumeTurbulence, localTangentU * 3.0) * 0.1 * worldTangentV - dot(volumeTurbulence, localTangentV * 3.0) * 0.1 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2709747026u, 807444897u);
 }

@@ -80,9 +80,11 @@ void main() {
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 37.699112;
     float waveMap_3 = uv.y * 25.132742;
-    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 37.699112) * 0.04 * waveMap_1;
-    vec3 waveMap_5 = cross(worldTangentU, waveMap_1) * (-(sin(waveMap_3) * 25.132742) * cos(waveMap_2) * 0.04);
-    vec3 waveMap = cross(waveMap_4 + worldTangentU, worldTangentV) + waveMap_5;
+    vec3 waveMap_4 = cross(worldTangentU, worldTangentV);
+    vec3 waveMap_5 = cos(waveMap_3) * -(sin(waveMap_2) * 37.699112) * 0.04 * worldTangentV;
+    vec3 waveMap_6 = -(sin(waveMap_3) * 25.132742) * cos(waveMap_2) * 0.04 * worldTangentU;
+    vec3 waveMap_7 = cross(waveMap_1, waveMap_5 - waveMap_6) + waveMap_4;
+    vec3 waveMap = dot(waveMap_4, waveMap_1) < 0.0 ? -waveMap_7 : waveMap_7;
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // bumpWithoutDisplacement.yaml:4 Checker
     vec2 diffuse_checker_1 = stripes2(fract(uv * vec2(8.0, 4.0)), max(abs(uvByY * vec2(8.0, 4.0)), abs(uvByX * vec2(8.0, 4.0))));

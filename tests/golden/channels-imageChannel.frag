@@ -158,12 +158,14 @@ void main() {
     vec4 diffuse_image_2 = imageSampled(imageTexture0, uv, diffuse_image);
     // imageChannel.yaml:3 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     uint diffuse_bits = rootBits(diffuse_image_2.y, 8);
     uint specular_bits = rootBits(imageNearest(imageTexture1, uv, vec2(64.0)).x, 8);
     // imageChannel.yaml:3 ImageMap
     vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).z - diffuse_image_2.z) * diffuse_image.y);
     vec2 image_2 = imageRiseNear(imageTexture0, uv, diffuse_image, 2, uvByX, uvByY, image);
-    vec3 bumpMap = cross(image_2.x * 0.02 * bumpMap_1 + worldTangentU, worldTangentV) + image_2.y * 0.02 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = cross(bumpMap_1, image_2.x * 0.02 * worldTangentV - image_2.y * 0.02 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 34611264u, diffuse_bits | diffuse_bits << 8 | diffuse_bits << 16 | specular_bits << 24, specular_bits | specular_bits << 8 | logarithmBits(phongExponent(diffuse_image_2.z), 10) << 21);
     fragment0 = surface_bits;

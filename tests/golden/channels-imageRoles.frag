@@ -157,12 +157,14 @@ void main() {
     vec3 diffuse = diffuse_blend <= 1.0 ? (diffuse_blend < 0.0 ? vec3(0.014443844, 0.029556835, 0.051269457) : mix(vec3(0.014443844, 0.029556835, 0.051269457), diffuse_image2, diffuse_blend)) : diffuse_image2;
     // imageRoles.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(diffuse.x, 8) | rootBits(diffuse.y, 8) << 8 | rootBits(diffuse.z, 8) << 16;
     float shininess_1 = imageSampled(imageTexture0, uv, diffuse_image).x;
     // imageRoles.yaml:4 ImageMap
     vec2 image = vec2((imageSampled(imageTexture0, vec2(1.0 / diffuse_image.x, 0.0) + uv, diffuse_image).x - shininess_1) * diffuse_image.x, (imageSampled(imageTexture0, vec2(0.0, 1.0 / diffuse_image.y) + uv, diffuse_image).x - shininess_1) * diffuse_image.y);
     vec2 image_2 = imageRiseNear(imageTexture0, uv, diffuse_image, 0, uvByX, uvByY, image);
-    vec3 bumpMap = cross(image_2.x * 0.04 * bumpMap_1 + worldTangentU, worldTangentV) + image_2.y * 0.04 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = cross(bumpMap_1, image_2.x * 0.04 * worldTangentV - image_2.y * 0.04 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, logarithmBits(phongExponent(shininess_1), 10) << 21);
     fragment0 = surface_bits2;

@@ -1,6 +1,7 @@
 #version 330 core
 // matc 0.1.0: pass gbuffer, layout compact
 
+in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
 in vec2 uv;
@@ -70,7 +71,12 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // textureUnused.yaml:4 ImageMap
     vec4 diffuse_image = imageSampled(imageTexture0, uv, pictureSize(imageTexture0));
-    vec3 normal = safeNormalize(eyeFromWorld(cross(worldTangentU, worldTangentV))) * (gl_FrontFacing ? 1.0 : -1.0);
+    // textureUnused.yaml:3 BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    vec3 bumpMap_3 = cross(bumpMap_1, vec3(0.0)) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

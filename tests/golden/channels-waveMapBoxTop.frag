@@ -56,9 +56,11 @@ void main() {
         vec3 waveMap_4 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
         float waveMap_5 = waveMap_1 * 50.265484;
         float waveMap_6 = waveMap_2 * 37.699112;
-        vec3 waveMap_7 = cos(waveMap_6) * -(sin(waveMap_5) * 50.265484) * 0.03 * waveMap_4;
-        vec3 waveMap_8 = cross(worldTangentU, waveMap_4) * (-(sin(waveMap_6) * 37.699112) * cos(waveMap_5) * 0.03);
-        waveMap = cross(waveMap_7 + worldTangentU, worldTangentV) + waveMap_8;
+        vec3 waveMap_7 = cross(worldTangentU, worldTangentV);
+        vec3 waveMap_8 = cos(waveMap_6) * -(sin(waveMap_5) * 50.265484) * 0.03 * worldTangentV;
+        vec3 waveMap_9 = -(sin(waveMap_6) * 37.699112) * cos(waveMap_5) * 0.03 * worldTangentU;
+        vec3 waveMap_10 = cross(waveMap_4, waveMap_8 - waveMap_9) + waveMap_7;
+        waveMap = dot(waveMap_7, waveMap_4) < 0.0 ? -waveMap_10 : waveMap_10;
     } else {
         waveMap = worldNormal;
     }

@@ -55,9 +55,11 @@ void main() {
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uvTransform_1.x * 18.849556;
     float waveMap_3 = uvTransform_1.y * 12.566371;
-    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 18.849556) * 0.01 * waveMap_1;
-    vec3 waveMap_5 = cross(uvTransform, waveMap_1) * (-(sin(waveMap_3) * 12.566371) * cos(waveMap_2) * 0.01);
-    vec3 waveMap = cross(waveMap_4 + uvTransform, uvTransform_2) + waveMap_5;
+    vec3 waveMap_4 = cross(uvTransform, uvTransform_2);
+    vec3 waveMap_5 = cos(waveMap_3) * -(sin(waveMap_2) * 18.849556) * 0.01 * uvTransform_2;
+    vec3 waveMap_6 = -(sin(waveMap_3) * 12.566371) * cos(waveMap_2) * 0.01 * uvTransform;
+    vec3 waveMap_7 = cross(waveMap_1, waveMap_5 - waveMap_6) + waveMap_4;
+    vec3 waveMap = dot(waveMap_4, waveMap_1) < 0.0 ? -waveMap_7 : waveMap_7;
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2710658934u, 903913889u);
 }

@@ -295,6 +295,7 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // brick.yaml:25 sand
     vec4 sand = turbulenceGradient(localPosition * 22.0, vec3(0.0), 3, 2.0, 0.7, 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     vec3 bond_4 = max(abs(bond_2), abs(bond));
     vec3 bond_5 = stripes3(bond_3, bond_4);
     float bond_6 = bond_5.y * bond_5.x;
@@ -369,7 +370,8 @@ void main() {
         float blend_15 = blend_2 ? side_16 * blend_3 + side_16 * blend_7 : blend ? side_16 * blend_8 + blend_9 * blend_14 : 0.0;
         blend_13 = blend_4 ? side_16 * blend_5 + side * blend_14 : blend_15;
     }
-    vec3 bumpMap = cross(blend_10 * 0.04 * bumpMap_1 + worldTangentU, worldTangentV) + blend_13 * 0.04 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = cross(bumpMap_1, blend_10 * 0.04 * worldTangentV - blend_13 * 0.04 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // brick.yaml:55 lengths
     vec3 lengths;

@@ -192,12 +192,15 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // brushedSteel.yaml:5 streaks
     vec4 streaks = turbulenceGradient(localPosition * vec3(1.0, 1.0, 70.0), vec3(0.0), 4, 2.0, 0.8, 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // brushedSteel.yaml:8 Blend
     vec3 diffuse_blend = mix(vec3(0.107023105, 0.116970666, 0.13563333), vec3(0.19806932, 0.21223076, 0.23839757), clamp((streaks.w + 0.9) * 0.5555556, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // brushedSteel.yaml:10 Blend
     vec3 specular_blend = mix(vec3(0.2663556, 0.29177064, 0.33245152), vec3(0.7379104, 0.76815116, 0.80695224), clamp((streaks.w + 0.8) * 0.625, 0.0, 1.0));
-    vec3 bumpMap = cross(dot(streaks.xyz, localTangentU * vec3(1.0, 1.0, 70.0)) * 0.00026 * bumpMap_1 + worldTangentU, worldTangentV) + dot(streaks.xyz, localTangentV * vec3(1.0, 1.0, 70.0)) * 0.00026 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = dot(streaks.xyz, localTangentU * vec3(1.0, 1.0, 70.0)) * 0.00026 * worldTangentV - dot(streaks.xyz, localTangentV * vec3(1.0, 1.0, 70.0)) * 0.00026 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | rootBits(specular_blend.x, 8) << 24, rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | 903872512u);
     fragment0 = surface_bits2;

@@ -315,6 +315,7 @@ void main() {
     float along_3 = cos(along_1);
     // cobbles.yaml:19 grain
     vec4 grain = turbulenceGradient(localPosition * 9.0, vec3(0.0), 4, 2.0, 0.6, 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // cobbles.yaml:25 Blend
     float dome_blend_1 = (grain.w + 1.0) * 0.5;
     float dome_blend = mix(0.85, 1.05, clamp(dome_blend_1, 0.0, 1.0));
@@ -409,7 +410,8 @@ void main() {
         float dome_15 = dome_5 ? dome_14 * 3.030303 * dome + dome_6 * dome_blend_5 : dome_4 ? dome_14 * 1.8181819 * dome_2 + dome_9 * dome_blend_5 : 0.0;
         dome_13 = dome_7 ? dome_14 * 5.909091 : dome_15;
     }
-    vec3 bumpMap = cross(dome_10 * 0.06 * bumpMap_1 + worldTangentU, worldTangentV) + dome_13 * 0.06 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = cross(bumpMap_1, dome_10 * 0.06 * worldTangentV - dome_13 * 0.06 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 696254464u);
     fragment0 = surface_bits2;

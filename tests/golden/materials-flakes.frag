@@ -236,10 +236,13 @@ void main() {
     float bumpMap_2 = glitter * 0.02;
     // flakes.yaml:4 flakes
     vec4 flakes = turbulenceGradient(localPosition * 70.0, vec3(0.0), 1, 2.0, 1.0, 0.0);
+    vec3 bumpMap_3 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // flakes.yaml:13 Blend
     vec3 specular_blend = mix(vec3(0.2663556, 0.22322796, 0.19806932), vec3(1.0, 0.9046612, 0.80695224), clamp((flakes.w - 0.35) * 2.857143, 0.0, 1.0));
-    vec3 bumpMap = cross(dot(flakes.xyz, localTangentU * 70.0) * bumpMap_2 * bumpMap_1 + worldTangentU, worldTangentV) + dot(flakes.xyz, localTangentV * 70.0) * bumpMap_2 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_4 = dot(flakes.xyz, localTangentU * 70.0) * bumpMap_2 * worldTangentV - dot(flakes.xyz, localTangentV * 70.0) * bumpMap_2 * worldTangentU;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_4) + bumpMap_3;
+    vec3 bumpMap = dot(bumpMap_3, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | rootBits(specular_blend.x, 8) << 24, rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | 1249902592u);
     fragment0 = surface_bits2;

@@ -166,6 +166,7 @@ void main() {
     vec3 diffuse_blend = mix(vec3(0.015996294, 0.015996294, 0.011612245), vec3(0.06662594, 0.054480277, 0.046665087), clamp((plates - 0.2) * 1.4285715, 0.0, 1.0));
     // lava.yaml:8 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // lava.yaml:5 crust
     float crust = abs(turbulence(localPosition * 1.6, 6, 2.0, 0.55));
     // lava.yaml:16 Blend
@@ -174,8 +175,9 @@ void main() {
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     vec2 plates_1 = floor(uv);
     vec2 plates_2 = uv - (plates_1 - clamp(plates_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_2 = cross((carpenterRelief(carpenterTexture0, plates_2 + vec2(0.005, 0.0), vec2(256.0)) - plates) * 3.2 * bumpMap_1 + worldTangentU, worldTangentV);
-    vec3 bumpMap = bumpMap_2 + (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.0, 0.005), vec2(256.0)) - plates) * 3.2 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.005, 0.0), vec2(256.0)) - plates) * 3.2 * worldTangentV - (carpenterRelief(carpenterTexture0, plates_2 + vec2(0.0, 0.005), vec2(256.0)) - plates) * 3.2 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, sharedExponentBits(emissive_blend, 7), surface_bits | 1207959552u, 631261256u);
 }

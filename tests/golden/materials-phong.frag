@@ -84,11 +84,13 @@ void main() {
     vec3 diffuse_blend = mix(vec3(0.019382361, 0.10224173, 0.011612245), vec3(0.17144111, 0.41788507, 0.046665087), clamp((relief - 0.35) * 2.5, 0.0, 1.0));
     // phong.yaml:4 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(diffuse_blend.x, 6) | rootBits(diffuse_blend.y, 6) << 6 | rootBits(diffuse_blend.z, 6) << 12;
     vec2 relief_1 = floor(uv);
     vec2 relief_2 = uv - (relief_1 - clamp(relief_1, vec2(-2.0), vec2(1.0)));
-    vec3 bumpMap_2 = cross((carpenterRelief(carpenterTexture0, relief_2 + vec2(0.005, 0.0), vec2(256.0)) - relief) * 16.0 * bumpMap_1 + worldTangentU, worldTangentV);
-    vec3 bumpMap = bumpMap_2 + (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.0, 0.005), vec2(256.0)) - relief) * 16.0 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.005, 0.0), vec2(256.0)) - relief) * 16.0 * worldTangentV - (carpenterRelief(carpenterTexture0, relief_2 + vec2(0.0, 0.005), vec2(256.0)) - relief) * 16.0 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 1409286147u, 1752466048u, surface_bits | 1255407616u, 1816823477u);
 }

@@ -247,6 +247,7 @@ void main() {
     vec4 mask_1 = turbulenceGradient(localPosition * 1.7, vec3(0.0), 6, 2.0, 0.6, 0.0);
     // rustedMetal.yaml:7 scale
     vec4 scale = graniteGradient(localPosition * 2.0, vec3(0.0), 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     float mask = mask_1.w + rusting;
     // rustedMetal.yaml:9 rustTones
     vec3 rustTones = mix(mix(vec3(0.051269457, 0.011612245, 0.004024717), vec3(0.2541521, 0.051269457, 0.008023193), clamp((scale.w + 0.5) * 1.6666666, 0.0, 1.0)), vec3(0.52099556, 0.19461784, 0.035601314), clamp((scale.w - 0.1) * 2.0, 0.0, 1.0));
@@ -272,7 +273,8 @@ void main() {
     float blend2_6 = blend2_5 + dot(mask_1.xyz, localTangentU * 1.7) * 5.0 * blend2_4 * blend2_3 * blend;
     float blend2_7 = dot(scale.xyz, localTangentV * 2.0) * 0.5 * blend_3 * blend_2 * 0.8 * blend2_2;
     float blend2_8 = blend2_7 + dot(mask_1.xyz, localTangentV * 1.7) * 5.0 * blend2_4 * blend2_3 * blend;
-    vec3 bumpMap = cross(blend2_6 * 0.05 * bumpMap_1 + worldTangentU, worldTangentV) + blend2_8 * 0.05 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = cross(bumpMap_1, blend2_6 * 0.05 * worldTangentV - blend2_8 * 0.05 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular_blend.x, 8) << 24, surface_bits);
     fragment0 = surface_bits3;

@@ -220,10 +220,13 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // skin.yaml:5 pores
     vec4 pores = graniteGradient(localPosition * 9.0, vec3(0.0), 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // skin.yaml:16 Blend
     float specular_blend = mix(0.08, 0.22, clamp((pores.w + 0.6) * 1.25, 0.0, 1.0));
     uint specular_bits = rootBits(specular_blend, 5);
-    vec3 bumpMap = cross(dot(pores.xyz, localTangentU * 9.0) * 0.0018 * bumpMap_1 + worldTangentU, worldTangentV) + dot(pores.xyz, localTangentV * 9.0) * 0.0018 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = dot(pores.xyz, localTangentU * 9.0) * 0.0018 * worldTangentV - dot(pores.xyz, localTangentV * 9.0) * 0.0018 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // skin.yaml:7 flesh
     vec3 flesh;

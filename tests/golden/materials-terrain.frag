@@ -235,6 +235,7 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // terrain.yaml:4 height
     vec4 height_1 = turbulenceGradient(localPosition * 1.5, vec3(0.0), 8, 2.0, 0.5, 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     float height = height_1.w + 0.16;
     // terrain.yaml:14 Blend
     bool diffuse_blend_1 = height < 0.0;
@@ -259,9 +260,10 @@ void main() {
     uint specular_bits = rootBits(specular_blend, 8);
     float height_2 = dot(height_1.xyz, localTangentU * 1.5);
     float height_3 = dot(height_1.xyz, localTangentV * 1.5);
-    vec3 bumpMap_2 = (diffuse_blend_1 ? (relief ? 0.0 : height_2 * 0.4) : relief_2 ? height_2 * 0.98333335 : 0.0) * 0.16 * bumpMap_1;
-    vec3 bumpMap_3 = (diffuse_blend_1 ? (relief ? 0.0 : height_3 * 0.4) : relief_2 ? height_3 * 0.98333335 : 0.0) * 0.16 * cross(worldTangentU, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2 + worldTangentU, worldTangentV) + bumpMap_3;
+    vec3 bumpMap_3 = (diffuse_blend_1 ? (relief ? 0.0 : height_2 * 0.4) : relief_2 ? height_2 * 0.98333335 : 0.0) * 0.16 * worldTangentV;
+    vec3 bumpMap_4 = (diffuse_blend_1 ? (relief ? 0.0 : height_3 * 0.4) : relief_2 ? height_3 * 0.98333335 : 0.0) * 0.16 * worldTangentU;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 - bumpMap_4) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 903872512u);
     fragment0 = surface_bits2;

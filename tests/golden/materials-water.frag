@@ -278,14 +278,16 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // water.yaml:5 ripples
     vec4 ripples = turbulenceGradient(swell * 1.6, vec3(0.0), 3, 2.0, 0.42, 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // water.yaml:9 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.001821162, 0.02121901, 0.049706567), vec3(0.0047769533, 0.09084171, 0.17788842), clamp((ripples.w + 0.5) * 1.5384616, 0.0, 1.0)), vec3(0.09758735, 0.39675522, 0.50888133), clamp((ripples.w - 0.15) * 2.2222223, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     vec3 swell_xyzTransform_1 = localTangentU * vec3(1.6, 1.6, 2.6);
     vec3 swell_xyzTransform_2 = localTangentV * vec3(1.6, 1.6, 2.6);
-    vec3 bumpMap_2 = dot(ripples.xyz, (vectorTurbulenceAlong(swell_xyzTransform, vec3(0.0), 2, 2.0, 0.5, 0.0, swell_xyzTransform_1) * vec3(0.3) + swell_xyzTransform_1) * 1.6) * 0.12 * bumpMap_1;
-    vec3 bumpMap_3 = dot(ripples.xyz, (vectorTurbulenceAlong(swell_xyzTransform, vec3(0.0), 2, 2.0, 0.5, 0.0, swell_xyzTransform_2) * vec3(0.3) + swell_xyzTransform_2) * 1.6) * 0.12 * cross(worldTangentU, bumpMap_1);
-    vec3 bumpMap = cross(bumpMap_2 + worldTangentU, worldTangentV) + bumpMap_3;
+    vec3 bumpMap_3 = dot(ripples.xyz, (vectorTurbulenceAlong(swell_xyzTransform, vec3(0.0), 2, 2.0, 0.5, 0.0, swell_xyzTransform_1) * vec3(0.3) + swell_xyzTransform_1) * 1.6) * 0.12 * worldTangentV;
+    vec3 bumpMap_4 = dot(ripples.xyz, (vectorTurbulenceAlong(swell_xyzTransform, vec3(0.0), 2, 2.0, 0.5, 0.0, swell_xyzTransform_2) * vec3(0.3) + swell_xyzTransform_2) * 1.6) * 0.12 * worldTangentU;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 - bumpMap_4) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, surface_bits | 2013265920u, 262667384u, 1687u);
 }

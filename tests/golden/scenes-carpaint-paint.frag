@@ -192,12 +192,15 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // carpaint.yaml:13 flakes
     vec4 flakes = turbulenceGradient(localPosition * 240.0, vec3(0.0), 1, 2.0, 1.0, 0.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // carpaint.yaml:14 Blend
     vec3 diffuse_blend = mix(vec3(0.2, 0.004, 0.006), vec3(0.4, 0.03, 0.02), clamp((flakes.w - 0.25) * 1.6666666, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     // carpaint.yaml:15 Blend
     vec3 specular_blend = mix(vec3(0.55, 0.5, 0.48), vec3(1.0, 0.9, 0.82), clamp((flakes.w - 0.3) * 2.5, 0.0, 1.0));
-    vec3 bumpMap = cross(dot(flakes.xyz, localTangentU * 240.0) * 0.00008 * bumpMap_1 + worldTangentU, worldTangentV) + dot(flakes.xyz, localTangentV * 240.0) * 0.00008 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_3 = dot(flakes.xyz, localTangentU * 240.0) * 0.00008 * worldTangentV - dot(flakes.xyz, localTangentV * 240.0) * 0.00008 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 1946157056u, 201326592u, surface_bits | rootBits(specular_blend.x, 8) << 24, rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | 1250099200u);
     fragment0 = surface_bits2;

@@ -182,7 +182,10 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     // landscape.yaml:25 VolumeTurbulence
     vec3 volumeTurbulence = turbulenceGradient(localPosition * 5.0, vec3(0.0), 3, 2.0, 0.5, 0.0).xyz;
-    vec3 bumpMap = cross(dot(volumeTurbulence, localTangentU * 5.0) * 0.001 * bumpMap_1 + worldTangentU, worldTangentV) + dot(volumeTurbulence, localTangentV * 5.0) * 0.001 * cross(worldTangentU, bumpMap_1);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    vec3 bumpMap_3 = dot(volumeTurbulence, localTangentU * 5.0) * 0.001 * worldTangentV - dot(volumeTurbulence, localTangentV * 5.0) * 0.001 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 4227858433u, 1916350490u, 681409653u, 3249u);
 }

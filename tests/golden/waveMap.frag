@@ -51,9 +51,11 @@ void main() {
     vec3 waveMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     float waveMap_2 = uv.x * 75.398224;
     float waveMap_3 = uv.y * 50.265484;
-    vec3 waveMap_4 = cos(waveMap_3) * -(sin(waveMap_2) * 75.398224) * 0.035 * waveMap_1;
-    vec3 waveMap_5 = cross(worldTangentU, waveMap_1) * (-(sin(waveMap_3) * 50.265484) * cos(waveMap_2) * 0.035);
-    vec3 waveMap = cross(waveMap_4 + worldTangentU, worldTangentV) + waveMap_5;
+    vec3 waveMap_4 = cross(worldTangentU, worldTangentV);
+    vec3 waveMap_5 = cos(waveMap_3) * -(sin(waveMap_2) * 75.398224) * 0.035 * worldTangentV;
+    vec3 waveMap_6 = -(sin(waveMap_3) * 50.265484) * cos(waveMap_2) * 0.035 * worldTangentU;
+    vec3 waveMap_7 = cross(waveMap_1, waveMap_5 - waveMap_6) + waveMap_4;
+    vec3 waveMap = dot(waveMap_4, waveMap_1) < 0.0 ? -waveMap_7 : waveMap_7;
     vec3 normal = safeNormalize(eyeFromWorld(waveMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 3828106104u, 1031829665u);
 }
