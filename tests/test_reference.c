@@ -293,7 +293,9 @@ static void any_number_may_be_a_count(void **state)
 {
     (void)state;
     static const double counts[] = {670, -5, 0, 31, 64, 2e9, -2e9, 1e300, -1e300};
-    const ReferenceContext context = {REFERENCE_LATTICE, NULL};
+    static const uint8_t texel[4] = {51, 102, 153, 255};
+    const ReferenceTexture texture = {.width = 1, .height = 1, .lanes = 4, .bytes = texel};
+    const ReferenceContext context = {REFERENCE_LATTICE, &texture};
     for (int function = 0; function < FUNCTION_COUNT; function++) {
         const char *letters = function_row(function)->name ? function_arguments(function) : "";
         for (size_t i = 0; strchr(letters, 'i') && i < sizeof counts / sizeof *counts; i++) {
@@ -301,7 +303,7 @@ static void any_number_may_be_a_count(void **state)
             int used = 0;
             for (const char *letter = letters; *letter; letter++)
                 for (int lane = 0; lane < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1); lane++)
-                    args[used++] = *letter == 'i' ? counts[i] : 1;
+                    args[used++] = *letter == 'i' ? counts[i] : *letter == 's' ? 0 : 1;
             reference_of(function)(&context, args, result);
             bool word = function_row(function)->result == TYPE_uint;
             for (int lane = 0; lane < 4; lane++)

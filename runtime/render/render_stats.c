@@ -43,6 +43,14 @@ static void put_passes(Text *out, const Render *render, const RenderPassTime *ti
     }
 }
 
+static void put_texel(Text *out, int map, double texel)
+{
+    enum { DIGITS = 3 };
+    text_format(out, "shadow    map %d: texels of ", map);
+    text_rounded(out, texel, DIGITS);
+    text_char(out, '\n');
+}
+
 static void put_maps(Text *out, const Render *render)
 {
     const int size = render->scene->shadow_size, count = render->shadows.views.count;
@@ -50,7 +58,7 @@ static void put_maps(Text *out, const Render *render)
                 (long)count * size * size * (long)sizeof(float));
     for (int i = 0; i < count; i++)
         if (render->shadows.views.views[i].near <= 0)
-            text_format(out, "shadow    map %d: texels of %.3g\n", i, render->shadows.views.views[i].texel);
+            put_texel(out, i, render->shadows.views.views[i].texel);
     if (render->shadows.glass.buffer)
         text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments\n",
                     (unsigned long)render->shadows.glass.bytes, (unsigned long)render->shadows.glass.room);

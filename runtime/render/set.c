@@ -2,6 +2,7 @@
 #include "runtime/render/set.h"
 #include "runtime/render/instances.h"
 #include "compiler/base/hash.h"
+#include "compiler/base/text.h"
 #include "compiler/layout/custom.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,17 +84,31 @@ static bool has_program(const Set *set, int material, const char *pass)
     return false;
 }
 
+/* Three numbers behind a name. */
+static bool read_three(const char *at, float numbers[3])
+{
+    for (int i = 0; i < 3; i++) {
+        const size_t size = strcspn(at, " \n");
+        double number;
+        if (!text_number(at, size, &number))
+            return false;
+        numbers[i] = (float)number;
+        at += size + (at[size] == ' ');
+    }
+    return true;
+}
+
 /* By how much a plane is transparent, if that is a constant. */
 static bool find_through(Maker *m, SetProgram *program)
 {
+    static const char name[] = "\ntransparency ";
     const SceneMaterial *of = &m->scene->materials[program->material];
     const char *fault;
     if (strcmp(program->pass, "plane") != 0 || strcmp(matc_opacity(program->program), "transparent") != 0)
         return true;
     char *values = matc_eval(of->document, of->index, "", &m->options, &fault);
-    const char *line = values ? strstr(values, "\ntransparency ") : NULL;
-    program->even = line && sscanf(line, "\ntransparency %f %f %f", &program->through[0], &program->through[1],
-                                   &program->through[2]) == 3;
+    const char *line = values ? strstr(values, name) : NULL;
+    program->even = line && read_three(line + sizeof name - 1, program->through);
     free(values);
     return program->even || gl_fail(m->gl, "out of memory");
 }
