@@ -70,7 +70,8 @@ static void count_calls(GlContext *gl)
     COUNT(GetProgramiv)
     COUNT(TexParameteri)
     COUNT(FramebufferTexture2D)
-    COUNT(Uniform1fv) COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv)
+    COUNT(Uniform1fv)
+    COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv)
         COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
@@ -120,15 +121,19 @@ static void a_second_frame_only_draws(void **state)
     (void)state;
     enum { OPAQUE = 3 + 1 + 1 + 2 /* surfaces, the spheres at once; the plane, the sky, light and tone */, LAYERS = 3 };
     static const struct {
-        const char *transparency;
+        const char *transparency, *lights;
         int draws;
-    } cases[] = {{"lists", OPAQUE + 2 + 1}, {"peeling", OPAQUE + LAYERS * (2 + 1)}};
+    } cases[] = {{"lists", "all", OPAQUE + 2 + 1},
+                 {"peeling", "all", OPAQUE + LAYERS * (2 + 1)},
+                 {"lists", "bounded", OPAQUE + 2 + 1 + 1 /* what is far is gathered */}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(busy, &options, &document);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        expect_draws_only(scene, (RenderOptions){.compile = &options, .transparency = cases[i].transparency},
-                          cases[i].draws);
+        expect_draws_only(
+            scene,
+            (RenderOptions){.compile = &options, .transparency = cases[i].transparency, .lights = cases[i].lights},
+            cases[i].draws);
     frame_forget(scene, document);
 }
 

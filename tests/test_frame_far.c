@@ -34,14 +34,16 @@ typedef struct {
     Scene *scene;
 } Hall;
 
-static Hall open_hall(void)
+static Hall open_lamps(const FrameLamps *lamps)
 {
     Hall h = {.compile = frame_exact_options(), .gl = frame_context()};
-    char *text = frame_lamps_text(&hall, WIDTH, HEIGHT);
+    char *text = frame_lamps_text(lamps, WIDTH, HEIGHT);
     h.scene = frame_scene(text, &h.compile, &h.document);
     free(text);
     return h;
 }
+
+static Hall open_hall(void) { return open_lamps(&hall); }
 
 static void close_hall(Hall *h)
 {
@@ -146,8 +148,171 @@ static void drivers_with_less(void **state)
     close_hall(&h);
 }
 
+/* -- what else a renderer does */
+
+static const double half_step = 1. / 510;
+
+/* Of two pictures of light, the most that a lane is apart as it is shown, in half steps; *differ: how many lanes do. */
+static double most_apart(const float *a, const float *b, int *differ)
+{
+    double most = 0;
+    *differ = 0;
+    for (int i = 0; i < PIXELS * 4; i++) {
+        most = fmax(most, fabs(frame_lamps_shown(SCENE_Clamp, 1, a[i]) - frame_lamps_shown(SCENE_Clamp, 1, b[i])));
+        *differ += a[i] != b[i];
+    }
+    return most / half_step;
+}
+
+static float *read_frame(Render *render)
+{
+    float *rgba = calloc(PIXELS, 4 * sizeof *rgba);
+    assert_true(rgba && render_frame(render) && render_read(render, rgba));
+    return rgba;
+}
+
+/* What is drawn is what a new renderer draws, bit for bit. */
+static void expect_as_new(const Hall *h, Render *render, const RenderOptions *options)
+{
+    float *changed = read_frame(render);
+    GlContext *gl = frame_context();
+    float *new = frame_floats(gl, h->scene, options);
+    assert_memory_equal(changed, new, PIXELS * 4 * sizeof *new);
+    gl_close(gl);
+    assert_true(gl_use(h->gl));
+    free(changed);
+    free(new);
+}
+
+static void changes(void **state)
+{
+    (void)state;
+    Hall h = open_hall();
+    const RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "bounded"};
+    Render *render = open_render(&h, &options);
+    float *before = read_frame(render);
+    h.scene->camera.position[0] += 1;
+    assert_true(render_changed(render, RENDER_CAMERA));
+    expect_as_new(&h, render, &options);
+    h.scene->lights[3].position[2] += 1;
+    h.scene->lights[LIGHTS - 1].light[1] *= 90;
+    assert_true(render_changed(render, RENDER_LIGHTS));
+    expect_as_new(&h, render, &options);
+    float *after = read_frame(render);
+    assert_memory_not_equal(before, after, PIXELS * 4 * sizeof *after);
+    free(before);
+    free(after);
+    render_close(render);
+    close_hall(&h);
+}
+
+/* The picture as its tiles show it, from malloc. */
+static float *draw_tiles(const Hall *h, const RenderOptions *options)
+{
+    float *picture = calloc(PIXELS, 4 * sizeof *picture);
+    Render *render = open_render(h, options);
+    const int width = render_tile_width(render), height = render_tile_height(render);
+    float *tile = calloc((size_t)width * (size_t)height, 4 * sizeof *tile);
+    assert_true(picture && tile);
+    for (int y = 0; y < HEIGHT; y += height)
+        for (int x = 0; x < WIDTH; x += width) {
+            render_move(render, x, y);
+            assert_true(render_frame(render) && render_read(render, tile));
+            for (int i = 0; i < width * height; i++)
+                if (x + i % width < WIDTH && y + i / width < HEIGHT)
+                    memcpy(picture + 4 * ((y + i / width) * WIDTH + x + i % width), tile + 4 * i, 4 * sizeof *tile);
+        }
+    free(tile);
+    render_close(render);
+    return picture;
+}
+
+/* Tiles whose blocks are others than the picture's. A wall that faces the eye: its depth is the same in all of them, test_tiles.c. */
+static void tiles(void **state)
+{
+    (void)state;
+    static const int sizes[][2] = {{WIDTH, 34}, {26, HEIGHT}, {14, 62}};
+    static const FrameLamps wall = {"a wall",
+                                    "camera: { camera: Perspective, position: [0, 0, 6], target: [0, 0, 0], up: [0, 1, "
+                                    "0] }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5, specular: .3") "]\n",
+                                    "Point",
+                                    LIGHTS,
+                                    .3,
+                                    2,
+                                    4,
+                                    20,
+                                    1};
+    Hall h = open_lamps(&wall);
+    RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
+    int differ;
+    float *all = frame_floats(h.gl, h.scene, &options);
+    options.lights = "bounded";
+    float *whole = frame_floats(h.gl, h.scene, &options);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        memcpy(options.tile, sizes[i], sizeof options.tile);
+        float *drawn = draw_tiles(&h, &options);
+        assert_true(most_apart(all, drawn, &differ) <= 1 && differ > PIXELS / 10);
+        assert_true(most_apart(whole, drawn, &differ) <= 1 && differ > PIXELS / 10);
+        free(drawn);
+    }
+    free(all);
+    free(whole);
+    close_hall(&h);
+}
+
+/* Other layouts than floats, of which test_frame_lights.c is: what is read there is the same for both sums. */
+static void layouts(void **state)
+{
+    (void)state;
+    static const char *const names[] = {NULL, "integer", "compact"};
+    Hall h = open_hall();
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        int differ;
+        h.compile.layout = names[i];
+        RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
+        float *all = frame_floats(h.gl, h.scene, &options);
+        options.lights = "bounded";
+        float *drawn = frame_floats(h.gl, h.scene, &options);
+        const double most = most_apart(all, drawn, &differ);
+        print_message("%-8s %4.2f of half a step, %d lanes differ\n", names[i] ? names[i] : "default", most, differ);
+        assert_true(most <= 1 && differ > 20); /* light as halves rounds most of it off */
+        free(all);
+        free(drawn);
+    }
+    close_hall(&h);
+}
+
+/* A blend of two pixels is within the bound of both: of a picture of 16 bits, whose own steps come on top. */
+static void edges(void **state)
+{
+    (void)state;
+    Hall h = open_hall();
+    RenderOptions options = {.compile = &h.compile, .deep = true, .edges = RENDER_EDGES_coverage, .lights = "all"};
+    float *all = frame_floats(h.gl, h.scene, &options);
+    options.lights = "bounded";
+    float *drawn = frame_floats(h.gl, h.scene, &options);
+    options.edges = RENDER_EDGES_none;
+    float *hard = frame_floats(h.gl, h.scene, &options);
+    int differ = 0, blended = 0;
+    for (int i = 0; i < 4 * PIXELS; i++) {
+        assert_true(fabs((double)all[i] - (double)drawn[i]) <= half_step + 1. / 65535);
+        differ += all[i] != drawn[i];
+        blended += fabs((double)hard[i] - (double)drawn[i]) > .01;
+    }
+    assert_true(differ > 20 && blended > 30);
+    free(all);
+    free(drawn);
+    free(hard);
+    close_hall(&h);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(buffers_are_counted), cmocka_unit_test(drivers_with_less)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(buffers_are_counted),
+                                       cmocka_unit_test(drivers_with_less),
+                                       cmocka_unit_test(changes),
+                                       cmocka_unit_test(tiles),
+                                       cmocka_unit_test(layouts),
+                                       cmocka_unit_test(edges)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
