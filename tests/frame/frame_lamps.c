@@ -44,10 +44,15 @@ char *frame_lamps_text(const FrameLamps *c, int width, int height)
     return text;
 }
 
+double frame_lamps_mapped(SceneKind tone, double x)
+{
+    const double y = tone == SCENE_Filmic ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14) : x;
+    return y < 0 ? 0 : y > 1 ? 1 : y;
+}
+
+double frame_lamps_encoded(double y) { return y <= .0031308 ? 12.92 * y : 1.055 * pow(y, 1 / 2.4) - .055; }
+
 double frame_lamps_shown(SceneKind tone, double exposure, double light)
 {
-    const double x = light * exposure;
-    const double y = tone == SCENE_Filmic ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14) : x;
-    const double cut = y < 0 ? 0 : y > 1 ? 1 : y;
-    return cut <= .0031308 ? 12.92 * cut : 1.055 * pow(cut, 1 / 2.4) - .055;
+    return frame_lamps_encoded(frame_lamps_mapped(tone, light * exposure));
 }

@@ -19,6 +19,8 @@ typedef struct {
 
 /* The document, the lights at random places, without shadows. From malloc. */
 char *frame_lamps_text(const FrameLamps *lamps, int width, int height);
-/* A screen's colour of light, from 0 to 1, by Clamp or Filmic: IEC 61966-2-1 of the formulas that matc --list=scenes gives. */
+/* What a screen is to send of light, from 0 to 1, by the formulas that matc --list=scenes gives for Clamp or Filmic; that as IEC 61966-2-1 has it; both. */
+double frame_lamps_mapped(SceneKind tone, double light);
+double frame_lamps_encoded(double mapped);
 double frame_lamps_shown(SceneKind tone, double exposure, double light);
 #endif
