@@ -132,6 +132,99 @@ static void what_is_missing_is_made(void **state)
     shape_free(&shape);
 }
 
+/* Two squares left and right of x = 0, u = |x|: dP/du runs away from the middle on both. Their two corners in the middle become four. */
+static void assert_mirrored(bool (*read)(const char *, Shape *, char *, size_t), float size)
+{
+    char path[128], error[1024] = "";
+    Shape shape;
+    if (!read(path_of("mirrored.obj", path), &shape, error, sizeof error))
+        fail_msg("%s", error);
+    assert_int_equal(shape.index_count, 12);
+    assert_int_equal(shape.vertex_count, 8);
+    for (int i = 0; i < shape.index_count; i += 3) {
+        const ShapeVertex *corner[3];
+        float middle = 0;
+        for (int k = 0; k < 3; k++) {
+            corner[k] = &shape.vertices[shape.indices[i + k]];
+            middle += corner[k]->position[0] / 3;
+        }
+        for (int k = 0; k < 3; k++) {
+            const float away = middle < 0 ? -size : size;
+            const float wanted[][3] = {
+                {away * corner[k]->uv[0], size * (corner[k]->uv[1] - .5f), 0}, {0, 0, 1}, {away, 0, 0}, {0, size, 0}};
+            const float *got[] = {corner[k]->position, corner[k]->normal, corner[k]->tangentU, corner[k]->tangentV};
+            for (int lane = 0; lane < 12; lane++)
+                assert_float_equal(got[lane / 3][lane % 3], wanted[lane / 3][lane % 3], 1e-5);
+        }
+    }
+    shape_free(&shape);
+}
+
+static void mirrored_halves_keep_their_tangents(void **state)
+{
+    (void)state;
+    write_text("mirrored.obj", "v -3 0 1.5\nv 0 0 1.5\nv 3 0 1.5\nv -3 0 -1.5\nv 0 0 -1.5\nv 3 0 -1.5\n"
+                               "vt 1 0\nvt 0 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n");
+    assert_mirrored(model_read, 2 / sqrtf(5));
+    assert_mirrored(model_read_in_place, 3);
+}
+
+/* Normals are the file's, whichever way its triangles turn: tangents are those of its coordinates all the same. */
+static void normals_may_face_the_other_way(void **state)
+{
+    (void)state;
+    char path[128], error[1024] = "";
+    Shape shape;
+    write_text("under.obj", "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 -1 0\n"
+                            "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
+    assert_true(model_read_in_place(path_of("under.obj", path), &shape, error, sizeof error));
+    for (int i = 0; i < shape.vertex_count; i++) {
+        const ShapeVertex *w = &shape.vertices[i];
+        const float wanted[][3] = {{0, 0, -1}, {2, 0, 0}, {0, 2, 0}}, *got[] = {w->normal, w->tangentU, w->tangentV};
+        for (int lane = 0; lane < 9; lane++)
+            assert_float_equal(got[lane / 3][lane % 3], wanted[lane / 3][lane % 3], 1e-5);
+    }
+    shape_free(&shape);
+}
+
+/* Rows of hills without texture coordinates: longitude and latitude turn back on every slope that faces the middle. The tangents of a triangle's
+ * corners turn as its own coordinates do, all three. */
+static void tangents_turn_as_their_triangle(void **state)
+{
+    (void)state;
+    enum { SIDE = 24 };
+    static char text[SIDE * SIDE * 80];
+    size_t used = 0;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "v %d %.3f %d\n", i % SIDE,
+                                 2 * sin(0.7 * (i % SIDE)) * cos(0.5 * (i / SIDE)), -(i / SIDE));
+    for (int i = 1; i < SIDE * SIDE - SIDE; i++)
+        if (i % SIDE)
+            used +=
+                (size_t)snprintf(text + used, sizeof text - used, "f %d %d %d %d\n", i, i + 1, i + 1 + SIDE, i + SIDE);
+    write_text("hills.obj", text);
+    char path[128], error[1024] = "";
+    Shape shape;
+    assert_true(model_read(path_of("hills.obj", path), &shape, error, sizeof error));
+    int left = 0, right = 0;
+    for (int i = 0; i < shape.index_count; i++) {
+        const ShapeVertex *w = &shape.vertices[shape.indices[i]], *first = &shape.vertices[shape.indices[i - i % 3]];
+        const ShapeVertex *second = &shape.vertices[shape.indices[i - i % 3 + 1]],
+                          *third = &shape.vertices[shape.indices[i - i % 3 + 2]];
+        const float area = (second->uv[0] - first->uv[0]) * (third->uv[1] - first->uv[1]) -
+                           (second->uv[1] - first->uv[1]) * (third->uv[0] - first->uv[0]);
+        const float *a = w->tangentU, *b = w->tangentV, *n = w->normal;
+        const float turn = n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) +
+                           n[2] * (a[0] * b[1] - a[1] * b[0]);
+        if (!(area * turn > 0))
+            fail_msg("triangle %d, corner %d: area %g in u and v, turn %g", i / 3, i % 3, area, turn);
+        left += turn < 0;
+        right += turn > 0;
+    }
+    assert_true(left > 300 && right > 300);
+    shape_free(&shape);
+}
+
 static void faults_are_told(void **state)
 {
     (void)state;
@@ -244,6 +337,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_square_is_one_in_every_format),
         cmocka_unit_test(what_is_missing_is_made),
+        cmocka_unit_test(mirrored_halves_keep_their_tangents),
+        cmocka_unit_test(normals_may_face_the_other_way),
+        cmocka_unit_test(tangents_turn_as_their_triangle),
         cmocka_unit_test(faults_are_told),
         cmocka_unit_test(parts_are_checked),
     };

@@ -15,7 +15,8 @@ enum {
 
 /* Reads an OBJ, glTF 2 (.gltf, .glb) or PLY file: all its triangles, turned so that z is up (OBJ and glTF have y up), moved and scaled until
  * the corners of its bounding box are at most 1 from the origin. Normals that are missing become those of the faces, smoothed; texture coordinates
- * longitude and latitude; tangents are dP/du and dP/dv of the triangles, as on every shape. False: *error, and *made is empty. */
+ * longitude and latitude; tangents are dP/du and dP/dv of the triangles, as on every shape. A vertex where mirrored texture coordinates meet others
+ * becomes two. False: *error, and *made is empty. */
 bool model_read(const char *path, Shape *made, char *error, size_t room);
 
 /* The same where it stands, in its own size, for scenes. */

@@ -1,5 +1,5 @@
 /* Checks what was read of a mesh, and adds what is missing: place and size, texture coordinates, normals, tangents. */
-#include "runtime/scene/model.h"
+#include "runtime/scene/model_sides.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -106,33 +106,45 @@ static void mend_normals(Shape *shape)
             memcpy(shape->vertices[i].normal, up, sizeof up);
 }
 
+/* Of a vertex: how many triangles gave it tangents; by how much more of their area those turn right around its normal than left. */
+typedef struct {
+    int faces;
+    float turn;
+} Tally;
+
 /* dP/du and dP/dv of a triangle, added to its corners. With edges a and b, and (s, t) and (p, q) their steps in u and v:
  *   a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D, D = s q - t p
  * Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu = a, Pv = b. */
-static void add_tangents(ShapeVertex *corner[3])
+static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])
 {
-    float a[3], b[3];
+    float a[3], b[3], out[3];
     subtract(corner[1]->position, corner[0]->position, a);
     subtract(corner[2]->position, corner[0]->position, b);
+    cross(a, b, out);
     const float s = corner[1]->uv[0] - corner[0]->uv[0], t = corner[1]->uv[1] - corner[0]->uv[1];
     const float p = corner[2]->uv[0] - corner[0]->uv[0], q = corner[2]->uv[1] - corner[0]->uv[1];
-    const float d = s * q - t * p;
-    if (!(fabsf(d) > 1e-12f))
-        return; /* a triangle without extent in u and v */
+    const float d = model_area(corner[0]->uv, corner[1]->uv, corner[2]->uv);
+    if (d == 0)
+        return;
     for (int i = 0; i < 9; i++) {
         const int c = i / 3, k = i % 3;
         corner[c]->tangentU[k] += (q * a[k] - t * b[k]) / d;
         corner[c]->tangentV[k] += (s * b[k] - p * a[k]) / d;
     }
+    for (int c = 0; c < 3; c++) {
+        tally[c]->faces++;
+        tally[c]->turn += copysignf(1, d) * dot(out, corner[c]->normal);
+    }
 }
 
-/* In the plane of the normal. What has no direction there becomes the one that goes on from the other two. */
-static void mend_tangents(ShapeVertex *vertex, int faces)
+/* Their mean, in the plane of the normal. What has no direction there, or turns the other way than its triangles, as it may around a pole,
+ * becomes the frame that goes on from the normal. */
+static void mend_tangents(ShapeVertex *vertex, const Tally *tally)
 {
-    const float *n = vertex->normal;
+    const float *n = vertex->normal, side = tally->turn < 0 ? -1 : 1;
     float *tangents[2] = {vertex->tangentU, vertex->tangentV};
     for (int i = 0; i < 6; i++)
-        tangents[i / 3][i % 3] /= (float)(faces ? faces : 1);
+        tangents[i / 3][i % 3] /= (float)(tally->faces ? tally->faces : 1);
     for (int i = 0; i < 2; i++) {
         const float along = dot(tangents[i], n);
         for (int k = 0; k < 3; k++)
@@ -140,30 +152,33 @@ static void mend_tangents(ShapeVertex *vertex, int faces)
     }
     float out[3];
     cross(vertex->tangentU, vertex->tangentV, out);
-    if (dot(out, out) > 1e-16f && isfinite(dot(out, out)))
+    if (side * dot(out, n) > 1e-8f && isfinite(dot(out, out)))
         return;
     const float *axis = fabsf(n[2]) < 0.9f ? (const float[3]){0, 0, 1} : (const float[3]){1, 0, 0};
     cross(axis, n, vertex->tangentU);
     normalize(vertex->tangentU);
     cross(n, vertex->tangentU, vertex->tangentV);
+    for (int k = 0; k < 3; k++)
+        vertex->tangentV[k] *= side;
 }
 
 static bool make_tangents(Shape *shape)
 {
-    int *faces = calloc((size_t)shape->vertex_count, sizeof *faces);
-    if (!faces)
+    Tally *tallies = calloc((size_t)shape->vertex_count, sizeof *tallies);
+    if (!tallies)
         return false;
     for (int i = 0; i < shape->index_count; i += 3) {
         ShapeVertex *corner[3];
+        Tally *tally[3];
         for (int k = 0; k < 3; k++) {
             corner[k] = &shape->vertices[shape->indices[i + k]];
-            faces[shape->indices[i + k]]++;
+            tally[k] = &tallies[shape->indices[i + k]];
         }
-        add_tangents(corner);
+        add_tangents(corner, tally);
     }
     for (int i = 0; i < shape->vertex_count; i++)
-        mend_tangents(&shape->vertices[i], faces[i]);
-    free(faces);
+        mend_tangents(&shape->vertices[i], &tallies[i]);
+    free(tallies);
     return true;
 }
 
@@ -176,7 +191,8 @@ static bool are_finite(const Shape *shape)
     return true;
 }
 
-static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size)
+/* `kept`: NULL, or a row for each vertex and as many again; a vertex that becomes two has its row twice. */
+static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size, float (*kept)[3])
 {
     const char *fault = find_fault(shape);
     if (fault)
@@ -191,24 +207,24 @@ static const char *complete(Shape *shape, bool has_normals, bool has_coordinates
     if (!has_normals)
         make_normals(shape);
     mend_normals(shape);
-    return make_tangents(shape) ? NULL : "out of memory";
+    return model_part_sides(shape, kept) && make_tangents(shape) ? NULL : "out of memory";
 }
 
 const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
 {
     float size;
-    return complete(shape, has_normals, has_coordinates, &size);
+    return complete(shape, has_normals, has_coordinates, &size, NULL);
 }
 
 /* What is computed of a mesh is computed at the size of one: whether an area is small is then a question with an answer. */
 const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
 {
-    float size, (*kept)[3] = malloc((size_t)shape->vertex_count * sizeof *kept + 1);
+    float size, (*kept)[3] = malloc((size_t)shape->vertex_count * 2 * sizeof *kept + 1);
     if (!kept)
         return "out of memory";
     for (int i = 0; i < shape->vertex_count; i++)
         memcpy(kept[i], shape->vertices[i].position, sizeof *kept);
-    const char *fault = complete(shape, has_normals, has_coordinates, &size);
+    const char *fault = complete(shape, has_normals, has_coordinates, &size, kept);
     for (int i = 0; !fault && i < shape->vertex_count; i++) {
         memcpy(shape->vertices[i].position, kept[i], sizeof *kept);
         for (int k = 0; k < 3; k++) {
