@@ -178,9 +178,9 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // landscape.yaml:25 BumpMap
+    // landscape.yaml:26 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // landscape.yaml:25 VolumeTurbulence
+    // landscape.yaml:26 VolumeTurbulence
     vec3 volumeTurbulence = turbulenceGradient(localPosition * 5.0, vec3(0.0), 3, 2.0, 0.5, 0.0).xyz;
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     vec3 bumpMap_3 = dot(volumeTurbulence, localTangentU * 5.0) * 0.001 * worldTangentV - dot(volumeTurbulence, localTangentV * 5.0) * 0.001 * worldTangentU;
