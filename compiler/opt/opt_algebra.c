@@ -69,22 +69,6 @@ static bool all_negative(const Ir *ir, Ref ref)
     return true;
 }
 
-/* Of two constants, in double, as wide as the wider one; 0: they are none, or a lane is beyond what floats hold well. */
-static Ref product_of(Ir *ir, Ref a, Ref b)
-{
-    const double least = 0x1p-100, most = 0x1p100;
-    double lanes[4];
-    if (!ir_is(ir, a, OP_const) || !ir_is(ir, b, OP_const))
-        return 0;
-    const int count_a = ir_lanes(ir, a), count_b = ir_lanes(ir, b), count = count_a > count_b ? count_a : count_b;
-    for (int i = 0; i < count; i++) {
-        lanes[i] = ir_numbers(ir, a)[count_a > 1 ? i : 0] * ir_numbers(ir, b)[count_b > 1 ? i : 0];
-        if (!(fabs(lanes[i]) >= least && fabs(lanes[i]) <= most))
-            return 0;
-    }
-    return ir_const(ir, ir_type(ir, count_a > count_b ? a : b), lanes);
-}
-
 #define zero(x)            ir_is_number(ir, x, 0)
 #define one(x)             ir_is_number(ir, x, 1)
 #define minus_one(x)       ir_is_number(ir, x, -1)
@@ -103,7 +87,6 @@ static Ref product_of(Ir *ir, Ref a, Ref b)
 #define out_of_order(x, y) ordered_wrongly(ir, x, y)
 #define exact_inverse(x)   has_exact_inverse(ir, x)
 #define inverse(x)         inverse_of(ir, x)
-#define product(x, y)      product_of(ir, x, y)
 
 Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user)
 {

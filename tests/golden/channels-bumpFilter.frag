@@ -166,9 +166,9 @@ void main() {
     vec3 smooth3D_30 = smooth3D_29 + (smooth3D_28 + (smooth3D_27 + smooth3D_26 + smooth3D_27 + smooth3D_27) + smooth3D_28 + smooth3D_28);
     float bumpMap_3 = smooth3DInput0(smooth3D_8).x;
     float bumpMap_4 = smooth3DInput1(smooth3D_8).x;
-    vec3 bumpMap_5 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.0014814815 * worldTangentV;
-    vec3 bumpMap_6 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_4 + bumpMap_4 + bumpMap_4) * 0.0014814815 * worldTangentU;
-    vec3 bumpMap_7 = cross(bumpMap_1, bumpMap_5 - bumpMap_6) + bumpMap_2;
+    float bumpMap_5 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.04;
+    float bumpMap_6 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_4 + bumpMap_4 + bumpMap_4) * 0.037037037 * 0.04;
+    vec3 bumpMap_7 = cross(bumpMap_1, bumpMap_5 * worldTangentV - bumpMap_6 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_7 : bumpMap_7;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);

@@ -111,25 +111,24 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // imageAddress.yaml:3 around
-    vec2 around = uv + vec2(0.7, 0.8);
-    vec2 around_2 = around * vec2(2.5);
+    vec2 around = (uv + vec2(0.7, 0.8)) * vec2(2.5);
     // imageAddress.yaml:3 ImageMap
-    vec4 diffuse_image = imageSampled(imageTexture0, around_2, pictureSize(imageTexture0));
+    vec4 diffuse_image = imageSampled(imageTexture0, around, pictureSize(imageTexture0));
     // imageAddress.yaml:7 ImageMap
-    vec2 transparency_image_1 = floor(around * vec2(160.0)) + vec2(0.5);
-    vec2 transparency_image_2 = step(vec2(0.0), around_2) - step(vec2(1.0), around_2);
+    vec2 transparency_image_1 = (floor(around * vec2(64.0)) + vec2(0.5)) * vec2(0.015625);
+    vec2 transparency_image_2 = step(vec2(0.0), around) - step(vec2(1.0), around);
     float transparency_image_3 = transparency_image_2.y * transparency_image_2.x;
-    vec4 transparency_image = vec4(transparency_image_3) * imageNearest(imageTexture1, clamp(transparency_image_1 * vec2(0.015625), vec2(0.0078125), vec2(0.9921875)), vec2(64.0));
+    vec4 transparency_image = vec4(transparency_image_3) * imageNearest(imageTexture1, clamp(transparency_image_1, vec2(0.0078125), vec2(0.9921875)), vec2(64.0));
     // imageAddress.yaml:6 ImageMap
-    vec2 ambient_image = clamp(vec2(1.0) - abs(vec2(1.0) - fract(transparency_image_1 * vec2(0.0078125)) * 2.0), vec2(0.0078125), vec2(0.9921875));
+    vec2 ambient_image = clamp(vec2(1.0) - abs(vec2(1.0) - fract(transparency_image_1 * 0.5) * 2.0), vec2(0.0078125), vec2(0.9921875));
     vec4 ambient_image_2 = imageNearest(imageTexture2, ambient_image, vec2(64.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // imageAddress.yaml:5 ImageMap
-    vec4 emissive_image = imageSampled(imageTexture3, around_2, pictureSize(imageTexture3));
+    vec4 emissive_image = imageSampled(imageTexture3, around, pictureSize(imageTexture3));
     uint surface_bits = sharedExponentBits(emissive_image.xyz, 5) | rootBits(ambient_image_2.x, 4) << 20 | rootBits(ambient_image_2.y, 4) << 24;
     uint surface_bits2 = rootBits(diffuse_image.x, 7) | rootBits(diffuse_image.y, 7) << 7 | rootBits(diffuse_image.z, 7) << 14;
     // imageAddress.yaml:4 ImageMap
-    vec4 specular_image = imageSampled(imageTexture4, around_2, pictureSize(imageTexture4));
+    vec4 specular_image = imageSampled(imageTexture4, around, pictureSize(imageTexture4));
     uint surface_bits3 = rootBits(specular_image.y, 6) | rootBits(specular_image.z, 6) << 6 | rootBits(transparency_image.y, 5) << 12;
     uint surface_bits4 = surface_bits3 | rootBits(transparency_image.z, 5) << 17 | logarithmBits(phongExponent(emissive_image.w), 9) << 22;
     uvec4 surface_bits5 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits | rootBits(ambient_image_2.z, 4) << 28, surface_bits2 | rootBits(specular_image.x, 6) << 21 | rootBits(transparency_image.x, 5) << 27, surface_bits4);

@@ -138,7 +138,8 @@ void main() {
     float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x);
     float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x);
     float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x);
-    vec3 diffuse_blend = mix(mix(vec3(0.8879231, 0.8549926, 0.76815116), vec3(0.21223076, 0.2746773, 0.2541521), clamp((diffuse_blend_4 * 0.083333336 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011612245, 0.023153367, 0.023153367), clamp(diffuse_blend_4 * 0.41666666, 0.0, 1.0));
+    float diffuse_blend_5 = diffuse_blend_4 * 0.083333336;
+    vec3 diffuse_blend = mix(mix(vec3(0.8879231, 0.8549926, 0.76815116), vec3(0.21223076, 0.2746773, 0.2541521), clamp((diffuse_blend_5 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011612245, 0.023153367, 0.023153367), clamp(diffuse_blend_5 * 5.0, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -116,7 +116,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // volumeCheckerFloatVec4.yaml:4 VolumeChecker
-    vec3 diffuse_volumeChecker_1 = fract(localPosition * 1.5);
+    vec3 diffuse_volumeChecker_1 = fract(localPosition * 3.0 * 0.5);
     vec4 diffuse_volumeChecker;
     if (((0.5 <= diffuse_volumeChecker_1.x) != (0.5 <= diffuse_volumeChecker_1.y)) != (0.5 <= diffuse_volumeChecker_1.z)) {
         // volumeCheckerFloatVec4.yaml:5 VolumeTurbulence

@@ -49,7 +49,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // E.yaml:11 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0057642;
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.37 * 2.7182817;
     // E.yaml:5 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.04373503, 0.004024717, 0.027320892), vec3(0.5394795, 0.059511237, 0.107023105), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9646863, 0.7454042, 0.38132602), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);

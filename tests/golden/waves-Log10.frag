@@ -59,9 +59,9 @@ void main() {
     // Log10.yaml:14 XYZTransform
     vec3 diffuse_xyzTransform = mat3(vec3(0.9800666, 0.0, -0.19866933), vec3(0.18516758, 0.36235777, 0.9134604), vec3(0.07198937, -0.9320391, 0.35513473)) * localPosition + vec3(0.0, 0.2, 0.0);
     // Log10.yaml:11 Wood
-    float diffuse_wood_1 = log(max(wood(diffuse_xyzTransform) * 30.0, 1.1754944e-38));
+    float diffuse_wood = log(max(wood(diffuse_xyzTransform) * 30.0, 1.1754944e-38)) * 0.4342945;
     // Log10.yaml:5 Blend
-    vec3 diffuse_blend = mix(mix(vec3(0.008023193, 0.031896032, 0.023153367), vec3(0.07818742, 0.3231432, 0.107023105), clamp(diffuse_wood_1 * 0.5790593, 0.0, 1.0)), vec3(0.8713671, 0.8468732, 0.55201143), clamp((diffuse_wood_1 * 0.4342945 - 0.75) * 1.3333334, 0.0, 1.0));
+    vec3 diffuse_blend = mix(mix(vec3(0.008023193, 0.031896032, 0.023153367), vec3(0.07818742, 0.3231432, 0.107023105), clamp(diffuse_wood * 1.3333334, 0.0, 1.0)), vec3(0.8713671, 0.8468732, 0.55201143), clamp((diffuse_wood - 0.75) * 1.3333334, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);

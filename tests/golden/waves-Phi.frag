@@ -49,7 +49,7 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // Phi.yaml:11 Gradient
-    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 1.0031811;
+    float diffuse_gradient = dot(localPosition, vec3(1.0, 0.0, 0.3)) * 0.62 * 1.618034;
     // Phi.yaml:5 Blend
     vec3 diffuse_blend = mix(mix(vec3(0.023153367, 0.011612245, 0.004024717), vec3(0.462077, 0.14412847, 0.027320892), clamp(diffuse_gradient + 1.0, 0.0, 1.0)), vec3(0.9559733, 0.76815116, 0.45641103), clamp(diffuse_gradient, 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
