@@ -60,7 +60,7 @@ static void leopard(const At *at, R *want)
     gray(square(over(plus(plus(sine(x), sine(y)), sine(z)), num(3))), want);
 }
 
-/* (Tu + k n by_u) x (Tv + k n by_v) of unit length. */
+/* (Tu + k n by_u) x (Tv + k n by_v) of unit length, or its opposite: to the side of n. */
 static void tilt(const At *at, R k, const R by[2], R *want)
 {
     R tu[3], tv[3];
@@ -70,6 +70,9 @@ static void tilt(const At *at, R k, const R by[2], R *want)
     }
     cross3(tu, tv, want);
     unit3(want);
+    const bool behind = below(dot3(want, (R *)at->n), num(0));
+    for (int i = 0; i < 3; i++)
+        want[i] = behind ? minus(want[i]) : want[i];
 }
 
 /* n' = (Tu + a n dh/du) x (Tv + a n dh/dv) of unit length, h = cos(2 pi 3 u) cos(2 pi 2 v), a = 0.125 / |n|. */
@@ -281,10 +284,11 @@ static const Material materials[] = {
 };
 enum { MATERIALS = sizeof materials / sizeof *materials, POINTS = 200 };
 
-/* Multiples of 2^-20, in [-3, 3). */
+/* Multiples of 2^-20, in [-3, 3). The square keeps vectors of neighbouring axes out of one plane, where a normal has no side. */
 static double coordinate(int point, int axis)
 {
-    return floor(6 * fraction((point * 13 + axis + 1) * 0.6180339887498949) * (1 << 20)) / (1 << 20) - 3;
+    const double turns = (point * 13 + axis + 1) * 0.6180339887498949 + axis * axis * 0.41421356237309503;
+    return floor(6 * fraction(turns) * (1 << 20)) / (1 << 20) - 3;
 }
 
 static void make_point(int point, Surface *surface, At *at)
