@@ -59,8 +59,8 @@ static void old_glsl_has_no_whole_numbers(void **state)
     program = matc_compile(document, 0, MATC_FRAGMENT | MATC_REFLECT, &options);
     assert_true(matc_ok(program));
     assert_int_equal(matc_target_count(program), 3);
-    assert_string_equal(matc_target_format(program, 2), "RG32UI");
-    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL), "\"location\": 2, \"format\": \"RG32UI\""));
+    assert_string_equal(matc_target_format(program, 2), "RGBA32UI");
+    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL), "\"location\": 2, \"format\": \"RGBA32UI\""));
     matc_program_free(program);
     matc_document_free(document);
 }

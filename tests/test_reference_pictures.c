@@ -24,12 +24,12 @@ typedef struct {
 
 #define STEP (1 / 255.)
 /* Cycles computes in floats. POV-Ray's files have 16 bits, half a step of which is 7.6e-6, and a reference is a sum of them. The layout
- * `integer` has normals within 0.0037 degrees. llvmpipe decodes sRGB by a polynomial, within 9e-4. Cycles' matrix to sRGB gives 1 in 1000 less
+ * `integer` has diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. Cycles' matrix to sRGB gives 1 in 1000 less
  * blue beside red than ours. What is round is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let
  * through what ten bits of `integer` do not hold: half a step of these is 4.9e-4. */
-static const Bounds cycles = {{2e-6, 8e-6, STEP}, {1e-4, 1e-4, STEP}},
+static const Bounds cycles = {{2e-6, 6e-6, STEP}, {1e-4, 1e-4, STEP}},
                     cycles_srgb = {{2e-6, 8e-6, STEP}, {1e-3, 1e-3, STEP}},
-                    cycles_lamp = {{1e-6, 2e-6, STEP}, {1e-5, 2e-5, STEP}},
+                    cycles_lamp = {{1e-6, 1e-6, STEP}, {1e-5, 2e-5, STEP}},
                     cycles_sky = {{5e-4, 5e-4, STEP}, {1e-3, 1e-3, STEP}},
                     povray = {{1e-5, 2e-5, STEP}, {1e-4, 1e-4, STEP}},
                     povray_round = {{1e-5, 2e-5, STEP}, {5e-4, 5e-4, STEP}},
