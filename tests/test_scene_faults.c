@@ -98,7 +98,7 @@ static void faults(void **state)
         {RED "image: { width: 0 }\n", "2:17: error: width is 0; it must be from 1 to 16384"},
         {RED "image: { width: 2.5 }\n", "2:17: error: width wants a whole number, not the number 2.5"},
         {RED "toneMapping: { toneMapping: Gamma }\n",
-         "2:29: error: no toneMapping is called 'Gamma'; there are Clamp, Filmic, Linear, ReinhardDevlin, Drago"},
+         "2:29: error: no toneMapping is called 'Gamma'; there are Clamp, Filmic, Shoulder, Exponential, Linear, ReinhardDevlin, Drago"},
         {RED "toneMapping: { toneMapping: Drago, bias: 2 }\n", "2:42: error: bias is 2.0; it must be from 0.01 to 1.0"},
         {RED "toneMapping: { toneMapping: ReinhardDevlin, exposure: 1 }\n",
          "2:45: error: ReinhardDevlin has no parameter 'exposure'; it has intensity, contrast, chromaticAdaptation, "

@@ -94,12 +94,17 @@ static void map(const Mapping *m, const Picture *p, const double span[2], const 
     const double x = luminance(c) / exp(p->log_mean) * m->exposure, top = p->brightest / exp(p->log_mean) * m->exposure;
     const double drago = log(1 + x) / log(2 + 8 * pow(x / top, log(m->numbers[0]) / log(.5))) / log10(1 + top) /
                          fmax(luminance(c), 1e-30);
+    const double most = fmax(fmax(c[0], c[1]), c[2]) * m->exposure;
     if (m->kind == SCENE_ReinhardDevlin)
         adapt(m, p, c, out);
     for (int i = 0; i < 3; i++) {
         const double f = c[i] * m->exposure;
         if (m->kind == SCENE_Filmic)
             out[i] = f * (2.51 * f + .03) / (f * (2.43 * f + .59) + .14);
+        else if (m->kind == SCENE_Shoulder)
+            out[i] = f <= m->numbers[0] ? f : 1 - (1 - m->numbers[0]) * (1 - m->numbers[0]) / (1 + f - 2 * m->numbers[0]);
+        else if (m->kind == SCENE_Exponential)
+            out[i] = most > 0 ? -expm1(-most) * f / most : 0;
         else if (m->kind == SCENE_ReinhardDevlin)
             out[i] = (out[i] - span[0]) / (span[1] - span[0]);
         else
@@ -145,7 +150,7 @@ static double off_by(GlContext *gl, const Mapping *m, const float *light, bool f
     const Picture p = measure(light, PIXELS);
     find_span(m, &p, light, span);
     for (int i = 0; i < PIXELS; i++) {
-        double out[3];
+        double out[3] = {0};
         map(m, &p, span, (double[]){light[4 * i], light[4 * i + 1], light[4 * i + 2]}, out);
         for (int lane = 0; lane < 3; lane++)
             greatest = fmax(greatest, fabs(shown[4 * i + lane] - encode(out[lane])));
@@ -161,6 +166,9 @@ static void formulas(void **state)
     static const Mapping mappings[] = {
         {"Clamp, exposure: -2", SCENE_Clamp, .25, {0}},
         {"Filmic, exposure: 1", SCENE_Filmic, 2, {0}},
+        {"Shoulder, exposure: 1", SCENE_Shoulder, 2, {.7}},
+        {"Shoulder, exposure: 3, knee: .25", SCENE_Shoulder, 8, {.25}},
+        {"Exponential, exposure: 1", SCENE_Exponential, 2, {0}},
         {"Linear", SCENE_Linear, 1, {0}},
         {"Linear, exposure: 3", SCENE_Linear, 8, {0}},
         {"ReinhardDevlin", SCENE_ReinhardDevlin, 1, {0, 0, 0, 1}},
@@ -251,7 +259,8 @@ static void measured(void **state)
 static void extremes(void **state)
 {
     (void)state;
-    static const char *const kinds[] = {"Clamp", "Filmic", "Linear", "ReinhardDevlin", "Drago", "Linear, exposure: 64"};
+    static const char *const kinds[] = {"Clamp",          "Filmic", "Shoulder",            "Exponential", "Linear",
+                                        "ReinhardDevlin", "Drago",  "Linear, exposure: 64"};
     enum { SIDE = 40 };
     GlContext *gl = frame_context();
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)

@@ -44,6 +44,24 @@ vec3 toneMapped(vec3 c)
 }
 #endif
 
+#ifdef TONE_Shoulder
+vec3 toneMapped(vec3 c)
+{
+    float knee = tone_numbers.x;
+    vec3 x = min(c * tone_exposure, 1e6), over = max(x - knee, 0.0) / (1.0 - knee);
+    return min(x, knee) + (1.0 - knee) * over / (1.0 + over);
+}
+#endif
+
+#ifdef TONE_Exponential
+vec3 toneMapped(vec3 c)
+{
+    vec3 x = min(c * tone_exposure, 1e6);
+    float greatest = max(toneGreatest(x), 1e-6);
+    return x * ((1.0 - exp(-greatest)) / greatest);
+}
+#endif
+
 #ifdef TONE_Linear
 vec3 toneMapped(vec3 c)
 {

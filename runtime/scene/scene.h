@@ -95,7 +95,7 @@ typedef struct Scene {
     double sky_light[3]; /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
     SceneKind tone;      /* of the sort toneMapping */
     double exposure;     /* a factor; 1 where the kind has none */
-    double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias */
+    double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias; Shoulder: knee */
     bool tiles;             /* where nothing is seen */
     int shadow_size;        /* texels of a shadow map's edge */
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */

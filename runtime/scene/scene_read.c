@@ -23,11 +23,15 @@ static void read_tone(SceneReader *r, Tree *tree)
         scene_thing_default(r, SCENE_SORT_toneMapping, &thing);
     else if (!scene_thing_read(r, tree, SCENE_SORT_toneMapping, &thing))
         return;
-    static const int first[SCENE_KIND_COUNT] = {
-        [SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity, [SCENE_Drago] = S_Drago_bias};
-    static const int numbers[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1};
+    static const int first[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity,
+                                                [SCENE_Drago] = S_Drago_bias,
+                                                [SCENE_Shoulder] = S_Shoulder_knee};
+    static const int numbers[SCENE_KIND_COUNT] = {
+        [SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1, [SCENE_Shoulder] = 1};
     static const int exposures[SCENE_KIND_COUNT] = {[SCENE_Clamp] = S_Clamp_exposure,
                                                     [SCENE_Filmic] = S_Filmic_exposure,
+                                                    [SCENE_Shoulder] = S_Shoulder_exposure,
+                                                    [SCENE_Exponential] = S_Exponential_exposure,
                                                     [SCENE_Linear] = S_Linear_exposure,
                                                     [SCENE_Drago] = S_Drago_exposure};
     Scene *scene = r->scene;
