@@ -102,7 +102,8 @@ static void map(const Mapping *m, const Picture *p, const double span[2], const 
         if (m->kind == SCENE_Filmic)
             out[i] = f * (2.51 * f + .03) / (f * (2.43 * f + .59) + .14);
         else if (m->kind == SCENE_Shoulder)
-            out[i] = f <= m->numbers[0] ? f : 1 - (1 - m->numbers[0]) * (1 - m->numbers[0]) / (1 + f - 2 * m->numbers[0]);
+            out[i] =
+                f <= m->numbers[0] ? f : 1 - (1 - m->numbers[0]) * (1 - m->numbers[0]) / (1 + f - 2 * m->numbers[0]);
         else if (m->kind == SCENE_Exponential)
             out[i] = most > 0 ? -expm1(-most) * f / most : 0;
         else if (m->kind == SCENE_ReinhardDevlin)
@@ -259,8 +260,8 @@ static void measured(void **state)
 static void extremes(void **state)
 {
     (void)state;
-    static const char *const kinds[] = {"Clamp",          "Filmic", "Shoulder",            "Exponential", "Linear",
-                                        "ReinhardDevlin", "Drago",  "Linear, exposure: 64"};
+    static const char *const kinds[] = {"Clamp",  "Filmic",         "Shoulder", "Exponential",
+                                        "Linear", "ReinhardDevlin", "Drago",    "Linear, exposure: 64"};
     enum { SIDE = 40 };
     GlContext *gl = frame_context();
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)

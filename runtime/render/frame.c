@@ -77,11 +77,16 @@ static bool alike(const Render *render, FrameTarget a, FrameTarget b)
     return texture && !x && !y;
 }
 
+static bool has_own_size(const Render *render, FrameTarget target)
+{
+    return target == FRAME_TARGET_shadow || (target == FRAME_TARGET_shown && render->samples > 1);
+}
+
 /* Two targets can share memory if they have the same textures. */
 static int class_of(const Render *render, FrameTarget target)
 {
     int first = 0;
-    while (first < (int)target && (target == FRAME_TARGET_shadow || !alike(render, (FrameTarget)first, target)))
+    while (first < (int)target && (has_own_size(render, target) || !alike(render, (FrameTarget)first, target)))
         first++;
     return first;
 }
@@ -140,7 +145,8 @@ static bool make_memory(Render *render)
         if (!memory || memory->count)
             continue; /* not there, or made for another */
         while ((format = frame_format(render, (FrameTarget)target, memory->count))) {
-            const TargetSpec spec = {render->size[0], render->size[1], format};
+            const TargetSpec spec = {frame_edge(render, (FrameTarget)target, 0),
+                                     frame_edge(render, (FrameTarget)target, 1), format};
             memory->textures[memory->count] = framebuffer_target(render->gl, &spec);
             if (!memory->textures[memory->count])
                 return false;
@@ -165,7 +171,7 @@ static bool make_draw(Render *render, FrameDraw draw)
     const FrameTarget color = draws[draw].color;
     const unsigned there = render->plan.there;
     FramebufferTextures textures = {.depth = draws[draw].depth ? frame_texture(render, FRAME_TARGET_depth, 0) : 0};
-    FramebufferSpec spec = {render->size[0], render->size[1], 0, 0, draws[draw].depth};
+    FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, draws[draw].depth};
     if (!(there >> color & 1) || (draws[draw].depth && !(there & DEPTH)))
         return true; /* nobody draws there */
     for (const char *format; (format = frame_format(render, color, spec.color_count)); spec.color_count++) {
@@ -177,35 +183,41 @@ static bool make_draw(Render *render, FrameDraw draw)
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-/* Whole rows that the memory holds; blocks of 2 x 2 pixels, or those of far lights, stay together. */
+/* What stays together: blocks of 2 x 2, and the samples of a pixel. */
+static int step_of(const Render *render) { return render->samples % 2 ? 2 * render->samples : render->samples; }
+
+/* Whole rows that the memory holds; blocks of far lights stay together, too. */
 static size_t rows_in_memory(const Render *render, int width)
 {
     const size_t memory = render->options.memory ? render->options.memory : RENDER_MEMORY;
-    const size_t block = (size_t)light_far_block(render), down = block > 2 ? block : 2;
+    const size_t block = (size_t)light_far_block(render), step = (size_t)step_of(render);
     const size_t across = ((size_t)width + block - 1) / block * block;
+    size_t down = step; /* the least multiple of both */
+    while (down % block)
+        down += step;
     return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
 }
 
-/* The pixels of a tile: as many rows as there is memory for. */
+/* The samples of a tile: as many rows as there is memory for. */
 static void find_tile(const Render *render, int margin, int tile[2])
 {
     const RenderOptions *options = &render->options;
-    const int most = (render->gl->max_texture_size & ~1) - 2 * margin;
+    const int step = step_of(render), most = render->gl->max_texture_size / step * step - 2 * margin;
     const int width = least(render->whole[0], most), beside = width + 2 * margin;
     const int height = least(least(render->whole[1], most), light_far_rows(render, beside) - 2 * margin);
     const size_t rows = rows_in_memory(render, beside);
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
-    tile[0] = least(width, options->tile[0] ? options->tile[0] : width);
-    tile[1] = least(height, options->tile[1]            ? options->tile[1]
-                            : spare < RENDER_TILE_LEAST ? RENDER_TILE_LEAST
-                                                        : spare);
+    const int fewest = RENDER_TILE_LEAST * render->samples;
+    tile[0] = least(width, options->tile[0] ? options->tile[0] * render->samples : width);
+    tile[1] = least(height, options->tile[1] ? options->tile[1] * render->samples : spare < fewest ? fewest : spare);
+    for (int i = 0; i < 2; i++)
+        tile[i] -= tile[i] % render->samples;
 }
 
 /* Edges look at pixels beside them, which have to be drawn with a tile, too. */
 static void set_size(Render *render)
 {
-    enum { MARGIN = 2 };
-    const int margin = render->plan.there & EDGE ? MARGIN : 0;
+    const int margin = render->plan.there & EDGE ? step_of(render) : 0;
     int tile[2];
     find_tile(render, margin, tile);
     render->margin = tile[0] < render->whole[0] || tile[1] < render->whole[1] ? margin : 0;

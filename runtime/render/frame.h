@@ -110,10 +110,11 @@ struct Render {
     RenderOptions options;
     const SurfaceModel *surface;
     const Scene *scene;
+    int samples;  /* of a pixel, across and down: what follows counts these */
     int size[2];  /* of the targets: of a tile */
     int whole[2]; /* of the picture */
     int at[2];    /* the targets' lower left corner in it */
-    int margin;   /* pixels around a tile that its edges look at */
+    int margin;   /* around a tile, that its edges look at */
     bool compute, zero_to_one;
     Transparency transparency;
     Set set;
@@ -155,6 +156,9 @@ void light_sky_bind(const Render *render, int unit);
  * says so, and ends. */
 typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_again, FRAME_COUNT_end } FrameCount;
 
+/* SLOT_COUNT: there is none of that name. */
+Slot render_find_slot(const char *name);
+
 /* A pass, as a row: frame.c has the list. */
 typedef struct {
     FramePlanPass plan;
@@ -171,9 +175,10 @@ int frame_pass_count(void);
 
 /* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
 const char *frame_format(const Render *render, FrameTarget target, int texture);
-int frame_bytes(const Render *render, FrameTarget target);   /* of a pixel */
-bool frame_shares(const Render *render, FrameTarget target); /* its memory is that of one before it */
-int frame_all_bytes(const Render *render);                   /* of a pixel, in all memory there is, but for lists */
+int frame_bytes(const Render *render, FrameTarget target);          /* of a pixel */
+int frame_edge(const Render *render, FrameTarget target, int axis); /* of its textures: the picture has no samples */
+bool frame_shares(const Render *render, FrameTarget target);        /* its memory is that of one before it */
+int frame_all_bytes(const Render *render); /* of a pixel, in all memory there is, but for lists */
 const char *frame_target_name(FrameTarget target);
 
 /* Draws to these targets from now on, by the picture's coordinates. */

@@ -57,6 +57,11 @@ int frame_bytes(const Render *render, FrameTarget target)
     return bytes;
 }
 
+int frame_edge(const Render *render, FrameTarget target, int axis)
+{
+    return target == FRAME_TARGET_shown ? render->size[axis] / render->samples : render->size[axis];
+}
+
 bool frame_shares(const Render *render, FrameTarget target)
 {
     const int *memory = render->plan.memory;
@@ -66,12 +71,15 @@ bool frame_shares(const Render *render, FrameTarget target)
     return shared;
 }
 
+/* The picture's are spread over the samples of a pixel. */
 int frame_all_bytes(const Render *render)
 {
+    const int samples = render->samples * render->samples;
     int bytes = light_far_bytes(render);
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         if (render->plan.memory[i] >= 0 && !frame_shares(render, (FrameTarget)i))
-            bytes += frame_bytes(render, (FrameTarget)i);
+            bytes += i == FRAME_TARGET_shown ? (frame_bytes(render, (FrameTarget)i) + samples - 1) / samples
+                                             : frame_bytes(render, (FrameTarget)i);
     return bytes;
 }
 

@@ -74,12 +74,11 @@ void pass_tone_place(Render *render)
 
 bool pass_tone_make(Render *render)
 {
-    char kind[96];
-    snprintf(kind, sizeof kind, "#define TONE_%s\n%s",
-             render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name,
-             measures(render) ? "#define TONE_MEASURES\n" : "");
-    if (pass_tools_are_there(render))
-        strcat(kind, "#define TONE_TOOLS\n");
+    char kind[128];
+    snprintf(kind, sizeof kind, "#define TONE_%s\n#define TONE_SAMPLES %d\n%s%s",
+             render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name, render->samples,
+             measures(render) ? "#define TONE_MEASURES\n" : "",
+             pass_tools_are_there(render) ? "#define TONE_TOOLS\n" : "");
     const ScreenPassText text = {.body = {kind, render_text_tone,
                                           has_edges(render) ? render_text_edge_part : render_text_edge_none,
                                           render_text_pass_tone},

@@ -1,6 +1,6 @@
 // The pass tone: linear light becomes an sRGB colour; with TONE_LIGHT it stays light. Where an edge runs through a pixel, what lies on both sides
-// is mapped first, and blended then: a screen's light is summed by the eye, and an edge beside a lamp stays smooth. Before it stand tone.glsl
-// and what declares edgeShare.
+// is mapped first, and blended then: a screen's light is summed by the eye, and an edge beside a lamp stays smooth. So are a pixel's samples, of
+// which there are TONE_SAMPLES across and down. Before it stand tone.glsl and what declares edgeShare.
 uniform sampler2D tone_light;
 #ifdef TONE_TOOLS
 uniform sampler2D tone_tools;
@@ -13,30 +13,39 @@ vec3 toneEncoded(vec3 c)
 }
 
 // What the screen is to send, or the light itself; linear.
-vec4 toneAt(ivec2 pixel)
+vec4 toneAt(ivec2 place)
 {
-    vec4 light = texelFetch(tone_light, pixel, 0);
+    vec4 light = texelFetch(tone_light, place, 0);
 #ifndef TONE_LIGHT
-    ivec2 tile = pixel + ivec2(tone_x, tone_y) >> 4;
+    ivec2 tile = ivec2(floor((vec2(place + ivec2(tone_x, tone_y)) + 0.5) / float(16 * TONE_SAMPLES)));
     if (tone_tiles != 0 && light.w <= 0.0) // nothing is there: sRGB's 0.4 and 0.6
         return vec4(vec3((tile.x + tile.y & 1) != 0 ? 0.13286832 : 0.31854678), 1.0);
     light = vec4(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0), 1.0);
 #ifdef TONE_TOOLS
-    light.xyz = min(light.xyz + texelFetch(tone_tools, pixel, 0).xyz, 1.0);
+    light.xyz = min(light.xyz + texelFetch(tone_tools, place, 0).xyz, 1.0);
 #endif
 #endif
     return light;
 }
 
-vec4 passPixel(ivec2 pixel)
+vec4 toneBlended(ivec2 place)
 {
     ivec2 beyond;
-    vec4 c = toneAt(pixel);
-    float share = edgeShare(pixel, beyond);
+    vec4 c = toneAt(place);
+    float share = edgeShare(place, beyond);
 #ifdef TONE_TOOLS
-    if (texelFetch(tone_tools, pixel, 0).xyz != vec3(0.0)) share = 0.0; // a line stays whole
+    if (texelFetch(tone_tools, place, 0).xyz != vec3(0.0)) share = 0.0; // a line stays whole
 #endif
-    if (share > 0.0) c = mix(c, toneAt(beyond), share);
+    return share > 0.0 ? mix(c, toneAt(beyond), share) : c;
+}
+
+// The mean of the pixel's samples.
+vec4 passPixel(ivec2 pixel)
+{
+    vec4 c = toneBlended(pixel * TONE_SAMPLES);
+    for (int i = 1; i < TONE_SAMPLES * TONE_SAMPLES; i++)
+        c += toneBlended(pixel * TONE_SAMPLES + ivec2(i % TONE_SAMPLES, i / TONE_SAMPLES));
+    c /= float(TONE_SAMPLES * TONE_SAMPLES);
 #ifndef TONE_LIGHT
     c.xyz = toneEncoded(c.xyz);
 #endif

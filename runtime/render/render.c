@@ -4,12 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int find_slot(const char *name)
+Slot render_find_slot(const char *name)
 {
     int slot = 0;
     while (slot < SLOT_COUNT && strcmp(slot_table[slot].name, name) != 0)
         slot++;
-    return slot;
+    return (Slot)slot;
 }
 
 static bool is_target(const char *view)
@@ -19,15 +19,18 @@ static bool is_target(const char *view)
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
-    if (options->view && !is_target(options->view) && find_slot(options->view) == SLOT_COUNT)
+    if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
         return gl_fail(gl, "there is no view '%s': shown, light, depth, or a slot", options->view), NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
+    if (options->samples < 0 || options->samples > RENDER_SAMPLES_MOST)
+        return gl_fail(gl, "samples are 1 to %d, not %d", RENDER_SAMPLES_MOST, options->samples), NULL;
     Render *render = calloc(1, sizeof *render);
     if (!render)
         return gl_fail(gl, "out of memory"), NULL;
     render->gl = gl;
     render->options = *options;
+    render->samples = options->samples ? options->samples : 1;
     render->surface = options->surface ? options->surface : &surface_model_phong;
     render->compile = *options->compile;
     render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute &&
@@ -97,7 +100,7 @@ static void set_size(Render *render, const Scene *scene)
     const int whole[2] = {options->width ? options->width : scene->width,
                           options->height ? options->height : scene->height};
     for (int i = 0; i < 2; i++) {
-        render->whole[i] = whole[i];
+        render->whole[i] = whole[i] * render->samples;
         render->at[i] = 0;
     }
 }
@@ -217,54 +220,20 @@ int render_lanes(const Render *render)
     const char *view = render->options.view;
     if (!view || !strcmp(view, "shown") || !strcmp(view, "light"))
         return 4;
-    const int lanes = strcmp(view, "depth") ? type_table[slot_table[find_slot(view)].type].lanes : 1;
+    const int lanes = strcmp(view, "depth") ? type_table[slot_table[render_find_slot(view)].type].lanes : 1;
     return lanes == 2 ? 3 : lanes;
 }
 
 void render_move(Render *render, int x, int y)
 {
-    const int at[2] = {x - render->margin, y - render->margin};
+    const int at[2] = {x * render->samples - render->margin, y * render->samples - render->margin};
     if (render->at[0] == at[0] && render->at[1] == at[1])
         return;
     memcpy(render->at, at, sizeof render->at);
     frame_place(render);
 }
 
-int render_width(const Render *render) { return render->whole[0]; }
-int render_height(const Render *render) { return render->whole[1]; }
-int render_tile_width(const Render *render) { return render->size[0] - 2 * render->margin; }
-int render_tile_height(const Render *render) { return render->size[1] - 2 * render->margin; }
-
-/* From the end on, as lanes are written before they are read. */
-static bool read_depth(Render *render, float *rgba)
-{
-    GlContext *gl = render->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, render->draws[FRAME_DRAW_surface].name);
-    gl->ReadPixels(0, 0, render->size[0], render->size[1], GL_DEPTH_COMPONENT, GL_FLOAT, rgba);
-    for (size_t i = (size_t)render->size[0] * (size_t)render->size[1]; i-- > 0;) {
-        const float depth = rgba[i];
-        memcpy(rgba + 4 * i, (float[4]){depth, 0, 0, 1}, 4 * sizeof *rgba);
-    }
-    return gl_check(gl, "reading the depth");
-}
-
-bool render_read(Render *render, float *rgba)
-{
-    const char *view = render->options.view ? render->options.view : "shown";
-    if (!render->scene)
-        return gl_fail(render->gl, "there is no scene to read");
-    if (!gl_check(render->gl, "drawing a frame"))
-        return false;
-    if (render->has_reader)
-        return reader_read(&render->reader, &render->draws[FRAME_DRAW_surface], (Slot)find_slot(view), rgba);
-    if (!strcmp(view, "depth"))
-        return read_depth(render, rgba);
-    if (!is_target(view)) {
-        memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
-        return true; /* of no surface */
-    }
-    const FramebufferPart part = {0, render->margin, render->margin, render_tile_width(render),
-                                  render_tile_height(render)};
-    return framebuffer_read_part(
-        render->gl, &render->draws[strcmp(view, "light") ? FRAME_DRAW_shown : FRAME_DRAW_light], &part, rgba);
-}
+int render_width(const Render *render) { return render->whole[0] / render->samples; }
+int render_height(const Render *render) { return render->whole[1] / render->samples; }
+int render_tile_width(const Render *render) { return (render->size[0] - 2 * render->margin) / render->samples; }
+int render_tile_height(const Render *render) { return (render->size[1] - 2 * render->margin) / render->samples; }

@@ -17,13 +17,18 @@ typedef struct Render Render;
 /* What becomes of edges: coverage blends what lies on both sides of outlines, creases and horizons, by the shares that they have of a pixel. */
 typedef enum { RENDER_EDGES_none, RENDER_EDGES_coverage } RenderEdges;
 
-enum { RENDER_MEMORY = 256 << 20, RENDER_TILE_LEAST = 16 /* rows of a tile, however little memory there may be */ };
+enum {
+    RENDER_MEMORY = 256 << 20,
+    RENDER_TILE_LEAST = 16, /* rows of a tile, however little memory there may be */
+    RENDER_SAMPLES_MOST = 8
+};
 
 typedef struct {
     const MatcOptions
         *compile;      /* how programs compute; layout NULL: the smallest that holds the scene's materials. Copied */
     const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
     int width, height; /* of the picture; 0: as the scene says */
+    int samples;       /* n: a pixel is the mean of n x n samples, as a screen sends light; 0: 1 */
     bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
     bool linear;       /* the picture is light: linear, without exposure, tone mapping or an upper limit */
     RenderEdges edges; /* of the picture; coverage takes OpenGL 4.3 */
@@ -73,7 +78,8 @@ int render_tile_height(const Render *render);
 void render_move(Render *render, int x, int y);
 /* Of the view: 4 where it is of light, 1 of depth, as the slot has it, and 3 where that has 2. */
 int render_lanes(const Render *render);
-/* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. */
+/* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. Of depth and of
+ * slots the last lane is the share of the pixel where a surface is. */
 bool render_read(Render *render, float *rgba);
 
 /* What a pass took, drawn once more and finished; 0: it does not run. */

@@ -86,13 +86,17 @@ static void put_memory(Text *out, const Render *render)
     }
     light_far_put(out, render);
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
+    if (render->samples > 1)
+        text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n", render->samples,
+                    render->samples);
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
 }
 
 static void put_tiles(Text *out, const Render *render)
 {
-    const int *whole = render->whole, tile[2] = {render_tile_width(render), render_tile_height(render)};
+    const int whole[2] = {render_width(render), render_height(render)};
+    const int tile[2] = {render_tile_width(render), render_tile_height(render)};
     if (tile[0] < whole[0] || tile[1] < whole[1])
         text_format(out, "\n%d tiles of %d x %d pixels: the times are of the last one\n",
                     ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]), tile[0], tile[1]);
@@ -149,7 +153,7 @@ char *render_stats(Render *render)
     put_memory(&out, render);
     put_tiles(&out, render);
     text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
-                render->whole[0], render->whole[1], render->scene->object_count, render->cache.triangles,
+                render_width(render), render_height(render), render->scene->object_count, render->cache.triangles,
                 render->cache.mesh_count, render->cache.plane_count, render->scene->light_count);
     text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
                 render->scene->material_count, render->set.count, render->set.texts,

@@ -1,0 +1,87 @@
+/* What is read of a frame. The picture comes without samples; of any other view their mean is taken here. */
+#include "runtime/render/frame.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const char *view_of(const Render *render) { return render->options.view ? render->options.view : "shown"; }
+
+/* Into the first lane, if that is asked for; the last one says where a surface is. */
+static bool read_depth(Render *render, bool shown, float *rgba)
+{
+    GlContext *gl = render->gl;
+    const size_t count = (size_t)render->size[0] * (size_t)render->size[1];
+    float *depth = malloc(count * sizeof *depth);
+    if (!depth)
+        return gl_fail(gl, "out of memory");
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->draws[FRAME_DRAW_surface].name);
+    gl->ReadPixels(0, 0, render->size[0], render->size[1], GL_DEPTH_COMPONENT, GL_FLOAT, depth);
+    for (size_t i = 0; i < count; i++) {
+        if (shown)
+            memcpy(rgba + 4 * i, (float[4]){depth[i]}, 4 * sizeof *rgba);
+        rgba[4 * i + 3] = depth[i] > 0;
+    }
+    free(depth);
+    return gl_check(gl, "reading the depth");
+}
+
+static bool read_samples(Render *render, float *rgba)
+{
+    const char *view = view_of(render);
+    const Framebuffer *surface = &render->draws[FRAME_DRAW_surface];
+    if (!strcmp(view, "light"))
+        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_light], 0, rgba);
+    if (!strcmp(view, "depth"))
+        return read_depth(render, true, rgba);
+    if (render->has_reader)
+        return reader_read(&render->reader, surface, render_find_slot(view), rgba) && read_depth(render, false, rgba);
+    memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
+    return true; /* of no surface */
+}
+
+/* A pixel; of a slot, what is no surface has no share in it. */
+static void mean(const float *samples, int stride, int n, bool slot, float out[4])
+{
+    double sum[4] = {0};
+    for (int row = 0; row < n; row++)
+        for (int column = 0; column < n; column++) {
+            const float *sample = samples + 4 * (row * stride + column);
+            for (int lane = 0; lane < 4; lane++)
+                sum[lane] += slot && lane < 3 ? sample[3] * sample[lane] : sample[lane];
+        }
+    for (int lane = 0; lane < 4; lane++)
+        out[lane] = (float)(slot && lane < 3 ? sum[lane] / (sum[3] > 0 ? sum[3] : 1) : sum[lane] / (n * n));
+}
+
+static void reduce(const Render *render, const float *samples, float *rgba)
+{
+    const int n = render->samples, stride = render->size[0], width = stride / n, height = render->size[1] / n;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            mean(samples + 4 * ((size_t)y * (size_t)stride + (size_t)x) * (size_t)n, stride, n, render->has_reader,
+                 rgba + 4 * ((size_t)y * (size_t)width + (size_t)x));
+}
+
+static bool read_mean(Render *render, float *rgba)
+{
+    float *samples = malloc((size_t)render->size[0] * (size_t)render->size[1] * 4 * sizeof *samples);
+    if (!samples)
+        return gl_fail(render->gl, "out of memory");
+    const bool done = read_samples(render, samples);
+    if (done)
+        reduce(render, samples, rgba);
+    free(samples);
+    return done;
+}
+
+bool render_read(Render *render, float *rgba)
+{
+    const int margin = render->margin / render->samples;
+    const FramebufferPart part = {0, margin, margin, render_tile_width(render), render_tile_height(render)};
+    if (!render->scene)
+        return gl_fail(render->gl, "there is no scene to read");
+    if (!gl_check(render->gl, "drawing a frame"))
+        return false;
+    if (!strcmp(view_of(render), "shown"))
+        return framebuffer_read_part(render->gl, &render->draws[FRAME_DRAW_shown], &part, rgba);
+    return render->samples > 1 ? read_mean(render, rgba) : read_samples(render, rgba);
+}

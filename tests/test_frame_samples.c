@@ -1,0 +1,126 @@
+/* Samples of a pixel: a picture is the mean of one that is as many times as large, as a screen sends light; of light, depth and slots the mean is
+ * plain, and what is no surface has no share in a slot. In tiles, with edges, in compute and in fragments. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 42, HEIGHT = 30, PIXELS = WIDTH * HEIGHT };
+
+static const char text[] =
+    "image: { width: 42, height: 30 }\ncamera: { camera: Perspective, position: [.5, -5, 2] }\n"
+    "toneMapping: { toneMapping: Shoulder }\nlights: [{ light: Point, position: [1, -4, 4], intensity: 30 }]\n"
+    "objects: [{ object: Sphere, material: { material: Phong, diffuse: { map: Checker, color1: .9, color2: .2, "
+    "input: { map: UVTransform, scaleU: 8, scaleV: 8 } } } },\n"
+    "  { object: Box, size: [3, .1, .2], material: { material: Phong, diffuse: [.3, .1, .9], transparency: .5 }, "
+    "transform: { translation: [0, -1.5, .4] } }]\n";
+
+/* IEC 61966-2-1. */
+static double decoded(double c) { return c <= .04045 ? c / 12.92 : pow((c + .055) / 1.055, 2.4); }
+static double encoded(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055; }
+
+/* From tiles, each read by itself, from malloc. */
+static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *options)
+{
+    Render *render = render_open(gl, options);
+    if (!render || !render_scene(render, scene))
+        fail_msg("%s", gl->error);
+    const int width = render_width(render), height = render_height(render);
+    const int tile[2] = {render_tile_width(render), render_tile_height(render)};
+    float *all = calloc((size_t)width * (size_t)height, 4 * sizeof *all);
+    float *part = calloc((size_t)tile[0] * (size_t)tile[1], 4 * sizeof *part);
+    assert_true(all && part);
+    for (int y = 0; y < height; y += tile[1])
+        for (int x = 0; x < width; x += tile[0]) {
+            render_move(render, x, y);
+            assert_true(render_frame(render) && render_read(render, part));
+            for (int row = 0; row < tile[1] && y + row < height; row++)
+                memcpy(all + 4 * ((y + row) * width + x), part + 4 * row * tile[0],
+                       4 * sizeof *all * (size_t)(x + tile[0] > width ? width - x : tile[0]));
+        }
+    free(part);
+    render_close(render);
+    return all;
+}
+
+/* The n x n texels of a large picture that are a pixel's; of a slot, those of a surface. */
+static double mean(const float *large, int n, int pixel, int lane, const char *view)
+{
+    const bool shown = !view, slot = view && !strcmp(view, "diffuse") && lane < 3;
+    double sum = 0, count = 0;
+    for (int i = 0; i < n * n; i++) {
+        const int x = pixel % WIDTH * n + i % n, y = pixel / WIDTH * n + i / n;
+        const float *at = large + 4 * (y * WIDTH * n + x);
+        const double share = slot ? at[3] : 1;
+        sum += share * (shown && lane < 3 ? decoded(at[lane]) : at[lane]);
+        count += share;
+    }
+    sum /= count > 0 ? count : 1;
+    return shown && lane < 3 ? encoded(sum) : sum;
+}
+
+static void pixels_are_means(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *view;
+        int samples, tile;
+        RenderEdges edges;
+        bool fragment;
+    } cases[] = {
+        {NULL, 2, 0, RENDER_EDGES_none, false},      {NULL, 3, 12, RENDER_EDGES_coverage, false},
+        {NULL, 4, 16, RENDER_EDGES_none, true},      {"light", 2, 10, RENDER_EDGES_none, false},
+        {"diffuse", 3, 0, RENDER_EDGES_none, false}, {"depth", 2, 0, RENDER_EDGES_none, false},
+    };
+    MatcDocument *document;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Scene *scene = frame_scene(text, &options, &document);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const int n = cases[i].samples;
+        RenderOptions how = {.compile = &options,
+                             .view = cases[i].view,
+                             .edges = cases[i].edges,
+                             .deep = true,
+                             .fragment = cases[i].fragment,
+                             .width = n * WIDTH,
+                             .height = n * HEIGHT};
+        float *large = draw(gl, scene, &how);
+        how.width = how.height = 0;
+        how.samples = n;
+        how.tile[0] = how.tile[1] = cases[i].tile;
+        float *small = draw(gl, scene, &how);
+        double most = 0, light = 0;
+        for (int k = 0; k < 4 * PIXELS; k++) {
+            most = fmax(most, fabs(small[k] - mean(large, n, k / 4, k % 4, cases[i].view)));
+            light += small[k];
+        }
+        print_message("%s, %d x %d: %g\n", cases[i].view ? cases[i].view : "shown", n, n, most);
+        assert_true(light > PIXELS / 8 && most < 1e-4);
+        free(large);
+        free(small);
+    }
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
+static void too_many(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    assert_null(render_open(gl, &(RenderOptions){.compile = &options, .samples = 9}));
+    assert_string_equal(gl->error, "samples are 1 to 8, not 9");
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pixels_are_means), cmocka_unit_test(too_many)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
