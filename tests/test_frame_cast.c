@@ -353,6 +353,18 @@ static void colors(void **state)
             by_every_angle(&lamps[i], THINGS PANES, true, &(RenderOptions){.fragment = i == 1});
 }
 
+/* The same, where lists of the maps, of 1 and 25 MB of heads alone, find room only in parts: beside lists of pixels and while peeling. */
+static void colors_in_parts(void **state)
+{
+    (void)state;
+    static const Lamp divided[] = {
+        {"directional", "Directional", false, true, "size: 512, filter: 0", 2, 4, false, false},
+        {"point", "Point", true, false, "size: 1024, filter: 1", 1, 3, false, false}};
+    for (int i = 0; i < 2; i++)
+        by_every_angle(&divided[i], THINGS PANES, true,
+                       &(RenderOptions){.list_bytes = i ? 5000000 : 700000, .transparency = i ? "peeling" : "lists"});
+}
+
 /* In each of them all is as exact as its texels are; one map for all is not. */
 static void cascades(void **state)
 {
@@ -366,6 +378,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cut_outs),
         cmocka_unit_test(colors),
+        cmocka_unit_test(colors_in_parts),
         cmocka_unit_test(cascades),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -39,26 +39,51 @@ static void write_panes(int panes, double expected[3], char text[TEXT])
     }
 }
 
+/* Most that a pixel is off. */
+static double panes_off(GlContext *gl, int panes, const RenderOptions *options)
+{
+    static char text[TEXT];
+    double expected[3], off = 0;
+    MatcDocument *document;
+    write_panes(panes, expected, text);
+    Scene *scene = frame_scene(text, options->compile, &document);
+    float *rgba = frame_floats(gl, scene, options);
+    for (int i = 0; i < 4 * 16 * 16; i++)
+        if (i % 4 < 3)
+            off = fmax(off, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - expected[i % 4]));
+    free(rgba);
+    frame_forget(scene, document);
+    return off;
+}
+
 static void products(void **state)
 {
     (void)state;
-    static char text[TEXT];
     MatcLayout *layout;
     const MatcOptions options = frame_float_options(&layout);
     GlContext *gl = frame_context();
     for (int panes = 0; panes <= PANES_MOST; panes += 5) {
-        double expected[3], off = 0;
-        MatcDocument *document;
-        write_panes(panes, expected, text);
-        Scene *scene = frame_scene(text, &options, &document);
-        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
-        for (int i = 0; i < 4 * 16 * 16; i++)
-            if (i % 4 < 3)
-                off = fmax(off, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - expected[i % 4]));
+        const double off = panes_off(gl, panes, &(RenderOptions){.compile = &options, .view = "light"});
         print_message("%2d panes and a plane: off by %.2g\n", panes, off);
         assert_true(off <= 1e-6);
-        free(rgba);
-        frame_forget(scene, document);
+    }
+    gl_close(gl);
+    matc_layout_free(layout);
+}
+
+/* The same, where there is not room for all at once: some dozens of parts, of rows; and the other entry. */
+static void products_in_parts(void **state)
+{
+    (void)state;
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 2; i++) {
+        const RenderOptions choice = {
+            .compile = &options, .view = "light", .list_bytes = 100000 + 100000 * (size_t)i, .fragment = i == 1};
+        const double off = panes_off(gl, PANES_MOST, &choice);
+        print_message("in parts of %lu bytes: off by %.2g\n", (unsigned long)choice.list_bytes, off);
+        assert_true(off <= 1e-6);
     }
     gl_close(gl);
     matc_layout_free(layout);
@@ -66,7 +91,8 @@ static void products(void **state)
 
 /* -- what is there for it */
 
-/* Of a pane as wide as the map, but for three texels of 16 on each side: 144 texels see it. 4 bytes a texel, 16 a fragment. */
+/* Of a pane as wide as the map, but for three texels of 16 on each side: 144 texels in 12 rows see it, or only some of them. 32 bytes, 4 a texel, 16 a
+ * fragment: a row of 12 takes 288, and a texel 52. */
 static void room(void **state)
 {
     (void)state;
@@ -75,9 +101,12 @@ static void room(void **state)
         size_t most;
         bool old, buffer;
     } cases[] = {
-        {"true", ".5", "a buffer of what is transparent there: 3344 bytes for 144 fragments", 3344, false, true},
-        {"true", ".5", "take 3344 bytes for 144 fragments, and there may be 3343", 3343, false, false},
-        {"true", "1", "a buffer of what is transparent there: 1040 bytes for 0 fragments", 0, false, true},
+        {"true", ".5", "a buffer of what is transparent there: 3360 bytes for 144 fragments\n", 3360, false, true},
+        {"true", ".5", "for 144 fragments, in 2 parts", 3359, false, true},
+        {"true", ".5", "288 bytes for 144 fragments, in ", 288, false, true},
+        {"true", ".5", "52 bytes for 144 fragments, in ", 52, false, true},
+        {"true", ".5", "take 52 bytes for 1 fragments, and there may be 51", 51, false, false},
+        {"true", "1", "a buffer of what is transparent there: 1056 bytes for 0 fragments\n", 0, false, true},
         {"true", "0", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
         {"false", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
         {"true", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, true, false},
@@ -114,6 +143,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(products),
+        cmocka_unit_test(products_in_parts),
         cmocka_unit_test(room),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -102,8 +103,51 @@ static void lists_that_are_too_long(void **state)
     }
 }
 
+/* A pane edge-on to the light has no fragment in its map of 16 x 16; once it is turned it has some 25, of 16 bytes beside 32 and 1024 of heads. */
+static void shadows_that_are_too_long(void **state)
+{
+    (void)state;
+    static const char pane[] =
+        "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -4, 3], angle: 40 }\n"
+        "shadowMaps: { size: 16 }\nlights: [{ light: Directional, direction: [0, 0, -1] }]\nobjects:\n"
+        "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: { material: Phong, diffuse: 0, transparency: "
+        "[.5, .9, .3] }, transform: { rotation: [1.5707963267948966, 0, 0], translation: [-1, 0, 1] } }\n"
+        "- { object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], material: { material: Phong, diffuse: .5 }, "
+        "transform: { translation: [-2, -2, 0] } }\n";
+    MatcLayout *layout;
+    const MatcOptions compile = frame_float_options(&layout);
+    MatcDocument *document;
+    Scene *scene = frame_scene(pane, &compile, &document);
+    GlContext *gl = frame_context();
+    const RenderOptions options = {
+        .compile = &compile, .view = "light", .transparency = "peeling", .list_bytes = 32 + 4 * 256 + 16 * 10};
+    float *moved = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *moved);
+    Render *render = render_open(gl, &options);
+    assert_true(render && render_scene(render, scene) && render_frame(render));
+    assert_false(runs(render, "parts"));
+    static const double flat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, -1, 1, 1};
+    memcpy(scene->objects[0].world_from_local.m, flat, sizeof flat);
+    assert_true(render_changed_objects(render, 0, 1) && render_frame(render) && render_read(render, moved));
+    assert_true(runs(render, "parts, drawn again"));
+    assert_true(render_frame(render)); /* and once more */
+    float *whole = frame_floats(gl, scene, &(RenderOptions){.compile = &compile, .view = "light"});
+    double most = 0, shade = 0;
+    for (int i = 0; i < 4 * WIDTH * HEIGHT; i++) {
+        most = fmax(most, fabs(moved[i] - whole[i]));
+        shade = fmax(shade, i % 4 < 3 ? .5 - whole[i] : 0);
+    }
+    assert_true(most < 1e-6 && shade > .3);
+    free(moved);
+    free(whole);
+    render_close(render);
+    gl_close(gl);
+    frame_forget(scene, document);
+    matc_layout_free(layout);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(more_are_counted), cmocka_unit_test(lists_that_are_too_long)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(more_are_counted), cmocka_unit_test(lists_that_are_too_long),
+                                       cmocka_unit_test(shadows_that_are_too_long)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -67,6 +67,7 @@
     F(POLYGONOFFSET, PolygonOffset)                                                                                    \
     F(READBUFFER, ReadBuffer)                                                                                          \
     F(READPIXELS, ReadPixels)                                                                                          \
+    F(SCISSOR, Scissor)                                                                                                \
     F(SHADERSOURCE, ShaderSource)                                                                                      \
     F(TEXIMAGE2D, TexImage2D)                                                                                          \
     F(TEXIMAGE3D, TexImage3D)                                                                                          \

@@ -40,11 +40,19 @@ typedef struct {
     int count;
 } FrameMemory;
 
+/* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
+typedef struct {
+    GLuint column, row, columns, rows;
+    GLuint fragments;
+} ShadowPart;
+
 /* Fragments of what is transparent, of each texel of the maps: glass_store.glsl. */
 typedef struct {
     GLuint buffer;
-    GLuint room; /* fragments */
     size_t bytes;
+    ShadowPart *parts; /* whose lists take the buffer in turn; all texels, if that is one */
+    int part_count;
+    bool full; /* all of them would take more than there may be */
 } ShadowGlass;
 
 typedef struct {
@@ -117,6 +125,7 @@ struct Render {
     int margin;   /* around a tile, that its edges look at */
     bool compute, zero_to_one;
     Transparency transparency;
+    bool parted; /* lists of shadows are drawn in parts: shadow_parts.c */
     Set set;
     ViewSpace space;
     CullVolume volume; /* what is in view */
@@ -301,6 +310,12 @@ void lighting_place(const Render *render, ScreenPass *pass);
 void pass_tone_place(Render *render);
 /* The camera or lights are others; there are as many. */
 bool lighting_change(Render *render, ScreenPass *pass);
+/* Runs it over the light, once for each part of shadows' lists. It reads these targets, and a texture of its own, or 0. */
+typedef struct {
+    FrameTarget surfaces, depth;
+    GLuint own;
+} LightingSource;
+void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass);
 /* Binds what it reads, before it runs. */
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth);
 
@@ -311,16 +326,28 @@ CacheSource frame_source(const Render *render);
 bool shadow_is_cast(const Render *render);
 /* How what is transparent does. */
 SetCasts shadow_casts(const Render *render);
-/* Shadows are coloured by something (shadow_glass.c): a buffer of lists, counted, made large enough, begun and ended. */
+/* Shadows are coloured by something (shadow_glass.c): all texels, without fragments; bytes of a part's lists; a buffer of so many; a part's lists
+ * begun, which are none where the buffer has no room for their heads, and ended; the fragments that were to be listed then. */
 enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
 bool shadow_glass_needed(const Render *render);
-bool shadow_glass_make(Render *render);
-void shadow_glass_begin(const Render *render);
+ShadowPart shadow_glass_whole(const Render *render);
+size_t shadow_glass_bytes(const ShadowPart *part);
+bool shadow_glass_make(Render *render, size_t bytes);
+void shadow_glass_begin(const Render *render, const ShadowPart *part);
 void shadow_glass_end(const Render *render);
-/* After all maps were drawn: whether all fragments found room; *again, and there is room for them now. False: there may not be so much. */
-bool shadow_glass_check(Render *render, bool *again);
+bool shadow_glass_count(Render *render, GLuint *count);
 void shadow_glass_delete(Render *render);
-/* The maps are drawn as often as it takes to find room for all fragments. False: see the context's error. */
+/* Draws all maps, but for what lists are of; a part's lists (shadow_draw.c). */
+void shadow_draw_depths(Render *render);
+void shadow_draw_lists(Render *render, const ShadowPart *part);
+/* The lists, in one piece, or in parts with room for the largest (shadow_parts.c): made; counted, and in one piece drawn. False: there may not be so much, or, in
+ * parts, not even for one texel. In parts would do. How many there are; one of them drawn, if there are several. */
+bool shadow_parts_make(Render *render);
+bool shadow_parts_count(Render *render);
+bool shadow_parts_fall_back(const Render *render);
+int shadow_parts_number(const Render *render);
+void shadow_parts_load(Render *render, int part);
+/* The maps are drawn again, and room found for their lists. False: see the context's error. */
 bool pass_shadow_count(Render *render);
 /* Many lights (light_bound.c, light_far.c, light_room.c): the choice can be met; far ones are taken together; the pass light of that, made; what is gathered for it, before it
  * runs; deleted. */
@@ -347,7 +374,7 @@ bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
 bool shadow_change(Render *render, bool drawn_again);
 /* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
-enum { SHADOW_DEFINITIONS = 256, SHADOW_UNITS = 3 };
+enum { SHADOW_DEFINITIONS = 320, SHADOW_UNITS = 3 };
 const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS]);
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. */

@@ -7,11 +7,12 @@ static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shado
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
-/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half float would be the worse. */
+/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half float would be the worse. So it would where many
+ * parts add up. */
 static bool is_exact(const Render *render)
 {
     const double degrees = 0.005;
-    if (render->options.deep)
+    if (render->options.deep || render->parted)
         return true;
     const LayoutRow *layout = set_layout(&render->set, &render->compile);
     for (int i = 0; i < layout->cases[0].field_count; i++) {

@@ -5,22 +5,26 @@ layout(early_fragment_tests) in;
 uniform int glass_map;
 
 layout(std430, binding = 3) buffer Glass {
-    uint glass_size;  // of a map's edge
-    uint glass_heads; // of all maps
-    uint glass_room;  // nodes
-    uint glass_count; // of them asked for
+    uvec4 glass_part;  // texels that have lists: from which column and row of all maps, one above the other, and how many of these
+    uint glass_heads;  // as many
+    uint glass_room;   // nodes
+    uint glass_size;   // of a map's edge
+    uint glass_count;  // of them asked for
     uint glass_words[];
 };
 
+const uint GLASS_MOST = 0x80000000u; // more are not counted, so that their number stays one
+
 void main()
 {
+    if (glass_count >= GLASS_MOST) return;
     surfaceMain();
     uvec3 through = uvec3(clamp(fragment0.xyz, 0.0, 1.0) * 2097151.0 + 0.5);
     if (through == uvec3(2097151u)) return;
     uint number = atomicAdd(glass_count, 1u);
     if (number >= glass_room) return;
-    uint at = glass_heads + number * 4u;
-    uint head = (uint(glass_map) * glass_size + uint(gl_FragCoord.y)) * glass_size + uint(gl_FragCoord.x);
+    uvec2 place = uvec2(gl_FragCoord.x, uint(glass_map) * glass_size + uint(gl_FragCoord.y)) - glass_part.xy;
+    uint head = place.y * glass_part.z + place.x, at = glass_heads + number * 4u;
     glass_words[at] = atomicExchange(glass_words[head], number + 1u);
     glass_words[at + 1u] = floatBitsToUint(gl_FragCoord.z);
     glass_words[at + 2u] = through.x | through.y << 21;

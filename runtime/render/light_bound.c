@@ -88,8 +88,8 @@ bool light_far_used(const Render *render)
 {
     double budget[2];
     const int count = count_lights(render->scene), least = render->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
-    if (!render->compute || !render->surface->parts || is_way(&render->options, "all") || count > MOST ||
-        !light_far_budget(render->scene->tone, budget) || !has_buffers(render->gl))
+    if (!render->compute || render->parted || !render->surface->parts || is_way(&render->options, "all") ||
+        count > MOST || !light_far_budget(render->scene->tone, budget) || !has_buffers(render->gl))
         return false;
     return is_way(&render->options, "bounded") ? count > 0 : count >= least && is_shown(&render->options);
 }

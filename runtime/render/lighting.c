@@ -107,3 +107,14 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     if (render->sky.map)
         light_sky_bind(render, SKY_UNIT);
 }
+
+void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass)
+{
+    for (int part = 0; part < shadow_parts_number(render); part++) {
+        shadow_parts_load(render, part);
+        lighting_bind(render, source->surfaces, source->depth);
+        if (source->own)
+            texture_bind(render->gl, source->own, LIGHTING_FREE_UNIT);
+        screen_pass_run(pass, &render->draws[FRAME_DRAW_light], &render->screen);
+    }
+}

@@ -75,6 +75,22 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     return Seen(point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, toEye));
 }
 
+// Where lists of shadows are in parts, this is one of several runs, which add up: all that reads no list is lit in the first.
+bool lightIsFirst()
+{
+#ifdef SHADOW_PARTS
+    return shadowIsFirst();
+#else
+    return true;
+#endif
+}
+
+// What a pass lets through of the light that it is laid over: later runs add to the same.
+vec3 lightOver(vec3 through)
+{
+    return lightIsFirst() ? through : vec3(1.0);
+}
+
 // What it sends of all light but that of plain lights and of others that shine from one direction.
 vec3 lightEven(Seen seen)
 {
@@ -100,6 +116,9 @@ vec3 lightFromPlain(int light, Seen seen)
 vec3 lightFromOther(int light, Seen seen)
 {
     vec3 l;
+#ifdef SHADOW_PARTS
+    if (!shadowIsRead(ivec2(lightTexel(light, 3).zw))) return vec3(0.0);
+#endif
     vec3 arrives = lightAt(light, seen.point, l);
     vec3 sent = arrives * surfaceLobe(seen.m, l);
 #if defined SHADOW_MAPS || defined SHADOW_PLANES
@@ -113,7 +132,7 @@ vec3 lightFromOther(int light, Seen seen)
 vec3 lightFromAll(Seen seen)
 {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < light_plain; i++)
+    for (int i = 0; i < light_plain && lightIsFirst(); i++)
         sum += lightFromPlain(i, seen);
     for (int i = light_plain; i < light_plain + light_points; i++)
         sum += lightFromOther(i, seen);
@@ -124,5 +143,5 @@ vec3 lightFromAll(Seen seen)
 vec3 lightOf(ivec2 pixel, float depth, Surface surface)
 {
     Seen seen = lightSeen(pixel, depth, surface);
-    return lightEven(seen) + lightFromAll(seen);
+    return (lightIsFirst() ? lightEven(seen) : vec3(0.0)) + lightFromAll(seen);
 }

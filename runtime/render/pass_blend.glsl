@@ -94,5 +94,8 @@ vec3 passOver(ivec2 pixel, out vec3 through)
         }
         node = near.tied ? nextFragment(list, node) : near.at[0].y;
     }
+#ifndef VEIL
+    through = lightOver(through);
+#endif
     return sum;
 }

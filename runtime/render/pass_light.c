@@ -10,13 +10,19 @@ bool pass_light_make(Render *render)
 {
     return light_far_used(render)
                ? light_far_make(render)
-               : lighting_make(render, &(LightingText){{render_text_pass_light}, false, 0}, &render->light);
+               : lighting_make(render, &(LightingText){{render_text_pass_light}, render->parted, 0}, &render->light);
 }
 
 void pass_light_draw(Render *render)
 {
-    lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
-    if (render->far.numbers)
+    const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
+    if (render->far.numbers) {
+        lighting_bind(render, source.surfaces, source.depth);
         light_far_draw(render);
-    screen_pass_run(&render->light, &render->draws[FRAME_DRAW_light], &render->screen);
+    }
+    if (render->parted) { /* parts add up */
+        framebuffer_use(render->gl, &render->draws[FRAME_DRAW_light]);
+        render->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});
+    }
+    lighting_run(render, &source, &render->light);
 }

@@ -1,9 +1,18 @@
 // The pass light: the light of every pixel's surface. Before it stands lighting.glsl.
 uniform sampler2D light_depth;
 
+#ifdef SHADOW_PARTS
+vec3 passOver(ivec2 pixel, out vec3 through)
+{
+    float depth = texelFetch(light_depth, pixel, 0).x;
+    through = lightOver(vec3(depth > 0.0 ? 0.0 : 1.0));
+    return depth > 0.0 ? lightOf(pixel, depth, unpackSurface(pixel)) : vec3(0.0);
+}
+#else
 vec4 passPixel(ivec2 pixel)
 {
     float depth = texelFetch(light_depth, pixel, 0).x;
     if (depth <= 0.0) return vec4(0.0); // nothing is there
     return vec4(lightOf(pixel, depth, unpackSurface(pixel)), 1.0);
 }
+#endif

@@ -133,9 +133,8 @@ bool pass_blend_make(Render *render)
 
 void pass_blend_draw(Render *render)
 {
-    lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->lists.buffer);
-    screen_pass_run(&render->blend, &render->draws[FRAME_DRAW_light], &render->screen);
+    lighting_run(render, &(LightingSource){FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0}, &render->blend);
     pass_tools_draw_veil(render);
 }
 

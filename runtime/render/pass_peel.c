@@ -126,9 +126,8 @@ void pass_peel_draw(Render *render)
     begin_layers(render);
     for (int i = 0; i < render->layer_count; i++) {
         draw_layer(render, i % 2);
-        lighting_bind(render, FRAME_TARGET_layer, FRAME_TARGET_layer_depth);
-        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_layer_keys, i % 2), LIGHTING_FREE_UNIT);
-        screen_pass_run(&render->peel, &render->draws[FRAME_DRAW_light], &render->screen);
+        const GLuint keys = frame_texture(render, FRAME_TARGET_layer_keys, i % 2);
+        lighting_run(render, &(LightingSource){FRAME_TARGET_layer, FRAME_TARGET_layer_depth, keys}, &render->peel);
         pass_tools_draw_veil(render);
     }
 }

@@ -13,6 +13,7 @@ vec3 passOver(ivec2 pixel, out vec3 through)
 #ifdef VEIL
     return vec3(0.0);
 #else
+    through = lightOver(through);
     return lightOf(pixel, uintBitsToFloat(depth), surface);
 #endif
 }

@@ -124,16 +124,29 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
            frame_make(render) && make_reader(render);
 }
 
+/* Where lists would be too long: of pixels, peeling; of shadow maps, parts. False: that is not why nothing was made. */
+static bool fall_back(Render *render)
+{
+    if (transparency_falls_back(render))
+        render->transparency = TRANSPARENCY_peeling;
+    else if (shadow_parts_fall_back(render))
+        render->parted = true;
+    else
+        return false;
+    return true;
+}
+
 static bool make_next(Render *render, const Scene *scene, Cache *before)
 {
-    Cache nothing = {0};
     render->transparency = transparency_first(render);
-    if (make_scene(render, scene, before))
-        return true;
-    const bool peels = transparency_falls_back(render);
-    forget_scene(render);
-    render->transparency = TRANSPARENCY_peeling;
-    return peels && make_scene(render, scene, &nothing);
+    render->parted = false;
+    while (!make_scene(render, scene, before)) {
+        const bool again = fall_back(render);
+        forget_scene(render);
+        if (!again)
+            return false;
+    }
+    return true;
 }
 
 /* What the scene before was drawn with goes when all is there for the next: programs and pictures of both are not made again. */
@@ -197,12 +210,12 @@ bool render_param(Render *render, int material, const char *name, const float *l
            gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
 }
 
-/* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again, and peeled. */
+/* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again. */
 static bool recount(Render *render)
 {
     render->uncounted = false;
     return (frame_count(render) && pass_shadow_count(render)) ||
-           (transparency_falls_back(render) && render_scene(render, render->scene));
+           ((transparency_falls_back(render) || shadow_parts_fall_back(render)) && render_scene(render, render->scene));
 }
 
 bool render_frame(Render *render)

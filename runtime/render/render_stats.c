@@ -51,6 +51,20 @@ static void put_texel(Text *out, int map, double texel)
     text_char(out, '\n');
 }
 
+/* Lists in parts are drawn again for each pass that lights. */
+static void put_glass(Text *out, const Render *render)
+{
+    const ShadowGlass *glass = &render->shadows.glass;
+    unsigned long fragments = 0;
+    for (int i = 0; i < glass->part_count; i++)
+        fragments += glass->parts[i].fragments;
+    text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments",
+                (unsigned long)glass->bytes, fragments);
+    if (render->parted)
+        text_format(out, ", in %d parts, drawn again for every frame", glass->part_count);
+    text_char(out, '\n');
+}
+
 static void put_maps(Text *out, const Render *render)
 {
     const int size = render->scene->shadow_size, count = render->shadows.views.count;
@@ -60,8 +74,7 @@ static void put_maps(Text *out, const Render *render)
         if (render->shadows.views.views[i].near <= 0)
             put_texel(out, i, render->shadows.views.views[i].texel);
     if (render->shadows.glass.buffer)
-        text_format(out, "shadow    a buffer of what is transparent there: %lu bytes for %lu fragments\n",
-                    (unsigned long)render->shadows.glass.bytes, (unsigned long)render->shadows.glass.room);
+        put_glass(out, render);
 }
 
 static void put_memory(Text *out, const Render *render)

@@ -17,6 +17,43 @@ const int SHADOW_ROW = 1024;
 #define SHARE float
 #endif
 
+#ifdef SHADOW_GLASS
+layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what is in it
+    uvec4 glass_part;
+    uint glass_heads;
+    uint glass_room;
+    uint glass_size;
+    uint glass_count;
+    uint glass_words[];
+};
+
+// Lists in parts (shadow_parts.c): a point's share of light is a sum over texels, of which those of the part count. What needs none counts in the
+// part that has the first texel of all.
+#ifdef SHADOW_PARTS
+bool shadowIsFirst()
+{
+    return glass_part.xy == uvec2(0u);
+}
+
+// Whether a light has anything to give with this part, by its views.
+bool shadowIsRead(ivec2 views)
+{
+    uint size = uint(SHADOW_SIZE), first = uint(views.x) * size, rows = uint(max(views.y, 0)) * size;
+    return shadowIsFirst() || (first < glass_part.y + glass_part.w && glass_part.y < first + rows);
+}
+#endif
+#endif
+
+// All of the light, where no texel is asked.
+SHARE shadowNone()
+{
+#ifdef SHADOW_PARTS
+    return SHARE(shadowIsFirst());
+#else
+    return SHARE(1.0);
+#endif
+}
+
 #ifdef SHADOW_MAPS
 uniform sampler2DArray shadow_maps;
 uniform sampler2D shadow_views;
@@ -51,19 +88,15 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
-layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what is in it
-    uint glass_size;
-    uint glass_heads;
-    uint glass_room;
-    uint glass_count;
-    uint glass_words[];
-};
-
 // What all that is transparent and nearer to the light lets through: a product, for which nothing has to be sorted.
 vec3 shadowThrough(int map, ivec2 texel, float depth)
 {
     vec3 through = vec3(1.0);
-    uint number = glass_words[(uint(map) * glass_size + uint(texel.y)) * glass_size + uint(texel.x)];
+    uvec2 place = uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
+#ifdef SHADOW_PARTS
+    if (any(greaterThanEqual(place, glass_part.zw))) return vec3(0.0);
+#endif
+    uint number = glass_words[place.y * glass_part.z + place.x];
     while (number != 0u) {
         uint node = glass_heads + (number - 1u) * 4u;
         uint low = glass_words[node + 2u], high = glass_words[node + 3u];
@@ -102,7 +135,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     vec3 turned = cube ? shadowOnFace(place, face) : place;
     float depth = how.x > 0.0 ? how.x / turned.z : max(turned.z, 0.0);
     vec2 at = ((how.x > 0.0 ? turned.xy / turned.z : turned.xy) * 0.5 + 0.5) * float(SHADOW_SIZE);
-    if (how.x > 0.0 && turned.z <= 0.0) return SHARE(1.0); // behind a spot
+    if (how.x > 0.0 && turned.z <= 0.0) return shadowNone(); // behind a spot
     vec2 corner = clamp(at, -16.0, float(SHADOW_SIZE) + 16.0) - 0.5 * float(SHADOW_FILTER);
     ivec2 low = ivec2(floor(corner));
     vec2 part = SHADOW_FILTER > 0 ? corner - vec2(low) : vec2(0.0);
@@ -115,7 +148,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
             bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(SHADOW_SIZE)));
             sum += weight * (inside ? shadowTexel(first + face, texel, depth)
                              : cube ? shadowBeyond(first, face, turned, texel, how.x)
-                                    : SHARE(1.0));
+                                    : shadowNone());
         }
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
@@ -180,13 +213,13 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
 {
     SHARE share = SHARE(1.0);
-    if (views.y < 0) return share;
+    if (views.y < 0) return shadowNone();
 #ifdef SHADOW_PLANES
     share = shadowPlanes(light, point);
     if (share == SHARE(0.0)) return share;
 #endif
 #ifdef SHADOW_MAPS
-    if (views.y > 0) share *= shadowMapped(views.x, views.y, point, normal, pixel);
+    if (views.y > 0) return share * shadowMapped(views.x, views.y, point, normal, pixel);
 #endif
-    return share;
+    return share * shadowNone();
 }

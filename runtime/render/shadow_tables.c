@@ -171,7 +171,8 @@ const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
     *defined = 0;
     if (glass || panes)
         size +=
-            snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s", glass ? "#define SHADOW_GLASS\n" : "");
+            snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s%s", glass ? "#define SHADOW_GLASS\n" : "",
+                     glass && render->parted ? "#define SHADOW_PARTS\n" : "");
     if (maps)
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
                          "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",

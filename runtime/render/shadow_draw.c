@@ -1,0 +1,121 @@
+/* Draws shadow maps: depth as lights see it, and what is transparent into its lists. */
+#include "runtime/render/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+
+/* Clip space from the world. Depth goes from 0 to 1 there, or from -1: twice that, less w. */
+static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
+{
+    static const double one[4] = {0, 0, 0, 1};
+    const double near[4] = {0, 0, 0, view->near};
+    const double *const depth = view->near > 0 ? near : view->rows[2], *const w = view->near > 0 ? view->rows[2] : one;
+    for (int column = 0; column < 4; column++) {
+        m[4 * column] = view->rows[0][column];
+        m[4 * column + 1] = view->rows[1][column];
+        m[4 * column + 2] = zero_to_one ? depth[column] : 2 * depth[column] - w[column];
+        m[4 * column + 3] = w[column];
+    }
+}
+
+/* Half spaces that the map shows. */
+static CullVolume volume_of(const ShadowView *view)
+{
+    CullVolume volume = {.count = 4};
+    for (int i = 0; i < volume.count; i++) {
+        double *plane = volume.planes[i];
+        for (int k = 0; k < 4; k++) {
+            const double far = view->near > 0 ? view->rows[2][k] : k == 3;
+            plane[k] = far + (i % 2 ? 1 : -1) * view->rows[i / 2][k];
+        }
+        const double length = sqrt(scene_vector_dot(plane, plane));
+        for (int k = 0; k < 4; k++)
+            plane[k] /= length;
+        volume.terms[i] = fabs(plane[3]);
+    }
+    return volume;
+}
+
+/* Slopes push away from the light; so do two steps of depth. shadow.glsl says by how much, and why. */
+static void begin(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows.framebuffer);
+    gl->DrawBuffers(1, (GLenum[]){GL_NONE});
+    gl->ReadBuffer(GL_NONE);
+    gl->Viewport(0, 0, render->scene->shadow_size, render->scene->shadow_size);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->DepthFunc(GL_GREATER);
+    gl->Enable(GL_POLYGON_OFFSET_FILL);
+    gl->PolygonOffset(-(float)(render->scene->shadow_filter + 1) - 1.0f / 64, -2);
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+}
+
+/* As a context begins. */
+static void end(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    gl->PolygonOffset(0, 0);
+    gl->Disable(GL_POLYGON_OFFSET_FILL);
+    gl->DepthFunc(GL_LESS);
+    gl->Disable(GL_DEPTH_TEST);
+}
+
+/* What a view shows of what is opaque, or of the rest. */
+static void cast(Render *render, const CacheSource *source, int number, bool transparent)
+{
+    const ShadowView *view = &render->shadows.views.views[number];
+    const CullVolume volume = volume_of(view);
+    double clip[16];
+    clip_of(view, render->zero_to_one, clip);
+    cache_cast(render->gl, source, &render->cache,
+               &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid, number}, transparent);
+}
+
+static void use_layer(const Render *render, int number)
+{
+    render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, number);
+}
+
+void shadow_draw_depths(Render *render)
+{
+    const CacheSource source = frame_source(render);
+    begin(render);
+    for (int i = 0; i < render->shadows.views.count; i++) {
+        use_layer(render, i);
+        render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+        cast(render, &source, i, false);
+        if (!shadow_glass_needed(render))
+            cast(render, &source, i, true);
+    }
+    end(render);
+}
+
+/* Texels of a part in a map; beyond the map's end there are none to cut off. */
+static void cut(const GlContext *gl, const ShadowPart *part, GLuint map_row)
+{
+    const GLint first = (GLint)part->row - (GLint)map_row, low = first > 0 ? first : 0;
+    gl->Scissor((GLint)part->column, low, (GLsizei)part->columns, first + (GLsizei)part->rows - low);
+}
+
+/* The maps that a part has texels of. */
+void shadow_draw_lists(Render *render, const ShadowPart *part)
+{
+    const CacheSource source = frame_source(render);
+    const GLuint size = (GLuint)render->scene->shadow_size;
+    begin(render);
+    render->gl->DepthMask(GL_FALSE); /* what is transparent hides nothing */
+    render->gl->Enable(GL_SCISSOR_TEST);
+    shadow_glass_begin(render, part);
+    for (GLuint i = part->row / size; i * size < part->row + part->rows; i++) {
+        use_layer(render, (int)i);
+        cut(render->gl, part, i * size);
+        cast(render, &source, (int)i, true);
+    }
+    shadow_glass_end(render);
+    render->gl->Disable(GL_SCISSOR_TEST);
+    render->gl->DepthMask(GL_TRUE);
+    end(render);
+}
