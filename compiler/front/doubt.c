@@ -49,6 +49,18 @@ static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
     diag_add(d->session, span, DIAG_byte_color, hex.at);
 }
 
+/* `diffuse: 112233`: one number of as many digits as a colour has. Fewer may be a light of that strength. */
+static void doubt_digits(const Doubts *d, const Value *value)
+{
+    const char *text = d->session->sources[value->span.file].text + value->span.start;
+    const size_t size = value->span.end - value->span.start;
+    if (value->kind != VALUE_number || strspn(text, "0123456789") != size || (size != 6 && size != 8))
+        return;
+    Text hex = text_new(d->session->arena);
+    text_format(&hex, "#%.*s", (int)size, text);
+    diag_add(d->session, value->span, DIAG_byte_color, hex.at);
+}
+
 /* Parameters r, g and b of a colour or a material. */
 static void doubt_components(const Doubts *d, const Node *node)
 {
@@ -76,6 +88,8 @@ static void doubt_constant(const Doubts *d, const Node *node, unsigned asked)
     const int count = lanes_of(&node->params[0], &lanes);
     if (asked & ASKED_color && node->kind == KIND_Constant && count >= 3)
         doubt_bytes(d, node->params[0].span, lanes);
+    else if (asked & ASKED_color && node->kind == KIND_Constant && count == 1)
+        doubt_digits(d, &node->params[0]);
     else if (asked & ASKED_color)
         doubt_components(d, node);
     if (asked & ASKED_shininess && count && *lanes > 1) {

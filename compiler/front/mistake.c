@@ -48,6 +48,45 @@ bool mistake_number(Resolver *r, const Tree *tree)
     return true;
 }
 
+/* Words that a colon follows. */
+static bool is_key(const char *word)
+{
+    static const char *const others[] = {"map", "material", "materials", "ref", "param", "defs", "include", "colors"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (!strcmp(others[i], word))
+            return true;
+    for (int i = 0; i < PARAM_COUNT; i++)
+        if (!strcmp(param_table[i].name, word))
+            return true;
+    return false;
+}
+
+bool mistake_key(Session *session, Span span, const char *text)
+{
+    const Source *source = &session->sources[span.file];
+    const size_t size = strcspn(text, " :");
+    if (!text[size] || !text[size + 1] || span.start + size >= source->size ||
+        strncmp(source->text + span.start, text, size + 1) != 0) /* it is in quotes, or in lines */
+        return false;
+    const char *key = arena_string(session->arena, text, size);
+    const uint32_t end = span.start + (uint32_t)size;
+    if (!is_key(key))
+        return false;
+    if (text[size] == ':')
+        diag_add(session, (Span){end, end + 1, span.file}, DIAG_no_space, key);
+    else
+        diag_add(session, (Span){span.start, end, span.file}, DIAG_no_colon, key);
+    return true;
+}
+
+bool mistake_keys(Session *session, const Tree *object)
+{
+    for (uint32_t i = 0; i < object->count; i++)
+        if (mistake_key(session, object->members[i].span, object->members[i].key))
+            return true;
+    return false;
+}
+
 bool mistake_hex(Resolver *r, const Tree *tree, const char *text)
 {
     const size_t size = strlen(text);
@@ -91,6 +130,8 @@ bool mistake_map(Resolver *r, const Tree *tree)
 {
     if (tree->kind != TREE_scalar || !text_is_letter(tree->text[0]) || is_color(tree->text))
         return false;
+    if (mistake_key(r->session, tree->span, tree->text))
+        return true;
     const char *map = map_name(tree->text);
     if (is_def(r, tree->text))
         diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "of `defs:`; it is referred to by", "ref",

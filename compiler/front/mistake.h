@@ -7,6 +7,10 @@
 bool mistake_number(Resolver *r, const Tree *tree);
 /* A scalar that is no constant where a map is wanted: the name of a map or of a definition. */
 bool mistake_map(Resolver *r, const Tree *tree);
+/* "map Checker", "map:Checker": a key without its colon, or without the space behind it, where a value or a key stands alone. */
+bool mistake_key(Session *session, Span span, const char *text);
+/* The same of any key of an object. */
+bool mistake_keys(Session *session, const Tree *object);
 /* A text that is hexadecimal digits without the '#'. */
 bool mistake_hex(Resolver *r, const Tree *tree, const char *text);
 /* The key that is written in another case; NULL if there is none. */

@@ -80,8 +80,9 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
         } else if (!strcmp(member->key, "input")) {
             item->input = resolve_map(r, member->value, &fault);
         } else {
-            diag_add(r->session, member->span, DIAG_item_keys, member->key,
-                     diag_suggest(r->session, member->key, item_key, NULL, 2));
+            if (!mistake_key(r->session, member->span, member->key))
+                diag_add(r->session, member->span, DIAG_item_keys, member->key,
+                         diag_suggest(r->session, member->key, item_key, NULL, 2));
             fine = false;
         }
     }
@@ -166,6 +167,8 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     for (int i = 0; i < row->count; i++)
         if (!strcmp(param_table[row->first + i].name, member->key))
             return resolve_param(r, &param_table[row->first + i], member->value, &params[i]);
+    if (mistake_key(r->session, member->span, member->key))
+        return false;
     const char *near =
         diag_suggest_or_list(r->session, member->key, &(NameChoice){param_name, row, row->count}, "; it has ");
     diag_add(r->session, member->span, DIAG_unknown_key, name, member->key, near);
@@ -226,6 +229,8 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
         const Member *other = mistake_case(tree, key);
         if (other)
             return diag_add(r->session, other->span, DIAG_key_case, other->key, key);
+        if (mistake_keys(r->session, tree))
+            return NULL;
         const char *hint =
             tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
         return diag_add(r->session, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
@@ -312,6 +317,8 @@ static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool oute
             return diag_add(r->session, tree->span, DIAG_cycle, def->key);
         return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
     }
+    if (material && tree->kind == TREE_scalar && mistake_key(r->session, tree->span, tree->text))
+        return NULL;
     if (material && tree->kind != TREE_object)
         return diag_add(r->session, tree->span, DIAG_missing_material_kind, "");
     if (tree->kind != TREE_object || (!material && tree_find(tree, "param")))

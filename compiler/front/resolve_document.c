@@ -188,6 +188,8 @@ static void *say_no_material(Session *session, const Tree *document)
         if (other)
             return diag_add(session, other->span, DIAG_key_case, other->key, keys[i]);
     }
+    if (mistake_keys(session, document))
+        return NULL;
     return diag_add(session, document->span, DIAG_no_material);
 }
 
@@ -202,6 +204,8 @@ static bool resolve_one(Resolver *r, Tree *document, NamedMaterial *material)
 Graph *resolve(Session *session, Tree *document)
 {
     Resolver r = {.session = session};
+    if (document->kind == TREE_scalar && mistake_key(session, document->span, document->text))
+        return NULL;
     if (document->kind != TREE_object)
         return diag_add(session, document->span, DIAG_document_not_object);
     const Member *many = tree_find(document, "materials"), *one = tree_find(document, "material");
