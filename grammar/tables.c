@@ -38,6 +38,18 @@ const WordRow word_table[WORD_COUNT] = {
 #include "words.def"
 };
 
+int word_of_truth(ParamKind list, bool yes)
+{
+    switch (list) {
+#define TRUTH(list, no_word, yes_word)                                                                                 \
+    case PARAM_##list:                                                                                                 \
+        return yes ? WORD_##list##_##yes_word : WORD_##list##_##no_word;
+#include "words.def"
+    default:
+        return -1;
+    }
+}
+
 bool param_is_colored(int param)
 {
     switch (param) {

@@ -90,6 +90,8 @@ typedef struct {
     const char *name, *doc;
 } WordRow;
 extern const WordRow word_table[WORD_COUNT];
+/* The word of the list that false, or true, stands for; -1: none. */
+int word_of_truth(ParamKind list, bool yes);
 
 typedef struct {
     Kind kind; /* whose parameter */
@@ -263,7 +265,8 @@ typedef struct {
     const char *library;   /* ending of its own files of the library, or NULL */
     int number;            /* of the version */
     int layout;            /* Layout: the default */
-    bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders, float_filters; /* as targets.def says */
+    bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
+        float_filters; /* as targets.def says */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 

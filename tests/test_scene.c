@@ -174,6 +174,30 @@ static void check_triangles(const Shape *shape, double within)
     }
 }
 
+/* A method by its name, or as a truth value; what casts none has none; and one for all that cast some. */
+static void methods_of_shadows(void **state)
+{
+    (void)state;
+    MatcDocument *document;
+    Scene *scene =
+        read_fine(RED "lights: [{ light: Point }, { light: Point, shadows: map }, { light: Spot, shadows: true }, "
+                      "{ light: Directional, shadows: none }, { light: Point, shadows: false }, "
+                      "{ light: Ambient }]\n",
+                  &document);
+    const Word said[] = {WORD_Shadows_map,  WORD_Shadows_map,  WORD_Shadows_map,
+                         WORD_Shadows_none, WORD_Shadows_none, WORD_Shadows_none};
+    assert_int_equal(scene->light_count, 6);
+    for (int i = 0; i < 6; i++)
+        assert_int_equal(scene->lights[i].shadows, said[i]);
+    scene_lights_shadow(scene, WORD_Shadows_none);
+    for (int i = 0; i < 6; i++)
+        assert_false(scene_light_casts(&scene->lights[i]));
+    scene_lights_shadow(scene, WORD_Shadows_map);
+    for (int i = 0; i < 6; i++)
+        assert_false(scene_light_casts(&scene->lights[i]));
+    forget(scene, document);
+}
+
 static void solids(void **state)
 {
     (void)state;
@@ -331,6 +355,7 @@ int main(void)
         cmocka_unit_test(transformations),
         cmocka_unit_test(materials),
         cmocka_unit_test(cameras_and_lights),
+        cmocka_unit_test(methods_of_shadows),
         cmocka_unit_test(solids),
         cmocka_unit_test(tips),
         cmocka_unit_test(thin_parallelograms),

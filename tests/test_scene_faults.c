@@ -67,7 +67,8 @@ static void faults(void **state)
         {RED "objects: [{ object: Sphere, detail: 2, material: red }]\n",
          "2:37: error: detail is 2; it must be from 3 to 1024"},
         {RED "lights: [{ light: Pont }]\n", "2:19: error: no light is called 'Pont'; did you mean 'Point'?"},
-        {RED "lights: [{ light: Point, shadows: soft }]\n", "2:35: error: shadows wants true or false, not 'soft'"},
+        {RED "lights: [{ light: Point, shadows: soft }]\n", "2:35: error: shadows wants none or map, not 'soft'"},
+        {RED "lights: [{ light: Point, shadows: \"true\" }]\n", "2:35: error: shadows wants none or map, not 'true'"},
         {RED "lights: [{ light: Ambient, shadows: true }]\n",
          "2:28: error: Ambient has no parameter 'shadows'; it has color, intensity"},
         {RED "shadowMaps: { size: 8 }\nlights: []\n", "2:21: error: size is 8; it must be from 16 to 8192"},
@@ -93,7 +94,8 @@ static void faults(void **state)
          "much to its depth"},
         {RED "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red, transform: { "
              "translation: [0, 0, -100] } }, { object: Plane, material: red }]\n",
-         "2:9: error: a plane is behind this camera, at least in part of the picture: move its position back, and add as "
+         "2:9: error: a plane is behind this camera, at least in part of the picture: move its position back, and add "
+         "as "
          "much to its depth"},
         {RED "image: { width: 0 }\n", "2:17: error: width is 0; it must be from 1 to 16384"},
         {RED "image: { width: 2.5 }\n", "2:17: error: width wants a whole number, not the number 2.5"},

@@ -135,7 +135,8 @@ static void put_words(Text *out)
         bool first = !i || word_table[i - 1].list != word_table[i].list;
         bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != word_table[i].list;
         if (first)
-            text_format(out, "    \"%s\": {\"enum\": [null", describe_word_list(word_table[i].list));
+            text_format(out, "    \"%s\": {\"enum\": [null%s", describe_word_list(word_table[i].list),
+                        word_of_truth(word_table[i].list, true) < 0 ? "" : ", false, true");
         text_format(out, ", \"%s\"%s", word_table[i].name, last ? "]},\n" : "");
     }
 }

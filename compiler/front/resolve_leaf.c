@@ -80,8 +80,21 @@ static const char *names_of_words(Resolver *r, ParamKind list)
     return text.at;
 }
 
+/* What a list takes false or true for; -1: neither stands there, or for nothing. */
+static int truth_of(ParamKind list, const Tree *tree)
+{
+    const bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");
+    const bool no = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "false");
+    return yes || no ? word_of_truth(list, yes) : -1;
+}
+
 static bool resolve_word(Resolver *r, const ParamRow *row, const Tree *tree, Value *value)
 {
+    const int truth = truth_of(row->type, tree);
+    if (truth >= 0) {
+        *value = (Value){.kind = VALUE_number, .type = TYPE_int, .number = {truth}};
+        return true;
+    }
     for (int i = 0; tree->kind == TREE_scalar && i < WORD_COUNT; i++)
         if (word_table[i].list == row->type && !strcmp(word_table[i].name, tree->text)) {
             *value = (Value){.kind = VALUE_number, .type = TYPE_int, .number = {i}};

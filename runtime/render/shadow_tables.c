@@ -115,7 +115,7 @@ bool shadow_is_cast(const Render *render)
 {
     bool casts = false;
     for (int i = 0; i < render->scene->light_count; i++)
-        casts |= render->scene->lights[i].shadows;
+        casts |= scene_light_casts(&render->scene->lights[i]);
     return casts && !render->options.no_shadows;
 }
 
@@ -194,7 +194,7 @@ void shadow_put_lights(const Render *render, float (*texels)[4])
     for (int i = 0; i < scene->light_count; i++) {
         if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
-        const bool casts = scene->lights[i].shadows && shadows;
+        const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
         const bool mapped = casts && pass_shadow_needed(render);
         next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
         next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;

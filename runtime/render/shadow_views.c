@@ -223,7 +223,7 @@ static void fit_light(Fit *fit, int number)
     const SceneLight *light = &fit->scene->lights[number];
     ShadowView *views = fit->made->views + fit->made->count;
     const bool cube = has_cube(light);
-    if (!light->shadows)
+    if (!scene_light_casts(light))
         return;
     if (cube)
         fit_cube(fit, light, views);

@@ -145,7 +145,7 @@ ViewSpaceSection view_space_section(const SceneLight *light, bool shadows)
         return VIEW_SPACE_SECTIONS;
     if (light->kind == SCENE_Area)
         return VIEW_SPACE_AREAS;
-    return light->kind == SCENE_Point && !(light->shadows && shadows) ? VIEW_SPACE_PLAIN : VIEW_SPACE_POINTS;
+    return light->kind == SCENE_Point && !(scene_light_casts(light) && shadows) ? VIEW_SPACE_PLAIN : VIEW_SPACE_POINTS;
 }
 
 static int texels_of(int section) { return section == VIEW_SPACE_PLAIN ? 2 : VIEW_SPACE_LIGHT_TEXELS; }

@@ -47,7 +47,7 @@ typedef struct {
     double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
     double edges[2][3];                /* of an Area: u, v */
     bool both_sides;                   /* of an Area */
-    bool shadows;                      /* objects cast shadows in its light */
+    Word shadows;                      /* how objects cast shadows in its light: WORD_Shadows_none, ... */
 } SceneLight;
 
 typedef struct {
@@ -111,6 +111,11 @@ typedef struct Scene {
 MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **scene);
 /* NULL is nothing. */
 void scene_free(Scene *scene);
+/* A method of the list Shadows by its name. False: there is none of it. */
+bool scene_shadows_find(const char *name, Word *method);
+/* All lights that cast shadows do so by this method. */
+void scene_lights_shadow(Scene *scene, Word method);
+static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 

@@ -2,6 +2,7 @@
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_part.h"
 #include <math.h>
+#include <string.h>
 
 #define RADIANS (3.14159265358979323846 / 180)
 
@@ -58,7 +59,7 @@ static void read_light(SceneReader *r, const SceneThing *thing)
 {
     const LightRow *row = &rows[thing->kind];
     Scene *scene = r->scene;
-    SceneLight light = {.kind = thing->kind, .direction = {0, 0, -1}};
+    SceneLight light = {.kind = thing->kind, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
     scene_thing_vector(thing, row->color, light.light);
     for (int i = 0; i < 3; i++)
         light.light[i] *= scene_thing_number(thing, row->intensity);
@@ -75,7 +76,8 @@ static void read_light(SceneReader *r, const SceneThing *thing)
             r->fine = false;
         }
     }
-    light.shadows = row->shadows >= 0 && scene_thing_number(thing, row->shadows) != 0;
+    if (row->shadows >= 0)
+        light.shadows = (Word)scene_thing_number(thing, row->shadows);
     if (thing->kind == SCENE_Spot)
         read_cone(r, thing, &light);
     if (thing->kind == SCENE_Area)
@@ -91,4 +93,21 @@ void scene_lights_read(SceneReader *r, const Tree *list)
     for (uint32_t i = 0; i < list->count; i++)
         if (scene_thing_read(r, list->items[i], SCENE_SORT_light, &thing))
             read_light(r, &thing);
+}
+
+bool scene_shadows_find(const char *name, Word *method)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (word_table[i].list == PARAM_Shadows && !strcmp(word_table[i].name, name)) {
+            *method = (Word)i;
+            return true;
+        }
+    return false;
+}
+
+void scene_lights_shadow(Scene *scene, Word method)
+{
+    for (int i = 0; i < scene->light_count; i++)
+        if (scene_light_casts(&scene->lights[i]))
+            scene->lights[i].shadows = method;
 }

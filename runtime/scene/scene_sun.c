@@ -9,7 +9,7 @@
 static void add_sun(SceneReader *r, const GraphSky *sky)
 {
     Scene *scene = r->scene;
-    SceneLight light = {.kind = SCENE_Directional, .shadows = true};
+    SceneLight light = {.kind = SCENE_Directional, .shadows = WORD_Shadows_map};
     size_t count = (size_t)scene->light_count;
     for (int i = 0; i < 3; i++) {
         light.direction[i] = -sky->sun[i];

@@ -38,7 +38,7 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of a scene\n"
     "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
-    "  --shadows=HOW        maps (default), none: no light casts any\n"
+    "  --shadows=METHOD     map, none: how all lights cast shadows that do, else as the scene says\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
     "                       K-th; the first is 0. -o names them, out-%04d.png\n"
@@ -148,9 +148,7 @@ static const char *set_scene(Command *command, const char *name, const char *val
         return !strcmp(value, "exr") || !strcmp(value, "png") ? NULL : "--format: png or exr";
     }
     if (!strcmp(name, "--shadows")) {
-        command->shadows = true;
-        command->no_shadows = !strcmp(value, "none");
-        return command->no_shadows || !strcmp(value, "maps") ? NULL : "--shadows: maps or none";
+        return scene_shadows_find(value, &command->shadows) ? NULL : "--shadows: map or none";
     }
     if (strcmp(name, "--emit") != 0)
         return "no such option";
@@ -282,7 +280,7 @@ const char *command_check_material(const Command *command)
     if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
         return "--size times --samples is more than 8192";
     if (command->view || command->transparency || command->lights || command->stats || command->graph ||
-        command->shadows || command->has_tools)
+        command->shadows != WORD_COUNT || command->has_tools)
         return "--view, --transparency, --lights, --shadows, --tools, --stats and --emit=frame are of scenes";
     return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress ||
                    command->frames.given

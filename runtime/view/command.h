@@ -28,7 +28,7 @@ typedef struct {
     bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
     SceneTools tools;          /* of a scene, if --tools was given: which are drawn */
     bool has_tools;
-    bool shadows, no_shadows; /* of a scene: --shadows was given, and is none */
+    Word shadows; /* of a scene: how its lights cast them, a word of the list Shadows; WORD_COUNT: as it says */
     bool watch, help, version;
     Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
     struct WatchList *watched; /* files that were met; or NULL */

@@ -55,6 +55,8 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
         complain(path, why);
     MatcDocument *document =
         text ? scene_read(standard ? "<stdin>" : path, text, size, &command->picture.compile, scene) : NULL;
+    if (document && *scene && command->shadows != WORD_COUNT)
+        scene_lights_shadow(*scene, command->shadows);
     free(text);
     return document;
 }
@@ -168,7 +170,6 @@ static ScenePictureOptions scene_options(const Command *command, const Scene *sc
     const long height = ((long)scene->height * width + scene->width / 2) / scene->width;
     return (ScenePictureOptions){.render = {.compile = &command->picture.compile,
                                             .view = command->view,
-                                            .no_shadows = command->no_shadows,
                                             .transparency = command->transparency,
                                             .lights = command->lights,
                                             .width = width,
@@ -377,7 +378,7 @@ static int run(Command *command)
 
 int main(int argc, char **argv)
 {
-    Command command = {.edges = RENDER_EDGES_coverage};
+    Command command = {.edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT};
     matc_options_init(&command.picture.compile);
     command.picture.compile.pixels = true;
     command.picture.view = (ViewOptions){.supersampling = 4,
