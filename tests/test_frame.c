@@ -69,6 +69,12 @@ static const PictureCase pictures[] = {
                     ", transform: { translation: [0, 0, .5] } }, { object: Parallelogram, u: [0, 2, 0], v: [2, 0, 1], "
                     "transform: { translation: [.5, -1, .1] }, material: { material: Phong, diffuse: .3, "
                     "diffuseTransparency: [1, 0.3333333333333333, 0] } }]\n"},
+    {"hemisphere",
+     CAMERA "lights:\n- { light: Hemisphere, color: [.5, .7, 1], ground: [.4, .2, .1], intensity: .9 }\n"
+            "- { light: Hemisphere, color: [.1, .1, 0] }\n- { light: Point, position: [1, -4, 4], intensity: 3 }\n"
+            "objects: [{ object: Sphere, material: " SHARP
+            " }, { object: Plane, material: { material: Phong, diffuse: [.2, .4, .6], ambient: "
+            "[0.6666666666666666, 0.3333333333333333, 1], diffuseTransparency: [1, 0.3333333333333333, 0] } }]\n"},
     {"orthographic",
      "image: { width: 320, height: 480 }\ncamera: { camera: Orthographic, position: [.5, -6, 2.5], size: "
      "3, depth: 20 }\n" POINT "objects: [{ object: Box, material: " GLOSSY

@@ -55,7 +55,7 @@ static int count_lights(const Scene *scene)
 {
     int count = 0;
     for (int i = 0; i < scene->light_count; i++)
-        count += scene->lights[i].kind != SCENE_Ambient && scene->lights[i].kind != SCENE_Area;
+        count += view_space_section(&scene->lights[i], false) < VIEW_SPACE_AREAS;
     return count;
 }
 

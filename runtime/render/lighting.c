@@ -2,7 +2,8 @@
 #include "runtime/render/frame.h"
 #include <stdio.h>
 
-extern const char render_text_light_area[], render_text_light_sky[], render_text_lighting[];
+extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
+    render_text_lighting[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
@@ -34,8 +35,10 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 {
     const int targets = targets_of(render);
     char name[] = "matc_gbuffer0";
-    float ambient[4];
+    float ambient[4], hemisphere[VIEW_SPACE_HEMISPHERE][4];
     view_space_ambient(render->scene, ambient);
+    if (view_space_hemisphere(&render->space, render->scene, hemisphere))
+        material_write(&pass->material, "Hemisphere", hemisphere, sizeof hemisphere);
     set(pass, "light_ray", render->space.ray);
     set(pass, "light_view", render->space.depth);
     set(pass, "light_ambient", ambient);
@@ -71,10 +74,13 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const char *const shadows = shadow_text(render, defined);
     if (sky && !render->sky.map && !light_sky_make(render))
         return false;
+    float hemisphere[VIEW_SPACE_HEMISPHERE][4];
+    const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
-                                          render->surface->text, defined, shadows, table, render_text_lighting,
-                                          own->body[0], own->body[1], own->body[2], own->body[3], own->body[4]},
+                                          around ? render_text_light_hemisphere : "", render->surface->text, defined,
+                                          shadows, table, render_text_lighting, own->body[0], own->body[1],
+                                          own->body[2], own->body[3], own->body[4]},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute,
                                  .over = own->over,

@@ -98,6 +98,9 @@ vec3 lightEven(Seen seen)
 #ifdef LIGHT_HAS_SKY
     sum += surfaceSky(seen.m);
 #endif
+#ifdef LIGHT_HAS_HEMISPHERE
+    sum += surfaceHemisphere(seen.m);
+#endif
 #ifdef LIGHT_HAS_AREAS
     int first = light_plain + light_points;
     for (int i = first; i < first + light_areas; i++)

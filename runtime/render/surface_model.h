@@ -8,6 +8,7 @@
  *     vec3 surfaceLobe(Lit m, vec3 l)                the share of light from the direction l, the cosine counted in
  *     vec3 surfaceThrough(Surface s)                 the share of the light behind it that passes
  *     vec3 surfaceSky(Lit m)                         of the sky all around, by light_sky.glsl; under #ifdef LIGHT_HAS_SKY
+ *     vec3 surfaceHemisphere(Lit m)                  of hemispheres, by light_hemisphere.glsl; under #ifdef LIGHT_HAS_HEMISPHERE
  *     vec3 surfaceArea(Lit m, Area light)            of a polygon of radiance 1, by light_area.glsl; under #ifdef LIGHT_HAS_AREAS
  *
  * Where there are many lights, a model with `parts` has those that are far summed for many pixels at once. Its lobe is then, for light from the side of

@@ -96,6 +96,14 @@ vec3 surfaceSky(Lit m)
 }
 #endif
 
+#ifdef LIGHT_HAS_HEMISPHERE
+vec3 surfaceHemisphere(Lit m)
+{
+    return (m.diffuse + m.ambient) * hemisphereMatt(m.normal) + m.specular * hemisphereMirrored(m.reflected) +
+           m.behind * hemisphereMatt(-m.normal);
+}
+#endif
+
 #ifdef LIGHT_HAS_AREAS
 // The lobe's integral over a polygon of light, over pi, the cosine counted in.
 vec3 surfaceArea(Lit m, Area light)

@@ -141,7 +141,7 @@ static void put_light(const ViewSpace *space, const SceneLight *light, float out
 
 ViewSpaceSection view_space_section(const SceneLight *light, bool shadows)
 {
-    if (light->kind == SCENE_Ambient)
+    if (light->kind == SCENE_Ambient || light->kind == SCENE_Hemisphere)
         return VIEW_SPACE_SECTIONS;
     if (light->kind == SCENE_Area)
         return VIEW_SPACE_AREAS;
@@ -182,4 +182,23 @@ void view_space_ambient(const Scene *scene, float ambient[4])
             sum[lane] += scene->lights[i].kind == SCENE_Ambient ? scene->lights[i].light[lane] : 0;
     for (int lane = 0; lane < 4; lane++)
         ambient[lane] = lane < 3 ? (float)sum[lane] : 0;
+}
+
+bool view_space_hemisphere(const ViewSpace *space, const Scene *scene, float numbers[VIEW_SPACE_HEMISPHERE][4])
+{
+    double above[3] = {0}, below[3] = {0};
+    bool there = false;
+    memset(numbers, 0, VIEW_SPACE_HEMISPHERE * sizeof *numbers);
+    to_eye(space, (const double[]){0, 0, 1}, 0, numbers[0]);
+    for (int i = 0; i < scene->light_count; i++) {
+        const SceneLight *light = &scene->lights[i];
+        if (light->kind != SCENE_Hemisphere)
+            continue;
+        there = true;
+        for (int lane = 0; lane < 3; lane++) {
+            numbers[1][lane] = (float)(above[lane] += light->light[lane]);
+            numbers[2][lane] = (float)(below[lane] += light->ground[lane]);
+        }
+    }
+    return there;
 }

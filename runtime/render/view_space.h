@@ -25,7 +25,7 @@ typedef enum {
     VIEW_SPACE_PLAIN,  /* points that cast no shadow: they have the first two texels, which say all */
     VIEW_SPACE_POINTS, /* other points, spots, directional lights */
     VIEW_SPACE_AREAS,
-    VIEW_SPACE_SECTIONS /* the section of ambient lights, which have no texels */
+    VIEW_SPACE_SECTIONS /* the section of lights from all around, which have no texels */
 } ViewSpaceSection;
 /* `shadows`: lights cast them, where they are to. */
 ViewSpaceSection view_space_section(const SceneLight *light, bool shadows);
@@ -34,7 +34,7 @@ ViewSpaceSection view_space_section(const SceneLight *light, bool shadows);
  * its parallel does. Of a plane that is seen edge-on no ray meets it. */
 void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces);
 
-/* Lights but for ambient ones, in texels of four floats, and how many each section has.
+/* Lights but for those from all around, in texels of four floats, and how many each section has.
  *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
  *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine
  * Of an Area: 0 its corner; 1 radiance, w: it shines to both sides; 2, 3 its edges u, v. */
@@ -44,4 +44,7 @@ void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows,
 int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section);
 /* The sum of the ambient ones. */
 void view_space_ambient(const Scene *scene, float ambient[4]);
+/* Up, in the eye's space; the sums of the hemispheres' light from above and from below. False: there are none. */
+enum { VIEW_SPACE_HEMISPHERE = 3 };
+bool view_space_hemisphere(const ViewSpace *space, const Scene *scene, float numbers[VIEW_SPACE_HEMISPHERE][4]);
 #endif

@@ -44,6 +44,7 @@ typedef struct {
     double position[3];
     double direction[3];               /* in which it shines; unit length */
     double light[3];                   /* intensity times color */
+    double ground[3];                  /* of a Hemisphere: the same from below */
     double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
     double edges[2][3];                /* of an Area: u, v */
     bool both_sides;                   /* of an Area */

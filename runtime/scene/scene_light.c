@@ -19,6 +19,7 @@ static const LightRow rows[SCENE_KIND_COUNT] = {
     [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, -1},
     [SCENE_Sky] = {-1, -1, S_Sky_color, S_Sky_intensity, -1},
     [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1},
+    [SCENE_Hemisphere] = {-1, -1, S_Hemisphere_color, S_Hemisphere_intensity, -1},
 };
 
 static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light)
@@ -42,6 +43,13 @@ static void read_area(SceneReader *r, const SceneThing *thing, SceneLight *light
         return;
     diag_add(r->session, scene_thing_span(thing, S_Area_v), DIAG_scene_flat, "u and v span nothing");
     r->fine = false;
+}
+
+static void read_hemisphere(const SceneThing *thing, SceneLight *light)
+{
+    scene_thing_vector(thing, S_Hemisphere_ground, light->ground);
+    for (int i = 0; i < 3; i++)
+        light->ground[i] *= scene_thing_number(thing, S_Hemisphere_intensity);
 }
 
 /* The sky is read already. */
@@ -82,6 +90,8 @@ static void read_light(SceneReader *r, const SceneThing *thing)
         read_cone(r, thing, &light);
     if (thing->kind == SCENE_Area)
         read_area(r, thing, &light);
+    if (thing->kind == SCENE_Hemisphere)
+        read_hemisphere(thing, &light);
     size_t count = (size_t)scene->light_count;
     ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
     scene->light_count = (int)count;

@@ -76,6 +76,24 @@ static void reference_area(const SceneLight *light, const Hit *hit, const double
             slots->lane[SLOT_diffuseTransparency][i] * back + slots->lane[SLOT_transparency][i] * straight;
 }
 
+/* Light from all around: what a direction of that height meets, matt or as a mirror. */
+static double reference_around(const SceneLight *light, int lane, double z, bool mirror)
+{
+    const double s = fmin(fmax((z + .3) / .8, 0), 1), ground = mirror ? .6 * light->ground[lane] : light->ground[lane];
+    return ground + (light->light[lane] - ground) * (mirror ? s * s * (3 - 2 * s) : (1 + z) / 2);
+}
+
+/* What a Hemisphere's light gives; `normal` and `reflected` in the world. */
+static double reference_hemisphere(const SceneLight *light, const SlotValues *slots, int lane,
+                                   const double reflected[3])
+{
+    const double z = slots->lane[SLOT_normal][2], kept = reference_kept(slots, lane);
+    return (kept * slots->lane[SLOT_diffuse][lane] + slots->lane[SLOT_ambient][lane]) *
+               reference_around(light, lane, z, false) +
+           kept * slots->lane[SLOT_specular][lane] * reference_around(light, lane, reflected[2], true) +
+           slots->lane[SLOT_diffuseTransparency][lane] * reference_around(light, lane, -z, false);
+}
+
 /* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are what transparency leaves of diffuse and
  * specular where it is interpolated. emissive, ambient L; (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side; on the other |n.l| k L, and
  * t max(T.l, 0)^m L, where T is the way on and m the exponent of transparencyShininess: the greatest one is Dirac's, 0 the ray tracer's sum. */
@@ -98,6 +116,11 @@ static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray
             reference_area(light, hit, reflected, slots, shares);
             for (int i = 0; i < 3; i++)
                 sum[i] += light->light[i] * shares[i];
+            continue;
+        }
+        if (light->kind == SCENE_Hemisphere) {
+            for (int i = 0; i < 3; i++)
+                sum[i] += reference_hemisphere(light, slots, i, reflected);
             continue;
         }
         if (tracer->shares && light->kind != SCENE_Ambient)

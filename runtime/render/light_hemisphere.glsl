@@ -1,0 +1,15 @@
+// Light of hemispheres, from all around, by the formulas of scene.def; directions in the eye's space.
+#define LIGHT_HAS_HEMISPHERE
+layout(std140) uniform Hemisphere {
+    vec4 hemisphere_up, hemisphere_above, hemisphere_below;
+};
+
+vec3 hemisphereMatt(vec3 normal)
+{
+    return mix(hemisphere_below.xyz, hemisphere_above.xyz, 0.5 + 0.5 * dot(normal, hemisphere_up.xyz));
+}
+
+vec3 hemisphereMirrored(vec3 w)
+{
+    return mix(0.6 * hemisphere_below.xyz, hemisphere_above.xyz, smoothstep(-0.3, 0.5, dot(w, hemisphere_up.xyz)));
+}
