@@ -1,5 +1,5 @@
 /* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is read back; what is measured of a picture, by
- * both entries; black pictures, light that is no number, infinite or all in one pixel; tiles where nothing is. */
+ * both entries; black pictures, light that is no number, infinite or all in one pixel. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -230,7 +230,7 @@ static void measured(void **state)
         float *rgba = calloc((size_t)count * 4, sizeof *rgba), said[3][4];
         assert_non_null(rgba);
         for (unsigned i = 0; i < 4u * (unsigned)count; i++)
-            rgba[i] = (float)((i * 7919 % 1009) / 1009.);
+            rgba[i] = i % 4 == 3 ? 1 : (float)((i * 7919 % 1009) / 1009.);
         memcpy(rgba + 4 * (count / 2), (float[]){9, 5000, .5f, 1}, 4 * sizeof *rgba);
         const Picture p = measure(rgba, count);
         for (int compute = 0; compute < 2; compute++) {
@@ -279,28 +279,6 @@ static void extremes(void **state)
                 fail_msg("%s: %g", kinds[k], shown[4 * (SIDE / 2 * SIDE + SIDE / 2)]);
             free(shown);
         }
-    gl_close(gl);
-}
-
-/* Grey tiles of 16 pixels where nothing is; none on an object, black as it is. */
-static void tiles(void **state)
-{
-    (void)state;
-    enum { SIDE = 64 };
-    GlContext *gl = frame_context();
-    float *shown =
-        draw(gl,
-             "image: { width: 64, height: 64, tiles: true }\ncamera: { camera: Orthographic, position: [0, -5, 0], "
-             "size: 4 }\nobjects: [{ object: Box, material: { material: Phong, diffuse: 0 } }]\n"
-             "toneMapping: { toneMapping: Drago }\n",
-             NULL, false);
-    for (int y = 0; y < SIDE; y++)
-        for (int x = 0; x < SIDE; x++) {
-            const bool box = x >= 24 && x < 40 && y >= 24 && y < 40;
-            const double grey = box ? 0 : (x / 16 + y / 16) % 2 ? .4 : .6;
-            assert_true(fabs(shown[4 * (y * SIDE + x)] - grey) <= .51 / 255);
-        }
-    free(shown);
     gl_close(gl);
 }
 
@@ -365,8 +343,10 @@ static void in_tiles(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(formulas), cmocka_unit_test(measured), cmocka_unit_test(extremes),
-        cmocka_unit_test(tiles),    cmocka_unit_test(in_tiles),
+        cmocka_unit_test(formulas),
+        cmocka_unit_test(measured),
+        cmocka_unit_test(extremes),
+        cmocka_unit_test(in_tiles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -296,6 +296,10 @@ bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
 /* For a pass that lays something transparent over the light, with the text of it that gives no light: and over the tools, where there are some. */
 bool pass_tools_make_veil(Render *render, const LightingText *text);
 void pass_tools_draw_veil(Render *render);
+/* GLSL of backdropAt(), for the pass tone; for passes that light, if something is transparent before it; or "". A pass is told where the tile is. */
+const char *backdrop_text(const Render *render);
+const char *backdrop_light_text(const Render *render);
+void backdrop_set(const Render *render, ScreenPass *pass);
 /* Counts the lights, and writes their numbers. */
 bool lighting_lights(Render *render);
 /* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */

@@ -27,8 +27,10 @@ static void set(ScreenPass *pass, const char *name, const float values[4])
 
 void lighting_place(const Render *render, ScreenPass *pass)
 {
-    if (pass->material.store)
-        set(pass, "light_ray", render->space.ray);
+    if (!pass->material.store)
+        return;
+    set(pass, "light_ray", render->space.ray);
+    backdrop_set(render, pass);
 }
 
 static void set_numbers(const Render *render, ScreenPass *pass)
@@ -39,7 +41,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     view_space_ambient(render->scene, ambient);
     if (view_space_hemisphere(&render->space, render->scene, hemisphere))
         material_write(&pass->material, "Hemisphere", hemisphere, sizeof hemisphere);
-    set(pass, "light_ray", render->space.ray);
+    lighting_place(render, pass);
     set(pass, "light_view", render->space.depth);
     set(pass, "light_ambient", ambient);
     material_set_number(&pass->material, "light_plain", (float)render->light_counts[VIEW_SPACE_PLAIN]);
@@ -79,8 +81,8 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
                                           around ? render_text_light_hemisphere : "", render->surface->text, defined,
-                                          shadows, table, render_text_lighting, own->body[0], own->body[1],
-                                          own->body[2], own->body[3], own->body[4]},
+                                          shadows, table, backdrop_light_text(render), render_text_lighting,
+                                          own->body[0], own->body[1], own->body[2], own->body[3], own->body[4]},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute,
                                  .over = own->over,

@@ -58,6 +58,16 @@ Area areaAt(int light, vec3 point)
 }
 #endif
 
+// Where nothing is.
+vec4 lightOfNothing(ivec2 pixel)
+{
+#ifdef BACKDROP
+    return vec4(backdrop_share * backdropAt(pixel), 0.0);
+#else
+    return vec4(0.0);
+#endif
+}
+
 // A surface, as a pixel sees it.
 struct Seen {
     vec3 point;

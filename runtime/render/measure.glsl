@@ -29,8 +29,8 @@ vec4 passPixel(ivec2 place)
     vec4 result = vec4(0.0, 0.0, what < 2 ? 0.0 : GREATEST, what < 2 ? 0.0 : GREATEST);
     for (int y = first.y; y < last.y; y++)
         for (int x = first.x; x < last.x; x++) {
-            vec4 one = measure_first != 0 ? measureOf(what, toneGuard(texelFetch(measure_from, ivec2(x, y), 0).xyz))
-                                          : texelFetch(measure_from, ivec2(3 * x + what, y), 0);
+            vec4 one = texelFetch(measure_from, measure_first != 0 ? ivec2(x, y) : ivec2(3 * x + what, y), 0);
+            if (measure_first != 0) one = measureOf(what, one.w > 0.0 ? toneGuard(one.xyz) : vec3(0.0)); // without a backdrop
             result = what == 0   ? max(result, one)
                      : what == 1 ? result + one
                                  : vec4(result.xy + one.xy, min(result.zw, one.zw));

@@ -12,7 +12,7 @@ vec3 passOver(ivec2 pixel, out vec3 through)
 vec4 passPixel(ivec2 pixel)
 {
     float depth = texelFetch(light_depth, pixel, 0).x;
-    if (depth <= 0.0) return vec4(0.0); // nothing is there
+    if (depth <= 0.0) return lightOfNothing(pixel);
     return vec4(lightOf(pixel, depth, unpackSurface(pixel)), 1.0);
 }
 #endif

@@ -48,7 +48,7 @@ vec3 farNear(int at, Seen seen)
 vec4 passPixel(ivec2 pixel)
 {
     float depth = texelFetch(light_depth, pixel, 0).x;
-    if (depth <= 0.0) return vec4(0.0); // nothing is there
+    if (depth <= 0.0) return lightOfNothing(pixel);
     Seen seen = lightSeen(pixel, depth, unpackSurface(pixel));
     vec3 sum = lightEven(seen);
     if (farReflects(seen.m)) {

@@ -32,7 +32,6 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     for (int i = 0; i < 4; i++)
         numbers[i] = (float)scene->tone_numbers[i];
     material_set_number(&pass->material, "tone_exposure", (float)scene->exposure);
-    material_set_number(&pass->material, "tone_tiles", scene->tiles);
     material_set_number(&pass->material, "tone_pixels", (float)render->whole[0] * (float)render->whole[1]);
     material_set(&pass->material, &(MaterialValue){"tone_numbers", 4, numbers});
     screen_pass_sampler(pass, "tone_measured", MEASURED_UNIT);
@@ -66,10 +65,8 @@ static bool make_measures(Render *render, const char *kind)
 
 void pass_tone_place(Render *render)
 {
-    if (!render->tone.material.store)
-        return;
-    material_set_number(&render->tone.material, "tone_x", (float)render->at[0]);
-    material_set_number(&render->tone.material, "tone_y", (float)render->at[1]);
+    if (render->tone.material.store)
+        backdrop_set(render, &render->tone);
 }
 
 bool pass_tone_make(Render *render)
@@ -79,7 +76,7 @@ bool pass_tone_make(Render *render)
              render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name, render->samples,
              measures(render) ? "#define TONE_MEASURES\n" : "",
              pass_tools_are_there(render) ? "#define TONE_TOOLS\n" : "");
-    const ScreenPassText text = {.body = {kind, render_text_tone,
+    const ScreenPassText text = {.body = {kind, render_text_tone, backdrop_text(render),
                                           has_edges(render) ? render_text_edge_part : render_text_edge_none,
                                           render_text_pass_tone},
                                  .format = frame_format(render, FRAME_TARGET_shown, 0),

@@ -1,6 +1,7 @@
 // The pass tone: linear light becomes an sRGB colour; with TONE_LIGHT it stays light. Where an edge runs through a pixel, what lies on both sides
 // is mapped first, and blended then: a screen's light is summed by the eye, and an edge beside a lamp stays smooth. So are a pixel's samples, of
-// which there are TONE_SAMPLES across and down. Before it stand tone.glsl and what declares edgeShare.
+// which there are TONE_SAMPLES across and down. Before it stand tone.glsl, backdrop.glsl where
+// there is one, and what declares edgeShare.
 uniform sampler2D tone_light;
 #ifdef TONE_TOOLS
 uniform sampler2D tone_tools;
@@ -17,9 +18,9 @@ vec4 toneAt(ivec2 place)
 {
     vec4 light = texelFetch(tone_light, place, 0);
 #ifndef TONE_LIGHT
-    ivec2 tile = ivec2(floor((vec2(place + ivec2(tone_x, tone_y)) + 0.5) / float(16 * TONE_SAMPLES)));
-    if (tone_tiles != 0 && light.w <= 0.0) // nothing is there: sRGB's 0.4 and 0.6
-        return vec4(vec3((tile.x + tile.y & 1) != 0 ? 0.13286832 : 0.31854678), 1.0);
+#ifdef BACKDROP
+    if (light.w <= 0.0) return vec4(backdropAt(place), 1.0); // nothing is there
+#endif
     light = vec4(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0), 1.0);
 #ifdef TONE_TOOLS
     light.xyz = min(light.xyz + texelFetch(tone_tools, place, 0).xyz, 1.0);

@@ -4,9 +4,7 @@
 //   2  the sum of ln(luminance) where it is above LEAST, the number of these pixels, and the least such luminance
 layout(std140) uniform Tone {
     float tone_exposure;
-    int tone_tiles;
     float tone_pixels; // so many
-    int tone_x, tone_y; // where the tile is in the picture
     vec4 tone_numbers;
 };
 

@@ -97,7 +97,7 @@ typedef struct Scene {
     SceneKind tone;      /* of the sort toneMapping */
     double exposure;     /* a factor; 1 where the kind has none */
     double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias; Shoulder: knee */
-    bool tiles;             /* where nothing is seen */
+    bool tiles, glow;       /* one of them at most, where nothing is seen */
     int shadow_size;        /* texels of a shadow map's edge */
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
     int shadow_cascades;    /* maps of a directional light */

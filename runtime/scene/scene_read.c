@@ -13,7 +13,8 @@ static void read_image(SceneReader *r, Tree *tree)
         return;
     r->scene->width = (int)scene_thing_number(&thing, S_Image_width);
     r->scene->height = (int)scene_thing_number(&thing, S_Image_height);
-    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0;
+    r->scene->glow = scene_thing_number(&thing, S_Image_glow) != 0;
+    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0 && !r->scene->glow;
 }
 
 static void read_tone(SceneReader *r, Tree *tree)
