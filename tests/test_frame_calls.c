@@ -71,8 +71,9 @@ static void count_calls(GlContext *gl)
     COUNT(TexParameteri)
     COUNT(FramebufferTexture2D)
     COUNT(Uniform1fv)
-    COUNT(Uniform2fv) COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv)
-        COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
+    COUNT(Uniform2fv)
+    COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv)
+        COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a plane of glass. */
@@ -193,19 +194,26 @@ static void views_need_less(void **state)
 {
     (void)state;
     static const struct {
-        const char *view, *rests;
-    } cases[] = {{"depth", "light depth, gbuffer, shadow light not run: nobody needs it"},
-                 {"normal", "shown RGBA8 not there"},
-                 {"light", "tone light shown not run: nobody needs it"},
-                 {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do"}};
+        const char *view, *rests, *lights;
+    } cases[] = {{"depth", "light depth, gbuffer, shadow light not run: nobody needs it", "auto"},
+                 {"normal", "shown RGBA8 not there", "auto"},
+                 {"light", "tone light shown not run: nobody needs it", "auto"},
+                 {NULL, "plane depth, gbuffer depth, gbuffer not run: nothing to do", "auto"},
+                 {NULL, "gather depth, gbuffer far not run: lights are few", "auto"},
+                 {"depth", "far two buffers not there", "auto"},
+                 {NULL, "gather depth, gbuffer far not run: all lights are asked for", "all"},
+                 {NULL, "gather depth, gbuffer far lights are many, and far ones are taken together", "bounded"},
+                 {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
+                 {"light", "far two buffers 7: 6688 bytes for blocks of 16 x 16", "bounded"}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene =
         frame_scene(CAMERA POINT "objects: [{ object: Sphere, material: { material: Phong } }]\n", &options, &document);
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Render *render =
-            render_open(gl, &(RenderOptions){.compile = &options, .view = cases[i].view, .width = 30, .height = 20});
+        const RenderOptions drawn = {
+            .compile = &options, .view = cases[i].view, .lights = cases[i].lights, .width = 30, .height = 20};
+        Render *render = render_open(gl, &drawn);
         assert_true(render && render_scene(render, scene));
         char *graph = frame_graph(render);
         if (!strstr(graph, cases[i].rests))

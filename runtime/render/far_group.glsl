@@ -1,4 +1,4 @@
-// A group of pixels of a block, for far_gather.glsl: those that lie near each other, and bounds of what they are. Before it stand lighting.glsl,
+// A group of pixels of a block, for pass_gather.glsl: those that lie near each other, and bounds of what they are. Before it stand lighting.glsl,
 // far_terms.glsl and far_blocks.glsl.
 layout(local_size_x = 8, local_size_y = 8) in;
 uniform sampler2D light_depth;

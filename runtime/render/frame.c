@@ -5,6 +5,7 @@
 #define DEPTH   (1u << FRAME_TARGET_depth)
 #define GBUFFER (1u << FRAME_TARGET_gbuffer)
 #define SHADOW  (1u << FRAME_TARGET_shadow)
+#define FAR     (1u << FRAME_TARGET_far)
 #define LIGHT   (1u << FRAME_TARGET_light)
 #define EDGE    (1u << FRAME_TARGET_edge)
 #define LISTS   (1u << FRAME_TARGET_lists)
@@ -27,7 +28,13 @@ const FramePass frame_passes[] = {
      pass_shadow_draw,
      "a light's shadows are cast; once, then they are kept",
      NULL},
-    {{"light", DEPTH | GBUFFER | SHADOW, LIGHT, 0},
+    {{"gather", DEPTH | GBUFFER, FAR, 0},
+     pass_gather_needed,
+     pass_gather_make,
+     pass_gather_draw,
+     "lights are many, and far ones are taken together",
+     NULL},
+    {{"light", DEPTH | GBUFFER | SHADOW | FAR, LIGHT, 0},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
@@ -93,8 +100,9 @@ static int class_of(const Render *render, FrameTarget target)
 
 const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass)
 {
-    const bool edge = frame_passes[pass].draw == pass_edge_draw;
-    const char *lacks = edge ? pass_edge_lacks(render) : NULL;
+    void (*const draw)(Render *) = frame_passes[pass].draw;
+    const char *lacks = draw == pass_edge_draw ? pass_edge_lacks(render) : NULL;
+    lacks = draw == pass_gather_draw ? light_far_lacks(render) : lacks;
     return lacks ? lacks : frame_plan_reason(request, &render->plan, pass);
 }
 

@@ -14,6 +14,7 @@ typedef enum {
     FRAME_TARGET_gbuffer,
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_lists,  /* no texture, but a buffer */
+    FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
     FRAME_TARGET_edge,
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
@@ -80,7 +81,7 @@ typedef struct {
     float irradiance[SKY_NUMBERS][4];
 } SkyLight;
 
-/* Of light_far.c, where lights are many. */
+/* Of pass_gather.c, where lights are many. */
 typedef struct {
     ScreenPass gather;
     GLuint numbers, words; /* storage buffers of far_blocks.glsl */
@@ -220,6 +221,9 @@ bool pass_shadow_needed(const Render *render);
 bool pass_shadow_make(Render *render);
 void pass_shadow_draw(Render *render);
 void pass_shadow_delete(Render *render);
+bool pass_gather_needed(const Render *render);
+bool pass_gather_make(Render *render);
+void pass_gather_draw(Render *render);
 bool pass_light_needed(const Render *render);
 bool pass_light_make(Render *render);
 void pass_light_draw(Render *render);
@@ -353,9 +357,9 @@ int shadow_parts_number(const Render *render);
 void shadow_parts_load(Render *render, int part);
 /* The maps are drawn again, and room found for their lists. False: see the context's error. */
 bool pass_shadow_count(Render *render);
-/* Many lights (light_bound.c, light_far.c, light_room.c): the choice can be met; far ones are taken together; the pass light of that, made; what is gathered for it, before it
- * runs; deleted. */
+/* Many lights (light_bound.c, light_room.c): the choice can be met; why far ones are not taken together, NULL: they are. */
 bool light_far_check(GlContext *gl, const RenderOptions *options);
+const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);
 /* What light may be off, at exposure 0: times itself, and besides. False: it may not. */
 bool light_far_budget(SceneKind tone, double budget[2]);
@@ -368,10 +372,13 @@ int light_far_bytes(const Render *render);
 int light_far_block(const Render *render);
 int light_far_rows(const Render *render, int width);
 void light_far_put(Text *out, const Render *render);
-bool light_far_make_buffers(Render *render);
 bool light_far_make(Render *render);
-void light_far_draw(Render *render);
 void light_far_delete(Render *render);
+/* What the GLSL of both passes goes by; told to one; bound for it. */
+enum { LIGHT_FAR_DEFINITIONS = 64 };
+void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS]);
+void light_far_set(const Render *render, ScreenPass *pass);
+void light_far_bind(const Render *render);
 
 /* What lights see, before any pass is made. */
 bool shadow_make_views(Render *render);

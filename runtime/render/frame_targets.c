@@ -2,8 +2,8 @@
 #include "runtime/render/frame.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",   "lists", "light", "edge",
-                                                      "layer", "layer.z", "layer.id", "tools", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",  "lists",    "far",   "light",
+                                                      "edge",  "layer",   "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 

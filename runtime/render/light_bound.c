@@ -1,5 +1,5 @@
 /* Many lights: which are summed at each pixel, and which are taken together, so that the picture as it is shown is within half a step of 8 bits,
- * 1/510, of the sum of all. far_gather.glsl does it, for each block of 16 x 16 pixels by itself:
+ * 1/510, of the sum of all. pass_gather.glsl does it, for each block of 16 x 16 pixels by itself:
  *
  *  1. Pixels that lie near each other are a group, with a centre c, a greatest distance from it, a cone of normals. Most blocks have one.
  *  2. A light that all of the group sees whole is a series around c (far_terms.glsl), whose rest is bounded; one that no pixel sees is nothing; any
@@ -84,12 +84,32 @@ static bool has_buffers(const GlContext *gl)
     return blocks >= STORAGE_BLOCKS && bindings >= BINDINGS;
 }
 
-bool light_far_used(const Render *render)
+/* What hinders it, also where it is insisted on. */
+static const char *find_lack(const Render *render, int count)
 {
     double budget[2];
-    const int count = count_lights(render->scene), least = render->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
-    if (!render->compute || render->parted || !render->surface->parts || is_way(&render->options, "all") ||
-        count > MOST || !light_far_budget(render->scene->tone, budget) || !has_buffers(render->gl))
-        return false;
-    return is_way(&render->options, "bounded") ? count > 0 : count >= least && is_shown(&render->options);
+    if (count == 0)
+        return "nothing to do";
+    if (is_way(&render->options, "all"))
+        return "all lights are asked for";
+    if (count > MOST)
+        return "there are more than 4096 lights";
+    if (!light_far_budget(render->scene->tone, budget))
+        return "the tone mapping asks the whole picture";
+    if (!render->surface->parts)
+        return "nothing bounds the surface model";
+    if (render->parted)
+        return "shadows are made in parts";
+    return render->compute && has_buffers(render->gl) ? NULL : "it takes compute with three storage buffers";
 }
+
+const char *light_far_lacks(const Render *render)
+{
+    const int count = count_lights(render->scene), least = render->gl->hardware ? LEAST_HARDWARE : LEAST_SOFTWARE;
+    const char *lack = find_lack(render, count);
+    if (lack || is_way(&render->options, "bounded"))
+        return lack;
+    return count < least ? "lights are few" : is_shown(&render->options) ? NULL : "more than 8 bits are asked for";
+}
+
+bool light_far_used(const Render *render) { return !light_far_lacks(render); }

@@ -1,25 +1,36 @@
-/* The pass light: from the G-buffer, depth and lights to light. Its GLSL is pass_light.glsl, behind lighting.glsl; where lights are many,
- * light_far.c has another. */
+/* The pass light: from the G-buffer, depth and lights to light. Its GLSL is pass_light.glsl, behind lighting.glsl; where lights are many, it is
+ * pass_light_far.glsl, by what the pass gather has summed. */
 #include "runtime/render/frame.h"
 
-extern const char render_text_pass_light[];
+extern const char render_text_pass_light[], render_text_far_terms[], render_text_far_blocks[],
+    render_text_pass_light_far[];
 
 bool pass_light_needed(const Render *render) { return render->scene != NULL; }
+
+static bool make_far(Render *render)
+{
+    char defined[LIGHT_FAR_DEFINITIONS];
+    light_far_define(render, defined);
+    const LightingText text = {
+        {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far}, false, 0};
+    if (!lighting_make(render, &text, &render->light))
+        return false;
+    light_far_set(render, &render->light);
+    return true;
+}
 
 bool pass_light_make(Render *render)
 {
     return light_far_used(render)
-               ? light_far_make(render)
+               ? make_far(render)
                : lighting_make(render, &(LightingText){{render_text_pass_light}, render->parted, 0}, &render->light);
 }
 
 void pass_light_draw(Render *render)
 {
     const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
-    if (render->far.numbers) {
-        lighting_bind(render, source.surfaces, source.depth);
-        light_far_draw(render);
-    }
+    if (render->far.numbers)
+        light_far_bind(render);
     if (render->parted) { /* parts add up */
         framebuffer_use(render->gl, &render->draws[FRAME_DRAW_light]);
         render->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});

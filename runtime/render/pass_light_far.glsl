@@ -1,4 +1,4 @@
-// The pass light where lights are many: what is far as far_gather.glsl has summed it for the pixel's group, what is near by itself. Before it stand
+// The pass light where lights are many: what is far as pass_gather.glsl has summed it for the pixel's group, what is near by itself. Before it stand
 // lighting.glsl, far_terms.glsl and far_blocks.glsl.
 uniform sampler2D light_depth;
 
@@ -21,7 +21,7 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
     return max(sum, 0.0);
 }
 
-// The group of its block that a pixel is in. far_gather.glsl counts pixels in squares of 8 x 8.
+// The group of its block that a pixel is in. pass_gather.glsl counts pixels in squares of 8 x 8.
 int farGroup(int block, ivec2 pixel)
 {
     ivec2 p = pixel % FAR_BLOCK;

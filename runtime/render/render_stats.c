@@ -91,13 +91,14 @@ static void put_memory(Text *out, const Render *render)
             text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
         if (target == FRAME_TARGET_lists)
             transparency_put_lists(out, render);
+        else if (target == FRAME_TARGET_far)
+            light_far_put(out, render);
         else if (render->plan.memory[i] < 0)
             text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
         else
             text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),
                         shared ? ", shared" : "");
     }
-    light_far_put(out, render);
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
     if (render->samples > 1)
         text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n", render->samples,
