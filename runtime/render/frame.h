@@ -357,7 +357,7 @@ int shadow_parts_number(const Render *render);
 void shadow_parts_load(Render *render, int part);
 /* The maps are drawn again, and room found for their lists. False: see the context's error. */
 bool pass_shadow_count(Render *render);
-/* Many lights (light_bound.c, light_room.c): the choice can be met; why far ones are not taken together, NULL: they are. */
+/* Many lights (light_bound.c, light_far.c, light_room.c): the choice can be met; why far ones are not taken together, NULL: they are. */
 bool light_far_check(GlContext *gl, const RenderOptions *options);
 const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);

@@ -1,11 +1,8 @@
-/* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two buffers, the room that they take, and the numbers by
- * which both passes go. */
+/* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two buffers, and the room that they take. */
 #include "runtime/render/frame.h"
 #include <limits.h>
-#include <stdio.h>
 
 /* As far_blocks.glsl has them. */
-enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
 enum { GROUPS = 2, TEXELS = 19, WORDS = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK / 32 + GROUPS * (1 + 128) };
 
 /* Of a block. */
@@ -41,13 +38,12 @@ static size_t block_count(const Render *render)
 
 void light_far_put(Text *out, const Render *render)
 {
-    const char *const name = frame_target_name(FRAME_TARGET_far);
     if (is_there(render))
-        text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", name, "two buffers",
+        text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
                     light_far_bytes(render), (unsigned long)(block_count(render) * (numbers_bytes + words_bytes)),
                     LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
     else
-        text_format(out, "%-8s  %-24s  not there\n", name, "two buffers");
+        text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
 }
 
 /* Of so many bytes for each block. */
@@ -73,38 +69,4 @@ void light_far_delete(Render *render)
     render->gl->DeleteBuffers(1, &render->far.numbers); /* GL ignores the name 0 */
     render->gl->DeleteBuffers(1, &render->far.words);
     render->far = (FrameFar){0};
-}
-
-/* -- numbers */
-
-/* So many at most: programs are shared by numbers of lights that are near. */
-static int count_lights(const Render *render)
-{
-    int most = 512;
-    while (most < render->light_counts[VIEW_SPACE_PLAIN] + render->light_counts[VIEW_SPACE_POINTS])
-        most *= 2;
-    return most;
-}
-
-void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
-{
-    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n%s", count_lights(render),
-             render->light_counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
-}
-
-/* Behind transparent layers what is relative stays so, and what is not may grow. */
-void light_far_set(const Render *render, ScreenPass *pass)
-{
-    const bool covered = pass_lists_needed(render) || pass_peel_needed(render);
-    double budget[2] = {0};
-    light_far_budget(render->scene->tone, budget);
-    material_set_number(&pass->material, "far_relative", (float)budget[0]);
-    material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
-    material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));
-}
-
-void light_far_bind(const Render *render)
-{
-    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->far.numbers);
-    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->far.words);
 }

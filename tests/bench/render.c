@@ -21,16 +21,23 @@ typedef struct {
     int counts[MOST_ROWS]; /* 0 behind the last */
     void (*write)(Text *out, int count);
     bool programs; /* so many, for the forward renderer */
+    bool bounded;  /* also with far lights taken together */
 } Series;
 
 static const Series series[] = {
-    {"materials", "2,000 parallelograms, checkers in turns", {1, 10, 40, 80, 120, 1000, 2000}, scenes_materials, true},
+    {"materials",
+     "2,000 parallelograms, checkers in turns",
+     {1, 10, 40, 80, 120, 1000, 2000},
+     scenes_materials,
+     true,
+     false},
     {"lights",
      "a floor with 1,024 boxes, lamps without shadows",
      {1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024},
      scenes_lights,
-     false},
-    {"objects", "a bush in the sun", {8, 25, 78, 245, 767, 2401, 7512, 23474}, scenes_objects, false},
+     false,
+     true},
+    {"objects", "a bush in the sun", {8, 25, 78, 245, 767, 2401, 7512, 23474}, scenes_objects, false, false},
 };
 enum { SERIES = sizeof series / sizeof *series };
 
@@ -49,28 +56,49 @@ static void put_csv(const Bench *bench, const char *table, const char *row, cons
 
 typedef struct {
     int count;
-    BenchTimes times[2]; /* of the renderer, of the forward renderer */
-    double apart;        /* share of pixels; NAN: not compared */
+    BenchTimes times[BENCH_WAYS];
+    double apart; /* share of pixels; NAN: not compared */
 } Row;
+
+/* "": the series has no such column. */
+static const char *way_name(const Series *of, int way)
+{
+    const char *const names[BENCH_WAYS] = {of->bounded ? "summed" : "deferred", of->bounded ? "bounded" : "",
+                                           "forward"};
+    return names[way];
+}
 
 /* Of pixels, by how much: the default layout is off by 1/255 of some, what is left out of lights by half of that. */
 static const double bound = 2.0 / 255, pixels_beyond = .002;
 
 static const char *same_picture(double apart) { return isnan(apart) ? "-" : apart > pixels_beyond ? "no" : "yes"; }
 
-static void put_row(const Bench *bench, const Series *of, const Row *row, const double first[2])
+static void put_head(const Series *of)
+{
+    printf("\n%s: %s; milliseconds a frame\n%9s", of->name, of->what, of->name);
+    for (int way = 0; way < BENCH_WAYS; way++)
+        if (*way_name(of, way))
+            printf(" %10s %10s %8s", way_name(of, way), "least", "/ first");
+    printf(" %8s %s\n", of->bounded ? "/ sum." : "/ def.", "same picture");
+}
+
+static void put_row(const Bench *bench, const Series *of, const Row *row, const double first[BENCH_WAYS])
 {
     const BenchTimes *times = row->times;
-    char name[16];
+    char name[16], least[32];
     snprintf(name, sizeof name, "%d", row->count);
-    for (int i = 0; i < 2; i++) {
-        put_csv(bench, of->name, name, i ? "forward" : "deferred", times[i].median);
-        put_csv(bench, of->name, name, i ? "forward least" : "deferred least", times[i].least);
+    printf("%9s", name);
+    for (int way = 0; way < BENCH_WAYS; way++) {
+        if (!*way_name(of, way))
+            continue;
+        snprintf(least, sizeof least, "%s least", way_name(of, way));
+        put_csv(bench, of->name, name, way_name(of, way), times[way].median);
+        put_csv(bench, of->name, name, least, times[way].least);
+        printf(" %10s %10s %8s", NUMBER(3, 1e3 * times[way].median), NUMBER(3, 1e3 * times[way].least),
+               NUMBER(2, times[way].median / first[way]));
     }
-    printf("%9s %10s %10s %8s %10s %10s %8s %8s %s\n", name, NUMBER(3, 1e3 * times[0].median),
-           NUMBER(3, 1e3 * times[0].least), NUMBER(2, times[0].median / first[0]), NUMBER(3, 1e3 * times[1].median),
-           NUMBER(3, 1e3 * times[1].least), NUMBER(2, times[1].median / first[1]),
-           NUMBER(2, times[1].median / times[0].median), same_picture(row->apart));
+    printf(" %8s %s\n", NUMBER(2, times[BENCH_WAY_forward].median / times[BENCH_WAY_deferred].median),
+           same_picture(row->apart));
     fflush(stdout); /* the whole takes minutes */
 }
 
@@ -87,12 +115,14 @@ static bool compare(const Bench *bench, BenchScene *scene, Row *row)
 static bool measure_row(const Bench *bench, const Series *of, Row *row)
 {
     const int most = bench->timed ? FORWARD_PROGRAMS : UNTIMED_PROGRAMS;
+    const RenderOptions options = {.view = "light", .lights = "all"};
     Arena arena = {0};
     Text text = text_new(&arena);
     BenchScene scene;
     show_row(of, row->count);
     of->write(&text, row->count);
-    bool fine = bench_scene_open(bench, &text, &(RenderOptions){.view = "light"}, &scene) &&
+    bool fine = bench_scene_open(bench, &text, &options, &scene) &&
+                (!of->bounded || bench_scene_open_bounded(bench, &options, &scene)) &&
                 ((of->programs && row->count > most) || compare(bench, &scene, row));
     fine = fine && (!bench->timed || bench_scene_time(bench, &scene, row->times));
     bench_show("");
@@ -103,15 +133,14 @@ static bool measure_row(const Bench *bench, const Series *of, Row *row)
 
 static bool measure_series(const Bench *bench, const Series *of)
 {
-    double first[2] = {NAN, NAN};
+    double first[BENCH_WAYS] = {0};
     bool fine = true;
-    printf("\n%s: %s; milliseconds a frame\n%9s %10s %10s %8s %10s %10s %8s %8s %s\n", of->name, of->what, of->name,
-           "deferred", "least", "/ first", "forward", "least", "/ first", "/ def.", "same picture");
+    put_head(of);
     for (int i = 0; fine && i < MOST_ROWS && of->counts[i]; i++) {
-        Row row = {of->counts[i], {{NAN, NAN}, {NAN, NAN}}, NAN};
+        Row row = {of->counts[i], {{NAN, NAN}, {NAN, NAN}, {NAN, NAN}}, NAN};
         fine = measure_row(bench, of, &row);
-        for (int k = 0; k < 2; k++)
-            first[k] = i ? first[k] : row.times[k].median;
+        for (int way = 0; way < BENCH_WAYS; way++)
+            first[way] = i ? first[way] : row.times[way == BENCH_WAY_bounded ? BENCH_WAY_deferred : way].median;
         if (fine)
             put_row(bench, of, &row, first);
         fine = fine && !(row.apart > pixels_beyond);

@@ -9,19 +9,37 @@ enum { MOST_FRAMES = 64, FEWEST_FRAMES = 3 };
 
 static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why) < 0; }
 
-bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options, BenchScene *made)
+static RenderOptions options_of(const Bench *bench, const RenderOptions *options)
 {
     RenderOptions with = *options;
     with.compile = &bench->compile;
     with.width = bench->width;
     with.height = bench->height;
+    return with;
+}
+
+/* Opens it, and draws a first frame. */
+static bool open_render(const Bench *bench, const RenderOptions *options, const Scene *scene, Render **made)
+{
+    *made = render_open(bench->gl, options);
+    return (*made && render_scene(*made, scene) && render_frame(*made)) || said(bench->gl->error);
+}
+
+bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options, BenchScene *made)
+{
+    const RenderOptions with = options_of(bench, options);
     *made = (BenchScene){0};
     made->document = scene_read("bench.yaml", text->at, text->size, &bench->compile, &made->scene);
     if (!made->scene)
         return said(matc_diagnostics(made->document, MATC_TEXT));
-    made->render = render_open(bench->gl, &with);
-    return (made->render && render_scene(made->render, made->scene) && render_frame(made->render)) ||
-           said(bench->gl->error);
+    return open_render(bench, &with, made->scene, &made->render);
+}
+
+bool bench_scene_open_bounded(const Bench *bench, const RenderOptions *options, BenchScene *made)
+{
+    RenderOptions with = options_of(bench, options);
+    with.lights = "bounded";
+    return open_render(bench, &with, made->scene, &made->bounded);
 }
 
 bool bench_scene_open_forward(const Bench *bench, BenchScene *made)
@@ -37,29 +55,35 @@ bool bench_scene_open_forward(const Bench *bench, BenchScene *made)
 void bench_scene_close(BenchScene *scene)
 {
     forward_close(scene->forward);
+    render_close(scene->bounded);
     render_close(scene->render);
     scene_free(scene->scene);
     matc_document_free(scene->document);
     *scene = (BenchScene){0};
 }
 
+static bool draws(const BenchScene *scene, BenchWay way)
+{
+    return way == BENCH_WAY_deferred || (way == BENCH_WAY_bounded ? scene->bounded != NULL : scene->forward != NULL);
+}
+
 /* Seconds of a frame, of so many that are finished together. */
-static double draw(const Bench *bench, BenchScene *scene, bool forward, int frames)
+static double draw(const Bench *bench, BenchScene *scene, BenchWay way, int frames)
 {
     const double start = bench_now();
     for (int i = 0; i < frames; i++)
-        if (forward)
+        if (way == BENCH_WAY_forward)
             forward_draw(scene->forward);
         else
-            render_frame(scene->render);
+            render_frame(way == BENCH_WAY_bounded ? scene->bounded : scene->render);
     bench->gl->Finish();
     return (bench_now() - start) / frames;
 }
 
 /* As many as take longer than it takes a GPU to tell that it has finished. */
-static int frames_of(const Bench *bench, BenchScene *scene, bool forward)
+static int frames_of(const Bench *bench, BenchScene *scene, BenchWay way)
 {
-    const double least = 5e-3, one = draw(bench, scene, forward, 1);
+    const double least = 5e-3, one = draw(bench, scene, way, 1);
     return 1 + (int)(least / (one > 1e-5 ? one : 1e-5));
 }
 
@@ -69,20 +93,21 @@ static BenchTimes times_of(double *seconds, int count)
     return (BenchTimes){median, seconds[0]};
 }
 
-bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[2])
+bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BENCH_WAYS])
 {
-    double seconds[2][MOST_FRAMES];
-    const int ways = 1 + (scene->forward != NULL);
+    double seconds[BENCH_WAYS][MOST_FRAMES];
     const double end = bench_now() + bench->seconds;
-    int count = 0, frames[2] = {0};
+    int count = 0, frames[BENCH_WAYS] = {0};
     bench->gl->Finish();
-    for (int i = 0; i < ways; i++)
-        frames[i] = frames_of(bench, scene, i); /* the first frame was drawn when the scene was opened */
+    for (int way = 0; way < BENCH_WAYS; way++)
+        if (draws(scene, way))
+            frames[way] = frames_of(bench, scene, way); /* the first frame was drawn when the scene was opened */
     for (; count < MOST_FRAMES && (count < FEWEST_FRAMES || bench_now() < end); count++)
-        for (int i = 0; i < ways; i++)
-            seconds[i][count] = draw(bench, scene, i, frames[i]);
-    times[0] = times_of(seconds[0], count);
-    times[1] = scene->forward ? times_of(seconds[1], count) : (BenchTimes){NAN, NAN};
+        for (int way = 0; way < BENCH_WAYS; way++)
+            if (draws(scene, way))
+                seconds[way][count] = draw(bench, scene, way, frames[way]);
+    for (int way = 0; way < BENCH_WAYS; way++)
+        times[way] = draws(scene, way) ? times_of(seconds[way], count) : (BenchTimes){NAN, NAN};
     return gl_check(bench->gl, "drawing frames") || said(bench->gl->error);
 }
 
@@ -120,17 +145,24 @@ static int count_apart(const float *a, const float *b, int pixels, double bound)
     return apart;
 }
 
-double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound)
+static double apart_from_forward(const Bench *bench, const BenchScene *scene, Render *render, double bound)
 {
     const int pixels = bench->width * bench->height;
     float *rgba[2];
     double apart = NAN;
     for (int i = 0; i < 2; i++)
         rgba[i] = calloc((size_t)pixels, 4 * sizeof **rgba);
-    if (rgba[0] && rgba[1] && render_frame(scene->render) && render_read(scene->render, rgba[0]) &&
+    if (rgba[0] && rgba[1] && render_frame(render) && render_read(render, rgba[0]) &&
         forward_read(scene->forward, rgba[1]) && !is_black(rgba[0], pixels))
         apart = (double)count_apart(rgba[0], rgba[1], pixels, bound) / pixels;
     free(rgba[0]);
     free(rgba[1]);
     return apart;
+}
+
+double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound)
+{
+    const double apart = apart_from_forward(bench, scene, scene->render, bound);
+    const double bounded = scene->bounded ? apart_from_forward(bench, scene, scene->bounded, bound) : 0;
+    return isnan(bounded) || bounded > apart ? bounded : apart;
 }

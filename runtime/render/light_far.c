@@ -1,0 +1,38 @@
+/* What the pass gather and the pass light both go by where lights are many: the GLSL's constants, what may be left out, the buffers of light_room.c. */
+#include "runtime/render/frame.h"
+#include <stdio.h>
+
+/* As far_blocks.glsl has them. */
+enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
+
+/* So many at most: programs are shared by numbers of lights that are near. */
+static int count_lights(const Render *render)
+{
+    int most = 512;
+    while (most < render->light_counts[VIEW_SPACE_PLAIN] + render->light_counts[VIEW_SPACE_POINTS])
+        most *= 2;
+    return most;
+}
+
+void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
+{
+    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n%s", count_lights(render),
+             render->light_counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
+}
+
+/* Behind transparent layers what is relative stays so, and what is not may grow. */
+void light_far_set(const Render *render, ScreenPass *pass)
+{
+    const bool covered = pass_lists_needed(render) || pass_peel_needed(render);
+    double budget[2] = {0};
+    light_far_budget(render->scene->tone, budget);
+    material_set_number(&pass->material, "far_relative", (float)budget[0]);
+    material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
+    material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));
+}
+
+void light_far_bind(const Render *render)
+{
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->far.numbers);
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->far.words);
+}
