@@ -237,42 +237,76 @@ static void oracle_slopes(MatcDocument *document, const char *derivatives, doubl
     free(text);
 }
 
-/* At the first and the last item of a Blend the slope is that within, or 0 as beyond it, whatever the items cost: what shows on neither side has
- * no part in it. */
-static void ends_of_blends_have_slopes_of_a_side(void **state)
+/* Exactly at an item of a Blend the slope is that of the segment above it, which the item answers; at the last item, that of the one below. What
+ * shows there on neither side has no part in it, whatever the items cost. Widths of .3 and .7 have no exact reciprocals in floats. */
+static void items_of_blends_have_slopes_of_a_side(void **state)
 {
     (void)state;
-    static const char *const blends[] = {
-        "[{ value: 0, input: 3 }, { value: 1, input: 5 }, { value: 2, input: 6 }]",
-        "[{ value: 0, input: { map: VolumeTurbulence } }, { value: 1, input: { map: Leopard } }, { value: 2, input: { "
-        "map: Wood } }]"};
-    for (int i = 0; i < 8; i++) {
+    static const float at[] = {0, .3f, 1, 3};
+    static const char *const inputs[] = {
+        "{ value: 0, input: 3 }, { value: %.9g, input: 5 }, { value: 1, input: 6 }, { value: 3, input: 4 }",
+        "{ value: 0, input: 3 }, { value: %.9g, input: 500 }, { value: 1, input: 6 }, { value: 3, input: 4 }",
+        "{ value: 0, input: { map: VolumeTurbulence } }, { value: %.9g, input: { map: Leopard } }, { value: 1, input: "
+        "{ map: Wood } }, { value: 3, input: { map: Granite } }",
+        "{ value: 0, input: 3 }, { value: %.9g, input: { map: Smooth3D, input: { map: Leopard } } }, { value: 1, "
+        "input: { map: Smooth3D, input: { map: Wood } } }, { value: 3, input: { map: VolumeTurbulence } }"};
+    for (int i = 0; i < 16; i++) {
         const Making making = {i % 2 ? "analytic" : "auto", "none", i & 2};
         MatcOptions options;
-        char map[500], text[600];
+        char items[400], text[600];
         Document d;
         matc_options_init(&options);
-        snprintf(map, sizeof map, "{ map: Blend, blend: %s, input: { map: Gradient } }", blends[i / 4]);
-        snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n", map);
+        snprintf(items, sizeof items, inputs[i / 4], (double)at[1]);
+        snprintf(text, sizeof text,
+                 "material: Phong\ninput: { map: BumpMap, displacement: { map: Blend, blend: [%s], input: { map: "
+                 "Gradient } } }\n",
+                 items);
         assert_true(document_open_text(&d, text));
         MatcDocument *document = matc_read("blend.yaml", text, strlen(text), &options);
-        for (int item = 0; item < 3; item += 2) {
+        for (int item = 0; item < 4; item++) {
             Point p = flat_point();
-            double n[3], sides[2][2];
-            oracle_slopes(document, making.derivatives, item - 1e-6, sides[0]);
-            oracle_slopes(document, making.derivatives, item + 1e-6, sides[1]);
-            p.input[INPUT_X][0] = (float)item;
+            double n[3], side[2];
+            oracle_slopes(document, making.derivatives, at[item] + (item < 3 ? 1e-7 : -1e-7), side);
+            p.input[INPUT_X][0] = at[item];
             p.input[INPUT_X][1] = 0.3f;
             float_normal(&d, &making, &p, n);
-            for (int k = 0; k < 2; k++) {
-                const double slope = -n[k] / n[2] / 0.02, low = fmin(sides[0][k], sides[1][k]);
-                if (slope < low - 1e-3 || slope > fmax(sides[0][k], sides[1][k]) + 1e-3)
-                    fail_msg("-O%d --derivatives=%s, %s at item %d: %g, the sides %g and %g", making.optimize,
-                             making.derivatives, blends[i / 4], item, slope, sides[0][k], sides[1][k]);
-            }
+            for (int k = 0; k < 2; k++)
+                if (fabs(-n[k] / n[2] / 0.02 - side[k]) > 1e-3)
+                    fail_msg("-O%d --derivatives=%s, %s at item %d: %g, the side %g", making.optimize,
+                             making.derivatives, items, item, -n[k] / n[2] / 0.02, side[k]);
         }
         document_close(&d);
         matc_document_free(document);
+    }
+}
+
+/* Two Blends that answer the same everywhere, of which one ends at 1, with the slope below, and one goes on there, and is flat. Whichever
+ * comes first, their mean has the slope (5 - 3) / 2. */
+static void blends_of_one_value_have_slopes_of_their_own(void **state)
+{
+    (void)state;
+    static const char *const more[] = {"", ", { value: 2, input: 5 }"};
+    for (int i = 0; i < 8; i++) {
+        const Making making = {i & 1 ? "analytic" : "auto", "none", i & 2};
+        char text[800];
+        Document d;
+        Point p = flat_point();
+        double n[3];
+        snprintf(text, sizeof text,
+                 "material: Phong\n"
+                 "input: { map: BumpMap, displacement: { map: Blend, input: 0.5, blend: [\n"
+                 "  { value: 0, input: { map: Blend, blend: [{ value: 0, input: 3 }, { value: 1, input: 5 }%s], input: "
+                 "{ map: Gradient } } },\n"
+                 "  { value: 1, input: { map: Blend, blend: [{ value: 0, input: 3 }, { value: 1, input: 5 }%s], input: "
+                 "{ map: Gradient } } }] } }\n",
+                 more[i / 4], more[1 - i / 4]);
+        assert_true(document_open_text(&d, text));
+        p.input[INPUT_X][0] = 1;
+        float_normal(&d, &making, &p, n);
+        if (fabs(-n[0] / n[2] / 0.02 - 1) > 1e-4)
+            fail_msg("-O%d --derivatives=%s: the slope %g is not 1 in\n%s", making.optimize, making.derivatives,
+                     -n[0] / n[2] / 0.02, text);
+        document_close(&d);
     }
 }
 
@@ -282,7 +316,8 @@ int main(void)
         cmocka_unit_test(steps_are_as_wide_far_from_the_origin),
         cmocka_unit_test(steps_end_where_the_map_is_another),
         cmocka_unit_test(peaks_of_waves_at_the_last_item_have_slopes),
-        cmocka_unit_test(ends_of_blends_have_slopes_of_a_side),
+        cmocka_unit_test(items_of_blends_have_slopes_of_a_side),
+        cmocka_unit_test(blends_of_one_value_have_slopes_of_their_own),
     };
     return cmocka_run_group_tests(tests, make_picture, remove_picture);
 }

@@ -8,6 +8,7 @@
 #include "compiler/lower/blend.h"
 #include "compiler/lower/area.h"
 #include <math.h>
+#include <string.h>
 
 enum {
     ALIKE = 16,      /* how many times the least of alike items the greatest is at most */
@@ -96,13 +97,73 @@ bool blend_alike(const Ir *ir, const Stop *stops, int count)
     return unit || alike_constants(ir, stops, count);
 }
 
+/* Items first..last of so many. */
+typedef struct {
+    const Stop *stops;
+    int count, first, last;
+} Run;
+
+/* Where the items first..last of so many show: above the value before them and below the one behind; closed: on these, too. 0: everywhere. */
+static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
+{
+    Ir *ir = l->ir;
+    const Op less = closed ? OP_le : OP_lt;
+    Ref above = 0, below = 0;
+    if (s.first > 0)
+        above = build_binary(ir, less, s.stops[s.first - 1].value, t);
+    if (s.last < s.count - 1)
+        below = build_binary(ir, less, t, s.stops[s.last + 1].value);
+    return above && below ? build_and(ir, above, below) : above ? above : below;
+}
+
+/* The same of all items that answer what item i does; i is the first of them. */
+static Ref where_result(Lower *l, Ref t, Run s, bool closed)
+{
+    const Ref result = s.stops[s.first].result;
+    Ref shown = 0;
+    for (int i = s.first; i < s.count; i++) {
+        if (s.stops[i].result != result)
+            continue;
+        const int first = i;
+        while (i + 1 < s.count && s.stops[i + 1].result == result)
+            i++;
+        Ref here = where_shown(l, t, (Run){s.stops, s.count, first, i}, closed);
+        if (!here)
+            return 0;
+        shown = shown ? build_or(l->ir, shown, here) : here;
+    }
+    return shown;
+}
+
+const Stop *blend_guarded_items(Lower *l, Ref t, const Stop *stops, int count, bool closed)
+{
+    Stop *own = NULL;
+    for (int i = 0; i < count; i++) {
+        const Ref result = stops[i].result;
+        if (!blend_is_costly(l->ir, result) || (own && own[i].result != result))
+            continue;
+        Ref shown = where_result(l, t, (Run){stops, count, i, count}, closed);
+        if (!shown)
+            continue;
+        own = own ? own : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops, sizeof *stops * (size_t)count);
+        Ref guard = blend_guarded(l, shown, result);
+        for (int k = i; k < count; k++)
+            if (stops[k].result == result)
+                own[k].result = guard;
+    }
+    return own ? own : stops;
+}
+
+Ref blend_share(Lower *l, Ref t, const Stop *stop)
+{
+    Ref at = blend_position(l, t, stop[0].value, stop[1].value);
+    return build_clamp(l->ir, at, build_float(l->ir, 0), build_float(l->ir, 1));
+}
+
 /* How much of a box of t has the step from a stop to the next behind it; no edge: of a point. */
 static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
 {
-    if (!edge)
-        return build_clamp(l->ir, blend_position(l, t, stop[0].value, stop[1].value), build_float(l->ir, 0),
-                           build_float(l->ir, 1));
-    return area_ramp(l, t, edge, stop[0].value, stop[1].value);
+    return edge ? area_ramp(l, t, edge, stop[0].value, stop[1].value) : blend_share(l, t, stop);
 }
 
 /* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */

@@ -77,6 +77,8 @@ typedef struct {
     bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;
+    struct LateSum **sums; /* by Ref: values whose derivatives are said as sums; slope_sum.c */
+    size_t sum_room;
     Ref *to_differ; /* stack of values whose derivatives are under way; slope.c */
     size_t to_differ_count, to_differ_room;
     Turn *turns; /* by node; lower_normal.c */

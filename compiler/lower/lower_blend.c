@@ -7,7 +7,7 @@
  *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
  *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what is made of it needs no branch
  *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards whose values may be of any size
- * Over a pixel's box of t: blend.c. */
+ * Over a pixel's box of t: blend.c. Slopes of the last three: blend_slope.c. */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
 #include <string.h>
@@ -78,12 +78,11 @@ static Ref blend_search(Lower *l, Ref t, Segments s)
 static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
-    Ref result = stops[0].result, zero = build_float(ir, 0), one = build_float(ir, 1);
+    Ref result = stops[0].result;
     for (int i = 1; i < count; i++) {
         if (stops[i].result == stops[i - 1].result)
             continue; /* there the result is that already */
-        Ref at = blend_position(l, t, stops[i - 1].value, stops[i].value);
-        result = build_mix(ir, result, stops[i].result, build_clamp(ir, at, zero, one));
+        result = build_mix(ir, result, stops[i].result, blend_share(l, t, &stops[i - 1]));
     }
     return result;
 }
@@ -96,58 +95,12 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < BLEND_CHEAP;
 }
 
-/* Where the items first..last of so many show: above the value before them and below the one behind. 0: everywhere. */
-static Ref where_shown(Lower *l, Answer t, Segments s)
+/* The sum, with slopes of its own. The search where the sum is another Blend, too. */
+static Ref noted(Lower *l, Ref sum, const Blended *blend)
 {
-    Ir *ir = l->ir;
-    Ref above = 0, below = 0;
-    if (s.first > 0)
-        above = build_lt(ir, s.stops[s.first - 1].value, t.value);
-    if (s.last < s.count - 1)
-        below = build_lt(ir, t.value, s.stops[s.last + 1].value);
-    return above && below ? build_and(ir, above, below) : above ? above : below;
-}
-
-/* The same of all items that answer what item i does; i is the first of them. */
-static Ref where_result(Lower *l, Answer t, Segments s)
-{
-    const Ref result = s.stops[s.first].result;
-    Ref shown = 0;
-    for (int i = s.first; i < s.count; i++) {
-        if (s.stops[i].result != result)
-            continue;
-        const int first = i;
-        while (i + 1 < s.count && s.stops[i + 1].result == result)
-            i++;
-        Ref here = where_shown(l, t, (Segments){s.stops, s.count, first, i});
-        if (!here)
-            return 0;
-        shown = shown ? build_or(l->ir, shown, here) : here;
-    }
-    return shown;
-}
-
-/* The items, each costly one behind a guard, so that it is computed only where it shows; the items themselves where none is costly, and
- * where a search follows, which has branches already. */
-static const Stop *guarded_items(Lower *l, Answer t, const Stop *stops, int count)
-{
-    Stop *own = NULL;
-    if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))
-        return stops;
-    for (int i = 0; i < count; i++) {
-        const Ref result = stops[i].result;
-        if (!blend_is_costly(l->ir, result) || (own && own[i].result != result))
-            continue;
-        Ref shown = where_result(l, t, (Segments){stops, count, i, count});
-        if (!shown)
-            continue;
-        own = own ? own : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops, sizeof *stops * (size_t)count);
-        Ref guard = blend_guarded(l, shown, result);
-        for (int k = i; k < count; k++)
-            if (stops[k].result == result)
-                own[k].result = guard;
-    }
-    return own ? own : stops;
+    return blend_note(l, sum, blend)
+               ? sum
+               : blend_search(l, blend->t, (Segments){blend->stops, blend->count, 0, blend->count});
 }
 
 /* At a point of t. */
@@ -156,16 +109,23 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
     const bool ordered = ascending(l->ir, stops, count, true);
     if (l->cheap && ordered && count <= BLEND_MOST_MIXES && cheap_arms(l->ir, stops, count) &&
         blend_alike(l->ir, stops, count))
-        return blend_mixes(l, t, stops, count);
+        return noted(l, blend_mixes(l, t, stops, count), &(Blended){t, stops, stops, count});
     if (ordered && (l->cheap || count > LIMIT_WALK))
         return blend_search(l, t, (Segments){stops, count, 0, count});
     return blend_walk(l, t, stops, count);
 }
 
-/* Of guards, which want no branch around them. */
+/* The same, each costly item behind a guard, which wants no branch around it; 0: where none is costly, and where a search follows, which
+ * has branches already. */
 static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 {
-    return blend_alike(l->ir, stops, count) ? blend_mixes(l, t, stops, count) : blend_weights(l, t, 0, stops, count);
+    if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))
+        return 0;
+    const Stop *own = blend_guarded_items(l, t, stops, count, false);
+    if (own == stops)
+        return 0;
+    Ref sum = blend_alike(l->ir, own, count) ? blend_mixes(l, t, own, count) : blend_weights(l, t, 0, own, count);
+    return noted(l, sum, &(Blended){t, stops, own, count});
 }
 
 static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
@@ -173,10 +133,8 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
     if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
-    const Stop *own = edge ? stops : guarded_items(l, t, stops, count);
-    Answer blend = answer_of(edge           ? blend_over(l, t.value, edge, stops, count)
-                             : own != stops ? blend_guards(l, t.value, own, count)
-                                            : blend_point(l, t.value, stops, count));
+    Ref sum = edge ? blend_over(l, t.value, edge, stops, count) : blend_guards(l, t.value, stops, count);
+    Answer blend = answer_of(sum ? sum : blend_point(l, t.value, stops, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
 }

@@ -264,9 +264,21 @@ static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
     return any;
 }
 
+static Ref sum_slope(Lower *l, const SlopeSum *sum, Direction direction)
+{
+    Ref slope = 0;
+    for (int i = 0; i < sum->count; i++)
+        slope = build_plus(l->ir, slope,
+                           build_times(l->ir, sum->terms[i].factor, slope_of(l, sum->terms[i].of, direction)));
+    return slope;
+}
+
 static Ref differentiate(Lower *l, Ref ref, Direction direction)
 {
+    const SlopeSum *sum = slope_sum_of(l, ref);
     Ref slopes[UINT8_MAX], texels = address_texels(l->ir, ref);
+    if (sum)
+        return sum_slope(l, sum, direction);
     if (texels)
         return slope_of(l, texels, direction);
     switch (ir_at(l->ir, ref)->op) {
@@ -285,14 +297,21 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-/* What a value's derivative is made of: the operands', where it runs a function the result's, and of a sampler the texels'. */
-static int parts_of(Ir *ir, Ref ref)
+/* What a value's derivative is made of: the operands', where it runs a function the result's, of a sampler the texels', or what was said of it. */
+static int parts_of(Lower *l, Ref ref)
 {
-    return ir_applies(ir, ref) || address_texels(ir, ref) ? 1 : ir_at(ir, ref)->count;
+    const SlopeSum *sum = slope_sum_of(l, ref);
+    if (sum)
+        return sum->count;
+    return ir_applies(l->ir, ref) || address_texels(l->ir, ref) ? 1 : ir_at(l->ir, ref)->count;
 }
 
-static Ref part_of(Ir *ir, Ref ref, int i)
+static Ref part_of(Lower *l, Ref ref, int i)
 {
+    Ir *ir = l->ir;
+    const SlopeSum *sum = slope_sum_of(l, ref);
+    if (sum)
+        return sum->terms[i].of;
     if (ir_applies(ir, ref))
         return ir->functions[ir_at(ir, ref)->payload].result;
     Ref texels = address_texels(ir, ref);
@@ -325,8 +344,8 @@ Ref slope_of(Lower *l, Ref value, Direction direction)
     while (l->to_differ_count > before) {
         Ref ref = l->to_differ[l->to_differ_count - 1];
         size_t now = l->to_differ_count;
-        for (int i = parts_of(l->ir, ref) - 1; i >= 0 && *memo_of(l, ref, direction) == UNKNOWN; i--)
-            push_unknown(l, part_of(l->ir, ref, i), direction);
+        for (int i = parts_of(l, ref) - 1; i >= 0 && *memo_of(l, ref, direction) == UNKNOWN; i--)
+            push_unknown(l, part_of(l, ref, i), direction);
         if (l->to_differ_count > now)
             continue;
         l->to_differ_count--;

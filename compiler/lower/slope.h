@@ -11,4 +11,17 @@ Ref slope_detached(Lower *l, Ref value, Direction direction);
 void slope_done(Lower *l);
 /* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
+
+/* Values whose derivative is a sum of others', each by a factor. slope_sum.c */
+typedef struct {
+    Ref of, factor;
+} SlopeTerm;
+typedef struct SlopeSum {
+    const SlopeTerm *terms;
+    int count;
+} SlopeSum;
+typedef const SlopeTerm *SlopeTerms(Lower *l, const void *what);
+/* Says that of a value. Its terms, so many, are asked for once, if at all. Returns what was said of it before, which holds; NULL: nothing. */
+const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *what, int count);
+const SlopeSum *slope_sum_of(Lower *l, Ref value); /* NULL: it is none */
 #endif

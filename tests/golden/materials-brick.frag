@@ -306,10 +306,7 @@ void main() {
     // brick.yaml:27 mortar
     vec3 mortar = mix(vec3(0.2746773, 0.24620132, 0.20155625), vec3(0.48514995, 0.43965718, 0.3662526), clamp(sand.w + 0.5, 0.0, 1.0));
     // brick.yaml:36 face
-    float face_1 = (sand.w + 1.0) * 0.5;
-    float face = mix(0.9, 1.1, clamp(face_1, 0.0, 1.0));
-    float face_2 = step(0.0, face_1);
-    float face_3 = step(face_1, 1.0);
+    float face = mix(0.9, 1.1, clamp((sand.w + 1.0) * 0.5, 0.0, 1.0));
     // brick.yaml:44 side
     float side_1 = -face;
     // brick.yaml:42 Blend
@@ -322,6 +319,7 @@ void main() {
     float blend_7 = 1.0 - blend_3;
     float blend_8 = 1.0 - (up - 0.7) * 6.25;
     float bond_11 = stripesRate3(bond_3, bond_4).z;
+    float face_1 = step(sand.w, 1.0) * step(-1.0, sand.w) * 0.1;
     // brick.yaml:12 along
     float along_1 = wall.x + 0.5;
     float along_2 = mix(along_1, wall.x, bond_7);
@@ -348,11 +346,11 @@ void main() {
     } else {
         vec3 wall_3 = localTangentU * vec3(2.5, 2.5, 6.0);
         float blend_11 = wall_3.z * 2.0 * 6.25;
-        float face_4 = dot(sand.xyz, localTangentU * 22.0) * 0.5 * face_3 * face_2 * 0.2;
+        float face_2 = face_1 * dot(sand.xyz, localTangentU * 22.0);
         float along_8 = along_3 * (wall_3.z * 0.5 * bond_10) + (wall_3.x * bond_8 + wall_3.x * bond_7);
         float side_11 = along_8 * along_7 * 12.5;
-        float side_12 = side_4 ? side_5 * face_4 + side_9 * face_4 : side_2 ? side_11 * side_1 + side_10 * face_4 : 0.0;
-        float side_13 = side_8 ? 0.0 : side_6 ? side_11 * face + side_7 * face_4 : side_12;
+        float side_12 = side_4 ? side_5 * face_2 + side_9 * face_2 : side_2 ? side_11 * side_1 + side_10 * face_2 : 0.0;
+        float side_13 = side_8 ? 0.0 : side_6 ? side_11 * face + side_7 * face_2 : side_12;
         float blend_12 = blend_2 ? side_13 * blend_3 + side_13 * blend_7 : blend ? side_13 * blend_8 + blend_9 * blend_11 : 0.0;
         blend_10 = blend_4 ? side_13 * blend_5 + side * blend_11 : blend_12;
     }
@@ -362,11 +360,11 @@ void main() {
     } else {
         vec3 wall_4 = localTangentV * vec3(2.5, 2.5, 6.0);
         float blend_14 = wall_4.z * 2.0 * 6.25;
-        float face_5 = dot(sand.xyz, localTangentV * 22.0) * 0.5 * face_3 * face_2 * 0.2;
+        float face_3 = face_1 * dot(sand.xyz, localTangentV * 22.0);
         float along_9 = along_3 * (wall_4.z * 0.5 * bond_10) + (wall_4.x * bond_8 + wall_4.x * bond_7);
         float side_14 = along_9 * along_7 * 12.5;
-        float side_15 = side_4 ? side_5 * face_5 + side_9 * face_5 : side_2 ? side_14 * side_1 + side_10 * face_5 : 0.0;
-        float side_16 = side_8 ? 0.0 : side_6 ? side_14 * face + side_7 * face_5 : side_15;
+        float side_15 = side_4 ? side_5 * face_3 + side_9 * face_3 : side_2 ? side_14 * side_1 + side_10 * face_3 : 0.0;
+        float side_16 = side_8 ? 0.0 : side_6 ? side_14 * face + side_7 * face_3 : side_15;
         float blend_15 = blend_2 ? side_16 * blend_3 + side_16 * blend_7 : blend ? side_16 * blend_8 + blend_9 * blend_14 : 0.0;
         blend_13 = blend_4 ? side_16 * blend_5 + side * blend_14 : blend_15;
     }

@@ -317,10 +317,7 @@ void main() {
     vec4 grain = turbulenceGradient(localPosition * 9.0, vec3(0.0), 4, 2.0, 0.6, 0.0);
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // cobbles.yaml:25 Blend
-    float dome_blend_1 = (grain.w + 1.0) * 0.5;
-    float dome_blend = mix(0.85, 1.05, clamp(dome_blend_1, 0.0, 1.0));
-    float dome_blend_2 = step(0.0, dome_blend_1);
-    float dome_blend_3 = step(dome_blend_1, 1.0);
+    float dome_blend = mix(0.85, 1.05, clamp((grain.w + 1.0) * 0.5, 0.0, 1.0));
     // cobbles.yaml:21 dome
     float dome = dome_blend - 0.65;
     float dome_2 = 1.1 - dome_blend;
@@ -329,6 +326,7 @@ void main() {
     // cobbles.yaml:18 stone
     bool stone = along <= 1.0;
     bool stone_2 = along < 0.0;
+    float dome_blend_1 = step(grain.w, 1.0) * step(-1.0, grain.w) * 0.1;
     // cobbles.yaml:16 across
     float across_1 = street.x + 0.5;
     float across_2 = rows_2 ? street.x : across_1;
@@ -382,7 +380,7 @@ void main() {
     if (dome_8) {
         dome_10 = 0.0;
     } else {
-        float dome_blend_4 = dot(grain.xyz, localTangentU * 9.0) * 0.5 * dome_blend_3 * dome_blend_2 * 0.2;
+        float dome_blend_2 = dome_blend_1 * dot(grain.xyz, localTangentU * 9.0);
         float dome_11;
         if (stone_2) {
             dome_11 = 0.0;
@@ -393,14 +391,14 @@ void main() {
             float across_8 = across_7 + across_7;
             dome_11 = stone ? across * (along_4 + along_4) + across_8 * along : across_8;
         }
-        float dome_12 = dome_5 ? dome_11 * 3.030303 * dome + dome_6 * dome_blend_4 : dome_4 ? dome_11 * 1.8181819 * dome_2 + dome_9 * dome_blend_4 : 0.0;
+        float dome_12 = dome_5 ? dome_11 * 3.030303 * dome + dome_6 * dome_blend_2 : dome_4 ? dome_11 * 1.8181819 * dome_2 + dome_9 * dome_blend_2 : 0.0;
         dome_10 = dome_7 ? dome_11 * 9.090909 * 0.65 : dome_12;
     }
     float dome_13;
     if (dome_8) {
         dome_13 = 0.0;
     } else {
-        float dome_blend_5 = dot(grain.xyz, localTangentV * 9.0) * 0.5 * dome_blend_3 * dome_blend_2 * 0.2;
+        float dome_blend_3 = dome_blend_1 * dot(grain.xyz, localTangentV * 9.0);
         float dome_14;
         if (stone_2) {
             dome_14 = 0.0;
@@ -411,7 +409,7 @@ void main() {
             float across_10 = across_9 + across_9;
             dome_14 = stone ? across * (along_5 + along_5) + across_10 * along : across_10;
         }
-        float dome_15 = dome_5 ? dome_14 * 3.030303 * dome + dome_6 * dome_blend_5 : dome_4 ? dome_14 * 1.8181819 * dome_2 + dome_9 * dome_blend_5 : 0.0;
+        float dome_15 = dome_5 ? dome_14 * 3.030303 * dome + dome_6 * dome_blend_3 : dome_4 ? dome_14 * 1.8181819 * dome_2 + dome_9 * dome_blend_3 : 0.0;
         dome_13 = dome_7 ? dome_14 * 9.090909 * 0.65 : dome_15;
     }
     vec3 bumpMap_3 = cross(bumpMap_1, dome_10 * 0.06 * worldTangentV - dome_13 * 0.06 * worldTangentU) + bumpMap_2;

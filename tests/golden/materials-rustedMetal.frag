@@ -254,26 +254,20 @@ void main() {
     // rustedMetal.yaml:24 Blend
     float diffuse_blend_1 = clamp((mask + 0.05) * 6.6666665, 0.0, 1.0);
     // rustedMetal.yaml:21 Blend
-    float blend_1 = (scale.w + 1.0) * 0.5;
-    float blend = mix(0.2, 1.0, clamp(blend_1, 0.0, 1.0));
+    float blend = mix(0.2, 1.0, clamp((scale.w + 1.0) * 0.5, 0.0, 1.0));
     // rustedMetal.yaml:20 Blend
-    float blend2 = (mask + 0.1) * 5.0;
-    float blend2_2 = clamp(blend2, 0.0, 1.0);
-    float blend2_3 = step(0.0, blend2);
-    float blend2_4 = step(blend2, 1.0);
-    float blend_2 = step(0.0, blend_1);
-    float blend_3 = step(blend_1, 1.0);
+    float blend2 = clamp((mask + 0.1) * 5.0, 0.0, 1.0);
     // rustedMetal.yaml:28 Blend
     vec3 specular_blend = mix(vec3(0.2663556, 0.28744084, 0.31854677), vec3(0.02), diffuse_blend_1);
     float shininess = phongExponent(mix(0.75, 0.1, diffuse_blend_1));
     uint surface_bits = rootBits(specular_blend.y, 8) | rootBits(specular_blend.z, 8) << 8 | logarithmBits(shininess, 10) << 21;
+    float blend_1 = step(scale.w, 1.0) * step(-1.0, scale.w) * 0.4;
     vec3 diffuse_blend = mix(vec3(0.08021982, 0.093058966, 0.10946171), rustTones, diffuse_blend_1);
+    float blend2_2 = blend * 5.0 * (step(mask, 0.1) * step(-0.1, mask));
     uint surface_bits2 = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
-    float blend2_5 = dot(scale.xyz, localTangentU * 2.0) * 0.5 * blend_3 * blend_2 * 0.8 * blend2_2;
-    float blend2_6 = blend2_5 + dot(mask_1.xyz, localTangentU * 1.7) * 5.0 * blend2_4 * blend2_3 * blend;
-    float blend2_7 = dot(scale.xyz, localTangentV * 2.0) * 0.5 * blend_3 * blend_2 * 0.8 * blend2_2;
-    float blend2_8 = blend2_7 + dot(mask_1.xyz, localTangentV * 1.7) * 5.0 * blend2_4 * blend2_3 * blend;
-    vec3 bumpMap_3 = cross(bumpMap_1, blend2_6 * 0.05 * worldTangentV - blend2_8 * 0.05 * worldTangentU) + bumpMap_2;
+    float blend2_3 = blend_1 * dot(scale.xyz, localTangentU * 2.0) * blend2 + blend2_2 * dot(mask_1.xyz, localTangentU * 1.7);
+    float blend2_4 = blend_1 * dot(scale.xyz, localTangentV * 2.0) * blend2 + blend2_2 * dot(mask_1.xyz, localTangentV * 1.7);
+    vec3 bumpMap_3 = cross(bumpMap_1, blend2_3 * 0.05 * worldTangentV - blend2_4 * 0.05 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uvec4 surface_bits3 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits2 | rootBits(specular_blend.x, 8) << 24, surface_bits);
