@@ -7,24 +7,65 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "u=0.3 v=0.4 front=0" */
-static const char *read_point(Surface *surface, const char *point)
+enum { LONGEST_CHANNEL = 16 };
+
+static bool set_channel(Surface *surface, const char *name, double value)
 {
-    for (const char *at = point; *(at += strspn(at, " ,\t\n"));) {
+    if (!strcmp(name, "front"))
+        surface->front = value != 0;
+    return !strcmp(name, "front") || oracle_surface_set(surface, name, value);
+}
+
+/* "u=0.3 v=0.4 front=0". NULL, or what is wrong with the word that is left. */
+static const char *read_point(Surface *surface, const char *point, const char **word)
+{
+    for (*word = point; *(*word += strspn(*word, " ,\t\n"));) {
+        const char *at = *word;
         size_t size = strcspn(at, " ,\t\n"), name = strcspn(at, "=");
-        char key[16] = {0};
+        char key[LONGEST_CHANNEL] = {0};
         double value;
         if (name >= size || name >= sizeof key || !text_number(at + name + 1, size - name - 1, &value) ||
             !isfinite(value))
             return "a point is a list of channel=number";
         memcpy(key, at, name);
-        if (!strcmp(key, "front"))
-            surface->front = value != 0;
-        else if (!oracle_surface_set(surface, key, value))
+        if (!set_channel(surface, key, value))
             return "no such channel; see --list";
-        at += size;
+        *word += size;
     }
     return NULL;
+}
+
+/* What a point may set: channels of a surface, and its side. */
+static const char *point_name(const void *user, int i)
+{
+    Surface surface;
+    (void)user;
+    if (i == CHANNEL_COUNT)
+        return "front";
+    oracle_surface_default(&surface);
+    return oracle_surface_set(&surface, channel_table[i].name, 0) ? channel_table[i].name : NULL;
+}
+
+const char *evaluate_point_fault(Arena *arena, const char *point)
+{
+    static const NameChoice names = {point_name, NULL, CHANNEL_COUNT + 1};
+    Surface surface;
+    const char *word;
+    Text out = text_new(arena);
+    oracle_surface_default(&surface);
+    if (!read_point(&surface, point, &word))
+        return NULL;
+    const size_t size = strcspn(word, " ,\t\n"), name = strcspn(word, "=");
+    const char *key = arena_string(arena, word, name < size ? name : size);
+    if (name < size && strlen(key) < LONGEST_CHANNEL && set_channel(&surface, key, 0))
+        text_format(&out, "'%s' is no number: a point is a list of channel=number",
+                    arena_string(arena, word + name + 1, size - name - 1));
+    else if (name < size)
+        text_format(&out, "there is no channel '%s', but %s%s", key, suggest_list(arena, &names),
+                    suggest(arena, key, point_name, NULL, names.count));
+    else
+        text_format(&out, "'%s' is no channel=number, of which a point is a list", key);
+    return out.at;
 }
 
 bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *options, SurfacePoints points,
@@ -51,11 +92,13 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     Job job;
     Surface surface;
     SlotValues values;
+    const char *word;
     Arena arena = {0};
     Text out = text_new(&arena);
     const MatcOptions whole = choice_whole_options(options);
     oracle_surface_default(&surface);
-    *fault = choice_job(&whole, &job) ? "an option has no such value; see matc_options_fault" : read_point(&surface, point);
+    *fault = choice_job(&whole, &job) ? "an option has no such value; see matc_options_fault"
+                                      : read_point(&surface, point, &word);
     if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
         *fault = "no such material";
     if (!*fault && !evaluate_material(d, material, &whole, (SurfacePoints){&surface, 1}, &values))

@@ -14,4 +14,6 @@ typedef struct {
  * takes more than LIMIT_WORK, or all together LIMIT_WORK_POINTS times that; then none is known. */
 bool evaluate_material(const MatcDocument *document, int material, const MatcOptions *options, SurfacePoints points,
                        SlotValues *values);
+/* What is wrong with a point as matc_eval takes it, in words of the command line, in the arena; NULL: nothing. */
+const char *evaluate_point_fault(Arena *arena, const char *point);
 #endif

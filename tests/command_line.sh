@@ -78,6 +78,12 @@ for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse di
 done
 check "and what there is is listed" status 2 $fast --target=hlsl $example
 check "by name" says "target: there is no 'hlsl', but glsl110, glsl330, glsl450, essl300, spirv"
+for wrong in "-O5 5 but 0, 1, 2; see" "--eval=u=x x is no number: a point" "--eval=w=3 w but px, py, .*, ior, front; see" "--eval=fornt=1 fornt but .*; did you mean 'front'" \
+    "--eval=u u is no channel=number" "-Wno-foo foo but unquoted_color, .*, flat_displacement; see"; do
+    what=${wrong#* }
+    check "a word: ${wrong%% *}" status 2 $fast "${wrong%% *}" $example -o "$work/none.frag"
+    check "is quoted, with what there is" says "'${what%% *}',\{0,1\} ${what#* }"
+done
 for wrong in -j0 --cache-limit=none --max-error=x --range=-1 --layout-error=2; do
     check "a number: $wrong" status 2 $fast -d "$work/none" "$wrong" $example
     check "is quoted" says ", not '[-x0none2]*1*'"
@@ -128,7 +134,7 @@ for way in "" -Wno-unquoted_color -Werror; do
     check "it says the same" same "$work/first" "$work/stderr"
 done
 check "a warning that is none is wrong usage" status 2 $fast -Wno-unquoted_colour "$work/doubtful.yaml"
-check "which suggests" says "no warning is called 'unquoted_colour'; did you mean 'unquoted_color'"
+check "which suggests" says "^matc: -W: there is no 'unquoted_colour', but unquoted_color, .*; did you mean 'unquoted_color'"
 # Whatever is wrong, standard error is nothing but JSON
 is_json() { grep -q . "$work/stderr" && ! grep -vE '^(\[|\]| \{"severity": .*"message": ".*\},?)$' "$work/stderr" >&2; }
 printf 'materials: { a: { material: Phong }, b: { material: Phong } }\n' >"$work/several.yaml"

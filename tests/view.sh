@@ -30,6 +30,17 @@ for option in --shape=teapot --camera=behind --camera=0,0,5 --camera=1,2 --slot=
 done
 check "a value that no option has" status 2 $draw --aa=sharp $example -o "$work/none.png"
 check "is told from those that are" says "^matview: --aa: there is no 'sharp', but auto, none, box, aniso; see"
+for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=covrage coverage" "--format=pgn png" "--shadows=maps map" \
+    "--tools=grid,axis axes" "--emit=fram frame" "--transparency=list lists" "--lights=al all" "--shap=plane --shape"; do
+    check "a misspelt word: ${wrong% *}" status 2 $draw "${wrong% *}" $example -o "$work/none.png"
+    check "is quoted, and the right one guessed" says "there is no .*'.*; did you mean '${wrong#* }'"
+done
+for wrong in "--size=x not 'x'" "--samples=9 not '9'" "--bits=1 not '1'" "--memory=0 not '0'" "--camera=frnt not 'frnt'" "--watch=3 takes no value"; do
+    check "a value: ${wrong%% *}" status 2 $draw "${wrong%% *}" $example -o "$work/none.png"
+    check "is quoted" says "[, ]${wrong#* }; see matview --help"
+done
+check "an option without its value" status 2 $draw $example -o
+check "is told" says '^matview: -o wants a value;'
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
 check "says so" says 'the layout does not store that slot'
 

@@ -37,7 +37,7 @@ const char *suggest(Arena *arena, const char *name, SuggestName *names, const vo
     const char *best = NULL;
     if (strnlen(name, LONGEST + 1) > LONGEST)
         return "";
-    int size = (int)strlen(name), best_distance = size < 5 ? 1 : size / 3 + 1;
+    int size = (int)strlen(name), best_distance = size < 2 ? 0 : size < 5 ? 1 : size / 3 + 1;
     for (int i = 0; i < count; i++) {
         const char *candidate = names(user, i);
         int d = candidate ? distance(name, candidate, best_distance) : LONGEST;

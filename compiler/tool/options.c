@@ -143,10 +143,7 @@ static bool add_warning(CommandLine *line, const char *setting, const char **fau
     if (!wrong)
         return true;
     const char *name = strrchr(wrong, '=') ? strrchr(wrong, '=') + 1 : strncmp(wrong, "no-", 3) ? wrong : wrong + 3;
-    Text why = text_new(&line->words);
-    text_format(&why, "no warning is called '%s'%s", name,
-                suggest(&line->words, name, warnings_name, NULL, DIAG_COUNT));
-    *fault = why.at;
+    *fault = options_fault_warning(&line->words, name);
     return false;
 }
 
@@ -200,6 +197,8 @@ static const char *unknown_option(CommandLine *line, const char *arg)
 {
     const char *name = arena_string(&line->words, arg, strcspn(arg, "="));
     Text out = text_new(&line->words);
+    if (!strncmp(arg, "-O", 2))
+        return options_fault_level(&line->words, arg + 2);
     for (int i = 0; i < OPTION_COUNT; i++)
         if (!strcmp(options[i].name, name)) {
             text_format(&out, "%s takes no value", name);

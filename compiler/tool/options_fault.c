@@ -1,8 +1,10 @@
 /* Faults of the command line, as good as those of documents. */
 #include "compiler/tool/options_fault.h"
 #include "compiler/base/text.h"
+#include "compiler/base/warnings.h"
 #include "compiler/choice.h"
 #include "compiler/describe/describe.h"
+#include "compiler/evaluate.h"
 #include <string.h>
 
 static const char *layout_name(const void *user, int i)
@@ -66,4 +68,29 @@ const char *options_fault_number(Arena *arena, const char *wants, const char *va
     Text out = text_new(arena);
     text_format(&out, "%s, not '%s'", wants, value);
     return out.at;
+}
+
+static const char *level_name(const void *user, int i)
+{
+    static const char *const names[] = {"0", "1", "2"};
+    (void)user;
+    return names[i];
+}
+
+const char *options_fault_level(Arena *arena, const char *level)
+{
+    return options_fault_value(arena, "-O", level, &(NameChoice){level_name, NULL, 3});
+}
+
+const char *options_fault_warning(Arena *arena, const char *name)
+{
+    return options_fault_value(arena, "-W", name, &(NameChoice){warnings_name, NULL, DIAG_COUNT});
+}
+
+const char *options_fault_point(Arena *arena, const char *point)
+{
+    const char *fault = evaluate_point_fault(arena, point);
+    Text out = text_new(arena);
+    text_format(&out, "--eval: %s", fault ? fault : "");
+    return fault ? out.at : NULL;
 }

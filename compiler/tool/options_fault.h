@@ -11,6 +11,10 @@ bool options_fault_values(const char *option, NameChoice *values);
 /* Names that --explain knows, and kinds that --list knows. */
 const char *options_fault_explain(Arena *arena, const char *name);
 const char *options_fault_list(Arena *arena, const char *kind);
+/* Of -O, of -W, and the point of --eval; NULL: nothing is wrong with it. */
+const char *options_fault_level(Arena *arena, const char *level);
+const char *options_fault_warning(Arena *arena, const char *name);
+const char *options_fault_point(Arena *arena, const char *point);
 /* "--range wants a number above 0, not 'x'" */
 const char *options_fault_number(Arena *arena, const char *wants, const char *value);
 #endif

@@ -114,6 +114,8 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
 void scene_free(Scene *scene);
 /* A method of the list Shadows by its name. False: there is none of it. */
 bool scene_shadows_find(const char *name, Word *method);
+/* The word, if it is the name of such a method; else NULL. */
+const char *scene_shadows_name(Word word);
 /* All lights that cast shadows do so by this method. */
 void scene_lights_shadow(Scene *scene, Word method);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }

@@ -105,6 +105,11 @@ void scene_lights_read(SceneReader *r, const Tree *list)
             read_light(r, &thing);
 }
 
+const char *scene_shadows_name(Word word)
+{
+    return word_table[word].list == PARAM_Shadows ? word_table[word].name : NULL;
+}
+
 bool scene_shadows_find(const char *name, Word *method)
 {
     for (int i = 0; i < WORD_COUNT; i++)

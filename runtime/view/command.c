@@ -2,7 +2,7 @@
 #include "runtime/view/command.h"
 #include "runtime/gl/png_write.h"
 #include "compiler/choice.h"
-#include "runtime/view/slot.h"
+#include "runtime/view/words.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -68,16 +68,9 @@ const char command_help[] =
     "\n"
     "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
 
-/* NULL, or what is wrong with the number. */
-static const char *read_number(const char *text, long most, int *number)
+static WordsRoom room_of(Command *command)
 {
-    char *end;
-    errno = 0;
-    long value = strtol(text, &end, 10);
-    if (*end || end == text || errno || value < 1 || value > most)
-        return "--size and --samples want a number from 1, of at most 16384 and 8";
-    *number = (int)value;
-    return NULL;
+    return (WordsRoom){command->message, sizeof command->message, command_help};
 }
 
 static const char *add_param(Command *command, const char *text)
@@ -88,87 +81,83 @@ static const char *add_param(Command *command, const char *text)
     return param_read(text, &command->params[picture->param_count++], command->message);
 }
 
-/* NULL, or `fault` where it is no whole number from least to most. */
-static const char *read_whole(const char *text, const long range[2], int *number, const char *fault)
+typedef struct {
+    long least, most;
+    const char *wants; /* in words */
+} Whole;
+
+/* NULL, or that it is no such whole number. */
+static const char *read_whole(Command *command, const Whole *whole, const char *text, int *number)
 {
     char *end;
     errno = 0;
     const long value = strtol(text, &end, 10);
-    if (*end || end == text || errno || value < range[0] || value > range[1])
-        return fault;
+    if (*end || end == text || errno || value < whole->least || value > whole->most)
+        return words_number(room_of(command), whole->wants, text);
     *number = (int)value;
     return NULL;
 }
 
 /* "grid,axes", or "none". */
-static const char *read_tools(const char *list, SceneTools *tools)
+static void read_tools(const char *list, SceneTools *tools)
 {
-    static const char fault[] = "--tools: grid, axes, lights, with commas between them; or none";
     const struct {
         const char *name;
         bool *flag;
     } names[] = {{"grid", &tools->grid}, {"axes", &tools->axes}, {"lights", &tools->lights}};
     enum { NAMES = sizeof names / sizeof *names };
     *tools = (SceneTools){0};
-    if (!strcmp(list, "none"))
-        return NULL;
-    for (const char *name = list; name; name = strchr(name, ',') ? strchr(name, ',') + 1 : NULL) {
-        const size_t size = strcspn(name, ",");
-        int i = 0;
-        while (i < NAMES && (strlen(names[i].name) != size || strncmp(names[i].name, name, size) != 0))
-            i++;
-        if (i == NAMES)
-            return fault;
-        *names[i].flag = true;
-    }
-    return NULL;
+    for (const char *name = list; name; name = strchr(name, ',') ? strchr(name, ',') + 1 : NULL)
+        for (int i = 0; i < NAMES; i++)
+            *names[i].flag |=
+                strcspn(name, ",") == strlen(names[i].name) && !strncmp(name, names[i].name, strlen(names[i].name));
 }
 
 static const char *set_scene(Command *command, const char *name, const char *value)
 {
+    static const Whole memory = {1, 1 << 20, "--memory wants a number of MiB, from 1 on"},
+                       bits = {8, 32, "--bits wants 8, 16 or 32"};
     if (!strcmp(name, "--memory"))
-        return read_whole(value, (const long[]){1, 1 << 20}, &command->memory, "--memory: MiB, from 1");
+        return read_whole(command, &memory, value, &command->memory);
     if (!strcmp(name, "--bits"))
-        return read_whole(value, (const long[]){8, 32}, &command->bits, "--bits: 8, 16 or 32");
+        return read_whole(command, &bits, value, &command->bits);
     if (!strcmp(name, "--frames"))
         return frames_read(value, &command->frames);
     if (!strcmp(name, "--frame"))
         return frames_read_one(value, &command->frames);
     if (!strcmp(name, "--edges")) {
         command->edges = !strcmp(value, "coverage") ? RENDER_EDGES_coverage : RENDER_EDGES_none;
-        return !strcmp(value, "coverage") || !strcmp(value, "none") ? NULL : "--edges: coverage or none";
-    }
-    if (!strcmp(name, "--tools")) {
+    } else if (!strcmp(name, "--tools")) {
         command->has_tools = true;
-        return read_tools(value, &command->tools);
-    }
-    if (!strcmp(name, "--format")) {
+        read_tools(value, &command->tools);
+    } else if (!strcmp(name, "--format")) {
         command->formatted = true;
         command->format = !strcmp(value, "exr") ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;
-        return !strcmp(value, "exr") || !strcmp(value, "png") ? NULL : "--format: png or exr";
+    } else if (!strcmp(name, "--shadows")) {
+        scene_shadows_find(value, &command->shadows);
+    } else if (!strcmp(name, "--emit")) {
+        command->graph = true;
+    } else {
+        return words_option(room_of(command), name, "takes no value");
     }
-    if (!strcmp(name, "--shadows")) {
-        return scene_shadows_find(value, &command->shadows) ? NULL : "--shadows: map or none";
-    }
-    if (strcmp(name, "--emit") != 0)
-        return "no such option";
-    command->graph = !strcmp(value, "frame");
-    return command->graph ? NULL : "--emit: frame";
+    return NULL;
 }
 
 static const char *set_view(Command *command, const char *name, const char *value)
 {
+    static const Whole samples = {1, VIEW_SUPERSAMPLING_LIMIT, "--samples wants a number from 1 to 8"},
+                       size = {1, PNG_SIZE_LIMIT, "--size wants a number from 1 to 16384"};
     ViewOptions *view = &command->picture.view;
     command->shaped |= !strcmp(name, "--shape") || !strcmp(name, "--samples");
-    if (!strcmp(name, "--shape"))
-        return shape_find(value, &view->shape) ? NULL : "--shape: sphere, plane, cube, torus, cloth or ground";
-    if (!strcmp(name, "--gl"))
-        return gl_kind_find(value, &command->gl) ? NULL : "--gl: osmesa or egl";
     if (!strcmp(name, "--samples"))
-        return read_number(value, VIEW_SUPERSAMPLING_LIMIT, &view->supersampling);
+        return read_whole(command, &samples, value, &view->supersampling);
     if (!strcmp(name, "--size"))
-        return read_number(value, PNG_SIZE_LIMIT, &view->width);
-    if (!strcmp(name, "--camera"))
+        return read_whole(command, &size, value, &view->width);
+    if (!strcmp(name, "--shape"))
+        shape_find(value, &view->shape);
+    else if (!strcmp(name, "--gl"))
+        gl_kind_find(value, &command->gl);
+    else if (!strcmp(name, "--camera"))
         command->viewpoint = value;
     else if (!strcmp(name, "--slot"))
         view->slot = value;
@@ -185,6 +174,9 @@ static const char *set_view(Command *command, const char *name, const char *valu
 
 static const char *set_option(Command *command, const char *name, const char *value)
 {
+    const char *fault = words_fault(room_of(command), name, value);
+    if (fault)
+        return fault;
     if (!strcmp(name, "-o"))
         command->output = value;
     else if (!strcmp(name, "-d"))
@@ -226,11 +218,11 @@ static const char *read_option(Command *command, char **argv, int *i)
     const char *arg = argv[*i];
     size_t size = arg[1] == '-' ? strcspn(arg, "=") : 2;
     if (size >= sizeof name)
-        return "no such option";
+        return words_option(room_of(command), arg, "takes no value");
     memcpy(name, arg, size);
     if (arg[size])
         return set_option(command, name, arg + size + (arg[size] == '='));
-    return argv[*i + 1] ? set_option(command, name, argv[++*i]) : "an option lacks its value";
+    return argv[*i + 1] ? set_option(command, name, argv[++*i]) : words_option(room_of(command), name, "wants a value");
 }
 
 const char *command_read(Command *command, int argc, char **argv)
@@ -298,18 +290,16 @@ static const char *check_view(Command *command)
     if (!view->width)
         view->width = command->contact ? CELL : EDGE;
     view->height = view->width;
-    if (compile->pass && !view->sky && strcmp(compile->pass, "gbuffer") != 0)
-        return "--pass: gbuffer or sky";
-    if (view->slot && !slot_look_find(view->slot))
-        return "--slot names none; matc --list has all";
     if (view->sky && (view->slot || command->viewpoint))
         return "--pass=sky has neither --slot nor --camera";
     if (view->slot && !compile->layout)
         compile->layout = "integer";
     command->camera = camera_viewpoint_for(view->shape);
     if (command->viewpoint && !camera_viewpoint_read(command->viewpoint, &command->camera))
-        return "--camera: front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]] that looks at something, not "
-               "straight up or down";
+        return words_number(room_of(command),
+                            "--camera wants front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]] that looks at "
+                            "something, and not straight up or down",
+                            command->viewpoint);
     view->camera = &command->camera;
     return NULL;
 }

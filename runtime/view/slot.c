@@ -5,7 +5,7 @@
 /* Exponents reach from 1 to 2^16. */
 #define EXPONENT(slot) "vec3(log2(max(s." slot ", 1.)) / 16.)"
 
-static const SlotLook looks[] = {
+static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"normal", ".5 + .5 * s.normal", false}, /* in the eye's space: what faces the eye is (128, 128, 255) */
     {"diffuse", "s.diffuse", true},
     {"alpha", "vec3(s.alpha)", false},
@@ -20,9 +20,11 @@ static const SlotLook looks[] = {
     {"ior", "vec3(s.ior - 1.)", false},
 };
 
+const char *slot_look_name(int i) { return looks[i].name; }
+
 const SlotLook *slot_look_find(const char *name)
 {
-    for (size_t i = 0; i < sizeof looks / sizeof *looks; i++)
+    for (int i = 0; i < SLOT_LOOK_COUNT; i++)
         if (!strcmp(looks[i].name, name))
             return &looks[i];
     return NULL;

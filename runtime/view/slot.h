@@ -10,6 +10,8 @@ typedef struct {
     bool encoded;      /* it is linear light, and the picture sRGB; else a lane of 0.5 is a byte of 128 */
 } SlotLook;
 
+enum { SLOT_LOOK_COUNT = 12 };
+const char *slot_look_name(int i);
 /* NULL if there is no such slot. */
 const SlotLook *slot_look_find(const char *name);
 #endif

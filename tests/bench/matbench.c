@@ -1,6 +1,7 @@
 /* matbench: measures what matc promises. Every figure in docs/ comes from one of its subcommands. */
 #include "matbench.h"
 #include "compiler/base/progress.h"
+#include "compiler/base/suggest.h"
 #include "runtime/measure/meter.h"
 #include <math.h>
 #include <stdio.h>
@@ -41,29 +42,60 @@ static const struct {
     const char *name;
     int (*run)(int argc, char **argv);
     const char *doc;
+    bool reads; /* options of its own; the others take --untimed alone */
 } commands[] = {
-    {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share"},
-    {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it"},
-    {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error"},
-    {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute"},
-    {"batch", bench_batch, "many materials in one process, beside glslang's time; what a scene's materials share"},
-    {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand"},
+    {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share", false},
+    {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it", false},
+    {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error", false},
+    {"error", bench_error, "run time against error of every variant; --quick: coarse, in half a minute", true},
+    {"batch", bench_batch, "many materials in one process, beside glslang's time; what a scene's materials share",
+     true},
+    {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand", false},
     {"functions", bench_functions,
-     "what the driver makes of exponentials, sines and their inverses, beside what is stated"},
-    {"growth", bench_growth, "time at n, 2 n, 4 n, 8 n of documents of every kind, and the exponent"},
-    {"noise", bench_noise, "time of noise, beside noise of others written anew"},
+     "what the driver makes of exponentials, sines and their inverses, beside what is stated", false},
+    {"growth", bench_growth, "time at n, 2 n, 4 n, 8 n of documents of every kind, and the exponent", false},
+    {"noise", bench_noise, "time of noise, beside noise of others written anew", true},
     {"render", bench_render,
-     "what a frame takes by materials, lights, objects, passes, transparent fragments, beside a forward renderer"},
-    {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk"},
+     "what a frame takes by materials, lights, objects, passes, transparent fragments, beside a forward renderer",
+     true},
+    {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk", true},
 };
+
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static const char *command_name(const void *user, int i)
+{
+    (void)user;
+    return commands[i].name;
+}
+
+static int say_usage(const char *word)
+{
+    Arena arena = {0};
+    if (word)
+        fprintf(stderr, "matbench: there is no command '%s'%s\n", word,
+                suggest(&arena, word, command_name, NULL, COMMANDS));
+    fputs("usage: matbench COMMAND [options]\n\n", stderr);
+    for (int i = 0; i < COMMANDS; i++)
+        fprintf(stderr, "  %-14s %s\n", commands[i].name, commands[i].doc);
+    arena_free(&arena);
+    return 2;
+}
+
+static int run(int command, int argc, char **argv)
+{
+    for (int i = 1; i < argc && !commands[command].reads; i++)
+        if (!strncmp(argv[i], "--", 2) && strcmp(argv[i], "--untimed") != 0) {
+            fprintf(stderr, "matbench: %s: there is no option '%s', but --untimed\n", commands[command].name, argv[i]);
+            return 2;
+        }
+    return commands[command].run(argc, argv);
+}
 
 int main(int argc, char **argv)
 {
-    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
-        if (argc > 1 && !strcmp(argv[1], commands[i].name))
-            return commands[i].run(argc - 1, argv + 1);
-    fputs("usage: matbench COMMAND [options]\n\n", stderr);
-    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
-        fprintf(stderr, "  %-14s %s\n", commands[i].name, commands[i].doc);
-    return 2;
+    for (int i = 0; i < COMMANDS && argc > 1; i++)
+        if (!strcmp(argv[1], commands[i].name))
+            return run(i, argc - 1, argv + 1);
+    return say_usage(argc > 1 ? argv[1] : NULL);
 }
