@@ -87,31 +87,54 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     return known;
 }
 
-char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
+/* The slots at a point that is written; what is at fault, or NULL. */
+static const char *evaluate(const MatcDocument *d, int material, const char *point, const MatcOptions *options,
+                            SlotValues *values)
 {
     Job job;
     Surface surface;
-    SlotValues values;
     const char *word;
+    oracle_surface_default(&surface);
+    if (choice_job(options, &job))
+        return "an option has no such value; see matc_options_fault";
+    const char *fault = read_point(&surface, point, &word);
+    if (fault)
+        return fault;
+    if (!d->graph || material < 0 || material >= d->graph->material_count)
+        return "no such material";
+    if (!evaluate_material(d, material, options, (SurfacePoints){&surface, 1}, values))
+        return "the value takes too many operations: filters within filters, over maps that cost much";
+    return NULL;
+}
+
+MatcNumbers matc_eval_slot(const MatcDocument *d, int material, const char *point, const MatcOptions *options)
+{
+    Job job;
+    SlotValues values;
+    const MatcOptions whole = choice_whole_options(options);
+    MatcNumbers numbers = {.fault = evaluate(d, material, point, &whole, &values)};
+    if (numbers.fault)
+        return numbers;
+    choice_job(&whole, &job);
+    numbers.lanes = type_table[slot_table[job.slot].type].lanes;
+    memcpy(numbers.lane, values.lane[job.slot], (size_t)numbers.lanes * sizeof *numbers.lane);
+    return numbers;
+}
+
+char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
+{
+    SlotValues values;
     Arena arena = {0};
     Text out = text_new(&arena);
     const MatcOptions whole = choice_whole_options(options);
-    oracle_surface_default(&surface);
-    *fault = choice_job(&whole, &job) ? "an option has no such value; see matc_options_fault"
-                                      : read_point(&surface, point, &word);
-    if (!*fault && (!d->graph || material < 0 || material >= d->graph->material_count))
-        *fault = "no such material";
-    if (!*fault && !evaluate_material(d, material, &whole, (SurfacePoints){&surface, 1}, &values))
-        *fault = "the value takes too many operations: filters within filters, over maps that cost much";
-    if (!*fault) {
-        for (int slot = 0; slot < SLOT_COUNT; slot++) {
-            text_put(&out, slot_table[slot].name);
-            for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {
-                text_char(&out, ' ');
-                text_double(&out, values.lane[slot][i]);
-            }
-            text_char(&out, '\n');
+    *fault = evaluate(d, material, point, &whole, &values);
+    for (int slot = 0; !*fault && slot < SLOT_COUNT; slot++) {
+        text_put(&out, slot_table[slot].name);
+        for (int i = 0; i < type_table[slot_table[slot].type].lanes; i++) {
+            text_char(&out, ' ');
+            text_double(&out, values.lane[slot][i]);
         }
+        text_char(&out, '\n');
     }
     char *result = *fault ? NULL : strdup(out.at);
     arena_free(&arena);

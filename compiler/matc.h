@@ -198,6 +198,13 @@ MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
  * The text is from malloc. */
 MATC_API char *matc_eval(const MatcDocument *document, int material, const char *point, const MatcOptions *options,
                          const char **fault);
+/* The same of one slot, that of the options (NULL: "diffuse"), as numbers. */
+typedef struct {
+    int lanes; /* of the slot, 1 to 4; 0: see fault */
+    double lane[4];
+    const char *fault;
+} MatcNumbers;
+MATC_API MatcNumbers matc_eval_slot(const MatcDocument *document, int material, const char *point, const MatcOptions *options);
 
 typedef enum { MATC_TEXT, MATC_JSON } MatcForm;
 /* All diagnostics so far, as gcc prints them or as a JSON array; owned by the document or program. "" in both forms when there are none. */

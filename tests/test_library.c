@@ -126,6 +126,32 @@ static void evaluation_reads_back(void **state)
     matc_document_free(document);
 }
 
+static void a_slot_is_evaluated_as_numbers(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+    MatcDocument *document =
+        read_text("material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\nshininess: 0.7\n", &options);
+    MatcNumbers numbers = matc_eval_slot(document, 0, "", &options);
+    assert_null(numbers.fault);
+    assert_int_equal(numbers.lanes, 3);
+    assert_true(numbers.lane[0] == 0.1 && numbers.lane[1] == 0.2 && numbers.lane[2] == 0.30000000000000004);
+    options.slot = "normal";
+    numbers = matc_eval_slot(document, 0, "u=0.5 front=0", &options);
+    assert_true(numbers.lanes == 3 && numbers.lane[2] == -1);
+    options.slot = "alpha";
+    numbers = matc_eval_slot(document, 0, "", &options);
+    assert_true(numbers.lanes == 1 && numbers.lane[0] == 1);
+    numbers = matc_eval_slot(document, 0, "u=half", &options);
+    assert_non_null(numbers.fault);
+    assert_int_equal(numbers.lanes, 0);
+    options.slot = "colour";
+    assert_non_null(matc_eval_slot(document, 0, "", &options).fault);
+    options.slot = NULL;
+    assert_non_null(matc_eval_slot(document, 3, "", &options).fault);
+    matc_document_free(document);
+}
+
 /* What matc.h promises: none is "", and no empty array that somebody would compare with. */
 static void no_diagnostics_are_no_text(void **state)
 {
@@ -267,6 +293,7 @@ int main(void)
         cmocka_unit_test(reflection_fits_the_shader),
         cmocka_unit_test(cut_documents_are_refused),
         cmocka_unit_test(evaluation_reads_back),
+        cmocka_unit_test(a_slot_is_evaluated_as_numbers),
         cmocka_unit_test(no_diagnostics_are_no_text),
         cmocka_unit_test(threads_share_a_document),
         cmocka_unit_test(deep_chains_are_bounded),
