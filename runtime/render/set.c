@@ -2,7 +2,7 @@
 #include "runtime/render/set.h"
 #include "runtime/render/instances.h"
 #include "compiler/base/hash.h"
-#include "compiler/base/text.h"
+#include "compiler/base/hash_index.h"
 #include "compiler/layout/custom.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +15,7 @@ typedef struct {
     const Scene *scene;
     MatcOptions options;
     Set *set;
+    int *last; /* of a text's programs, by the first */
 } Maker;
 
 /* A surface's pass; NULL: it has none of its own. */
@@ -76,41 +77,17 @@ static bool compile(Maker *m, SetProgram *program, unsigned outputs)
     return set_fail(m->gl, m->scene, program->material);
 }
 
-static bool has_program(const Set *set, int material, const char *pass)
-{
-    for (int i = 0; i < set->count; i++)
-        if (set->programs[i].material == material && !strcmp(set->programs[i].pass, pass))
-            return true;
-    return false;
-}
-
-/* Three numbers behind a name. */
-static bool read_three(const char *at, float numbers[3])
-{
-    for (int i = 0; i < 3; i++) {
-        const size_t size = strcspn(at, " \n");
-        double number;
-        if (!text_number(at, size, &number))
-            return false;
-        numbers[i] = (float)number;
-        at += size + (at[size] == ' ');
-    }
-    return true;
-}
-
 /* By how much a plane is transparent, if that is a constant. */
 static bool find_through(Maker *m, SetProgram *program)
 {
-    static const char name[] = "\ntransparency ";
     const SceneMaterial *of = &m->scene->materials[program->material];
-    const char *fault;
     if (strcmp(program->pass, "plane") != 0 || strcmp(matc_opacity(program->program), "transparent") != 0)
         return true;
-    char *values = matc_eval(of->document, of->index, "", &m->options, &fault);
-    const char *line = values ? strstr(values, name) : NULL;
-    program->even = line && read_three(line + sizeof name - 1, program->through);
-    free(values);
-    return program->even || gl_fail(m->gl, "out of memory");
+    const MatcNumbers through = matc_eval_slot(of->document, of->index, "", &m->options);
+    for (int i = 0; i < through.lanes; i++)
+        program->through[i] = (float)through.lane[i];
+    program->even = !through.fault;
+    return program->even || (gl_fail(m->gl, "%s", through.fault), set_fail(m->gl, m->scene, program->material));
 }
 
 /* Keys, shapes and numbers; no text yet. */
@@ -118,7 +95,13 @@ static bool add_program(Maker *m, int material, const char *pass)
 {
     Set *set = m->set;
     SetProgram *program = &set->programs[set->count];
-    *program = (SetProgram){.material = material, .pass = pass, .text = set->count++, .caster = -1};
+    *program = (SetProgram){.material = material,
+                            .pass = pass,
+                            .text = set->count,
+                            .next = -1,
+                            .caster = -1,
+                            .other = set->of_material[material]};
+    set->of_material[material] = ++set->count;
     if (!compile(m, program, MATC_KEY))
         return false;
     program->transparent = strcmp(matc_opacity(program->program), "opaque") != 0;
@@ -140,7 +123,8 @@ static bool add_programs(Maker *m)
     const Scene *scene = m->scene;
     bool fine = true;
     m->set->programs = calloc(3 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
-    if (!m->set->programs)
+    m->set->of_material = calloc((size_t)scene->material_count + 1, sizeof *m->set->of_material);
+    if (!m->set->programs || !m->set->of_material)
         return gl_fail(m->gl, "out of memory");
     bool *met = calloc(2 * (size_t)scene->material_count + 2, sizeof *met);
     for (int i = 0; met && fine && i < scene->object_count; i++) {
@@ -151,7 +135,7 @@ static bool add_programs(Maker *m)
         *known = true;
     }
     free(met);
-    if (fine && scene->sky >= 0 && !has_program(m->set, scene->sky, "sky"))
+    if (fine && scene->sky >= 0 && !set_find(m->set, scene->sky, "sky"))
         fine = add_program(m, scene->sky, "sky");
     return fine;
 }
@@ -166,9 +150,7 @@ static Column column_of(const Set *set, int first, int place)
 {
     const MatcConstant *head = matc_place(set->programs[first].program, place);
     Column column = {.key = key_of_bytes(head->type, strlen(head->type))};
-    for (int i = first; i < set->count; i++) {
-        if (set->programs[i].text != first)
-            continue;
+    for (int i = first; i >= 0; i = set->programs[i].next) {
         const MatcConstant *number = matc_place(set->programs[i].program, place);
         const Key parts[] = {column.key, key_of_bytes(number->values, (size_t)number->lanes * sizeof *number->values)};
         column.differs |= memcmp(number->values, head->values, (size_t)number->lanes * sizeof *number->values) != 0;
@@ -196,25 +178,49 @@ static int find_members(const Set *set, int first, int *members, int count)
     return found;
 }
 
-/* Programs behind `first` that have its shape, pass and uniforms are drawn with its text. */
-static void gather(Set *set, int first)
+/* What programs that are drawn with one text have alike: pass and shape; alike in their numbers, too, keys. */
+static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
 {
-    SetProgram *head = &set->programs[first];
-    for (int i = first + 1; i < set->count; i++) {
-        SetProgram *other = &set->programs[i];
-        if (other->text == i && !strcmp(other->pass, head->pass) &&
-            !strcmp(matc_shape(other->program), matc_shape(head->program)))
-            other->text = first;
-    }
+    return !strcmp(a->pass, b->pass) && !strcmp(matc_shape(a->program), matc_shape(b->program)) &&
+           (!numbers || !strcmp(matc_key(a->program), matc_key(b->program)));
 }
 
-/* Too many differences for a buffer: only equal programs share. */
-static void part(Set *set, int first)
+/* Parts a chain of programs into one for each text, in the order of the first ones. */
+static void part(Maker *m, int first, bool numbers)
 {
-    for (int i = first + 1; i < set->count; i++)
-        if (set->programs[i].text == first &&
-            strcmp(matc_key(set->programs[i].program), matc_key(set->programs[first].program)) != 0)
-            set->programs[i].text = i;
+    SetProgram *programs = m->set->programs;
+    HashIndex heads = {0};
+    for (int i = first, next; i >= 0; i = next) {
+        SetProgram *program = &programs[i];
+        const Key key = key_read(numbers ? matc_key(program->program) : matc_shape(program->program));
+        int head = -1;
+        for (HashProbe probe = hash_probe(&heads, (uint32_t)key.low); head < 0 && hash_probe_next(&probe);)
+            if (is_alike(&programs[probe.number], program, numbers))
+                head = (int)probe.number;
+        next = program->next;
+        program->next = -1;
+        program->text = head < 0 ? i : head;
+        if (head < 0)
+            hash_index_add(NULL, &heads, (uint32_t)key.low, (uint32_t)i);
+        else
+            programs[m->last[head]].next = i;
+        m->last[program->text] = i;
+    }
+    hash_index_free(&heads);
+}
+
+/* All programs in one chain, which is parted. */
+static bool share_texts(Maker *m)
+{
+    Set *set = m->set;
+    m->last = calloc((size_t)set->count + 1, sizeof *m->last);
+    if (!m->last)
+        return gl_fail(m->gl, "out of memory");
+    for (int i = 0; i + 1 < set->count; i++)
+        set->programs[i].next = i + 1;
+    if (set->count)
+        part(m, 0, false);
+    return true;
 }
 
 static bool write_group(Maker *m, int first, const int *members, int count)
@@ -223,9 +229,8 @@ static bool write_group(Maker *m, int first, const int *members, int count)
     m->options.members = members;
     m->options.member_count = count;
     bool fine = true;
-    for (int i = first; fine && i < set->count; i++)
-        if (set->programs[i].text == first)
-            fine = compile(m, &set->programs[i], i == first ? MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK : MATC_KEY);
+    for (int i = first; fine && i >= 0; i = set->programs[i].next)
+        fine = compile(m, &set->programs[i], i == first ? MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK : MATC_KEY);
     m->options.members = NULL;
     m->options.member_count = 0;
     return fine;
@@ -234,21 +239,19 @@ static bool write_group(Maker *m, int first, const int *members, int count)
 static void number_rows(Set *set, int first)
 {
     int rows = 0;
-    for (int i = first; i < set->count; i++)
-        if (set->programs[i].text == first)
-            set->programs[i].row = rows++;
+    for (int i = first; i >= 0; i = set->programs[i].next)
+        set->programs[i].row = rows++;
 }
 
 /* One text for all that share it. */
 static bool write_text(Maker *m, int first)
 {
     Set *set = m->set;
-    gather(set, first);
     const int count = matc_place_count(set->programs[first].program);
     int *members = malloc((size_t)count * sizeof *members + 1);
     int found = members ? find_members(set, first, members, count) : -1;
-    if (found > MOST_MEMBERS) {
-        part(set, first);
+    if (found > MOST_MEMBERS) { /* only equal programs share */
+        part(m, first, true);
         found = 0;
     }
     number_rows(set, first);
@@ -262,7 +265,7 @@ static bool make(Maker *m)
 {
     Set *set = m->set;
     const bool automatic = !m->options.layout && !m->options.custom;
-    if ((automatic && !choose_layout(m)) || !add_programs(m))
+    if ((automatic && !choose_layout(m)) || !add_programs(m) || !share_texts(m))
         return false;
     for (int i = 0; i < set->count; i++)
         if (set->programs[i].text == i && !write_text(m, i))
@@ -282,7 +285,9 @@ bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_opti
     maker.options.target = made->target;
     maker.options.instances = made->instances;
     maker.options.validate = false; /* the driver does */
-    if (make(&maker))
+    const bool fine = make(&maker);
+    free(maker.last);
+    if (fine)
         return true;
     set_free(made);
     return false;
@@ -293,23 +298,24 @@ void set_free(Set *set)
     for (int i = 0; i < set->count; i++)
         matc_program_free(set->programs[i].program);
     free(set->programs);
+    free(set->of_material);
     matc_layout_free(set->layout);
     *set = (Set){0};
 }
 
 const SetProgram *set_find(const Set *set, int material, const char *pass)
 {
-    for (int i = 0; i < set->count; i++)
-        if (set->programs[i].material == material && !strcmp(set->programs[i].pass, pass))
-            return &set->programs[i];
-    return NULL;
+    int number = set->of_material[material];
+    while (number && strcmp(set->programs[number - 1].pass, pass) != 0)
+        number = set->programs[number - 1].other;
+    return number ? &set->programs[number - 1] : NULL;
 }
 
 int set_rows(const Set *set, int text)
 {
     int rows = 0;
-    for (int i = text; i < set->count; i++)
-        rows += set->programs[i].text == text;
+    for (int i = text; i >= 0; i = set->programs[i].next)
+        rows++;
     return rows;
 }
 

@@ -13,7 +13,9 @@ typedef struct {
     int caster;           /* of a surface: the program with which it casts shadows; -1: none of its own */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
+    int next;             /* that is drawn with it; -1: none */
     int row;              /* among those of that text */
+    int other;            /* program of the material, from 1; 0: none */
     bool even;            /* of a plane that is transparent: by the same everywhere, */
     float through[3];     /* namely by so much */
 } SetProgram;
@@ -30,6 +32,7 @@ typedef struct {
     const char *target; /* of the GLSL */
     const char *unpack; /* GLSL that reads the layout back; NULL: there is no surface */
     SetProgram *programs;
+    int *of_material; /* the last program of each, from 1; 0: none */
     int count;
     int texts; /* so many different ones */
     SetCasts casts;
@@ -44,9 +47,9 @@ void set_free(Set *set);
 /* Puts the place and the name of a material before what gl->error says of it. False. */
 bool set_fail(GlContext *gl, const Scene *scene, int material);
 
-/* The program of a material in a pass; there is one. */
+/* The program of a material in a pass; NULL: there is none. */
 const SetProgram *set_find(const Set *set, int material, const char *pass);
-/* So many programs are drawn with the text of one. */
+/* So many programs are drawn with that text. */
 int set_rows(const Set *set, int text);
 /* Texts to draw with. */
 const char *set_vertex(const Set *set, const SetProgram *program);
