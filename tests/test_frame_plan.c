@@ -11,13 +11,13 @@
 
 enum { X = 1, Y = 2, Z = 4, V = 8 };
 
-static const FramePlanPass chain[] = {{"a", 0, X, 0}, {"b", X, Y, 0}, {"c", Y, Z, 0}, {"d", X, V, 0}};
-static const int alike[4];
+static const FramePlanPass chain[] = {{"a", 0, X, 0, 0}, {"b", X, Y, 0, 0}, {"c", Y, Z, 0, 0}, {"d", X, V, 0, 0}};
+static const FramePlanTarget alike[4] = {{1, {0}}, {1, {0}}, {1, {0}}, {1, {0}}};
 
-static FramePlan plan_of(unsigned allowed, unsigned wanted, const int *classes)
+static FramePlan plan_of(unsigned allowed, unsigned wanted, const FramePlanTarget *targets)
 {
     FramePlan plan;
-    frame_plan(&(FramePlanRequest){chain, 4, allowed, wanted, 4, classes}, &plan);
+    frame_plan(&(FramePlanRequest){chain, 4, allowed, wanted, targets, 4}, &plan);
     return plan;
 }
 
@@ -36,16 +36,56 @@ static void only_what_is_needed(void **state)
 static void memory_is_shared(void **state)
 {
     (void)state;
-    static const int apart[4] = {0, 0, 1, 0};
+    static const FramePlanTarget apart[4] = {{1, {0}}, {1, {0}}, {1, {1}}, {1, {0}}};
     FramePlan plan = plan_of(15, Z, alike);
     assert_int_equal(plan.memory_count, 2);
-    assert_int_equal(plan.memory[0], plan.memory[2]);
-    assert_int_not_equal(plan.memory[0], plan.memory[1]);
-    assert_int_equal(plan.memory[3], -1);
+    assert_int_equal(plan.memory[0][0], plan.memory[2][0]);
+    assert_int_not_equal(plan.memory[0][0], plan.memory[1][0]);
+    assert_int_equal(plan.memory[3][0], -1);
     plan = plan_of(15, Z, apart); /* z is of another class */
     assert_int_equal(plan.memory_count, 3);
     plan = plan_of(15, Z | X, alike); /* x is read at the end */
     assert_int_equal(plan.memory_count, 3);
+}
+
+/* x has textures of classes 0, 1 and 0, y and z one of 1 and two of 0: y is there while x is, z takes two of x. A buffer has no texture. */
+static void textures_are_shared(void **state)
+{
+    (void)state;
+    static const FramePlanTarget targets[4] = {{3, {0, 1, 0}}, {1, {1}}, {2, {0, 0}}, {0}};
+    const FramePlan plan = plan_of(15, Z, targets);
+    assert_int_equal(plan.memory_count, 4);
+    assert_int_not_equal(plan.memory[1][0], plan.memory[0][1]);
+    assert_int_equal(plan.memory[2][0], plan.memory[0][0]);
+    assert_int_equal(plan.memory[2][1], plan.memory[0][2]);
+    assert_int_equal(plan.memory[2][2], -1);
+    const FramePlan buffer = plan_of(15, V, targets);
+    assert_int_equal(buffer.there, X | V);
+    assert_int_equal(buffer.memory[3][0], -1);
+}
+
+/* A pass that reads of a target the pixel that it writes may write to the target's memory, if nobody reads it after. */
+static void pixels_are_replaced(void **state)
+{
+    (void)state;
+    FramePlanPass passes[] = {{"a", 0, X, 0, 0}, {"b", X, Y, 0, X}, {"c", Y, Z, 0, Y}};
+    const FramePlanRequest request = {passes, 3, 7, Z, alike, 3};
+    FramePlan plan;
+    frame_plan(&request, &plan);
+    assert_int_equal(plan.memory_count, 1);
+    passes[1].own = 0; /* it looks beside the pixel: y is apart */
+    frame_plan(&request, &plan);
+    assert_int_equal(plan.memory_count, 2);
+    assert_int_not_equal(plan.memory[0][0], plan.memory[1][0]);
+    passes[1].own = X;
+    passes[2].reads |= X; /* x lives on */
+    frame_plan(&request, &plan);
+    assert_int_equal(plan.memory_count, 2);
+    passes[2].reads = Y;
+    passes[1].fills = Y | V; /* and x has memory for one of the two */
+    frame_plan(&(FramePlanRequest){passes, 3, 7, Z | V, alike, 4}, &plan);
+    assert_int_equal(plan.memory_count, 2);
+    assert_int_not_equal(plan.memory[1][0], plan.memory[3][0]);
 }
 
 /* A pass that changes a target needs what was there; one that fills it does not. */
@@ -53,9 +93,9 @@ static void changes_keep(void **state)
 {
     (void)state;
     static const FramePlanPass passes[] = {
-        {"fill", 0, X, 0}, {"change", Y, 0, X}, {"again", 0, X, 0}, {"show", X, Z, 0}};
+        {"fill", 0, X, 0, 0}, {"change", Y, 0, X, 0}, {"again", 0, X, 0, 0}, {"show", X, Z, 0, 0}};
     FramePlan plan;
-    FramePlanRequest request = {passes, 4, 15, Z, 3, alike};
+    FramePlanRequest request = {passes, 4, 15, Z, alike, 3};
     frame_plan(&request, &plan);
     assert_int_equal(plan.runs, 8 | 4);
     assert_string_equal(frame_plan_reason(&request, &plan, 1), "nobody needs it");
@@ -66,35 +106,49 @@ static void changes_keep(void **state)
     assert_null(frame_plan_reason(&request, &plan, 0));
 }
 
-/* Plays the plan: every piece of memory knows which target wrote to it last. */
+/* Every piece of memory knows which texture of which target wrote to it last: 8 times the target, and the texture. */
+typedef struct {
+    const FramePlanRequest *request;
+    const FramePlan *plan;
+    int holds[FRAME_PLAN_PIECES];
+    unsigned written; /* targets */
+} Player;
+
+/* Of these targets, what was written to is there. */
+static void check_there(const Player *p, unsigned targets)
+{
+    for (int t = 0; t < p->request->target_count; t++)
+        for (int i = 0; i < p->request->targets[t].count; i++)
+            if ((targets & p->written) >> t & 1)
+                assert_int_equal(p->holds[p->plan->memory[t][i]], 8 * t + i);
+}
+
+static void write_to(Player *p, unsigned targets)
+{
+    for (int t = 0; t < p->request->target_count; t++)
+        for (int i = 0; i < p->request->targets[t].count; i++)
+            if (targets >> t & 1) {
+                const int piece = p->plan->memory[t][i];
+                assert_int_equal(p->plan->memory_class[piece], p->request->targets[t].classes[i]);
+                p->holds[piece] = 8 * t + i;
+            }
+    p->written |= targets;
+}
+
+/* What a pass reads is there when it begins; what it looks at beside a pixel, when it ends; and so is all that it wrote. */
 static void play(const FramePlanRequest *r, const FramePlan *plan)
 {
-    int holds[FRAME_PLAN_MOST];
-    unsigned written = 0;
-    memset(holds, -1, sizeof holds);
+    Player player = {.request = r, .plan = plan};
+    memset(player.holds, -1, sizeof player.holds);
     for (int i = 0; i < r->pass_count; i++) {
+        const FramePlanPass *pass = &r->passes[i];
         if (!(plan->runs >> i & 1))
             continue;
-        const FramePlanPass *pass = &r->passes[i];
-        for (int t = 0; t < r->target_count; t++) {
-            if (pass->reads >> t & 1 && written >> t & 1)
-                assert_int_equal(holds[plan->memory[t]], t);
-            if (pass->changes >> t & 1 && written >> t & 1)
-                assert_int_equal(holds[plan->memory[t]], t);
-        }
-        for (int t = 0; t < r->target_count; t++)
-            if ((pass->fills | pass->changes) >> t & 1) {
-                holds[plan->memory[t]] = t;
-                written |= 1u << t;
-            }
-        /* both sides of a pass are there at once */
-        for (int t = 0; t < r->target_count; t++)
-            if (pass->reads >> t & 1 && !((pass->fills | pass->changes) >> t & 1) && written >> t & 1)
-                assert_int_equal(holds[plan->memory[t]], t);
+        check_there(&player, pass->reads | pass->changes);
+        write_to(&player, pass->fills | pass->changes);
+        check_there(&player, (pass->reads & ~pass->own) | pass->fills | pass->changes);
     }
-    for (int t = 0; t < r->target_count; t++)
-        if (r->wanted >> t & 1 && written >> t & 1)
-            assert_int_equal(holds[plan->memory[t]], t);
+    check_there(&player, r->wanted);
 }
 
 static void random_plans(void **state)
@@ -103,16 +157,16 @@ static void random_plans(void **state)
     srand(1);
     for (int round = 0; round < 20000; round++) {
         FramePlanPass passes[8];
-        int classes[6];
+        FramePlanTarget targets[6];
         for (int i = 0; i < 8; i++) {
             const unsigned fills = (unsigned)rand() & (unsigned)rand() & 63,
                            changes = (unsigned)rand() & (unsigned)rand() & 63;
-            passes[i] =
-                (FramePlanPass){"p", (unsigned)rand() & (unsigned)rand() & 63 & ~fills, fills, changes & ~fills};
+            const unsigned reads = (unsigned)rand() & (unsigned)rand() & 63 & ~fills;
+            passes[i] = (FramePlanPass){"p", reads, fills, changes & ~fills, reads & (unsigned)rand()};
         }
         for (int i = 0; i < 6; i++)
-            classes[i] = rand() % 2;
-        const FramePlanRequest request = {passes, 8, (unsigned)rand() & 255, (unsigned)rand() & 63, 6, classes};
+            targets[i] = (FramePlanTarget){rand() % 4, {rand() % 2, rand() % 2, rand() % 2}};
+        const FramePlanRequest request = {passes, 8, (unsigned)rand() & 255, (unsigned)rand() & 63, targets, 6};
         FramePlan plan;
         frame_plan(&request, &plan);
         assert_int_equal(plan.runs & ~request.allowed, 0);
@@ -141,13 +195,13 @@ static unsigned passes_of(const char *const *names)
 static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
 {
     FramePlanPass rows[FRAME_PLAN_MOST];
-    int classes[FRAME_TARGET_COUNT];
+    FramePlanTarget targets[FRAME_TARGET_COUNT];
     FramePlan plan;
     for (int i = 0; i < frame_pass_count(); i++)
         rows[i] = frame_passes[i].plan;
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
-        classes[i] = i == FRAME_TARGET_layer ? FRAME_TARGET_gbuffer : i;
-    frame_plan(&(FramePlanRequest){rows, frame_pass_count(), allowed, 1u << wanted, FRAME_TARGET_COUNT, classes},
+        targets[i] = (FramePlanTarget){1, {i == FRAME_TARGET_layer ? FRAME_TARGET_gbuffer : i}};
+    frame_plan(&(FramePlanRequest){rows, frame_pass_count(), allowed, 1u << wanted, targets, FRAME_TARGET_COUNT},
                &plan);
     return plan;
 }
@@ -169,7 +223,7 @@ static void rows_of_glass_shadows_and_edges(void **state)
                      shown & ~PASSES("blend", "lists")); /* nobody reads the lists */
     const FramePlan plan = plan_of_frame(peeled, FRAME_TARGET_shown);
     assert_int_equal(plan.runs, peeled);
-    assert_int_equal(plan.memory[FRAME_TARGET_layer], plan.memory[FRAME_TARGET_gbuffer]);
+    assert_int_equal(plan.memory[FRAME_TARGET_layer][0], plan.memory[FRAME_TARGET_gbuffer][0]);
     assert_true(plan.there >> FRAME_TARGET_layer_keys & 1);
     assert_false(plan.there >> FRAME_TARGET_lists & 1);
     assert_false(plan_of_frame(shown, FRAME_TARGET_shown).there >> FRAME_TARGET_layer & 1);
@@ -177,8 +231,12 @@ static void rows_of_glass_shadows_and_edges(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(only_what_is_needed), cmocka_unit_test(memory_is_shared),
-                                       cmocka_unit_test(changes_keep), cmocka_unit_test(random_plans),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(only_what_is_needed),
+                                       cmocka_unit_test(memory_is_shared),
+                                       cmocka_unit_test(textures_are_shared),
+                                       cmocka_unit_test(pixels_are_replaced),
+                                       cmocka_unit_test(changes_keep),
+                                       cmocka_unit_test(random_plans),
                                        cmocka_unit_test(rows_of_glass_shadows_and_edges)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

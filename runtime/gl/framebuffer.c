@@ -45,22 +45,37 @@ static bool is_words(GLenum format)
 
 bool framebuffer_has_words(const Framebuffer *f, int color) { return is_words(f->formats[color]); }
 
+/* Of the texture that is bound. */
+static void set_nearest(const GlContext *gl)
+{
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mip maps */
+}
+
+bool framebuffer_has_views(const GlContext *gl)
+{
+    return gl->major * 10 + gl->minor >= 43 && gl->TexStorage2D && gl->TextureView;
+}
+
+/* A view takes a texture whose size and format stay. */
 static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLenum format)
 {
     GLuint texture = 0;
     bool depth = format == GL_DEPTH_COMPONENT32F, words = is_words(format);
     gl->GenTextures(1, &texture);
     gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mip maps */
-    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0,
-                   depth   ? GL_DEPTH_COMPONENT
-                   : words ? GL_RGBA_INTEGER
-                           : GL_RGBA,
-                   words ? GL_UNSIGNED_INT : GL_FLOAT, NULL);
+    set_nearest(gl);
+    if (framebuffer_has_views(gl))
+        gl->TexStorage2D(GL_TEXTURE_2D, 1, format, spec->width, spec->height);
+    else
+        gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0,
+                       depth   ? GL_DEPTH_COMPONENT
+                       : words ? GL_RGBA_INTEGER
+                               : GL_RGBA,
+                       words ? GL_UNSIGNED_INT : GL_FLOAT, NULL);
     return texture;
 }
 
@@ -162,6 +177,19 @@ GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec)
     if (gl_check(gl, "making a render target"))
         return texture;
     gl->DeleteTextures(1, &texture);
+    return 0;
+}
+
+GLuint framebuffer_view(GlContext *gl, GLuint target, const char *format)
+{
+    GLuint view = 0;
+    gl->GenTextures(1, &view);
+    gl->TextureView(view, GL_TEXTURE_2D, target, format_of(format), 0, 1, 0, 1);
+    gl->BindTexture(GL_TEXTURE_2D, view);
+    set_nearest(gl);
+    if (gl_check(gl, "making a view of a render target"))
+        return view;
+    gl->DeleteTextures(1, &view);
     return 0;
 }
 

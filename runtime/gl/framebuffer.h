@@ -38,6 +38,9 @@ typedef struct {
     const char *format; /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F": depth, which reads as plain red */
 } TargetSpec;
 GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec);
+/* The driver can show a target's memory as one of another format (OpenGL 4.3), of as many bits a pixel, none of them depth; that one. */
+bool framebuffer_has_views(const GlContext *gl);
+GLuint framebuffer_view(GlContext *gl, GLuint target, const char *format);
 /* Such textures, the first spec->color_count of them, and depth, or 0. */
 typedef struct {
     GLuint colors[FRAMEBUFFER_COLORS], depth;

@@ -101,6 +101,8 @@
     F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                        \
     F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                                        \
     F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex)                                                                      \
+    F(TEXSTORAGE2D, TexStorage2D)                                                                                      \
+    F(TEXTUREVIEW, TextureView)                                                                                        \
     F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                        \
     F(VERTEXATTRIBDIVISOR, VertexAttribDivisor)                                                                        \
     F(VERTEXATTRIBIPOINTER, VertexAttribIPointer)

@@ -14,54 +14,64 @@
 #define SHOWN   (1u << FRAME_TARGET_shown)
 
 const FramePass frame_passes[] = {
-    /*  name       reads            fills            changes */
-    {{"surface", 0, DEPTH | GBUFFER, 0},
+    /*  name       reads            fills            changes          own */
+    {{"surface", 0, DEPTH | GBUFFER, 0, 0},
      pass_surface_needed,
      NULL,
      pass_surface_draw,
      "always: what is not drawn is clear",
      NULL},
-    {{"plane", 0, 0, DEPTH | GBUFFER}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane", NULL},
-    {{"shadow", 0, SHADOW, 0},
+    {{"plane", 0, 0, DEPTH | GBUFFER, 0}, pass_plane_needed, NULL, pass_plane_draw, "there is an infinite plane", NULL},
+    {{"shadow", 0, SHADOW, 0, 0},
      pass_shadow_needed,
      pass_shadow_make,
      pass_shadow_draw,
      "a light's shadows are cast; once, then they are kept",
      NULL},
-    {{"gather", DEPTH | GBUFFER, FAR, 0},
+    {{"gather", DEPTH | GBUFFER, FAR, 0, 0},
      pass_gather_needed,
      pass_gather_make,
      pass_gather_draw,
      "lights are many, and far ones are taken together",
      NULL},
-    {{"light", DEPTH | GBUFFER | SHADOW | FAR, LIGHT, 0},
+    {{"light", DEPTH | GBUFFER | SHADOW | FAR, LIGHT, 0, GBUFFER},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
      "always: what is not lit is black",
      NULL},
-    {{"sky", DEPTH, 0, LIGHT}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky", NULL},
-    {{"edge", DEPTH, EDGE, 0}, pass_edge_needed, pass_edge_make, pass_edge_draw, "edges are blended by coverage", NULL},
-    {{"tools", 0, TOOLS, DEPTH | LIGHT},
+    {{"sky", DEPTH, 0, LIGHT, 0}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky", NULL},
+    {{"edge", DEPTH, EDGE, 0, 0},
+     pass_edge_needed,
+     pass_edge_make,
+     pass_edge_draw,
+     "edges are blended by coverage",
+     NULL},
+    {{"tools", 0, TOOLS, DEPTH | LIGHT, 0},
      pass_tools_needed,
      pass_tools_make,
      pass_tools_draw,
      "tools are asked for",
      NULL},
-    {{"lists", DEPTH, LISTS, 0},
+    {{"lists", DEPTH, LISTS, 0, 0},
      pass_lists_needed,
      pass_lists_make,
      pass_lists_draw,
      "something is transparent, and there is OpenGL 4.3",
      pass_lists_count},
-    {{"blend", LISTS, 0, LIGHT | TOOLS}, pass_lists_needed, pass_blend_make, pass_blend_draw, "there are lists", NULL},
-    {{"peel", DEPTH, LAYER, LIGHT | TOOLS},
+    {{"blend", LISTS, 0, LIGHT | TOOLS, 0},
+     pass_lists_needed,
+     pass_blend_make,
+     pass_blend_draw,
+     "there are lists",
+     NULL},
+    {{"peel", DEPTH, LAYER, LIGHT | TOOLS, 0},
      pass_peel_needed,
      pass_peel_make,
      pass_peel_draw,
      "something is transparent, and there are no lists",
      pass_peel_count},
-    {{"tone", LIGHT | EDGE | TOOLS, SHOWN, 0},
+    {{"tone", LIGHT | EDGE | TOOLS, SHOWN, 0, EDGE},
      pass_light_needed,
      pass_tone_make,
      pass_tone_draw,
@@ -71,32 +81,6 @@ const FramePass frame_passes[] = {
 enum { PASS_COUNT_HERE = sizeof frame_passes / sizeof *frame_passes };
 
 int frame_pass_count(void) { return PASS_COUNT_HERE; }
-
-static bool alike(const Render *render, FrameTarget a, FrameTarget b)
-{
-    int texture = 0;
-    const char *x = frame_format(render, a, 0), *y = frame_format(render, b, 0);
-    while (x && y && !strcmp(x, y)) {
-        texture++;
-        x = frame_format(render, a, texture);
-        y = frame_format(render, b, texture);
-    }
-    return texture && !x && !y;
-}
-
-static bool has_own_size(const Render *render, FrameTarget target)
-{
-    return target == FRAME_TARGET_shadow || (target == FRAME_TARGET_shown && render->samples > 1);
-}
-
-/* Two targets can share memory if they have the same textures. */
-static int class_of(const Render *render, FrameTarget target)
-{
-    int first = 0;
-    while (first < (int)target && (has_own_size(render, target) || !alike(render, (FrameTarget)first, target)))
-        first++;
-    return first;
-}
 
 const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass)
 {
@@ -130,38 +114,59 @@ static void leave_out(FramePlanPass *rows, unsigned allowed)
     }
 }
 
-FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
-                               int classes[FRAME_TARGET_COUNT])
+void frame_request(const Render *render, FramePlanRows *made)
 {
+    const bool at_once =
+        render->compute && !render->parted; /* what is drawn to is not read, and parts read what they lit again */
     unsigned allowed = 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++) {
-        rows[i] = frame_passes[i].plan;
+        made->passes[i] = frame_passes[i].plan;
+        made->passes[i].own &= at_once ? ~0u : 0;
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
-    leave_out(rows, allowed);
+    leave_out(made->passes, allowed);
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
-        classes[target] = class_of(render, (FrameTarget)target);
-    return (FramePlanRequest){rows, PASS_COUNT_HERE, allowed, wanted(render), FRAME_TARGET_COUNT, classes};
+        made->targets[target] = frame_plan_target(render, (FrameTarget)target);
+    made->request =
+        (FramePlanRequest){made->passes, PASS_COUNT_HERE, allowed, wanted(render), made->targets, FRAME_TARGET_COUNT};
+}
+
+/* The piece, made for the first target that lies in it; for another format a view of it. */
+static bool make_texture(Render *render, FrameMemory *memory, const TargetSpec *spec, GLuint *made)
+{
+    if (!memory->texture)
+        *memory = (FrameMemory){framebuffer_target(render->gl, spec), spec->format};
+    const bool as_it_is = !memory->texture || !strcmp(memory->format, spec->format);
+    *made = as_it_is ? memory->texture : framebuffer_view(render->gl, memory->texture, spec->format);
+    return *made != 0;
 }
 
 static bool make_memory(Render *render)
 {
-    const FramePlan *plan = &render->plan;
-    for (int target = 0; target < FRAME_TARGET_COUNT; target++) {
-        FrameMemory *memory = plan->memory[target] < 0 ? NULL : &render->memory[plan->memory[target]];
-        const char *format;
-        if (!memory || memory->count)
-            continue; /* not there, or made for another */
-        while ((format = frame_format(render, (FrameTarget)target, memory->count))) {
-            const TargetSpec spec = {frame_edge(render, (FrameTarget)target, 0),
-                                     frame_edge(render, (FrameTarget)target, 1), format};
-            memory->textures[memory->count] = framebuffer_target(render->gl, &spec);
-            if (!memory->textures[memory->count])
-                return false;
-            memory->count++;
+    bool fine = true;
+    for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++)
+        for (int i = 0; fine && i < FRAMEBUFFER_COLORS && render->plan.memory[target][i] >= 0; i++) {
+            const TargetSpec spec = {frame_edge(render, target, 0), frame_edge(render, target, 1),
+                                     frame_format(render, target, i)};
+            fine = make_texture(render, &render->memory[render->plan.memory[target][i]], &spec,
+                                &render->textures[target][i]);
         }
-    }
-    return true;
+    return fine;
+}
+
+static void delete_memory(Render *render)
+{
+    const GlContext *gl = render->gl;
+    for (int target = 0; target < FRAME_TARGET_COUNT; target++)
+        for (int i = 0; i < FRAMEBUFFER_COLORS; i++) {
+            const int piece = render->plan.memory[target][i];
+            if (render->textures[target][i] && render->textures[target][i] != render->memory[piece].texture)
+                gl->DeleteTextures(1, &render->textures[target][i]);
+        }
+    for (int piece = 0; piece < FRAME_PLAN_PIECES; piece++)
+        gl->DeleteTextures(1, &render->memory[piece].texture); /* GL ignores the name 0 */
+    memset(render->textures, 0, sizeof render->textures);
+    memset(render->memory, 0, sizeof render->memory);
 }
 
 /* The targets of each: colours, then whether depth is with them. */
@@ -297,10 +302,9 @@ bool frame_count(Render *render)
 
 bool frame_make(Render *render)
 {
-    FramePlanPass rows[FRAME_PLAN_MOST];
-    int classes[FRAME_TARGET_COUNT];
-    const FramePlanRequest request = frame_request(render, rows, classes);
-    frame_plan(&request, &render->plan);
+    FramePlanRows made;
+    frame_request(render, &made);
+    frame_plan(&made.request, &render->plan);
     set_size(render);
     bool fine = make_memory(render);
     for (int draw = 0; fine && draw < FRAME_DRAW_COUNT; draw++)
@@ -342,10 +346,7 @@ void frame_delete(Render *render)
     pass_peel_delete(render);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
         framebuffer_delete(gl, &render->draws[draw]);
-    for (int piece = 0; piece < FRAME_PLAN_MOST; piece++) {
-        gl->DeleteTextures(render->memory[piece].count, render->memory[piece].textures);
-        render->memory[piece] = (FrameMemory){0};
-    }
+    delete_memory(render);
     pass_shadow_delete(render);
     light_table_delete(render);
     gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */

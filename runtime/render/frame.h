@@ -35,10 +35,10 @@ typedef enum {
     FRAME_DRAW_COUNT
 } FrameDraw;
 
-/* Memory of a target: one texture, or those of the G-buffer. */
+/* A piece of the targets' memory: as the first target that lies in it sees it. */
 typedef struct {
-    GLuint textures[FRAMEBUFFER_COLORS];
-    int count;
+    GLuint texture;
+    const char *format;
 } FrameMemory;
 
 /* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
@@ -134,7 +134,8 @@ struct Render {
     Screen screen;
     bool has_screen;
     FramePlan plan;
-    FrameMemory memory[FRAME_PLAN_MOST];
+    FrameMemory memory[FRAME_PLAN_PIECES];
+    GLuint textures[FRAME_TARGET_COUNT][FRAMEBUFFER_COLORS]; /* of targets: the memory's, or views of these */
     Framebuffer draws[FRAME_DRAW_COUNT];
     Measure measured, adapted;                /* what tone mapping asks of the picture, and of what it makes of that */
     GLuint whole_picture[2];                  /* textures of the same, of all tiles; 0: there is one tile */
@@ -185,10 +186,12 @@ int frame_pass_count(void);
 
 /* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
 const char *frame_format(const Render *render, FrameTarget target, int texture);
-int frame_bytes(const Render *render, FrameTarget target);          /* of a pixel */
+int frame_bytes(const Render *render, FrameTarget target);        /* of a pixel */
 int frame_edge(const Render *render, FrameTarget target, int axis); /* of its textures: the picture has no samples */
-bool frame_shares(const Render *render, FrameTarget target);        /* its memory is that of one before it */
-int frame_all_bytes(const Render *render); /* of a pixel, in all memory there is, but for lists */
+int frame_shared_bytes(const Render *render, FrameTarget target); /* of these, in memory of targets before it */
+int frame_all_bytes(const Render *render);                        /* of a pixel, in all memory there is, but for lists */
+/* How textures of a target can share memory. */
+FramePlanTarget frame_plan_target(const Render *render, FrameTarget target);
 const char *frame_target_name(FrameTarget target);
 
 /* Draws to these targets from now on, by the picture's coordinates. */
@@ -206,9 +209,8 @@ bool frame_change(Render *render, unsigned what);
 void frame_delete(Render *render);
 /* Why a pass does not run; NULL: it does. */
 const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass);
-/* What the plan was asked for. The passes are written to `rows`. */
-FramePlanRequest frame_request(const Render *render, FramePlanPass rows[FRAME_PLAN_MOST],
-                               int classes[FRAME_TARGET_COUNT]);
+/* What the plan was asked for. */
+void frame_request(const Render *render, FramePlanRows *made);
 
 /* The passes' own functions. */
 bool pass_surface_needed(const Render *render);

@@ -1,5 +1,6 @@
 /* Needs go backwards from what is wanted; lives go forwards. */
 #include "runtime/render/frame_plan.h"
+#include <string.h>
 
 /* From the last pass to the first: one that writes what is needed behind it runs, and needs what it reads. What it fills nobody needs before. */
 static unsigned find_runs(const FramePlanRequest *r)
@@ -32,31 +33,47 @@ static bool find_life(const FramePlanRequest *r, unsigned runs, int target, int 
     return life[1] >= 0;
 }
 
-/* Targets in the order of their first pass, each into the first piece of its class that is free by then. */
-static void place(FramePlan *plan, int target, int class, const int life[2], int *free_from)
+/* Who holds a piece of memory, and the last pass that touches it. */
+typedef struct {
+    int target, last;
+} Holder;
+
+/* Free for a target that lives from the pass on: before it, or in it, as it takes what it reads there from the pixel that it fills. */
+static bool is_free(const FramePlanPass *pass, int number, int target, const Holder *holder)
 {
-    int piece = 0;
-    while (piece < plan->memory_count && (plan->memory_class[piece] != class || free_from[piece] > life[0]))
-        piece++;
-    if (piece == plan->memory_count)
-        plan->memory_class[plan->memory_count++] = class;
-    plan->memory[target] = piece;
+    return holder->last < number ||
+           (holder->last == number && (pass->own & ~pass->changes) >> holder->target & pass->fills >> target & 1);
+}
+
+/* Each texture goes into the first piece of its class that is free by then. */
+static void place(const FramePlanRequest *r, FramePlan *plan, int target, const int life[2], Holder *holders)
+{
+    const FramePlanTarget *row = &r->targets[target];
     plan->there |= 1u << target;
-    free_from[piece] = life[1] + 1;
+    for (int i = 0, piece; i < row->count; i++) {
+        for (piece = 0; piece < plan->memory_count; piece++)
+            if (plan->memory_class[piece] == row->classes[i] &&
+                is_free(&r->passes[life[0]], life[0], target, &holders[piece]))
+                break;
+        if (piece == plan->memory_count)
+            plan->memory_class[plan->memory_count++] = row->classes[i];
+        plan->memory[target][i] = piece;
+        holders[piece] = (Holder){target, life[1]};
+    }
 }
 
 void frame_plan(const FramePlanRequest *r, FramePlan *plan)
 {
-    int lives[FRAME_PLAN_MOST][2], free_from[FRAME_PLAN_MOST] = {0};
+    int lives[FRAME_PLAN_MOST][2];
+    Holder holders[FRAME_PLAN_PIECES];
     *plan = (FramePlan){.runs = find_runs(r)};
-    for (int target = 0; target < r->target_count; target++) {
-        plan->memory[target] = -1;
+    memset(plan->memory, -1, sizeof plan->memory);
+    for (int target = 0; target < r->target_count; target++)
         find_life(r, plan->runs, target, lives[target]);
-    }
     for (int first = 0; first < r->pass_count; first++)
         for (int target = 0; target < r->target_count; target++)
             if (lives[target][0] == first && lives[target][1] >= 0)
-                place(plan, target, r->classes[target], lives[target], free_from);
+                place(r, plan, target, lives[target], holders);
 }
 
 const char *frame_plan_reason(const FramePlanRequest *request, const FramePlan *plan, int pass)

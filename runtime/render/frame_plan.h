@@ -1,12 +1,17 @@
-/* Which passes of a frame run, which targets there are, and which of these lie in the same memory. No GL.
+/* Which passes of a frame run, which targets there are, and which of their textures lie in the same memory. No GL.
  *
- * Worked example: passes a (fills x), b (reads x, fills y), c (reads y, fills z), d (reads x, fills v), all allowed, z wanted. From the
- * end: d writes nothing that is needed, c does, so b, so a. x lives from a to b, y from b to c, z from c on: x and z share. */
+ * Worked example: passes a (fills x), b (reads x, fills y), c (reads y, fills z), d (reads x, fills v), all allowed, z wanted, each target of one
+ * texture of one class. From the end: d writes nothing that is needed, c does, so b, so a. x lives from a to b, y from b to c, z from c on: x and z
+ * share. If b reads of x but the pixel that it writes, y takes the memory of x, and c, if it does the same, gives that to z. */
 #ifndef MATC_FRAME_PLAN_H
 #define MATC_FRAME_PLAN_H
 #include <stdbool.h>
 
-enum { FRAME_PLAN_MOST = 32 /* passes, and targets */ };
+enum {
+    FRAME_PLAN_MOST = 32, /* passes, and targets */
+    FRAME_PLAN_TEXTURES = 8,
+    FRAME_PLAN_PIECES = FRAME_PLAN_MOST * FRAME_PLAN_TEXTURES /* of memory, at most */
+};
 
 /* Sets of targets have a bit for each. */
 typedef struct {
@@ -14,22 +19,35 @@ typedef struct {
     unsigned reads;
     unsigned fills;   /* every pixel is written, whatever was there */
     unsigned changes; /* some are, and the others stay */
+    unsigned own;     /* of what it reads, targets of which each pixel takes that which it writes, and nothing beside it */
 } FramePlanPass;
+
+typedef struct {
+    int count;                        /* of its textures */
+    int classes[FRAME_PLAN_TEXTURES]; /* only textures of one class can share memory */
+} FramePlanTarget;
 
 typedef struct {
     const FramePlanPass *passes; /* in the order of a frame */
     int pass_count;
     unsigned allowed; /* passes for which there is something to do */
     unsigned wanted;  /* targets that are read when the frame is done */
+    const FramePlanTarget *targets;
     int target_count;
-    const int *classes; /* of each target: only targets of one class can share memory */
 } FramePlanRequest;
 
+/* A request with the rows that it points to. */
 typedef struct {
-    unsigned runs;                     /* passes */
-    unsigned there;                    /* targets */
-    int memory[FRAME_PLAN_MOST];       /* of each target: which piece; -1 where it is not there */
-    int memory_class[FRAME_PLAN_MOST]; /* of each piece */
+    FramePlanPass passes[FRAME_PLAN_MOST];
+    FramePlanTarget targets[FRAME_PLAN_MOST];
+    FramePlanRequest request;
+} FramePlanRows;
+
+typedef struct {
+    unsigned runs;                                    /* passes */
+    unsigned there;                                   /* targets */
+    int memory[FRAME_PLAN_MOST][FRAME_PLAN_TEXTURES]; /* of each target's textures: which piece; -1 where there is none */
+    int memory_class[FRAME_PLAN_PIECES];              /* of each piece */
     int memory_count;
 } FramePlan;
 

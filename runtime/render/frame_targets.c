@@ -48,13 +48,45 @@ static const struct {
     int bytes;
 } sizes[] = {{"DEPTH32F", 4}, {"RGBA8", 4},  {"RGBA16", 8},    {"RGBA16F", 8}, {"RGBA32F", 16},
              {"R32UI", 4},    {"RG32UI", 8}, {"RGBA32UI", 16}, {"RGBA16UI", 8}};
+enum { DEPTH_SIZE, SIZE_COUNT = sizeof sizes / sizeof *sizes };
+
+/* The format's row. */
+static int size_of(const char *format)
+{
+    int i = 0;
+    while (strcmp(sizes[i].format, format) != 0)
+        i++;
+    return i;
+}
+
+/* Of one class are formats of as many bytes, where the driver has views of one as another; else those that are the same. Depth is by itself. */
+static int class_of(const Render *render, const char *format)
+{
+    const int size = size_of(format);
+    int first = DEPTH_SIZE + 1;
+    if (size == DEPTH_SIZE || !framebuffer_has_views(render->gl))
+        return size;
+    while (sizes[first].bytes != sizes[size].bytes)
+        first++;
+    return first;
+}
+
+/* A picture of pixels that have samples is smaller than other targets, and shares nothing. */
+FramePlanTarget frame_plan_target(const Render *render, FrameTarget target)
+{
+    const int apart = target == FRAME_TARGET_shown && render->samples > 1 ? SIZE_COUNT : 0;
+    FramePlanTarget made = {0};
+    const char *format;
+    while (made.count < FRAME_PLAN_TEXTURES && (format = frame_format(render, target, made.count)))
+        made.classes[made.count++] = class_of(render, format) + apart;
+    return made;
+}
 
 int frame_bytes(const Render *render, FrameTarget target)
 {
     int bytes = 0;
     for (int t = 0; frame_format(render, target, t); t++)
-        for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-            bytes += strcmp(sizes[i].format, frame_format(render, target, t)) ? 0 : sizes[i].bytes;
+        bytes += sizes[size_of(frame_format(render, target, t))].bytes;
     return bytes;
 }
 
@@ -63,13 +95,24 @@ int frame_edge(const Render *render, FrameTarget target, int axis)
     return target == FRAME_TARGET_shown ? render->size[axis] / render->samples : render->size[axis];
 }
 
-bool frame_shares(const Render *render, FrameTarget target)
+/* A texture of a target before it lies in the piece. */
+static bool is_taken(const FramePlan *plan, int target, int piece)
 {
-    const int *memory = render->plan.memory;
-    bool shared = false;
-    for (int k = 0; k < (int)target; k++)
-        shared |= memory[target] >= 0 && memory[k] == memory[target];
-    return shared;
+    for (int k = 0; k < target; k++)
+        for (int t = 0; t < FRAME_PLAN_TEXTURES; t++)
+            if (plan->memory[k][t] == piece)
+                return true;
+    return false;
+}
+
+int frame_shared_bytes(const Render *render, FrameTarget target)
+{
+    const FramePlan *plan = &render->plan;
+    int bytes = 0;
+    for (int t = 0; t < FRAME_PLAN_TEXTURES && plan->memory[target][t] >= 0; t++)
+        if (is_taken(plan, (int)target, plan->memory[target][t]))
+            bytes += sizes[size_of(frame_format(render, target, t))].bytes;
+    return bytes;
 }
 
 /* The picture's are spread over the samples of a pixel. */
@@ -78,16 +121,16 @@ int frame_all_bytes(const Render *render)
     const int samples = render->samples * render->samples;
     int bytes = light_far_bytes(render);
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
-        if (render->plan.memory[i] >= 0 && !frame_shares(render, (FrameTarget)i))
-            bytes += i == FRAME_TARGET_shown ? (frame_bytes(render, (FrameTarget)i) + samples - 1) / samples
-                                             : frame_bytes(render, (FrameTarget)i);
+        if (render->plan.memory[i][0] >= 0) {
+            const int added = frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);
+            bytes += i == FRAME_TARGET_shown ? (added + samples - 1) / samples : added;
+        }
     return bytes;
 }
 
 GLuint frame_texture(const Render *render, FrameTarget target, int texture)
 {
-    const int piece = render->plan.memory[target];
-    return piece < 0 ? 0 : render->memory[piece].textures[texture];
+    return render->textures[target][texture];
 }
 
 void frame_use(const Render *render, const Framebuffer *framebuffer)

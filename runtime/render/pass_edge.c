@@ -94,7 +94,7 @@ void pass_edge_draw(Render *render)
     material_use(&render->edge.material);
     gl->BindImageTexture(0, frame_texture(render, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
     gl->DispatchCompute(((GLuint)render->edge.count + GROUP - 1) / GROUP, 1, 1);
-    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void pass_edge_delete(Render *render)

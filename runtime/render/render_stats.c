@@ -26,12 +26,12 @@ static const char *joined(Arena *arena, unsigned targets)
 /* `times` of each pass, or NULL. */
 static void put_passes(Text *out, const Render *render, const RenderPassTime *times)
 {
-    FramePlanPass rows[FRAME_PLAN_MOST];
-    int classes[FRAME_TARGET_COUNT];
-    const FramePlanRequest request = frame_request(render, rows, classes);
+    FramePlanRows made;
+    frame_request(render, &made);
+    const FramePlanPass *rows = made.passes;
     text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes", times ? "milliseconds" : "runs when");
     for (int i = 0; i < frame_pass_count(); i++) {
-        const char *why = frame_reason(render, &request, i);
+        const char *why = frame_reason(render, &made.request, i);
         text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
                     joined(out->arena, rows[i].fills | rows[i].changes));
         if (why)
@@ -77,6 +77,17 @@ static void put_maps(Text *out, const Render *render)
         put_glass(out, render);
 }
 
+/* "16, 8 shared" */
+static void put_bytes(Text *out, int bytes, int shared)
+{
+    text_format(out, "%d", bytes);
+    if (shared == bytes)
+        text_put(out, ", shared");
+    else if (shared)
+        text_format(out, ", %d shared", shared);
+    text_char(out, '\n');
+}
+
 static void put_memory(Text *out, const Render *render)
 {
     text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
@@ -85,7 +96,6 @@ static void put_memory(Text *out, const Render *render)
         if (target == FRAME_TARGET_shadow)
             continue; /* its pixels are its own */
         Text formats = text_new(out->arena);
-        const bool shared = frame_shares(render, target);
         text_put(&formats, "");
         for (int t = 0; frame_format(render, target, t); t++)
             text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
@@ -93,11 +103,12 @@ static void put_memory(Text *out, const Render *render)
             transparency_put_lists(out, render);
         else if (target == FRAME_TARGET_far)
             light_far_put(out, render);
-        else if (render->plan.memory[i] < 0)
+        else if (render->plan.memory[i][0] < 0)
             text_format(out, "%-8s  %-24s  not there\n", frame_target_name(target), formats.at);
-        else
-            text_format(out, "%-8s  %-24s  %d%s\n", frame_target_name(target), formats.at, frame_bytes(render, target),
-                        shared ? ", shared" : "");
+        else {
+            text_format(out, "%-8s  %-24s  ", frame_target_name(target), formats.at);
+            put_bytes(out, frame_bytes(render, target), frame_shared_bytes(render, target));
+        }
     }
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
     if (render->samples > 1)
