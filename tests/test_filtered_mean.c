@@ -138,6 +138,7 @@ static void measure(Filtered f[FILTERS], double period, Errors errors[FILTERS])
         errors[i] = errors_of(&sums[i]);
 }
 
+/* Of simplex noise the worst of five places and two hashes: a few dozen pixels know no more, and both show the same. */
 static const struct {
     const char *map, *noise;
     double period;
@@ -163,7 +164,7 @@ static const struct {
     {"{ map: Mandel }", NULL, 1, {{.1368, .0085, .081}, {.1368, .0085, .081}}},
     {"{ map: VolumeTurbulence, octaves: 1 }", "lattice", 1, {{.0939, .0007, .083}, {.0285, .0013, .025}}},
     {"{ map: VolumeTurbulence, octaves: 1 }", "groimp", 1, {{.0910, .0032, .086}, {.0287, .0019, .035}}},
-    {"{ map: VolumeTurbulence, octaves: 1 }", "simplex", .5, {{.0794, .0039, .079}, {.0249, .0017, .022}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }", "simplex", .5, {{.0925, .0108, .091}, {.0280, .0020, .028}}},
     {"{ map: VolumeTurbulence, octaves: 3, noiseRatio: 0.6 }",
      "lattice",
      1,
@@ -176,10 +177,10 @@ static const struct {
     {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
      "simplex",
      .5,
-     {{.0615, .0060, .108}, {.0315, .0059, .025}}},
+     {{.0707, .0153, .108}, {.0505, .0137, .055}}},
     {"{ map: Granite }", "lattice", .25, {{.1132, .0121, .120}, {.0507, .0061, .053}}},
     {"{ map: Granite }", "groimp", .25, {{.0939, .0045, .071}, {.0483, .0019, .029}}},
-    {"{ map: Granite }", "simplex", .125, {{.1112, .0042, .149}, {.0453, .0047, .073}}},
+    {"{ map: Granite }", "simplex", .125, {{.1112, .0072, .174}, {.0496, .0047, .081}}},
     {"{ map: Granite, waveForm: Sqr }", "lattice", .25, {{.0531, .0017, .060}, {.0344, .0090, .054}}},
     {"{ map: Checker, input: { map: Turbulence, noiseRatio: 0.5 } }",
      "lattice",
@@ -224,17 +225,17 @@ static Sheet wide_sheet(void)
 }
 
 /* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of what Turbulence moves by. The lanes
- * of GroIMP's vectors are a little alike, by its table of 512 numbers. */
+ * of GroIMP's vectors are a little alike, by its table of 512 numbers; of simplex noise, again, the worst of five places and two hashes. */
 static const struct {
     const char *map;
     double most[3]; /* by noise */
 } wide_cases[] = {
     {"{ map: VolumeTurbulence, octaves: 1 }", {.0009, .0039, .0063}},
     {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7 }", {.0009, .0036, .0073}},
-    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0033}},
-    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0063}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0046}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0097}},
     {"{ map: Granite }", {.0018, .0079, .0070}},
-    {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0050}},
+    {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0114}},
     {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, 1, 1], octaves: 1 } "
      "}",
      {.0048, .0158, .0081}},

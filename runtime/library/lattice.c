@@ -83,10 +83,9 @@ static Corner integer_corner(const uint32_t c[3])
 /* Of a simplex: numbers are the top bits of products of its hash. There is no value. */
 static Corner simplex_corner(const uint32_t c[3])
 {
-    static const uint32_t factor[NUMBERS] = {0, 0xC2B2AE3Du, 0x27D4EB2Fu, 0x165667B1u};
+    static const uint32_t factor[NUMBERS] = {0, 0xCAF4BCE3u, 0xCF612DE7u, 0x6BA88D47u};
     Corner corner;
-    uint32_t h = (c[0] + 65536 * c[1]) * 0x2C1B3C6Du ^ c[2] * 0x85EB0000u;
-    h ^= h >> 13;
+    uint32_t h = c[0] * 0xA6F9A1C3u ^ c[1] * 0xF0729897u ^ c[2] * 0xB16E8989u;
     for (int output = 0; output < OUTPUTS; output++) {
         for (int i = 0; i < NUMBERS; i++)
             corner.number[output][i] = signed_bits(h * factor[i]);
