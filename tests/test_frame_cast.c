@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
+#include "tests/frame/glass_ray.h"
 #include "tests/frame/reference_light.h"
 #include "tests/frame/shadow_ray.h"
 #include <math.h>
@@ -18,104 +19,9 @@
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, FAR = 400 /* across the far ground */ };
 
-/* A little off the surface, on the light's side. */
-static double leave(const SceneLight *light, const double point[3], const double facet[3], Ray *ray)
-{
-    const double distance = shadow_way_to(light, point, ray->way);
-    const double off = (reference_dot(facet, ray->way) < 0 ? -1 : 1) * 3e-5;
-    for (int i = 0; i < 3; i++)
-        ray->at[i] = point[i] + off * facet[i];
-    return distance;
-}
-
-/* Materials, in words and as what they let through: a constant; by the cells of a checker, odd ones first; by the side, the front first. */
-typedef struct {
-    const char *text;
-    enum { CONSTANT, CELLS, CUBES, SIDES } by;
-    double scale[3], through[2][3];
-} Glass;
-static const Glass glasses[] = {
-    {"m: { material: Phong, diffuse: .5 }", CONSTANT, {0}, {{0}}},
-    {"round: { material: Phong, diffuse: [.2, .5, .3], transparency: { map: Checker, color1: 1, color2: 0, input: { "
-     "map: "
-     "UVTransform, scaleU: 8, scaleV: 4 } } }",
-     CELLS,
-     {16, 8, 0},
-     {{1, 1, 1}, {0}}},
-    {"coarse: { material: Phong, diffuse: [.5, .5, .3], transparency: { map: Checker, color1: [0, 0, .1], color2: 1, "
-     "input: { map: UVTransform, scaleU: 1, scaleV: 2 } } }",
-     CELLS,
-     {2, 4, 0},
-     {{0, 0, .1}, {1, 1, 1}}},
-    {"solid: { material: Phong, diffuse: [.2, .3, .5], transparency: { map: VolumeChecker, color1: [0, 0, 0], color2: "
-     "[1, 1, 1], input: { map: XYZTransform, transform: { scale: [1.9, 1.9, 1.9] } } } }",
-     CUBES,
-     {1.9, 1.9, 1.9},
-     {{0}, {1, 1, 1}}},
-    {"clear: { material: Phong, diffuse: .3, transparency: [.6, .9, .3] }", CONSTANT, {0}, {{.6, .9, .3}}},
-    {"dim: { material: Phong, diffuse: .3, transparency: [.4, .2, .5] }", CONSTANT, {0}, {{.4, .2, .5}}},
-    {"red: { material: Phong, diffuse: [.2, .1, .1], specular: .3, transparency: [.9, .2, .1], diffuseTransparency: .2 "
-     "}",
-     CONSTANT,
-     {0},
-     {{.9, .2, .1}}},
-    {"sided: { material: SideSwitch, frontShader: { material: Phong, diffuse: .5 }, backShader: { material: Phong, "
-     "diffuse: .5, transparency: 1 } }",
-     SIDES,
-     {0},
-     {{0}, {1, 1, 1}}},
-};
-enum { GLASSES = sizeof glasses / sizeof *glasses };
-
-static const Glass *glass_of(const Tracer *tracer, const Hit *hit)
-{
-    const SceneMaterial *material = &tracer->scene->materials[tracer->scene->objects[hit->object].material];
-    const char *name = matc_material_name(material->document, material->index);
-    int i = 0;
-    while (strncmp(glasses[i].text, name, strlen(name)) != 0)
-        i++;
-    return &glasses[i];
-}
-
-/* What a surface lets through. Its front is the side on which the light is: rays go towards it. */
-static const double *through(const Tracer *tracer, const Hit *hit)
-{
-    const Glass *glass = glass_of(tracer, hit);
-    const double *at = glass->by == CELLS ? hit->uv : hit->local;
-    long cells = 0;
-    for (int i = 0; i < 3; i++)
-        cells += glass->scale[i] != 0 ? (long)floor(glass->scale[i] * at[i]) : 0;
-    return glass->through[glass->by == CONSTANT ? 0 : glass->by == SIDES ? hit->front : cells % 2 == 0];
-}
-
-/* A cut-out lets through nothing or all. */
-static void multiply(const Tracer *tracer, const Hit *hit, double shares[3])
-{
-    const double *t = through(tracer, hit);
-    const bool passes = (t[0] + t[1] + t[2]) / 3 > .5;
-    for (int i = 0; i < 3; i++)
-        shares[i] *= tracer->scene->shadow_colored ? t[i] : passes;
-}
-
-static void shares_at(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3],
-                      double shares[3])
-{
-    Ray ray;
-    const double distance = leave(light, point, facet, &ray);
-    double behind = 0;
-    shares[0] = shares[1] = shares[2] = 1;
-    while (shares[0] + shares[1] + shares[2] > 0) {
-        Hit hit = reference_hit(tracer, &ray, behind);
-        if (hit.object < 0 || hit.distance >= distance)
-            return;
-        multiply(tracer, &hit, shares);
-        behind = fmax(behind, hit.distance) * (1 + 1e-5) + 1e-6;
-    }
-}
-
 static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit, double shares[3])
 {
-    shares_at(tracer, light, hit->world, hit->facet, shares);
+    glass_shares(tracer, light, hit->world, hit->facet, shares);
 }
 
 /* As far as all can be seen there: the far ground is 400 deep, so cascades end at 25, 100 and 400; the picture's diagonal is 1.3 of the depth. */
@@ -151,7 +57,7 @@ static bool is_even(const Tracer *tracer, const SceneLight *light, const Hit *hi
     shares_of(tracer, light, hit, shares);
     for (int i = 0; i < 24; i++) {
         shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
-        shares_at(tracer, light, moved, hit->facet, others);
+        glass_shares(tracer, light, moved, hit->facet, others);
         for (int k = 0; k < 3; k++)
             if (fabs(shares[k] - others[k]) > 1e-9)
                 return false;
@@ -192,7 +98,7 @@ static void add_pixel(const Tracer *tracer, const MatcOptions *options, int pixe
     plain.shares = NULL;
     reference_pixel(&plain, &ray, options, unshaded, hits);
     for (int i = 0; i < 3; i++) {
-        off = fmax(off, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - light[i]));
+        off = fmax(off, isnan(rgba[i]) ? INFINITY : fabs(rgba[i] - light[i]) / fmax(light[i], 1));
         shade = fmax(shade, unshaded[i] - light[i]);
     }
     count->compared++;
@@ -261,6 +167,13 @@ static Count compare(GlContext *gl, const char *text, const RenderOptions *with)
     "- { object: Box, size: [.4, .9, .3], material: red, transform: { translation: [-1.6, -1.6, .5], rotation: [.2, "  \
     ".1, .4] } }\n"
 
+/* Infinite planes: of cells, tilted, over all; one whose sides differ, beside; and one of glass. */
+#define SHEETS                                                                                                         \
+    "- { object: Plane, material: coarse, transform: { scale: [3, -3, 3], rotation: [.1, .05, .4], translation: [.3, " \
+    ".2, 3] } }\n"                                                                                                     \
+    "- { object: Plane, material: sided, transform: { rotation: [.1, 1.4, 0], translation: [-2.5, 0, 0] } }\n"         \
+    "- { object: Plane, material: clear, transform: { rotation: [-1.5, 0, 0], translation: [0, 4.5, 0] } }\n"
+
 /* Along a wide ground, with something at every distance. */
 #define FAR_VIEW                                                                                                       \
     "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 3], target: [1, 0, 1.6], "  \
@@ -305,8 +218,8 @@ static void write_scene(const Lamp *lamp, const double angle[2], const char *thi
     int size =
         snprintf(text, TEXT, "%sshadowMaps: { %s, colored: %s }\nlights: [{ light: %s%s%s }]\nmaterials:\n",
                  lamp->far ? FAR_VIEW : VIEW, lamp->maps, colored ? "true" : "false", lamp->kind, place, direction);
-    for (int i = 0; i < GLASSES; i++)
-        size += snprintf(text + size, (size_t)(TEXT - size), "  %s\n", glasses[i].text);
+    for (int i = 0; i < GLASS_COUNT; i++)
+        size += snprintf(text + size, (size_t)(TEXT - size), "  %s\n", glass_text(i));
     snprintf(text + size, (size_t)(TEXT - size), "%s%s", lamp->far ? FAR_GROUND : GROUND, things);
 }
 
@@ -365,6 +278,26 @@ static void colors_in_parts(void **state)
                        &(RenderOptions){.list_bytes = i ? 5000000 : 700000, .transparency = i ? "peeling" : "lists"});
 }
 
+/* What varies over an infinite plane is known for each way to a light, without a map: in colours, and all or nothing. */
+static void sheets(void **state)
+{
+    (void)state;
+    static const struct {
+        int lamp, angle;
+        bool colored;
+        RenderOptions options;
+    } cases[] = {{0, 4, true, {0}},
+                 {1, 4, false, {.fragment = true}},
+                 {2, 5, true, {.transparency = "peeling"}},
+                 {3, 1, true, {.list_bytes = 9000000}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Lamp lamp = lamps[cases[i].lamp];
+        lamp.first = cases[i].angle;
+        lamp.step = SHADOW_ANGLES;
+        by_every_angle(&lamp, THINGS SHEETS, cases[i].colored, &cases[i].options);
+    }
+}
+
 /* In each of them all is as exact as its texels are; one map for all is not. */
 static void cascades(void **state)
 {
@@ -376,10 +309,8 @@ static void cascades(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cut_outs),
-        cmocka_unit_test(colors),
-        cmocka_unit_test(colors_in_parts),
-        cmocka_unit_test(cascades),
+        cmocka_unit_test(cut_outs), cmocka_unit_test(colors),   cmocka_unit_test(colors_in_parts),
+        cmocka_unit_test(sheets),   cmocka_unit_test(cascades),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -244,6 +244,7 @@ static void set_size(Render *render)
 void frame_place(Render *render)
 {
     view_space_place(&render->space, render->whole, render->at);
+    shadow_sheet_place(render);
     lighting_place(render, &render->light);
     lighting_place(render, &render->far.gather);
     pass_edge_place(render);

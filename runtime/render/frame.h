@@ -7,7 +7,7 @@
 #include "runtime/render/reader.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
-#include "runtime/render/shadow_views.h"
+#include "runtime/render/shadow.h"
 
 typedef enum {
     FRAME_TARGET_depth,
@@ -40,32 +40,6 @@ typedef struct {
     GLuint texture;
     const char *format;
 } FrameMemory;
-
-/* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
-typedef struct {
-    GLuint column, row, columns, rows;
-    GLuint fragments;
-} ShadowPart;
-
-/* Fragments of what is transparent, of each texel of the maps: glass_store.glsl. */
-typedef struct {
-    GLuint buffer;
-    size_t bytes;
-    ShadowPart *parts; /* whose lists take the buffer in turn; all texels, if that is one */
-    int part_count;
-    bool full; /* all of them would take more than there may be */
-} ShadowGlass;
-
-typedef struct {
-    ShadowViews views;
-    ShadowGlass glass;
-    GLuint maps;        /* an array of depths, a layer for each view */
-    GLuint table;       /* texels of the views, four each: their rows from the eye's space; near, texel */
-    GLuint planes;      /* texels of infinite planes in the eye's space */
-    GLuint framebuffer; /* of the layer that is drawn */
-    Material solid;     /* draws depth alone; stays until the renderer goes */
-    bool drawn;         /* the maps hold the scene */
-} ShadowMaps;
 
 /* Numbers of lights, view_space_lights: light_table.c. */
 typedef struct {
@@ -221,6 +195,8 @@ bool pass_sky_needed(const Render *render);
 void pass_sky_draw(Render *render);
 bool pass_shadow_needed(const Render *render);
 bool pass_shadow_make(Render *render);
+/* The maps are drawn again, and room found for their lists. False: see the context's error. */
+bool pass_shadow_count(Render *render);
 void pass_shadow_draw(Render *render);
 void pass_shadow_delete(Render *render);
 bool pass_gather_needed(const Render *render);
@@ -295,7 +271,7 @@ typedef struct {
     int block; /* of screen_pass.h */
 } LightingText;
 enum {
-    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 6,
+    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 7,
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
@@ -332,33 +308,6 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
 /* What the cache is made of. */
 CacheSource frame_source(const Render *render);
 
-/* Some light of the scene casts shadows, which are wanted. */
-bool shadow_is_cast(const Render *render);
-/* How what is transparent does. */
-SetCasts shadow_casts(const Render *render);
-/* Shadows are coloured by something (shadow_glass.c): all texels, without fragments; bytes of a part's lists; a buffer of so many; a part's lists
- * begun, which are none where the buffer has no room for their heads, and ended; the fragments that were to be listed then. */
-enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
-bool shadow_glass_needed(const Render *render);
-ShadowPart shadow_glass_whole(const Render *render);
-size_t shadow_glass_bytes(const ShadowPart *part);
-bool shadow_glass_make(Render *render, size_t bytes);
-void shadow_glass_begin(const Render *render, const ShadowPart *part);
-void shadow_glass_end(const Render *render);
-bool shadow_glass_count(Render *render, GLuint *count);
-void shadow_glass_delete(Render *render);
-/* Draws all maps, but for what lists are of; a part's lists (shadow_draw.c). */
-void shadow_draw_depths(Render *render);
-void shadow_draw_lists(Render *render, const ShadowPart *part);
-/* The lists, in one piece, or in parts with room for the largest (shadow_parts.c): made; counted, and in one piece drawn. False: there may not be so much, or, in
- * parts, not even for one texel. In parts would do. How many there are; one of them drawn, if there are several. */
-bool shadow_parts_make(Render *render);
-bool shadow_parts_count(Render *render);
-bool shadow_parts_fall_back(const Render *render);
-int shadow_parts_number(const Render *render);
-void shadow_parts_load(Render *render, int part);
-/* The maps are drawn again, and room found for their lists. False: see the context's error. */
-bool pass_shadow_count(Render *render);
 /* Many lights (light_bound.c, light_far.c, light_room.c): the choice can be met; why far ones are not taken together, NULL: they are. */
 bool light_far_check(GlContext *gl, const RenderOptions *options);
 const char *light_far_lacks(const Render *render);
@@ -382,19 +331,6 @@ void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
 void light_far_set(const Render *render, ScreenPass *pass);
 void light_far_bind(const Render *render);
 
-/* What lights see, before any pass is made. */
-bool shadow_make_views(Render *render);
-/* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
-bool shadow_change(Render *render, bool drawn_again);
-/* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
-enum { SHADOW_DEFINITIONS = 320, SHADOW_UNITS = 3 };
-const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS]);
-bool shadow_make_tables(Render *render);
-/* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. */
-void shadow_put_lights(const Render *render, float (*texels)[4]);
-/* SHADOW_UNITS units from `unit` on. */
-void shadow_samplers(ScreenPass *pass, int unit);
-void shadow_bind(const Render *render, int unit);
 /* The texture of a target, and its number among those that are there together. */
 GLuint frame_texture(const Render *render, FrameTarget target, int texture);
 #endif

@@ -119,7 +119,7 @@ int frame_shared_bytes(const Render *render, FrameTarget target)
 int frame_all_bytes(const Render *render)
 {
     const int samples = render->samples * render->samples;
-    int bytes = light_far_bytes(render);
+    int bytes = light_far_bytes(render) + shadow_sheet_bytes(render);
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         if (render->plan.memory[i][0] >= 0) {
             const int added = frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);

@@ -100,6 +100,8 @@ static const char *find_lack(const Render *render, int count)
         return "nothing bounds the surface model";
     if (render->parted)
         return "shadows are made in parts";
+    if (shadow_sheet_needed(render))
+        return "a plane's shadows are known pixel by pixel";
     return render->compute && has_buffers(render->gl) ? NULL : "it takes compute with three storage buffers";
 }
 

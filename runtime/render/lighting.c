@@ -118,6 +118,7 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
 
 void lighting_run(Render *render, const LightingSource *source, ScreenPass *pass)
 {
+    shadow_sheet_draw(render, frame_texture(render, source->depth, 0));
     for (int part = 0; part < shadow_parts_number(render); part++) {
         shadow_parts_load(render, part);
         lighting_bind(render, source->surfaces, source->depth);

@@ -70,6 +70,7 @@ vec4 lightOfNothing(ivec2 pixel)
 
 // A surface, as a pixel sees it.
 struct Seen {
+    ivec2 pixel;
     vec3 point;
     float pixelSize; // of a pixel, there
     Lit m;
@@ -82,7 +83,7 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
     vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
-    return Seen(point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, toEye));
+    return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, toEye));
 }
 
 // Where lists of shadows are in parts, this is one of several runs, which add up: all that reads no list is lit in the first.
@@ -134,10 +135,13 @@ vec3 lightFromOther(int light, Seen seen)
 #endif
     vec3 arrives = lightAt(light, seen.point, l);
     vec3 sent = arrives * surfaceLobe(seen.m, l);
-#if defined SHADOW_MAPS || defined SHADOW_PLANES
+#if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
     if (sent.x + sent.y + sent.z > 0.0)
         sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point,
                             dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal, seen.pixelSize);
+#endif
+#ifdef SHADOW_SHEETS
+    if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, 1).w), seen.pixel);
 #endif
     return sent;
 }

@@ -71,5 +71,6 @@ void pass_shadow_delete(Render *render)
     gl->DeleteTextures(1, &maps->planes);
     shadow_views_free(&maps->views);
     shadow_glass_delete(render);
+    shadow_sheet_delete(render);
     *maps = (ShadowMaps){.solid = maps->solid};
 }

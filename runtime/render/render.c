@@ -118,9 +118,13 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
     render->scene = scene;
     set_size(render, scene);
     look(render);
+    if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set) ||
+        !shadow_sheet_check(render))
+        return false;
+    if (shadow_sheet_needed(render))
+        render->transparency = TRANSPARENCY_peeling;
     const CacheSource source = frame_source(render);
-    return set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set) &&
-           cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
+    return cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
            frame_make(render) && make_reader(render);
 }
 
@@ -206,7 +210,9 @@ bool render_param(Render *render, int material, const char *name, const float *l
     const CacheSource source = frame_source(render);
     render->uncounted = true; /* a cut-out may be another */
     render->shadows.drawn = false;
-    return cache_set(&source, &render->cache, material, &(MaterialValue){name, count, lanes}) ||
+    const MaterialValue value = {name, count, lanes};
+    const bool sheets = shadow_sheet_set(render, material, &value);
+    return cache_set(&source, &render->cache, material, &value) || sheets ||
            gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
 }
 

@@ -110,6 +110,7 @@ static void put_memory(Text *out, const Render *render)
             put_bytes(out, frame_bytes(render, target), frame_shared_bytes(render, target));
         }
     }
+    shadow_sheet_put(out, render);
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
     if (render->samples > 1)
         text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n", render->samples,

@@ -65,12 +65,26 @@ static bool choose_layout(Maker *m)
     return fine;
 }
 
+/* Of one slot, at a point. */
+static MatcOptions sheet_options(const Maker *m)
+{
+    MatcOptions options = m->options;
+    options.pass = "plane";
+    options.layout = NULL;
+    options.custom = m->set->sheet;
+    options.aa = "none";
+    return options;
+}
+
 static bool compile(Maker *m, SetProgram *program, unsigned outputs)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
-    m->options.pass = program->pass;
+    MatcOptions options = m->options;
+    options.pass = program->pass;
+    if (!strcmp(program->pass, SET_SHEET))
+        options = sheet_options(m);
     matc_program_free(program->program);
-    program->program = matc_compile(of->document, of->index, outputs, &m->options);
+    program->program = matc_compile(of->document, of->index, outputs, &options);
     if (matc_ok(program->program))
         return true;
     gl_fail(m->gl, "%s", matc_program_diagnostics(program->program, MATC_TEXT));
@@ -108,21 +122,41 @@ static bool add_program(Maker *m, int material, const char *pass)
     return find_through(m, program);
 }
 
-/* What is opaque casts shadows by depth alone. */
-static bool add_caster(Maker *m, int surface)
+static bool make_sheet_layout(Maker *m)
+{
+    static const char text[] =
+        "layout: sheet\ntargets: [RGBA32UI]\nfields:\n- { slot: transparency, encoding: full }\n";
+    Set *set = m->set;
+    if (!set->sheet)
+        set->sheet = matc_layout_read("sheet", text, sizeof text - 1, &m->options);
+    return (set->sheet && matc_layout_ok(set->sheet)) || gl_fail(m->gl, "out of memory");
+}
+
+/* Whether fragment programs read and write images. */
+static bool has_images(const GlContext *gl)
+{
+    return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
+}
+
+/* What is opaque casts shadows by depth alone, and a plane that is the same everywhere by numbers. */
+static bool add_caster(Maker *m, int number)
 {
     Set *set = m->set;
-    if (!set->casts || !set->programs[surface].transparent || strcmp(set->programs[surface].pass, "gbuffer") != 0)
+    SetProgram *surface = &set->programs[number];
+    const bool plane = !strcmp(surface->pass, "plane");
+    if (!set->casts || !surface->transparent || (plane && (surface->even || !has_images(m->gl))))
         return true;
-    set->programs[surface].caster = set->count;
-    return add_program(m, set->programs[surface].material, set->casts == SET_CASTS_colored ? "value" : "shadow");
+    surface->caster = set->count;
+    if (plane)
+        return make_sheet_layout(m) && add_program(m, surface->material, SET_SHEET);
+    return add_program(m, surface->material, set->casts == SET_CASTS_colored ? "value" : "shadow");
 }
 
 static bool add_programs(Maker *m)
 {
     const Scene *scene = m->scene;
     bool fine = true;
-    m->set->programs = calloc(3 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
+    m->set->programs = calloc(4 * (size_t)scene->material_count + 2, sizeof *m->set->programs);
     m->set->of_material = calloc((size_t)scene->material_count + 1, sizeof *m->set->of_material);
     if (!m->set->programs || !m->set->of_material)
         return gl_fail(m->gl, "out of memory");
@@ -300,6 +334,7 @@ void set_free(Set *set)
     free(set->programs);
     free(set->of_material);
     matc_layout_free(set->layout);
+    matc_layout_free(set->sheet);
     *set = (Set){0};
 }
 

@@ -6,11 +6,13 @@
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 
+#define SET_SHEET "sheet" /* the pass plane, of transparency alone */
+
 typedef struct {
-    int material;         /* in Scene.materials */
-    const char *pass;     /* "gbuffer", "plane", "sky"; "shadow", "value": what casts shadows */
-    bool transparent;     /* at least in places */
-    int caster;           /* of a surface: the program with which it casts shadows; -1: none of its own */
+    int material;     /* in Scene.materials */
+    const char *pass; /* "gbuffer", "plane", "sky"; what casts shadows: "shadow", "value", and of planes SET_SHEET */
+    bool transparent; /* at least in places */
+    int caster; /* the program with which it casts shadows; -1: none of its own. Of a plane: where its transparency varies */
     MatcProgram *program; /* its numbers, textures and uniforms */
     int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
     int next;             /* that is drawn with it; -1: none */
@@ -29,6 +31,7 @@ typedef enum {
 
 typedef struct {
     MatcLayout *layout; /* NULL: a named one */
+    MatcLayout *sheet;  /* of the pass SET_SHEET: three floats, what is let through; NULL: nothing is drawn with it */
     const char *target; /* of the GLSL */
     const char *unpack; /* GLSL that reads the layout back; NULL: there is no surface */
     SetProgram *programs;

@@ -209,6 +209,18 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 }
 #endif
 
+#ifdef SHADOW_SHEETS
+uniform usampler2DArray shadow_sheets;
+
+// What planes whose transparency varies let through of a light on its way to a pixel's point: shadow_sheet.c. `layer` is 1 + its layer, or 0.
+vec3 shadowSheets(int layer, ivec2 pixel)
+{
+    if (layer == 0) return vec3(1.0);
+    uvec2 words = texelFetch(shadow_sheets, ivec3(pixel, layer - 1), 0).xy;
+    return vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11, words.y >> 10) / 2097151.0;
+}
+#endif
+
 // The share of a light that reaches a point. `views` has the first of its views, or -1, and how many; it casts no shadow if that is less.
 SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
 {

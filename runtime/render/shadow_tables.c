@@ -143,7 +143,7 @@ bool shadow_make_tables(Render *render)
 {
     const ShadowMaps *maps = &render->shadows;
     return (!pass_shadow_needed(render) || maps->table || write_views(render)) &&
-           (!has_planes(render) || maps->planes || write_planes(render));
+           (!has_planes(render) || maps->planes || write_planes(render)) && shadow_sheet_make(render);
 }
 
 bool shadow_change(Render *render, bool drawn_again)
@@ -160,12 +160,13 @@ bool shadow_change(Render *render, bool drawn_again)
     if (maps->views.count != before || (has_planes(render) && !maps->planes && render->light.material.store))
         return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
                        before);
+    shadow_sheet_change(render);
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
 
 const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
 {
-    const bool maps = pass_shadow_needed(render), planes = has_planes(render);
+    const bool maps = pass_shadow_needed(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
     const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
     int size = 0;
     *defined = 0;
@@ -181,9 +182,11 @@ const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
                          render->cache.opaque_plane_count);
     if (panes)
-        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_GLASS_PLANES %d\n",
-                 count_glass(render));
-    return maps || planes ? render_text_shadow : "";
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_GLASS_PLANES %d\n",
+                         count_glass(render));
+    if (sheets)
+        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SHEETS\n");
+    return maps || planes || sheets ? render_text_shadow : "";
 }
 
 void shadow_put_lights(const Render *render, float (*texels)[4])
@@ -191,13 +194,15 @@ void shadow_put_lights(const Render *render, float (*texels)[4])
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
     float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
-    for (int i = 0; i < scene->light_count; i++) {
+    for (int i = 0, layer = 0; i < scene->light_count; i++) {
+        layer += scene_light_casts(&scene->lights[i]);
         if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
         const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
         const bool mapped = casts && pass_shadow_needed(render);
         next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
         next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
+        next[1][3] = casts ? (float)layer : 0;
         next += VIEW_SPACE_LIGHT_TEXELS;
     }
 }
@@ -207,6 +212,7 @@ void shadow_samplers(ScreenPass *pass, int unit)
     screen_pass_sampler(pass, "shadow_maps", unit);
     screen_pass_sampler(pass, "shadow_views", unit + 1);
     screen_pass_sampler(pass, "shadow_planes", unit + 2);
+    screen_pass_sampler(pass, "shadow_sheets", unit + 3);
 }
 
 void shadow_bind(const Render *render, int unit)
@@ -220,6 +226,10 @@ void shadow_bind(const Render *render, int unit)
     }
     if (maps->planes)
         texture_bind(gl, maps->planes, unit + 2);
+    if (maps->sheets.layers) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 3);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->sheets.layers);
+    }
     if (maps->glass.buffer)
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, maps->glass.buffer);
 }

@@ -1,0 +1,101 @@
+/* Shadows, for the passes: maps of lights, what is transparent in them, planes; and what the lighting of surfaces reads of them. Private to frame.c, render.c
+ * and the passes. */
+#ifndef MATC_RENDER_SHADOW_H
+#define MATC_RENDER_SHADOW_H
+#include "compiler/base/text.h"
+#include "runtime/render/render.h"
+#include "runtime/render/screen_pass.h"
+#include "runtime/render/shadow_views.h"
+
+/* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
+typedef struct {
+    GLuint column, row, columns, rows;
+    GLuint fragments;
+} ShadowPart;
+
+/* Fragments of what is transparent, of each texel of the maps: glass_store.glsl. */
+typedef struct {
+    GLuint buffer;
+    size_t bytes;
+    ShadowPart *parts; /* whose lists take the buffer in turn; all texels, if that is one */
+    int part_count;
+    bool full; /* all of them would take more than there may be */
+} ShadowGlass;
+
+/* What infinite planes let through whose transparency varies: shadow_sheet.c. */
+typedef struct {
+    Material *materials;    /* by layer and sheet */
+    int layer_count, count; /* of lights, of sheets */
+    GLuint layers;          /* an array of shares of each pixel, a layer for each light that casts shadows */
+    int depth_unit;         /* where they find the depth of what is lit */
+} ShadowSheets;
+
+typedef struct {
+    ShadowViews views;
+    ShadowGlass glass;
+    ShadowSheets sheets;
+    GLuint maps;        /* an array of depths, a layer for each view */
+    GLuint table;       /* texels of the views, four each: their rows from the eye's space; near, texel */
+    GLuint planes;      /* texels of infinite planes in the eye's space */
+    GLuint framebuffer; /* of the layer that is drawn */
+    Material solid;     /* draws depth alone; stays until the renderer goes */
+    bool drawn;         /* the maps hold the scene */
+} ShadowMaps;
+
+/* Some light of the scene casts shadows, which are wanted. */
+bool shadow_is_cast(const Render *render);
+/* How what is transparent does. */
+SetCasts shadow_casts(const Render *render);
+
+/* Shadows are coloured by something (shadow_glass.c): all texels, without fragments; bytes of a part's lists; a buffer of so many; a part's lists
+ * begun, which are none where the buffer has no room for their heads, and ended; the fragments that were to be listed then. */
+enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
+bool shadow_glass_needed(const Render *render);
+ShadowPart shadow_glass_whole(const Render *render);
+size_t shadow_glass_bytes(const ShadowPart *part);
+bool shadow_glass_make(Render *render, size_t bytes);
+void shadow_glass_begin(const Render *render, const ShadowPart *part);
+void shadow_glass_end(const Render *render);
+bool shadow_glass_count(Render *render, GLuint *count);
+void shadow_glass_delete(Render *render);
+
+/* Draws all maps, but for what lists are of; a part's lists (shadow_draw.c). */
+void shadow_draw_depths(Render *render);
+void shadow_draw_lists(Render *render, const ShadowPart *part);
+
+/* The lists, in one piece, or in parts with room for the largest (shadow_parts.c): made; counted, and in one piece drawn. False: there may not be so much, or, in
+ * parts, not even for one texel. In parts would do. How many there are; one of them drawn, if there are several. */
+bool shadow_parts_make(Render *render);
+bool shadow_parts_count(Render *render);
+bool shadow_parts_fall_back(const Render *render);
+int shadow_parts_number(const Render *render);
+void shadow_parts_load(Render *render, int part);
+
+/* Planes whose transparency varies (shadow_sheet.c): some cast shadows; the choice of transparency can be met with that; bytes of a pixel; a line on
+ * them; made; told where the camera, lights and planes are, or where the tile is; a uniform of a material, false: none has it; drawn, of what has these depths; deleted. */
+bool shadow_sheet_needed(const Render *render);
+bool shadow_sheet_check(const Render *render);
+int shadow_sheet_bytes(const Render *render);
+void shadow_sheet_put(Text *out, const Render *render);
+bool shadow_sheet_make(Render *render);
+void shadow_sheet_change(const Render *render);
+void shadow_sheet_place(const Render *render);
+bool shadow_sheet_set(const Render *render, int material, const MaterialValue *value);
+void shadow_sheet_draw(const Render *render, GLuint depth);
+void shadow_sheet_delete(Render *render);
+
+/* What lights see, before any pass is made. */
+bool shadow_make_views(Render *render);
+/* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
+bool shadow_change(Render *render, bool drawn_again);
+/* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
+enum { SHADOW_DEFINITIONS = 320, SHADOW_UNITS = 4 };
+const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS]);
+bool shadow_make_tables(Render *render);
+/* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. Behind its light: 1 + the layer of what
+ * sheets let through of it, or 0. */
+void shadow_put_lights(const Render *render, float (*texels)[4]);
+/* SHADOW_UNITS units from `unit` on. */
+void shadow_samplers(ScreenPass *pass, int unit);
+void shadow_bind(const Render *render, int unit);
+#endif

@@ -1,0 +1,56 @@
+// What a sheet lets through of a light, for each pixel: behind a plane's fragment program, whose main() is surfaceMain() here, and whose input worldRay is a variable. The
+// way from what is seen at a pixel to the light meets the plane at a point, and the ray to it from sheet_eye is what the program is asked for. Where the
+// plane is not between, it is asked for a point that there is. fragment0 has three floats.
+//
+// They are multiplied into the light's layer: three shares of 21 bits, as glass_store.glsl has them.
+layout(std140) uniform Sheet {
+    mat4 sheet_worldFromEye;
+    vec4 sheet_ray;   // as light_ray, light_view
+    vec4 sheet_view;
+    vec4 sheet_light; // in the eye's space: its place, w 1, or the way to it, w 0
+    vec4 sheet_plane; // the plane there
+    vec3 sheet_eye;   // in the world, on the light's side of the plane
+    vec3 sheet_foot;  // the plane's point nearest to it
+    int sheet_layer;  // of the light
+    int sheet_more;   // 1: planes before this one left something there
+    int sheet_cut;    // 1: all or nothing passes
+};
+uniform sampler2D sheet_depth;
+layout(rg32ui) uniform uimage2DArray sheet_layers;
+
+vec3 sheetSeen(ivec2 pixel, float depth)
+{
+    vec3 ray = vec3((vec2(2 * pixel + 1) - sheet_ray.zw) * sheet_ray.xy, -1.0);
+    return sheet_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * sheet_view.x) : ray * (sheet_view.x / depth);
+}
+
+// Whether the plane is between a point and the light, as shadowBetween() has it, and where.
+bool sheetBetween(vec3 point, out vec3 met)
+{
+    float here = dot(sheet_plane, vec4(point, 1.0)), there = dot(sheet_plane, sheet_light);
+    met = point + here / (sheet_light.w * here - there) * (sheet_light.xyz - sheet_light.w * point);
+    return here * there < 0.0 && abs(here) > 4e-6 * (length(point) + abs(sheet_plane.w));
+}
+
+vec3 sheetThrough(vec3 through)
+{
+    return sheet_cut > 0 ? vec3(through.x + through.y + through.z > 1.5) : clamp(through, 0.0, 1.0);
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    ivec3 texel = ivec3(pixel, sheet_layer);
+    float depth = texelFetch(sheet_depth, pixel, 0).x;
+    vec3 met, through = vec3(1.0);
+    bool between = depth > 0.0 && sheetBetween(sheetSeen(pixel, depth), met);
+    worldRay = (between ? (sheet_worldFromEye * vec4(met, 1.0)).xyz : sheet_foot) - sheet_eye;
+    surfaceMain();
+    if (between) through = sheetThrough(uintBitsToFloat(fragment0.xyz));
+    if (sheet_more > 0) {
+        uvec2 words = imageLoad(sheet_layers, texel).xy;
+        through *= vec3(words.x & 2097151u, words.x >> 21 | (words.y & 1023u) << 11, words.y >> 10) / 2097151.0;
+    }
+    uvec3 shares = uvec3(through * 2097151.0 + 0.5);
+    imageStore(sheet_layers, texel, uvec4(shares.x | shares.y << 21, shares.y >> 11 | shares.z << 10, 0u, 0u));
+}

@@ -1,0 +1,192 @@
+/* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes, what is there and what is refused. That light is right,
+ * test_frame_cast.c says. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_calls.h"
+#include "tests/frame/frame_draw.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 32, HEIGHT = 24, FLOATS = 4 * WIDTH * HEIGHT };
+
+/* Two sheets over the ground, two lights above. */
+static const char text[] =
+    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -6, 2], target: [0, 0, .5], angle: "
+    "50 }\n"
+    "lights: [{ light: Directional, direction: [.3, .4, -1] }, { light: Point, position: [1, 2, 5], intensity: 20, "
+    "shadows: map }, { light: Spot, position: [-1, 2, 2], intensity: 5, shadows: none }]\n"
+    "materials: { cells: { material: Phong, transparency: { map: Checker, color1: { param: clear, default: .8 }, "
+    "color2: [.1, .2, .6] } }, waves: { material: Phong, transparency: { map: Checker, color1: [.9, .5, .7], "
+    "color2: 1 } } }\n"
+    "objects:\n- { object: Plane, material: { material: Phong, diffuse: .5 } }\n"
+    "- { object: Plane, material: cells, transform: { translation: [0, 0, 4] } }\n"
+    "- { object: Plane, material: waves, transform: { rotation: [.1, 0, .3], translation: [0, 0, 3] } }\n";
+
+typedef struct {
+    MatcOptions compile;
+    MatcDocument *document;
+    Scene *scene;
+    GlContext *gl;
+    Render *render;
+} Drawn;
+
+static Drawn draw(const RenderOptions *options)
+{
+    Drawn d = {.compile = frame_exact_options()};
+    RenderOptions choice = *options;
+    choice.compile = &d.compile;
+    choice.view = "light";
+    d.scene = frame_scene(text, &d.compile, &d.document);
+    d.gl = frame_context();
+    frame_count_calls(d.gl);
+    d.render = render_open(d.gl, &choice);
+    assert_true(d.render && render_scene(d.render, d.scene) && render_frame(d.render));
+    return d;
+}
+
+static void forget(Drawn *d)
+{
+    render_close(d->render);
+    gl_close(d->gl);
+    frame_forget(d->scene, d->document);
+}
+
+static float *read_frame(Render *render)
+{
+    float *rgba = calloc(FLOATS, sizeof *rgba);
+    assert_true(rgba && render_frame(render) && render_read(render, rgba));
+    return rgba;
+}
+
+static void a_second_frame_draws(void **state)
+{
+    (void)state;
+    Drawn d = draw(&(RenderOptions){0});
+    float *first = read_frame(d.render);
+    frame_calls = (FrameCalls){0};
+    float *second = read_frame(d.render);
+    assert_int_equal(frame_calls.made + frame_calls.written, 0);
+    assert_memory_equal(first, second, FLOATS * sizeof *first);
+    free(first);
+    free(second);
+    forget(&d);
+}
+
+static bool move_camera(Drawn *d)
+{
+    d->scene->camera.position[0] += 1;
+    return render_changed(d->render, RENDER_CAMERA);
+}
+
+static bool move_light(Drawn *d)
+{
+    d->scene->lights[1].position[2] = 3.2; /* below the first sheet */
+    return render_changed(d->render, RENDER_LIGHTS);
+}
+
+static bool move_sheet(Drawn *d)
+{
+    d->scene->objects[1].world_from_local.m[12] += .5;
+    return render_changed_objects(d->render, 1, 1);
+}
+
+/* As a new renderer draws the scene, bit for bit, and not as it was. */
+static void changes(void **state)
+{
+    (void)state;
+    static bool (*const moves[])(Drawn *) = {move_camera, move_light, move_sheet};
+    for (size_t i = 0; i < sizeof moves / sizeof *moves; i++) {
+        Drawn d = draw(&(RenderOptions){0});
+        float *before = read_frame(d.render);
+        assert_true(moves[i](&d));
+        float *moved = read_frame(d.render);
+        float *new = frame_floats(d.gl, d.scene, &(RenderOptions){.compile = &d.compile, .view = "light"});
+        assert_memory_equal(moved, new, FLOATS * sizeof *new);
+        assert_memory_not_equal(before, new, FLOATS * sizeof *new);
+        free(before);
+        free(moved);
+        free(new);
+        forget(&d);
+    }
+}
+
+/* A param of the material is one of its shadow's: light falls elsewhere, though the sheet is out of view. */
+static void params(void **state)
+{
+    (void)state;
+    Drawn d = draw(&(RenderOptions){0});
+    float *before = read_frame(d.render);
+    assert_true(render_param(d.render, d.scene->objects[1].material, "clear", &(float){0}, 1));
+    float *after = read_frame(d.render);
+    int darker = 0;
+    for (int i = 0; i < FLOATS; i++)
+        darker += after[i] < before[i];
+    assert_true(darker > FLOATS / 8);
+    free(before);
+    free(after);
+    forget(&d);
+}
+
+/* Tiles give the picture, but for some ULP of depth: light of each pixel is asked at its own place. */
+static void tiles(void **state)
+{
+    (void)state;
+    Drawn whole = draw(&(RenderOptions){0});
+    float *picture = read_frame(whole.render);
+    forget(&whole);
+    Drawn tiled = draw(&(RenderOptions){.tile = {16, 8}});
+    for (int y = 0; y < HEIGHT; y += 8)
+        for (int x = 0; x < WIDTH; x += 16) {
+            render_move(tiled.render, x, y);
+            float *tile = read_frame(tiled.render);
+            for (int row = 0; row < 8; row++)
+                for (int i = 0; i < 4 * 16; i++)
+                    assert_float_equal(tile[4 * 16 * row + i], picture[4 * (WIDTH * (y + row) + x) + i], 1e-5);
+            free(tile);
+        }
+    free(picture);
+    forget(&tiled);
+}
+
+static bool graph_has(const Render *render, const char *line)
+{
+    char *graph = frame_graph(render);
+    const bool found = strstr(graph, line) != NULL;
+    free(graph);
+    return found;
+}
+
+/* Eight bytes a pixel for each of two lights. Nothing where none casts shadows, or the driver has no images; then what varies casts none. */
+static void room(void **state)
+{
+    (void)state;
+    Drawn d = draw(&(RenderOptions){0});
+    assert_true(graph_has(d.render, "sheets RG32UI 16: what planes let through of 2 lights"));
+    assert_true(graph_has(d.render, "lists depth lists not run: nothing to do")); /* peeled */
+    assert_true(render_scene(d.render, d.scene));
+    render_close(d.render);
+    d.render = render_open(d.gl, &(RenderOptions){.compile = &d.compile, .transparency = "lists"});
+    assert_false(render_scene(d.render, d.scene));
+    assert_non_null(strstr(d.gl->error, "a plane whose transparency varies casts shadows"));
+    render_close(d.render);
+    d.render = render_open(d.gl, &(RenderOptions){.compile = &d.compile, .no_shadows = true});
+    assert_true(render_scene(d.render, d.scene) && render_frame(d.render));
+    assert_false(graph_has(d.render, "sheets"));
+    render_close(d.render);
+    d.gl->major = d.gl->minor = 3;
+    d.gl->ClipControl = NULL;
+    d.render = render_open(d.gl, &(RenderOptions){.compile = &d.compile});
+    assert_true(render_scene(d.render, d.scene) && render_frame(d.render));
+    assert_false(graph_has(d.render, "sheets RG32UI"));
+    forget(&d);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_second_frame_draws), cmocka_unit_test(changes),
+                                       cmocka_unit_test(params), cmocka_unit_test(tiles), cmocka_unit_test(room)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
