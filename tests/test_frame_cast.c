@@ -30,7 +30,7 @@ static double reach_of_cascade(const Scene *scene, const double point[3])
     double depth = 0;
     for (int i = 0; i < 3; i++)
         depth -= (point[i] - scene->camera.position[i]) * scene->camera.back[i];
-    return 1.5 * (depth < 24 ? 25 : depth < 98 ? 100 : 400);
+    return 1.6 * (depth < 22 ? 25 : depth < 88 ? 100 : 400);
 }
 
 /* How far a light's texel reaches at a point, as the documents say. */

@@ -153,22 +153,9 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
-// The finest of a light's cascades that has all texels around a point: the last has all that casts shadows.
-int shadowCascade(int first, int count, vec3 point, vec3 normal, float pixel)
+// A view, or those of a cube.
+SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 {
-    int view = first;
-    for (; view < first + count - 1; view++) {
-        float lift = SHADOW_LIFT * shadowRow(view, 3).y + pixel / 64.0;
-        vec2 place = abs(shadowPlace(view, vec4(point + lift * normal, 1.0)).xy);
-        if (max(place.x, place.y) <= 1.0 - float(SHADOW_FILTER + 2) / float(SHADOW_SIZE)) break;
-    }
-    return view;
-}
-
-// `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are `count` from `first` on.
-SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
-{
-    if (shadowRow(first, 3).x <= 0.0) first = shadowCascade(first, count, point, normal, pixel);
     vec4 how = shadowRow(first, 3);
     vec3 place = shadowPlace(first, vec4(point, 1.0));
     vec3 size = abs(place);
@@ -176,6 +163,38 @@ SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
     float away = how.x > 0.0 ? cube ? max(max(size.x, size.y), size.z) : size.z : 1.0;
     vec3 lifted = point + normal * (SHADOW_LIFT * how.y * away + pixel / 64.0);
     return shadowFiltered(first, cube, shadowPlace(first, vec4(lifted, 1.0)), how);
+}
+
+const float SHADOW_BAND = 0.0625; // along the edge of a cascade, of half its width
+
+// 0 where a cascade lacks texels around a point; growing to 1 across the band.
+float shadowInside(int view, vec3 point, vec3 normal, float pixel)
+{
+    float lift = SHADOW_LIFT * shadowRow(view, 3).y + pixel / 64.0;
+    vec2 place = abs(shadowPlace(view, vec4(point + lift * normal, 1.0)).xy);
+    float edge = 1.0 - float(SHADOW_FILTER + 2) / float(SHADOW_SIZE);
+    return clamp((edge - max(place.x, place.y)) / SHADOW_BAND, 0.0, 1.0);
+}
+
+// By cascades: the finest that has the point, which gives way to the next one along its edge, so that no seam is seen. The last has all that casts
+// shadows.
+SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
+{
+    SHARE sum = SHARE(0.0);
+    float left = 1.0;
+    for (int view = first; view < first + count && left > 0.0; view++) {
+        float part = view < first + count - 1 ? left * shadowInside(view, point, normal, pixel) : left;
+        if (part > 0.0) sum += part * shadowViewed(view, 1, point, normal, pixel);
+        left -= part;
+    }
+    return sum;
+}
+
+// `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are `count` from `first` on.
+SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
+{
+    return shadowRow(first, 3).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
+                                        : shadowViewed(first, count, point, normal, pixel);
 }
 #endif
 

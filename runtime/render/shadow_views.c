@@ -11,6 +11,7 @@ static const double widest = 0.5;         /* cosine: a spot with a wider cone ha
 static const double nearest = 1.0 / 4096; /* of the distance to the farthest object: what is nearer casts no shadow */
 
 static const double coarser = 4; /* a cascade ends at so many times the depth of the one before */
+static const double steps = 4;   /* of sizes of a cascade's texels from one to twice it */
 
 typedef struct {
     const Scene *scene;
@@ -125,6 +126,22 @@ static void range_of(const Fit *fit, const double axis[3], double range[2])
     }
 }
 
+/* The middle of a map along an axis, and half of what it shows. */
+typedef struct {
+    double middle, half;
+} Reach;
+
+/* Texels of a cascade lie where they lay before the camera moved a little: their size is one of few, and their edges are at multiples of it. So ends
+ * of shadows stand still. A map of 8 texels for 5.1 to 9.9, 4.8 wide: of the sizes 0.595, 0.707, 0.841, ... seven texels of 0.707 hold it, and one is for the
+ * shift; its middle, 7.5, goes to 11 of them, 7.778. It shows 4.950 to 10.606. For 5.2 to 10, too. */
+static void snap(int size, Reach *reach)
+{
+    const double least = 2 * reach->half / (size - 1);
+    const double texel = exp2(ceil(steps * log2(least)) / steps);
+    reach->middle = round(reach->middle / texel) * texel;
+    reach->half = texel * size / 2;
+}
+
 /* What a cascade shows along two axes, or all that casts shadows. */
 static void fit_box(const Fit *fit, const SceneLight *light, const double (*shown)[2], ShadowView *view)
 {
@@ -138,10 +155,12 @@ static void fit_box(const Fit *fit, const SceneLight *light, const double (*show
     for (int i = 0; i < 2; i++) {
         const double low = shown ? fmax(ranges[i][0], shown[i][0]) : ranges[i][0];
         const double high = shown ? fmin(ranges[i][1], shown[i][1]) : ranges[i][1];
-        const double half = fmax((high - low) / 2, 1e-4 * most) * widened(fit->scene);
-        set_row(axes[i], 1 / half, (double[]){0, 0, 0}, view->rows[i]);
-        view->rows[i][3] = -(low + high) / 2 / half;
-        view->texel = fmax(view->texel, 2 * half / fit->scene->shadow_size);
+        Reach reach = {(low + high) / 2, fmax((high - low) / 2, 1e-4 * most) * widened(fit->scene)};
+        if (shown)
+            snap(fit->scene->shadow_size, &reach);
+        set_row(axes[i], 1 / reach.half, (double[]){0, 0, 0}, view->rows[i]);
+        view->rows[i][3] = -reach.middle / reach.half;
+        view->texel = fmax(view->texel, 2 * reach.half / fit->scene->shadow_size);
     }
     const double deep = 2 * fmax(ranges[2][1] - ranges[2][0], 1e-4 * most);
     set_row(axes[2], -1 / deep, (double[]){0, 0, 0}, view->rows[2]);
