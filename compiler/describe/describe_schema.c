@@ -285,9 +285,12 @@ static void put_outermost(Text *out)
         "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
         "        \"colors\": {\"$ref\": \"#/$defs/colors\"}");
     describe_scene_keys(out);
+    text_put(out, "\n      }\n    },\n");
+}
+
+static void put_materials_document(Text *out)
+{
     text_format(out,
-                "\n      }\n"
-                "    },\n"
                 "    \"materialsDocument\": {\n"
                 "      \"description\": \"Several materials in a file.\",\n"
                 "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
@@ -334,6 +337,7 @@ static char *document_schema(void)
             put_document(&out, (Kind)kind);
     describe_scene_definitions(&out);
     put_outermost(&out);
+    put_materials_document(&out);
     text_put(&out, "  }\n}\n");
     return describe_finish(&out);
 }

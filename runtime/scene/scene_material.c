@@ -99,24 +99,41 @@ static MatcDocument *open_document(SceneReader *r, const Tree *tree)
 
 static const char *material_name(const void *user, int i) { return matc_material_name(user, i); }
 
-/* { file: path, material: name } */
+/* Whether it is { file: path, material: name }, or without a name. */
+static bool is_of_file(SceneReader *r, const Tree *tree)
+{
+    for (uint32_t i = 0; i < tree->count; i++) {
+        const Member *member = &tree->members[i];
+        const bool known = !strcmp(member->key, "file") || !strcmp(member->key, "material");
+        if (!known)
+            diag_add(r->session, member->span, DIAG_material_file_keys, member->key);
+        else if (member->value->kind != TREE_scalar)
+            diag_add(r->session, member->value->span, DIAG_wrong_type, member->key, "a name",
+                     tree_describe(r->session, member->value));
+        if (!known || member->value->kind != TREE_scalar)
+            return false;
+    }
+    return true;
+}
+
+/* The number of a document's material, of a name or the only one; -1: told. */
+static int find_material(SceneReader *r, const MatcDocument *document, const Tree *path, const Member *name)
+{
+    const int count = matc_material_count(document);
+    const char *wanted = name ? name->value->text : "";
+    const int index = name ? matc_material_find(document, wanted) : count == 1 ? 0 : -1;
+    const NameChoice names = {material_name, document, count};
+    if (index < 0)
+        diag_add(r->session, name ? name->value->span : path->span, DIAG_no_such_material, wanted,
+                 diag_suggest_or_list(r->session, wanted, &names, "; there are "));
+    return index;
+}
+
 static int read_file(SceneReader *r, const Tree *tree)
 {
-    const Tree *path = tree_find(tree, "file")->value;
-    const Member *name = tree_find(tree, "material");
-    for (uint32_t i = 0; i < tree->count; i++)
-        if (strcmp(tree->members[i].key, "file") != 0 && strcmp(tree->members[i].key, "material") != 0) {
-            diag_add(r->session, tree->members[i].span, DIAG_material_file_keys, tree->members[i].key);
-            return fail(r);
-        }
-    const Tree *wrong = path->kind != TREE_scalar                  ? path
-                        : name && name->value->kind != TREE_scalar ? name->value
-                                                                   : NULL;
-    if (wrong) {
-        diag_add(r->session, wrong->span, DIAG_wrong_type, wrong == path ? "file" : "material", "a name",
-                 tree_describe(r->session, wrong));
+    if (!is_of_file(r, tree))
         return fail(r);
-    }
+    const Tree *path = tree_find(tree, "file")->value;
     MatcDocument *document = open_document(r, path);
     if (!document)
         return fail(r);
@@ -124,13 +141,7 @@ static int read_file(SceneReader *r, const Tree *tree)
         diag_add(r->session, path->span, DIAG_cannot_read, path->text, first_fault(r, document));
         return fail(r);
     }
-    const int count = matc_material_count(document);
-    const int index = name ? matc_material_find(document, name->value->text) : count == 1 ? 0 : -1;
-    const NameChoice names = {material_name, document, count};
-    if (index < 0)
-        diag_add(r->session, name ? name->value->span : path->span, DIAG_no_such_material,
-                 name ? name->value->text : "",
-                 diag_suggest_or_list(r->session, name ? name->value->text : "", &names, "; there are "));
+    const int index = find_material(r, document, path, tree_find(tree, "material"));
     return index < 0 ? fail(r) : use(r, document, index);
 }
 
