@@ -6,6 +6,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 #include <cmocka.h>
 
@@ -30,6 +31,20 @@ static inline Scene *read_fine(const char *text, MatcDocument **document)
     assert_non_null(scene);
     assert_string_equal(matc_diagnostics(*document, MATC_TEXT), "");
     return scene;
+}
+
+/* That a text is no scene, and what is said first; NULL: whatever it is. */
+static inline void assert_fault(const char *text, const char *said)
+{
+    MatcDocument *document;
+    char line[512];
+    assert_null(read_text(text, &document));
+    const char *all = matc_diagnostics(document, MATC_TEXT);
+    assert_int_not_equal(matc_error_count(document), 0);
+    snprintf(line, sizeof line, "%.*s", (int)strcspn(all, "\n"), all);
+    if (said)
+        assert_string_equal(line + strlen("scene.yaml:"), said);
+    matc_document_free(document);
 }
 
 static inline void forget(Scene *scene, MatcDocument *document)

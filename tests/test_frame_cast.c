@@ -38,12 +38,7 @@ static double texel_at(const Scene *scene, const SceneLight *light, const double
 {
     const bool far = scene->objects[0].numbers[0] == FAR;
     const double reach = far ? reach_of_cascade(scene, point) : 11.5; /* across all objects */
-    double way[3];
-    const double distance = shadow_way_to(light, point, way);
-    const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
-                            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
-                            : 1;
-    return (light->kind == SCENE_Directional ? reach : 2 * wide * distance) / scene->shadow_size;
+    return shadow_texel(scene, light, point, reach);
 }
 
 /* The light that arrives there is that of all points beside it. */

@@ -125,15 +125,11 @@ static void room(void **state)
             gl->major = gl->minor = 3;
             gl->ClipControl = NULL;
         }
-        Render *render = render_open(
-            gl, &(RenderOptions){.compile = &options, .list_bytes = cases[i].most, .transparency = "peeling"});
-        const bool done = render && render_scene(render, scene) && render_frame(render);
-        char *graph = done ? frame_graph(render) : NULL;
-        if (!strstr(graph ? graph : gl->error, cases[i].said) ||
-            (graph && cases[i].buffer != (strstr(graph, "transparent there") != NULL)))
-            fail_msg("case %d: %s", (int)i, graph ? graph : gl->error);
-        free(graph);
-        render_close(render);
+        char *said = frame_graph_or_fault(
+            gl, scene, &(RenderOptions){.compile = &options, .list_bytes = cases[i].most, .transparency = "peeling"});
+        if (!strstr(said, cases[i].said) || cases[i].buffer != (strstr(said, "transparent there") != NULL))
+            fail_msg("case %d: %s", (int)i, said);
+        free(said);
         gl_close(gl);
         frame_forget(scene, document);
     }

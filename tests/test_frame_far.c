@@ -206,27 +206,6 @@ static void changes(void **state)
     close_hall(&h);
 }
 
-/* The picture as its tiles show it, from malloc. */
-static float *draw_tiles(const Hall *h, const RenderOptions *options)
-{
-    float *picture = calloc(PIXELS, 4 * sizeof *picture);
-    Render *render = open_render(h, options);
-    const int width = render_tile_width(render), height = render_tile_height(render);
-    float *tile = calloc((size_t)width * (size_t)height, 4 * sizeof *tile);
-    assert_true(picture && tile);
-    for (int y = 0; y < HEIGHT; y += height)
-        for (int x = 0; x < WIDTH; x += width) {
-            render_move(render, x, y);
-            assert_true(render_frame(render) && render_read(render, tile));
-            for (int i = 0; i < width * height; i++)
-                if (x + i % width < WIDTH && y + i / width < HEIGHT)
-                    memcpy(picture + 4 * ((y + i / width) * WIDTH + x + i % width), tile + 4 * i, 4 * sizeof *tile);
-        }
-    free(tile);
-    render_close(render);
-    return picture;
-}
-
 /* Tiles whose blocks are others than the picture's. A wall that faces the eye: its depth is the same in all of them, test_tiles.c. */
 static void tiles(void **state)
 {
@@ -250,7 +229,7 @@ static void tiles(void **state)
     float *whole = frame_floats(h.gl, h.scene, &options);
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         memcpy(options.tile, sizes[i], sizeof options.tile);
-        float *drawn = draw_tiles(&h, &options);
+        float *drawn = frame_tiles(h.gl, h.scene, &options);
         assert_true(most_apart(all, drawn, &differ) <= 1 && differ > PIXELS / 10);
         assert_true(most_apart(whole, drawn, &differ) <= 1 && differ > PIXELS / 10);
         free(drawn);

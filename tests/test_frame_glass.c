@@ -336,13 +336,10 @@ static void room(void **state)
         GlContext *gl = frame_context();
         RenderOptions with = cases[i].options;
         with.compile = &options;
-        Render *render = render_open(gl, &with);
-        const bool done = render && render_scene(render, scene) && render_frame(render);
-        char *graph = done ? frame_graph(render) : NULL;
-        if (!strstr(graph ? graph : gl->error, cases[i].said))
-            fail_msg("%s", graph ? graph : gl->error);
-        free(graph);
-        render_close(render);
+        char *said = frame_graph_or_fault(gl, scene, &with);
+        if (!strstr(said, cases[i].said))
+            fail_msg("%s", said);
+        free(said);
         gl_close(gl);
     }
     frame_forget(scene, document);

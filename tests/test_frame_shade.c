@@ -40,6 +40,7 @@ static bool is_lit(const Tracer *tracer, const SceneLight *light, const double p
 /* -- pictures */
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
+static const double REACH = 11.5; /* across all objects of a scene, about */
 
 #define VIEW                                                                                                           \
     "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
@@ -64,18 +65,6 @@ typedef struct {
     int acne, leaks; /* wrong ones */
 } Count;
 
-/* How far a light's texel reaches at a point: what the documents say of maps, and no code of the renderer's. */
-static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
-{
-    const double reach = 11.5; /* across all objects, about */
-    double way[3];
-    const double distance = shadow_way_to(light, point, way);
-    const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
-                            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
-                            : 1;
-    return (light->kind == SCENE_Directional ? reach : 2 * wide * distance) / scene->shadow_size;
-}
-
 /* Texels around a point in which all has to agree. */
 static double band_of(const Scene *scene) { return 3.0 * (scene->shadow_filter + 1); }
 
@@ -83,7 +72,7 @@ static double band_of(const Scene *scene) { return 3.0 * (scene->shadow_filter +
 static int share_of(const Tracer *tracer, const Hit *hit)
 {
     const SceneLight *light = &tracer->scene->lights[0];
-    const double step = band_of(tracer->scene) * texel_at(tracer->scene, light, hit->world);
+    const double step = band_of(tracer->scene) * shadow_texel(tracer->scene, light, hit->world, REACH);
     double way[3], moved[3];
     const bool lit = is_lit(tracer, light, hit->world, hit->facet);
     shadow_way_to(light, hit->world, way);

@@ -34,15 +34,8 @@ static void faults(void **state)
          "}\n  b: { object: Group, objects: [{ object: Instance, of: a }] }\n",
          "5:57: error: 'a' contains itself"},
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        MatcDocument *document;
-        assert_null(read_text(cases[i].text, &document));
-        const char *said = matc_diagnostics(document, MATC_TEXT);
-        char line[512];
-        snprintf(line, sizeof line, "%.*s", (int)strcspn(said, "\n"), said);
-        assert_string_equal(line + strlen("scene.yaml:"), cases[i].said);
-        matc_document_free(document);
-    }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        assert_fault(cases[i].text, cases[i].said);
 }
 
 /* What is instanced stands under the instance's matrix, in the order of the document; where it has no material, in the instance's; a map of

@@ -12,27 +12,6 @@
 
 enum { WIDTH = 200, HEIGHT = 150 };
 
-/* The picture as its tiles show it, the last column and row first; from malloc. */
-static float *draw_tiles(GlContext *gl, const Scene *scene, const RenderOptions *options)
-{
-    float *picture = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *picture);
-    Render *render = render_open(gl, options);
-    assert_true(picture && render && render_scene(render, scene));
-    const int width = render_tile_width(render), height = render_tile_height(render);
-    float *tile = calloc((size_t)width * (size_t)height, 4 * sizeof *tile);
-    for (int y = (HEIGHT - 1) / height * height; y >= 0; y -= height)
-        for (int x = (WIDTH - 1) / width * width; x >= 0; x -= width) {
-            render_move(render, x, y);
-            assert_true(render_frame(render) && render_read(render, tile));
-            for (int i = 0; i < width * height; i++)
-                if (x + i % width < WIDTH && y + i / width < HEIGHT)
-                    memcpy(picture + 4 * ((y + i / width) * WIDTH + x + i % width), tile + 4 * i, 4 * sizeof *tile);
-        }
-    free(tile);
-    render_close(render);
-    return picture;
-}
-
 /* So many pixels whose greatest difference is above `least`. */
 static int apart(const float *a, const float *b, double least)
 {
@@ -73,7 +52,7 @@ static void rays_are_the_pictures(void **state)
         assert_true(fabs(whole[0] - whole[4 * (WIDTH - 1)]) > 1e-3); /* they do differ */
         for (size_t i = 0; i < sizeof tiles / sizeof *tiles; i++) {
             memcpy(render.tile, tiles[i], sizeof render.tile);
-            float *parts = draw_tiles(gl, scene, &render);
+            float *parts = frame_tiles(gl, scene, &render);
             assert_memory_equal(whole, parts, (size_t)WIDTH * HEIGHT * 4 * sizeof *whole);
             free(parts);
         }
@@ -105,7 +84,7 @@ static void seams_are_rounding(void **state)
         float *whole = frame_floats(gl, scene, &render);
         for (size_t i = 0; i < sizeof tiles / sizeof *tiles; i++) {
             memcpy(render.tile, tiles[i], sizeof render.tile);
-            float *parts = draw_tiles(gl, scene, &render);
+            float *parts = frame_tiles(gl, scene, &render);
             assert_true(apart(whole, parts, view ? 1e-4 : 1e-6) <= WIDTH * HEIGHT / 400);
             free(parts);
         }

@@ -71,6 +71,36 @@ float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *opti
     return rgba;
 }
 
+/* Puts a tile that begins at a pixel into a picture. */
+static void put_tile(const Render *render, const float *tile, const int at[2], float *picture)
+{
+    const int width = render_width(render), height = render_height(render), tile_width = render_tile_width(render);
+    const int columns = width - at[0] < tile_width ? width - at[0] : tile_width;
+    for (int row = 0; row < render_tile_height(render) && at[1] + row < height; row++)
+        memcpy(picture + 4 * ((size_t)(at[1] + row) * (size_t)width + (size_t)at[0]),
+               tile + 4 * (size_t)row * (size_t)tile_width, 4 * (size_t)columns * sizeof *tile);
+}
+
+float *frame_tiles(GlContext *gl, const Scene *scene, const RenderOptions *options)
+{
+    Render *render = render_open(gl, options);
+    if (!render || !render_scene(render, scene))
+        end(gl->error);
+    const int width = render_tile_width(render), height = render_tile_height(render);
+    float *picture = calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *picture);
+    float *tile = calloc((size_t)width * (size_t)height, 4 * sizeof *tile);
+    for (int y = (render_height(render) - 1) / height * height; y >= 0; y -= height)
+        for (int x = (render_width(render) - 1) / width * width; x >= 0; x -= width) {
+            render_move(render, x, y);
+            if (!picture || !tile || !render_frame(render) || !render_read(render, tile))
+                end(gl->error);
+            put_tile(render, tile, (int[]){x, y}, picture);
+        }
+    free(tile);
+    render_close(render);
+    return picture;
+}
+
 char *frame_graph(const Render *render)
 {
     char *graph = render_graph(render), *to = graph;
@@ -81,6 +111,15 @@ char *frame_graph(const Render *render)
             *to++ = *from;
     *to = 0;
     return graph;
+}
+
+char *frame_graph_or_fault(GlContext *gl, const Scene *scene, const RenderOptions *options)
+{
+    Render *render = render_open(gl, options);
+    const bool done = render && render_scene(render, scene) && render_frame(render);
+    char *said = done ? frame_graph(render) : strdup(gl->error);
+    render_close(render);
+    return said;
 }
 
 void frame_forget(Scene *scene, MatcDocument *document)

@@ -11,7 +11,11 @@ Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **
 GlContext *frame_context(void);
 /* Floats of a view, from malloc. */
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);
+/* The same of the whole picture, by its tiles, the last column and row first. */
+float *frame_tiles(GlContext *gl, const Scene *scene, const RenderOptions *options);
 /* render_graph with one space between words, so that columns may move. From malloc. */
 char *frame_graph(const Render *render);
+/* The same of a scene, drawn once; or, where it can't be, why. From malloc. */
+char *frame_graph_or_fault(GlContext *gl, const Scene *scene, const RenderOptions *options);
 void frame_forget(Scene *scene, MatcDocument *document);
 #endif

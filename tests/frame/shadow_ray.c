@@ -13,6 +13,16 @@ double shadow_way_to(const SceneLight *light, const double point[3], double way[
     return light->kind == SCENE_Directional ? INFINITY : length;
 }
 
+double shadow_texel(const Scene *scene, const SceneLight *light, const double point[3], double reach)
+{
+    double way[3];
+    const double distance = shadow_way_to(light, point, way);
+    const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
+                            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
+                            : 1;
+    return (light->kind == SCENE_Directional ? reach : 2 * wide * distance) / scene->shadow_size;
+}
+
 bool shadow_is_behind_plane(const Scene *scene, const double from[3], const double way[3], double distance)
 {
     Hit hit = {.distance = distance};

@@ -7,6 +7,9 @@
 
 /* Towards a light; its length is the distance, or infinite. */
 double shadow_way_to(const SceneLight *light, const double point[3], double way[3]);
+/* How far a texel of a light's map reaches at a point: what the documents say of maps, and no code of the renderer's. `reach` is across all that
+ * a directional light's map holds. */
+double shadow_texel(const Scene *scene, const SceneLight *light, const double point[3], double reach);
 /* An infinite plane is between: it is met before the light. */
 bool shadow_is_behind_plane(const Scene *scene, const double from[3], const double way[3], double distance);
 /* A step on the tangent plane that is `step` across the light's way, at an angle around it. */
