@@ -2,12 +2,10 @@
 #ifndef TESTS_PREVIEW_H
 #define TESTS_PREVIEW_H
 #include "compiler/matc.h"
-#include "runtime/view/picture.h"
+#include "runtime/view/material_picture.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char view_text_screen[], view_text_light[], view_text_slot[];
 
 #define RADIANS (M_PI / 180)
 typedef struct {
@@ -72,7 +70,24 @@ typedef struct {
     MatcOptions options;
     View view;
     unsigned char *rgb;
-} Preview;
+} Drawn;
+
+/* The document's only material, into rgb, by a context of its own. What is said of it must be nothing. */
+static inline void draw_pixels(MatcDocument *document, const MaterialPictureOptions *options, unsigned char *rgb)
+{
+    char error[512] = "";
+    MaterialSaid said = {0};
+    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+    assert_non_null(gl);
+    assert_int_equal(matc_material_count(document), 1);
+    MaterialPictures *pictures = material_pictures_open(gl, options);
+    const bool shown = pictures && material_pictures_show(pictures, document, 0, &said);
+    if (!shown || *said.diagnostics || !scene_pictures_pixels(material_pictures_of(pictures), rgb))
+        fail_msg("%s%s%s", said.diagnostics ? said.diagnostics : "", said.error, gl->error);
+    free(said.diagnostics);
+    material_pictures_close(pictures);
+    gl_close(gl);
+}
 
 /* Of which material, as what. */
 typedef struct {
@@ -80,44 +95,34 @@ typedef struct {
 } Subject;
 
 /* A sample a pixel, in its middle. */
-static inline Preview draw_subject(const Subject *subject, int width, int height)
+static inline Drawn draw_subject(const Subject *subject, int width, int height)
 {
     const char *text = subject->text;
-    Preview p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
-    Picture drawn = {.rgb = p.rgb};
+    Drawn p = {.rgb = malloc((size_t)width * (size_t)height * 3)};
     matc_options_init(&p.options);
     p.options.pass = subject->pass;
     p.options.layout = "integer";
     p.options.normals = subject->normals;
     p.document = matc_read("preview.yaml", text, strlen(text), &p.options);
-    assert_int_equal(matc_material_count(p.document), 1);
-    const PictureOptions options = {.compile = p.options,
-                                    .view = {.shape = SHAPE_sphere,
-                                             .width = width,
-                                             .height = height,
-                                             .supersampling = 1,
-                                             .screen_text = view_text_screen,
-                                             .light_text = view_text_light,
-                                             .slot_text = view_text_slot,
-                                             .slot = subject->slot,
-                                             .sky = !strcmp(subject->pass, "sky")}};
-    if (!picture_draw(p.document, 0, &options, &drawn))
-        fail_msg("%s%s", drawn.diagnostics, drawn.error);
-    free(drawn.diagnostics);
+    const MaterialPictureOptions options = {
+        .pictures = {.render = {.compile = &p.options, .samples = 1}},
+        .preview = {.shape = SHAPE_sphere, .width = width, .height = height, .sky = !strcmp(subject->pass, "sky")},
+        .slot = subject->slot};
+    draw_pixels(p.document, &options, p.rgb);
     return p;
 }
 
-static inline Preview draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
+static inline Drawn draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
 {
     return draw_subject(&(Subject){text, pass, NULL, slot}, width, height);
 }
 
-static inline Preview draw(const char *text, const char *pass, int width, int height)
+static inline Drawn draw(const char *text, const char *pass, int width, int height)
 {
     return draw_slot(text, pass, NULL, width, height);
 }
 
-static inline void discard(Preview *p)
+static inline void discard(Drawn *p)
 {
     matc_document_free(p->document);
     free(p->rgb);

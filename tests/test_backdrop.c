@@ -1,4 +1,4 @@
-/* What is where nothing is seen: tiles and a glow by their formulas, whatever the tone mapping, and as glass before them lets them through. */
+/* What is where nothing is seen: tiles and a glow by their formulas, whatever the tone mapping, and as glass before them lets them through; a glow with tiles behind the glass. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -52,7 +52,7 @@ static void through_glass(void **state)
     enum { WIDTH = 60, HEIGHT = 40 };
     static const double edge[2][3] = {{.034, .036, .04}, {.15, .155, .165}}, lets[3] = {.5, .25, 1};
     GlContext *gl = frame_context();
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 5; k++) {
         char text[1024];
         double most = 0;
         snprintf(text, sizeof text,
@@ -60,15 +60,19 @@ static void through_glass(void **state)
                  "size: 4 }\nobjects: [{ object: Parallelogram, u: [2, 0, 0], v: [0, 0, 2], material: { material: "
                  "Phong, diffuse: 0, transparency: [.5, .25, 1] }, transform: { translation: [-1, 0, -1] } }]\n"
                  "toneMapping: { toneMapping: Clamp, exposure: %d }\n",
-                 k % 2 ? "tiles" : "glow", k / 2 * 3);
-        float *shown = draw(gl, text, 1 + k / 2, k == 3);
+                 k == 4  ? "glow: true, tiles"
+                 : k % 2 ? "tiles"
+                         : "glow",
+                 k / 2 % 2 * 3);
+        float *shown = draw(gl, text, 1 + k / 2 % 2, k == 3);
         for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
             const int x = i / 3 % WIDTH, y = i / 3 / WIDTH, lane = i % 3;
             const bool pane = x >= 20 && x < 40 && y >= 10 && y < 30;
             const double right = (2 * x + 1 - WIDTH) / (double)HEIGHT, up = (2 * y + 1 - HEIGHT) / (double)HEIGHT - .1;
             const double glow = exp(-1.6 * (right * right + up * up)), grey = (x / 16 + y / 16) % 2 ? .4 : .6;
+            const bool tiled = k == 4 ? pane : k % 2;
             const double behind =
-                k % 2 ? pow((grey + .055) / 1.055, 2.4) : edge[0][lane] + glow * (edge[1][lane] - edge[0][lane]);
+                tiled ? pow((grey + .055) / 1.055, 2.4) : edge[0][lane] + glow * (edge[1][lane] - edge[0][lane]);
             most = fmax(most, fabs(shown[i / 3 * 4 + lane] - encode(pane ? lets[lane] * behind : behind)));
         }
         print_message("%s: %.3f steps of 8 bits\n", k % 2 ? "tiles" : "glow", 255 * most);

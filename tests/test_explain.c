@@ -6,13 +6,11 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "grammar/tables.h"
-#include "runtime/view/picture.h"
+#include "tests/preview.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-extern const char view_text_screen[], view_text_light[];
 
 enum { SIDE = 48, FROM = 12, TO = 36 };
 
@@ -52,29 +50,18 @@ static Look look_at(const unsigned char *rgb)
     return look;
 }
 
-static Look draw(const char *text, bool sky)
+static Look look_of(const char *text, bool sky)
 {
     static unsigned char rgb[SIDE * SIDE * 3];
-    PictureOptions options = {.view = {.shape = SHAPE_sphere,
-                                       .width = SIDE,
-                                       .height = SIDE,
-                                       .supersampling = 1,
-                                       .screen_text = view_text_screen,
-                                       .light_text = view_text_light}};
-    Picture picture = {.rgb = rgb};
-    matc_options_init(&options.compile);
-    options.compile.pixels = true;
-    options.compile.pass = sky ? "sky" : NULL;
-    options.view.sky = sky;
-    options.view.azimuth = M_PI / 2; /* where the sun of the defaults is */
-    MatcDocument *document = matc_read("example.yaml", text, strlen(text), &options.compile);
+    MatcOptions compile;
+    matc_options_init(&compile);
+    compile.pixels = true;
+    compile.pass = sky ? "sky" : NULL;
+    MatcDocument *document = matc_read("example.yaml", text, strlen(text), &compile);
     assert_string_equal(matc_diagnostics(document, MATC_TEXT), "");
-    bool done = picture_draw(document, 0, &options, &picture);
-    if (!done)
-        fprintf(stderr, "%s%s", picture.diagnostics ? picture.diagnostics : "", picture.error);
-    assert_true(done);
-    assert_string_equal(picture.diagnostics, "");
-    free(picture.diagnostics);
+    const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
+                                            .preview = {.width = SIDE, .height = SIDE, .sky = sky}};
+    draw_pixels(document, &options, rgb);
     matc_document_free(document);
     return look_at(rgb);
 }
@@ -85,7 +72,7 @@ static void examples_show_something(void **state)
     (void)state;
     for (int kind = 0; kind < KIND_COUNT; kind++) {
         char *text = example_of(kind_table[kind].name);
-        const Look look = draw(text, !strcmp(kind_table[kind].name, "SunSkyLight"));
+        const Look look = look_of(text, !strcmp(kind_table[kind].name, "SunSkyLight"));
         print_message("%-16s mean %.3f deviation %.3f\n", kind_table[kind].name, look.mean, look.deviation);
         assert_true(look.mean > black);
         assert_true(look.deviation > flat);
@@ -97,7 +84,7 @@ static void examples_show_something(void **state)
 static void nothing_is_seen(void **state)
 {
     (void)state;
-    const Look none = draw("material: Phong\ndiffuse: 0\n", false), grey = draw("material: Phong\n", false);
+    const Look none = look_of("material: Phong\ndiffuse: 0\n", false), grey = look_of("material: Phong\n", false);
     assert_true(none.mean < 8 / 255.0 && none.deviation < 8 / 255.0);
     assert_true(grey.mean > 0.3);
 }

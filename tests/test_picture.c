@@ -5,11 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "grammar/layout_tables.h"
-#include "runtime/view/picture.h"
-#include <stdlib.h>
-#include <string.h>
-
-extern const char view_text_screen[], view_text_light[];
+#include "tests/preview.h"
 
 /* The same picture but for quantisation: mean and greatest difference to that of the thesis' layout, in steps of 255. */
 static void pictures_are_alike(void **state)
@@ -26,19 +22,12 @@ static void pictures_are_alike(void **state)
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
     assert_int_equal(matc_material_count(document), 1);
     for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
-        Picture drawn = {.rgb = layout ? picture : first};
-        PictureOptions options = {.compile = compile,
-                                  .view = {.width = 96,
-                                           .height = 96,
-                                           .supersampling = 2,
-                                           .screen_text = view_text_screen,
-                                           .light_text = view_text_light}};
+        const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile, .samples = 2}},
+                                                .preview = {.width = 96, .height = 96}};
         double sum = 0;
         int greatest = 0;
-        options.compile.layout = layout_table[layout].name;
-        if (!picture_draw(document, 0, &options, &drawn))
-            fail_msg("%s%s", drawn.diagnostics, drawn.error);
-        free(drawn.diagnostics);
+        compile.layout = layout_table[layout].name;
+        draw_pixels(document, &options, layout ? picture : first);
         for (int i = 0; layout && i < 3 * PIXELS; i++) {
             int difference = abs(picture[i] - first[i]);
             sum += difference;
@@ -63,75 +52,105 @@ static void assert_shows_something(const unsigned char *rgb, int size)
     assert_true(most - least > 60);
 }
 
-static MatcProgram *compile(const char *text, unsigned outputs, MatcDocument **document)
-{
-    MatcOptions options;
-    matc_options_init(&options);
-    *document = matc_read("test.yaml", text, strlen(text), &options);
-    assert_int_equal(matc_material_count(*document), 1);
-    MatcProgram *program = matc_compile(*document, 0, outputs, &options);
-    assert_true(matc_ok(program));
-    return program;
-}
-
-/* In the caller's context and in the picture's own. */
+/* All by one context, which each leaves as clean as it was. */
 static void shapes_are_seen(void **state)
 {
     (void)state;
     enum { SIZE = 96 };
     static unsigned char rgb[3 * SIZE * SIZE];
-    char error[1024] = "";
-    MatcDocument *document;
-    MatcProgram *program = compile("{ material: Phong, diffuse: { map: Checker, color1: 0.6, color2: [0.1, 0.3, 0.5], "
-                                   "input: { map: UVTransform, scaleU: 8, scaleV: 4 } }, shininess: 0.7 }",
-                                   MATC_VERTEX | MATC_FRAGMENT | MATC_UNPACK, &document);
+    static const char text[] = "{ material: Phong, diffuse: { map: Checker, color1: 0.6, color2: [0.1, 0.3, 0.5], "
+                               "input: { map: UVTransform, scaleU: 8, scaleV: 4 } }, shininess: 0.7 }";
+    char error[512] = "";
+    MatcOptions compile;
+    MaterialSaid said;
+    matc_options_init(&compile);
+    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
     GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
     if (!gl)
         fail_msg("%s", error);
-    for (int shape = 0; shape < 2 * SHAPE_count; shape++) {
-        const ViewOptions options = {.shape = (ShapeKind)(shape / 2),
-                                     .width = SIZE,
-                                     .height = SIZE,
-                                     .screen_text = view_text_screen,
-                                     .light_text = view_text_light,
-                                     .gl = shape % 2 ? NULL : gl};
-        if (!view_render(&options, program, rgb, error, sizeof error))
-            fail_msg("%s", error);
+    for (int shape = 0; shape < SHAPE_count; shape++) {
+        const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
+                                                .preview = {.shape = (ShapeKind)shape, .width = SIZE, .height = SIZE}};
+        MaterialPictures *pictures = material_pictures_open(gl, &options);
+        if (!pictures || !material_pictures_show(pictures, document, 0, &said) ||
+            !scene_pictures_pixels(material_pictures_of(pictures), rgb))
+            fail_msg("%s", gl->error);
+        free(said.diagnostics);
+        material_pictures_close(pictures);
         assert_shows_something(rgb, SIZE);
-        assert_true(gl_use(gl)); /* a context of its own took ours away */
         assert_true(gl_check(gl, "drawing a picture"));
     }
     gl_close(gl);
-    matc_program_free(program);
     matc_document_free(document);
 }
 
-static void assert_refused(const ViewOptions *options, MatcProgram *program, const char *why)
-{
-    char error[4096] = "";
-    unsigned char rgb[3];
-    assert_false(view_render(options, program, rgb, error, sizeof error));
-    if (strncmp(error, why, strlen(why)) != 0)
-        fail_msg("%s", error);
-}
-
-static void view_refuses(void **state)
+/* One renderer for all: each picture is what a renderer of its own draws, whatever was drawn before. */
+static void pictures_do_not_mix(void **state)
 {
     (void)state;
-    MatcDocument *documents[2];
-    MatcProgram *whole = compile("material: Phong", MATC_VERTEX | MATC_FRAGMENT | MATC_UNPACK, &documents[0]);
-    MatcProgram *part = compile("material: Phong", MATC_FRAGMENT, &documents[1]);
-    ViewOptions options = {.width = 1, .height = 1, .screen_text = "void main() { }", .light_text = "wrong"};
-    assert_refused(&options, part, "the material's program lacks a text");
-    assert_refused(&options, whole, "fragment: ");
-    options.width = 100000;
-    assert_refused(&options, whole, "the picture with its supersampling is larger than 8192 pixels");
-    options.width = 1, options.supersampling = 9;
-    assert_refused(&options, whole, "supersampling is 1 to 8");
-    matc_program_free(whole);
-    matc_program_free(part);
-    matc_document_free(documents[0]);
-    matc_document_free(documents[1]);
+    enum { SIZE = 24, BYTES = 3 * SIZE * SIZE };
+    static const char text[] = "materials: { a: { material: Phong, diffuse: [0.6, 0.3, 0.1] }, b: { material: Phong, "
+                               "transparency: 0.5 }, c: { material: Phong, diffuse: [0.1, 0.3, 0.1] } }";
+    static const int order[] = {0, 1, 2, 1, 0};
+    static unsigned char alone[3][BYTES], rgb[BYTES];
+    MatcOptions compile;
+    MaterialSaid said;
+    char error[512];
+    matc_options_init(&compile);
+    MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
+    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+    assert_non_null(gl);
+    const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
+                                            .preview = {.shape = SHAPE_torus, .width = SIZE, .height = SIZE}};
+    for (int i = -3; i < (int)(sizeof order / sizeof *order); i++) {
+        static MaterialPictures *all;
+        MaterialPictures *pictures = i < 0 || !all ? material_pictures_open(gl, &options) : all;
+        const int material = i < 0 ? i + 3 : order[i];
+        assert_true(pictures && material_pictures_show(pictures, document, material, &said));
+        assert_true(scene_pictures_pixels(material_pictures_of(pictures), i < 0 ? alone[material] : rgb));
+        free(said.diagnostics);
+        all = i < 0 ? NULL : pictures;
+        if (i < 0 || i + 1 == (int)(sizeof order / sizeof *order))
+            material_pictures_close(pictures);
+        if (i >= 0)
+            assert_memory_equal(rgb, alone[material], BYTES);
+    }
+    assert_memory_not_equal(alone[0], alone[1], BYTES);
+    assert_memory_not_equal(alone[0], alone[2], BYTES);
+    gl_close(gl);
+    matc_document_free(document);
+}
+
+/* What the compiler says is told as it says it; a slot that a layout lacks by the error. */
+static void faults_are_told(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *layout, *slot, *said;
+    } cases[] = {
+        {"{ material: Phong }", "compact", "ior", "the layout does not store that slot"},
+        {"{ material: Phong }", "unknown", NULL, "error: layout: there is no 'unknown'"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char error[512];
+        MatcOptions compile;
+        MaterialSaid said;
+        matc_options_init(&compile);
+        MatcDocument *document = matc_read("test.yaml", cases[i].text, strlen(cases[i].text), &compile);
+        compile.layout = cases[i].layout;
+        GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+        const MaterialPictureOptions options = {
+            .pictures = {.render = {.compile = &compile}}, .preview = {.width = 8, .height = 8}, .slot = cases[i].slot};
+        MaterialPictures *pictures = gl ? material_pictures_open(gl, &options) : NULL;
+        assert_non_null(pictures);
+        assert_false(material_pictures_show(pictures, document, 0, &said));
+        if (!strstr(said.diagnostics ? said.diagnostics : said.error, cases[i].said))
+            fail_msg("%s%s", said.diagnostics ? said.diagnostics : "", said.error);
+        free(said.diagnostics);
+        material_pictures_close(pictures);
+        gl_close(gl);
+        matc_document_free(document);
+    }
 }
 
 int main(void)
@@ -139,7 +158,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_are_alike),
         cmocka_unit_test(shapes_are_seen),
-        cmocka_unit_test(view_refuses),
+        cmocka_unit_test(pictures_do_not_mix),
+        cmocka_unit_test(faults_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

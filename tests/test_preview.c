@@ -9,7 +9,7 @@
 #include "tests/preview.h"
 #include <stdio.h>
 
-/* The preview's room, as light.glsl describes it: lights in the eye's space, and light from all around. */
+/* The preview's room: lights in the eye's space, and light from all around. */
 static const Vector light_direction[] = {{{-.4968, .6211, .6062}}, {{.8729, .0970, .4783}}, {{.3651, .5477, -.7528}}};
 static const Vector light_color[] = {{{1.04, .99, .91}}, {{.17, .21, .27}}, {{.42, .45, .5}}};
 static const Vector above = {{.175, .185, .205}}, below = {{.062, .057, .053}};
@@ -34,7 +34,8 @@ static double shade(const Phong *m, const View *view, Vector n, Vector ray, int 
     double sum = m->emissive + (m->diffuse + m->ambient) * around + m->specular * mirrored;
     for (int i = 0; i < 3; i++) {
         Vector e = light_direction[i];
-        Vector l = added(added(scaled(view->right, e.at[0]), scaled(view->up, e.at[1])), scaled(view->back, e.at[2]));
+        Vector l =
+            unit(added(added(scaled(view->right, e.at[0]), scaled(view->up, e.at[1])), scaled(view->back, e.at[2])));
         double lobe = pow(fmax(dot(reflected, l), 0), m->exponent);
         sum += (m->diffuse + m->specular * lobe) * fmax(dot(n, l), 0) * light_color[i].at[lane];
     }
@@ -76,7 +77,7 @@ static void spheres_are_lit(void **state)
     enum { SIDE = 96 };
     const double most = 1; /* a byte */
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Preview p = draw(cases[i].text, "gbuffer", SIDE, SIDE);
+        Drawn p = draw(cases[i].text, "gbuffer", SIDE, SIDE);
         Vector back = from_angles(-112 * RADIANS, 22 * RADIANS);
         View view = look(scaled(back, 4.55), back, 15 * RADIANS, SIDE, SIDE);
         double worst = 0;
@@ -107,7 +108,7 @@ static void srgb_bytes_come_back(void **state)
         char text[128];
         snprintf(text, sizeof text, "{ colors: srgb, material: Phong, diffuse: 0, emissive: '#%02x%02x80' }", red,
                  green);
-        Preview p = draw(text, "gbuffer", SIDE, SIDE);
+        Drawn p = draw(text, "gbuffer", SIDE, SIDE);
         const unsigned char *middle = p.rgb + 3 * (SIDE / 2 * SIDE + SIDE / 2);
         assert_int_equal(middle[0], red);
         assert_int_equal(middle[1], green);
@@ -142,7 +143,7 @@ static void slots_are_shown(void **state)
         char text[128];
         snprintf(text, sizeof text, "{ material: Phong%s%s }", *cases[i].text == '{' ? "" : ", ",
                  *cases[i].text == '{' ? "" : cases[i].text);
-        Preview p = draw_slot(text, "gbuffer", cases[i].slot, SIDE, SIDE);
+        Drawn p = draw_slot(text, "gbuffer", cases[i].slot, SIDE, SIDE);
         for (int lane = 0; lane < 3; lane++)
             if (fabs(p.rgb[MIDDLE + lane] - cases[i].bytes[lane]) > 1.5)
                 fail_msg("%s.%d: %d, not %g", cases[i].slot, lane, p.rgb[MIDDLE + lane], cases[i].bytes[lane]);
@@ -164,8 +165,8 @@ static void normals_of_the_world_look_alike(void **state)
     static const char *const slots[] = {NULL, "normal"};
     enum { SIDE = 48, BYTES = SIDE * SIDE * 3 };
     for (int i = 0; i < 2; i++) {
-        Preview eye = draw_subject(&(Subject){text, "gbuffer", "eye", slots[i]}, SIDE, SIDE);
-        Preview world = draw_subject(&(Subject){text, "gbuffer", "world", slots[i]}, SIDE, SIDE);
+        Drawn eye = draw_subject(&(Subject){text, "gbuffer", "eye", slots[i]}, SIDE, SIDE);
+        Drawn world = draw_subject(&(Subject){text, "gbuffer", "world", slots[i]}, SIDE, SIDE);
         int most = 0, bright = 0;
         for (int k = 0; k < BYTES; k++) {
             most = abs(eye.rgb[k] - world.rgb[k]) > most ? abs(eye.rgb[k] - world.rgb[k]) : most;

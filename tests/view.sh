@@ -55,6 +55,25 @@ check "a mesh that is not there" status 1 $draw --mesh="$work/no.obj" $example -
 check "is told" says 'no.obj: No such file'
 check "and nothing drawn" test ! -e "$work/none.png"
 
+# -- a material is a scene: what there is for one is there for the other
+
+check "a material's light" status 0 $draw --view=light $example -o "$work/other.png"
+check "is not its picture" differ plain other
+check "--stats" status 0 $draw --stats $example -o "$work/other.png"
+check "says what ran" says '^light *depth, gbuffer'
+check "and is the same picture" same plain other
+check "--emit=frame" status 0 $draw --emit=frame $example
+check "says what would" grep -q '^light *depth, gbuffer' "$work/stdout"
+check "16 bits" status 0 $draw --bits=16 $example -o "$work/deep.png"
+check "are said in the file" test "$(od -An -tu1 -j24 -N1 "$work/deep.png" | tr -d ' ')" = 16
+check "OpenEXR" status 0 $draw $example -o "$work/plain.exr"
+check "is that" test "$(od -An -tx1 -N4 "$work/plain.exr" | tr -d ' ')" = 762f3101
+check "tools" status 0 $draw --tools=axes $example -o "$work/other.png"
+check "are drawn" differ plain other
+check "in tiles, with progress" status 0 $matview --size=700 --memory=1 --progress $example -o "$work/other.png"
+check "says how far it is" says 'of 700 rows drawn'
+check "--slot is for the eye" status 2 $draw --slot=normal $example -o "$work/none.exr"
+
 # -- a scene
 
 scene="$matview --size=40 examples/scenes/solids.yaml"
@@ -100,12 +119,16 @@ for option in --format=gif --edges=soft --bits=12 --bits=32 --memory=0 "--format
     check "$option is wrong usage" status 2 $scene $option -o "$work/none.png"
     check "and draws nothing" test ! -e "$work/none.png"
 done
-check "--bits of a material" status 2 $draw --bits=16 $example -o "$work/none.png"
-for option in --shape=cube --samples=2 --camera=top --slot=normal --pass=sky --emit=ir; do
+for option in --shape=cube --camera=top --slot=normal --pass=sky --emit=ir; do
     check "$option is not for a scene" status 2 $scene $option -o "$work/none.png"
     check "and draws nothing" test ! -e "$work/none.png"
 done
-check "--view is not for a material" status 2 $draw --view=depth $example -o "$work/none.png"
+for option in --shadows=none --frames=3; do
+    check "$option is not for a material" status 2 $draw $option $example -o "$work/none.png"
+done
+check "samples" status 0 $scene --samples=3 -o "$work/view.png"
+check "are finer" differ scene view
+check "as many as there may be" status 2 $scene --samples=9 -o "$work/none.png"
 check "a view that there is not" status 1 $scene --view=deep -o "$work/none.png"
 check "is told" says "there is no view 'deep'"
 printf 'objects: [{ object: Spere }]\n' >"$work/faulty.yaml"

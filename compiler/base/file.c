@@ -119,3 +119,10 @@ char *file_read_named(const char *path, size_t *size, const char **why)
     close(descriptor);
     return text;
 }
+
+char *file_read_document(const char *path, size_t *size, const char **why)
+{
+    return strcmp(path, "-") ? file_read_named(path, size, why) : file_read_from(STDIN_FILENO, size, why);
+}
+
+const char *file_document_name(const char *path) { return strcmp(path, "-") ? path : "<stdin>"; }

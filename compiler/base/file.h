@@ -8,6 +8,9 @@
 char *file_read(const char *path, size_t *size, const char **why);
 /* The same of a path that the user named: it can be a pipe such as <(command) or /dev/stdin, or a terminal. */
 char *file_read_named(const char *path, size_t *size, const char **why);
+/* A document of a command line: the same, and "-" is standard input; diagnostics call that <stdin>. */
+char *file_read_document(const char *path, size_t *size, const char **why);
+const char *file_document_name(const char *path);
 /* All that comes from a descriptor, whatever it is. */
 char *file_read_from(int descriptor, size_t *size, const char **why);
 #endif

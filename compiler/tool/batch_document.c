@@ -19,8 +19,7 @@ bool batch_open(Batch *b, BatchDocument *document)
     const char *why;
     if (document->text || document->unreadable)
         return document->text != NULL;
-    document->text = is_standard_input(document) ? file_read_from(STDIN_FILENO, &document->size, &why)
-                                                 : file_read_named(document->path, &document->size, &why);
+    document->text = file_read_document(document->path, &document->size, &why);
     document->unreadable = !document->text;
     document->once = is_standard_input(document) || !is_regular(document->path);
     if (document->unreadable)
@@ -32,7 +31,7 @@ const MatcDocument *batch_document_parsed(Batch *b, BatchDocument *document)
 {
     pthread_mutex_lock(&document->mutex);
     if (!document->parsed) {
-        const char *name = is_standard_input(document) ? "<stdin>" : document->path;
+        const char *name = file_document_name(document->path);
         document->parsed = matc_read(name, document->text, document->size, &b->options);
     }
     pthread_mutex_unlock(&document->mutex);

@@ -189,12 +189,12 @@ int main_document(const CommandLine *line, const char *path)
 {
     size_t size;
     const char *why;
-    char *text = strcmp(path, "-") ? file_read_named(path, &size, &why) : file_read_from(STDIN_FILENO, &size, &why);
+    char *text = file_read_document(path, &size, &why);
     if (!text && line->watched)
         watch_list_add(line->watched, path);
     if (!text)
         return main_complain(line, path, why);
-    MatcDocument *document = matc_read(strcmp(path, "-") ? path : "<stdin>", text, size, &line->compile);
+    MatcDocument *document = matc_read(file_document_name(path), text, size, &line->compile);
     free(text);
     fputs(matc_diagnostics(document, line->diagnostics), stderr);
     for (int i = 0; line->watched && i < matc_depend_count(document); i++)

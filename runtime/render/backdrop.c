@@ -18,14 +18,16 @@ const char *backdrop_light_text(const Render *render)
     return transparency_is(render, render->transparency) ? backdrop_text(render) : "";
 }
 
-void backdrop_set(const Render *render, ScreenPass *pass)
+void backdrop_set(const Render *render, bool light, ScreenPass *pass)
 {
     enum { TILE = 16 };
     const double most = 1e4; /* a half float holds what it is times */
-    const double share = 1 / render->scene->exposure;
+    const Scene *scene = render->scene;
+    const bool tiles = scene->tiles && (light || !scene->glow);
+    const double share = 1 / scene->exposure;
     const float place[4] = {(float)render->at[0], (float)render->at[1], (float)render->whole[0],
                             (float)render->whole[1]};
     material_set(&pass->material, &(MaterialValue){"backdrop_place", 4, place});
-    material_set_number(&pass->material, "backdrop_tile", (float)(render->scene->tiles ? TILE * render->samples : 0));
+    material_set_number(&pass->material, "backdrop_tile", (float)(tiles ? TILE * render->samples : 0));
     material_set_number(&pass->material, "backdrop_share", (float)(share < most ? share : most));
 }

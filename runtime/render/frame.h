@@ -141,8 +141,7 @@ void light_sky_bind(const Render *render, int unit);
  * says so, and ends. */
 typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_again, FRAME_COUNT_end } FrameCount;
 
-/* SLOT_COUNT: there is none of that name. */
-Slot render_find_slot(const char *name);
+Slot render_find_slot(const char *name); /* SLOT_COUNT: there is none */
 
 /* A pass, as a row: frame.c has the list. */
 typedef struct {
@@ -160,10 +159,10 @@ int frame_pass_count(void);
 
 /* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
 const char *frame_format(const Render *render, FrameTarget target, int texture);
-int frame_bytes(const Render *render, FrameTarget target);        /* of a pixel */
+int frame_bytes(const Render *render, FrameTarget target);          /* of a pixel */
 int frame_edge(const Render *render, FrameTarget target, int axis); /* of its textures: the picture has no samples */
-int frame_shared_bytes(const Render *render, FrameTarget target); /* of these, in memory of targets before it */
-int frame_all_bytes(const Render *render);                        /* of a pixel, in all memory there is, but for lists */
+int frame_shared_bytes(const Render *render, FrameTarget target);   /* of these, in memory of targets before it */
+int frame_all_bytes(const Render *render); /* of a pixel, in all memory there is, but for lists */
 /* How textures of a target can share memory. */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target);
 const char *frame_target_name(FrameTarget target);
@@ -278,10 +277,10 @@ bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
 /* For a pass that lays something transparent over the light, with the text of it that gives no light: and over the tools, where there are some. */
 bool pass_tools_make_veil(Render *render, const LightingText *text);
 void pass_tools_draw_veil(Render *render);
-/* GLSL of backdropAt(), for the pass tone; for passes that light, if something is transparent before it; or "". A pass is told where the tile is. */
+/* GLSL of backdropAt(), or "": for the pass tone; for passes that light, if something is transparent. What a pass shows of it may be light. */
 const char *backdrop_text(const Render *render);
 const char *backdrop_light_text(const Render *render);
-void backdrop_set(const Render *render, ScreenPass *pass);
+void backdrop_set(const Render *render, bool light, ScreenPass *pass);
 /* Counts the lights, and writes their numbers. */
 bool lighting_lights(Render *render);
 /* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */

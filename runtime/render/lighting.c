@@ -30,7 +30,7 @@ void lighting_place(const Render *render, ScreenPass *pass)
     if (!pass->material.store)
         return;
     set(pass, "light_ray", render->space.ray);
-    backdrop_set(render, pass);
+    backdrop_set(render, true, pass);
 }
 
 static void set_numbers(const Render *render, ScreenPass *pass)

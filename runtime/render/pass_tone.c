@@ -66,7 +66,7 @@ static bool make_measures(Render *render, const char *kind)
 void pass_tone_place(Render *render)
 {
     if (render->tone.material.store)
-        backdrop_set(render, &render->tone);
+        backdrop_set(render, false, &render->tone);
 }
 
 bool pass_tone_make(Render *render)

@@ -33,6 +33,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     render->samples = options->samples ? options->samples : 1;
     render->surface = options->surface ? options->surface : &surface_model_phong;
     render->compile = *options->compile;
+    render->compile.normals = "eye"; /* where light is summed */
     render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute &&
                       gl->BindImageTexture && gl->MemoryBarrier;
     render->zero_to_one = gl->ClipControl != NULL && gl->major * 10 + gl->minor >= 45;
@@ -113,13 +114,23 @@ static void look(Render *render)
     cull_volume(camera, render->whole, &render->volume);
 }
 
+static bool make_set(Render *render, const Scene *scene)
+{
+    if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set))
+        return false;
+    for (int i = 0; render->options.opaque && i < render->set.count; i++) {
+        render->set.programs[i].transparent = false;
+        render->set.programs[i].caster = -1;
+    }
+    return true;
+}
+
 static bool make_scene(Render *render, const Scene *scene, Cache *before)
 {
     render->scene = scene;
     set_size(render, scene);
     look(render);
-    if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set) ||
-        !shadow_sheet_check(render))
+    if (!make_set(render, scene) || !shadow_sheet_check(render))
         return false;
     if (shadow_sheet_needed(render))
         render->transparency = TRANSPARENCY_peeling;

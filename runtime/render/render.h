@@ -24,8 +24,8 @@ enum {
 };
 
 typedef struct {
-    const MatcOptions
-        *compile;      /* how programs compute; layout NULL: the smallest that holds the scene's materials. Copied */
+    const MatcOptions *compile; /* how programs compute; layout NULL: the smallest that holds the scene's materials;
+                                    normals are kept in the eye's space, whatever is chosen. Copied */
     const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
     int width, height; /* of the picture; 0: as the scene says */
     int samples;       /* n: a pixel is the mean of n x n samples, as a screen sends light; 0: 1 */
@@ -40,6 +40,7 @@ typedef struct {
      * Filmic); "auto" (NULL): that, where lights are many and the picture has 8 bits */
     const char *lights;
     size_t list_bytes;           /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
+    bool opaque;                 /* surfaces are drawn as if all were opaque: a view of a slot has the nearest */
     bool fragment;               /* passes over all pixels are fragment programs, also where there is compute */
     const SurfaceModel *surface; /* of all materials; NULL: surface_model_phong */
     bool unculled;               /* what is out of view is drawn, too: for tests */
@@ -81,6 +82,11 @@ int render_lanes(const Render *render);
 /* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. Of depth and of
  * slots the last lane is the share of the pixel where a surface is. */
 bool render_read(Render *render, float *rgba);
+
+/* The view is a slot that the scene's layout does not store: it is read as 0. */
+bool render_lacks_view(const Render *render);
+/* Warnings of the scene's programs, with their places. From malloc. */
+char *render_diagnostics(const Render *render);
 
 /* What a pass took, drawn once more and finished; 0: it does not run. */
 typedef struct {

@@ -38,6 +38,11 @@ static bool read_samples(Render *render, float *rgba)
     return true; /* of no surface */
 }
 
+bool render_lacks_view(const Render *render)
+{
+    return render->has_reader && !render->reader.holds[render_find_slot(view_of(render))];
+}
+
 /* A pixel; of a slot, what is no surface has no share in it. */
 static void mean(const float *samples, int stride, int n, bool slot, float out[4])
 {

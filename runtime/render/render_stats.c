@@ -146,6 +146,21 @@ char *render_graph(const Render *render)
     return finish(&out);
 }
 
+/* A material's programs often say the same. */
+char *render_diagnostics(const Render *render)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    const Set *set = &render->set;
+    text_put(&out, "");
+    for (int i = 0; i < set->count; i++) {
+        const char *said = matc_program_diagnostics(set->programs[i].program, MATC_TEXT);
+        if (!strstr(out.at, said))
+            text_put(&out, said);
+    }
+    return finish(&out);
+}
+
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();

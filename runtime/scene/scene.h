@@ -97,7 +97,7 @@ typedef struct Scene {
     SceneKind tone;      /* of the sort toneMapping */
     double exposure;     /* a factor; 1 where the kind has none */
     double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias; Shoulder: knee */
-    bool tiles, glow;       /* one of them at most, where nothing is seen */
+    bool tiles, glow;       /* where nothing is seen; with both, tiles are seen through glass alone */
     int shadow_size;        /* texels of a shadow map's edge */
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
     int shadow_cascades;    /* maps of a directional light */
@@ -121,6 +121,10 @@ void scene_lights_shadow(Scene *scene, Word method);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
+
+/* Axes of an eye that stands, looks and is upright as the camera says. What has no direction: */
+typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;
+SceneAim scene_camera_aim(SceneCamera *camera);
 
 /* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene has a motion. False: it has no direction. */
 bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera *camera);

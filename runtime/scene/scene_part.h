@@ -21,9 +21,6 @@ void scene_lights_read(SceneReader *r, const Tree *list);
 void scene_sun_add(SceneReader *r);
 /* NULL: the default. scene_camera.c */
 void scene_camera_read(SceneReader *r, Tree *tree);
-/* Axes of an eye that stands, looks and is upright as the camera says. What has no direction: */
-typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;
-SceneAim scene_camera_aim(SceneCamera *camera);
 /* Orthographic: the plane is not behind it, in any corner of the picture. One that is seen edge-on is not seen. */
 bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane);
 /* After the camera. scene_motion.c */

@@ -14,7 +14,7 @@ static void read_image(SceneReader *r, Tree *tree)
     r->scene->width = (int)scene_thing_number(&thing, S_Image_width);
     r->scene->height = (int)scene_thing_number(&thing, S_Image_height);
     r->scene->glow = scene_thing_number(&thing, S_Image_glow) != 0;
-    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0 && !r->scene->glow;
+    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0;
 }
 
 static void read_tone(SceneReader *r, Tree *tree)

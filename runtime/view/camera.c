@@ -1,4 +1,4 @@
-/* A shape, or a viewpoint that somebody names, and a picture's size in; the camera's matrices out. */
+/* A shape, or a viewpoint that somebody names, in; the scene's camera out. */
 #include "runtime/view/camera.h"
 #include "compiler/base/text.h"
 #include <math.h>
@@ -12,26 +12,15 @@ static const struct {
     double distance; /* from the origin, such that the shape fills the frame */
     double shift;    /* of the target along z, to centre the shape's outline */
     double angle;    /* of view */
-    double reach;    /* the shape lies within */
 } viewpoints[SHAPE_count] = {
-    [SHAPE_sphere] = {-112, 22, 4.55, 0, 30, 2},  [SHAPE_plane] = {-90, 60, 4.75, -0.06, 30, 2},
-    [SHAPE_cube] = {-118, 27, 6.9, -0.04, 30, 2}, [SHAPE_torus] = {-112, 40, 4.5, -0.02, 30, 2},
-    [SHAPE_cloth] = {-105, 12, 4.9, 0, 30, 2},    [SHAPE_ground] = {-90, 14, 4, 0.45, 50, 2 * SHAPE_HORIZON},
+    [SHAPE_sphere] = {-112, 22, 4.55, 0, 30},  [SHAPE_plane] = {-90, 60, 4.75, -0.06, 30},
+    [SHAPE_cube] = {-118, 27, 6.9, -0.04, 30}, [SHAPE_torus] = {-112, 40, 4.5, -0.02, 30},
+    [SHAPE_cloth] = {-105, 12, 4.9, 0, 30},    [SHAPE_ground] = {-90, 14, 4, 0.45, 50},
 };
 
-#define SKY_HALF_ANGLE (45 * RADIANS)
-#define SKY_ELEVATION  (41 * RADIANS) /* the horizon stays in sight */
-
-static void complete(Camera *camera, const float target[3], const Mat4 *clip_from_eye)
-{
-    const float up[3] = {0, 0, 1};
-    camera->eye_from_world = mat4_look_at(camera->position, target, up);
-    camera->clip_from_eye = *clip_from_eye;
-    mat4_inverse(&camera->clip_from_eye, &camera->eye_from_clip); /* never singular */
-}
-
-/* Tangent of half the vertical angle, when half that of the shorter side has this one. */
-static float height_of(double tangent, double aspect) { return (float)(tangent / (aspect < 1 ? aspect : 1)); }
+#define SKY_ANGLE     (90 * RADIANS)
+#define SKY_ELEVATION (41 * RADIANS) /* the horizon stays in sight */
+#define NEAREST       0.01
 
 static double length_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
@@ -46,9 +35,7 @@ static void stand(Viewpoint *viewpoint, double azimuth, double elevation, double
 
 Viewpoint camera_viewpoint_for(ShapeKind shape)
 {
-    Viewpoint viewpoint = {.target = {0, 0, viewpoints[shape].shift},
-                           .angle = viewpoints[shape].angle * RADIANS,
-                           .reach = viewpoints[shape].reach};
+    Viewpoint viewpoint = {.target = {0, 0, viewpoints[shape].shift}, .angle = viewpoints[shape].angle * RADIANS};
     stand(&viewpoint, viewpoints[shape].azimuth, viewpoints[shape].elevation, viewpoints[shape].distance);
     return viewpoint;
 }
@@ -108,28 +95,23 @@ bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint)
     return true;
 }
 
-Camera camera_at(const Viewpoint *viewpoint, int width, int height)
+static SceneCamera camera_of(const double position[3], const double target[3], double angle)
 {
-    double aspect = (double)width / height, distance = length_of(viewpoint->position);
-    float target[3];
-    Camera camera = {0};
-    for (int i = 0; i < 3; i++) {
-        camera.position[i] = (float)viewpoint->position[i];
-        target[i] = (float)viewpoint->target[i];
-    }
-    float near = (float)fmax(distance - viewpoint->reach, 0.02), far = (float)(distance + viewpoint->reach);
-    Mat4 clip = mat4_perspective(height_of(tan(viewpoint->angle / 2), aspect), (float)aspect, near, far);
-    complete(&camera, target, &clip);
+    SceneCamera camera = {.kind = SCENE_Perspective, .upright = {0, 0, 1}, .half = tan(angle / 2), .near = NEAREST};
+    memcpy(camera.position, position, sizeof camera.position);
+    memcpy(camera.target, target, sizeof camera.target);
+    scene_camera_aim(&camera); /* no viewpoint looks straight up or down */
     return camera;
 }
 
-Camera camera_for_sky(double azimuth, int width, int height)
+SceneCamera camera_at(const Viewpoint *viewpoint)
 {
-    double aspect = (double)width / height;
-    const float target[3] = {(float)(cos(azimuth) * cos(SKY_ELEVATION)), (float)(sin(azimuth) * cos(SKY_ELEVATION)),
-                             (float)sin(SKY_ELEVATION)};
-    Camera camera = {0};
-    Mat4 clip = mat4_perspective(height_of(tan(SKY_HALF_ANGLE), aspect), (float)aspect, 0.5f, 2);
-    complete(&camera, target, &clip);
-    return camera;
+    return camera_of(viewpoint->position, viewpoint->target, viewpoint->angle);
+}
+
+SceneCamera camera_for_sky(double azimuth)
+{
+    static const double position[3];
+    const double target[3] = {cos(azimuth) * cos(SKY_ELEVATION), sin(azimuth) * cos(SKY_ELEVATION), sin(SKY_ELEVATION)};
+    return camera_of(position, target, SKY_ANGLE);
 }

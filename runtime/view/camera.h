@@ -1,21 +1,12 @@
 /* Where the preview looks from. */
 #ifndef MATC_VIEW_CAMERA_H
 #define MATC_VIEW_CAMERA_H
-#include "runtime/gl/matrix.h"
-#include "runtime/gl/shape.h"
-
-typedef struct {
-    float position[3]; /* in the world */
-    Mat4 eye_from_world;
-    Mat4 clip_from_eye;
-    Mat4 eye_from_clip;
-} Camera;
+#include "runtime/scene/scene.h"
 
 /* What a camera is asked for: where it stands, what it looks at, both in the world, whose z is up. */
 typedef struct {
     double position[3], target[3];
     double angle; /* of view, of the picture's shorter side, in radians */
-    double reach; /* what is further from the origin is not seen */
 } Viewpoint;
 
 /* The one that shows a shape at its best, filling the picture. */
@@ -24,7 +15,7 @@ Viewpoint camera_viewpoint_for(ShapeKind shape);
  * view. What is not said stays. False: it is none of these, or looks nowhere. */
 bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint);
 
-Camera camera_at(const Viewpoint *viewpoint, int width, int height);
+SceneCamera camera_at(const Viewpoint *viewpoint);
 /* One that stands at the origin and looks over a low horizon, wide-angled. Azimuth in radians from the x axis. */
-Camera camera_for_sky(double azimuth, int width, int height);
+SceneCamera camera_for_sky(double azimuth);
 #endif

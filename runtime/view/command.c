@@ -20,9 +20,32 @@ const char command_help[] =
     "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
     "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
     "materials\n"
+    "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, in its "
+    "proportions\n"
+    "  --samples=N          N x N samples a pixel, 1 to 8: 2, of a scene 1\n"
+    "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
+    "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
+    "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
+    "says\n"
+    "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
+    "too\n"
+    "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
+    "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
+    "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
+    "  --transparency=HOW   auto (default), lists, peeling: how transparent surfaces are put in order; the picture is "
+    "the same\n"
+    "  --lights=HOW         auto (default), bounded, all: far ones of many together, less than half a step of 8 bits "
+    "off\n"
+    "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
+    "  --emit=frame         the passes and their targets, and no picture\n"
+    "  --watch              draw again whenever a document, or a file that it depends on, changes\n"
+    "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
+    "  --constants, --normals: as matc has them; of a scene, without --layout, the smallest that holds its materials\n"
+    "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
+    "  --help, --version\n"
+    "of materials\n"
     "  --contact=FILE       one picture of all materials of all documents, with their names; --size is then that of a "
     "cell\n"
-    "  --watch              draw again whenever a document, or a file that it depends on, changes\n"
     "  --material=NAME      of `materials:`\n"
     "  --param=NAME=VALUE   a value of the document's param of that name, as documents have it: 0.7, #c04020, "
     "[0, 1, 0]\n"
@@ -36,35 +59,11 @@ const char command_help[] =
     "all.\n"
     "                       Exponents as their logarithm to base 2, of 16; of the layout integer unless one is named\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
-    "of a scene\n"
-    "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
+    "of scenes\n"
     "  --shadows=METHOD     map, none: how all lights cast shadows that do, else as the scene says\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
     "                       K-th; the first is 0. -o names them, out-%04d.png\n"
-    "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
-    "too\n"
-    "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
-    "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
-    "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
-    "says\n"
-    "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
-    "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
-    "  --transparency=HOW   auto (default), lists, peeling: how transparent surfaces are put in order; the picture is "
-    "the "
-    "same\n"
-    "  --lights=HOW         auto (default), bounded, all: far ones of many together, less than half a step of 8 bits "
-    "off\n"
-    "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
-    "  --emit=frame         the passes and their targets, and no picture\n"
-    "of both\n"
-    "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
-    "  --constants, --normals: as matc has them\n"
-    "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, in its "
-    "proportions\n"
-    "  --samples=N          N x N samples a pixel, 1 to 8: 4\n"
-    "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
-    "  --help, --version\n"
     "\n"
     "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
 
@@ -75,10 +74,9 @@ static WordsRoom room_of(Command *command)
 
 static const char *add_param(Command *command, const char *text)
 {
-    PictureOptions *picture = &command->picture;
-    if (picture->param_count == PARAM_LIMIT)
+    if (command->param_count == PARAM_LIMIT)
         return "--param: no more than 64 of them";
-    return param_read(text, &command->params[picture->param_count++], command->message);
+    return param_read(text, &command->params[command->param_count++], command->message);
 }
 
 typedef struct {
@@ -145,22 +143,21 @@ static const char *set_scene(Command *command, const char *name, const char *val
 
 static const char *set_view(Command *command, const char *name, const char *value)
 {
-    static const Whole samples = {1, VIEW_SUPERSAMPLING_LIMIT, "--samples wants a number from 1 to 8"},
+    static const Whole samples = {1, RENDER_SAMPLES_MOST, "--samples wants a number from 1 to 8"},
                        size = {1, PNG_SIZE_LIMIT, "--size wants a number from 1 to 16384"};
-    ViewOptions *view = &command->picture.view;
-    command->shaped |= !strcmp(name, "--shape") || !strcmp(name, "--samples");
+    command->shaped |= !strcmp(name, "--shape");
     if (!strcmp(name, "--samples"))
-        return read_whole(command, &samples, value, &view->supersampling);
+        return read_whole(command, &samples, value, &command->samples);
     if (!strcmp(name, "--size"))
-        return read_whole(command, &size, value, &view->width);
+        return read_whole(command, &size, value, &command->size);
     if (!strcmp(name, "--shape"))
-        shape_find(value, &view->shape);
+        shape_find(value, &command->preview.shape);
     else if (!strcmp(name, "--gl"))
         gl_kind_find(value, &command->gl);
     else if (!strcmp(name, "--camera"))
         command->viewpoint = value;
     else if (!strcmp(name, "--slot"))
-        view->slot = value;
+        command->slot = value;
     else if (!strcmp(name, "--view"))
         command->view = value;
     else if (!strcmp(name, "--transparency"))
@@ -190,7 +187,7 @@ static const char *set_option(Command *command, const char *name, const char *va
     else if (!strcmp(name, "--param"))
         return add_param(command, value);
     else if (!strncmp(name, "--", 2) && strcmp(name, "--target") != 0 && strcmp(name, "--slot") != 0 &&
-             choice_set(&command->picture.compile, name + 2, value))
+             choice_set(&command->compile, name + 2, value))
         return NULL; /* command_check looks at it */
     else
         return set_view(command, name, value);
@@ -255,60 +252,72 @@ void command_set_tools(const Command *command, SceneTools *tools)
 /* NULL, or the option that a scene has no use for. */
 const char *command_check_scene(const Command *command, const Scene *scene)
 {
-    const ViewOptions *view = &command->picture.view;
-    if (command->contact || command->mesh || command->material || command->viewpoint || command->shaped || view->slot ||
-        view->sky || command->picture.param_count)
-        return "a scene has its own objects, materials and camera: it takes none of --shape, --samples, --mesh, "
-               "--material, --param, --camera, --slot, --pass, --contact";
+    if (command->contact || command->mesh || command->material || command->viewpoint || command->shaped ||
+        command->slot || command->preview.sky || command->param_count)
+        return "a scene has its own objects, materials and camera: it takes none of --shape, --mesh, --material, "
+               "--param, --camera, --slot, --pass, --contact";
     if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
         return "--size: the picture would be higher than 16384 pixels";
-    if (command->bits && command->bits != 16 && command->bits != (command->format == PICTURE_FORMAT_exr ? 32 : 8))
-        return "--bits: 8 or 16 of a PNG, 16 or 32 of an EXR";
     return NULL;
 }
 
 const char *command_check_material(const Command *command)
 {
-    if (command->picture.view.width > VIEW_SIZE_LIMIT / command->picture.view.supersampling)
-        return "--size times --samples is more than 8192";
-    if (command->view || command->transparency || command->lights || command->stats || command->graph ||
-        command->shadows != WORD_COUNT || command->has_tools)
-        return "--view, --transparency, --lights, --shadows, --tools, --stats and --emit=frame are of scenes";
-    return command->format == PICTURE_FORMAT_exr || command->bits || command->memory || command->progress ||
-                   command->frames.given
-               ? "--format, --bits, --memory, --progress and --frames are of scenes; a material's picture is a PNG"
+    return command->shadows != WORD_COUNT || command->frames.given
+               ? "--shadows and --frames are of scenes: a material has none"
                : NULL;
+}
+
+ScenePictureOptions command_pictures(const Command *command, int samples)
+{
+    if (command->samples)
+        samples = command->samples;
+    return (ScenePictureOptions){.render = {.compile = &command->compile,
+                                            .view = command->view,
+                                            .samples = samples,
+                                            .transparency = command->transparency,
+                                            .lights = command->lights,
+                                            .edges = command->edges,
+                                            .memory = (size_t)command->memory << 20},
+                                 .stats = command->stats,
+                                 .graph = command->graph,
+                                 .format = command->format,
+                                 .bits = command->bits};
 }
 
 /* What is seen, and from where. */
 static const char *check_view(Command *command)
 {
-    MatcOptions *compile = &command->picture.compile;
-    ViewOptions *view = &command->picture.view;
-    view->sky = compile->pass && !strcmp(compile->pass, "sky");
-    command->size = view->width;
-    if (!view->width)
-        view->width = command->contact ? CELL : EDGE;
-    view->height = view->width;
-    if (view->sky && (view->slot || command->viewpoint))
+    PreviewOptions *preview = &command->preview;
+    preview->sky = command->compile.pass && !strcmp(command->compile.pass, "sky");
+    preview->width = preview->height = command->size ? command->size : command->contact ? CELL : EDGE;
+    if (preview->sky && (command->slot || command->viewpoint))
         return "--pass=sky has neither --slot nor --camera";
-    if (view->slot && !compile->layout)
-        compile->layout = "integer";
-    command->camera = camera_viewpoint_for(view->shape);
+    if (command->slot && (command->view || command->format == PICTURE_FORMAT_exr))
+        return "--slot shows a slot as one can look at it; --view its numbers, also as OpenEXR";
+    command->camera = camera_viewpoint_for(preview->shape);
     if (command->viewpoint && !camera_viewpoint_read(command->viewpoint, &command->camera))
         return words_number(room_of(command),
                             "--camera wants front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]] that looks at "
                             "something, and not straight up or down",
                             command->viewpoint);
-    view->camera = &command->camera;
+    preview->camera = &command->camera;
     return NULL;
+}
+
+static const char *check_format(const Command *command)
+{
+    const bool exr = command->format == PICTURE_FORMAT_exr;
+    if (command->bits && command->bits != 16 && command->bits != (exr ? 32 : 8))
+        return "--bits: 8 or 16 of a PNG, 16 or 32 of an EXR";
+    return command->contact && (exr || command->bits > 8) ? "--contact: a contact sheet is a PNG of 8 bits" : NULL;
 }
 
 /* "--aa: there is no 'x', but auto, none, ..." */
 static const char *check_choices(Command *command)
 {
     Arena arena = {0};
-    const char *fault = choice_fault(&arena, &command->picture.compile);
+    const char *fault = choice_fault(&arena, &command->compile);
     if (fault)
         snprintf(command->message, sizeof command->message, "--%s", fault);
     arena_free(&arena);
@@ -317,13 +326,14 @@ static const char *check_choices(Command *command)
 
 const char *command_check(Command *command)
 {
-    command->picture.params = command->params;
     const size_t size = command->output ? strlen(command->output) : 0;
     if (!command->formatted && size > 4 && !strcmp(command->output + size - 4, ".exr"))
         command->format = PICTURE_FORMAT_exr;
     const char *fault = check_choices(command);
     if (!fault)
         fault = check_view(command);
+    if (!fault)
+        fault = check_format(command);
     if (fault)
         return fault;
     if (!command->input_count)

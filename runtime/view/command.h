@@ -3,34 +3,39 @@
 #define MATC_VIEW_COMMAND_H
 #include "runtime/render/render.h"
 #include "runtime/view/frames.h"
-#include "runtime/view/picture.h"
-#include "runtime/view/picture_file.h"
-#include "runtime/view/sheet.h"
+#include "runtime/view/material_picture.h"
 
 typedef struct {
-    PictureOptions picture;
-    Viewpoint camera; /* where picture.view.camera points to, if one was asked for */
-    Param params[PARAM_LIMIT];
-    char message[PARAM_ROOM]; /* room for what is wrong */
+    MatcOptions compile;
+    GlKind gl;
     const char **inputs;
     int input_count;
-    const char *output, *folder, *contact, *mesh, *material, *viewpoint;
-    GlKind gl;
-    int size;             /* as it was asked for; 0: it was not */
-    const char *view;     /* of a scene: what is shown of it */
-    PictureFormat format; /* of a scene's picture: as it is named, or as the output's name ends */
-    int bits, memory;     /* of a scene: of a lane, and MiB; 0: not asked for */
+    const char *output, *folder;
+    int size;             /* pixels, as it was asked for; 0: it was not */
+    int samples;          /* of a pixel, across and down; 0: not asked for */
+    const char *view;     /* what is shown of what was drawn */
+    PictureFormat format; /* as it is named, or as the output's name ends */
+    int bits, memory;     /* of a lane, and MiB; 0: not asked for */
     bool formatted, progress;
     RenderEdges edges;
-    Frames frames;
-    const char *transparency;  /* of a scene: how transparent surfaces are put in order */
-    const char *lights;        /* of a scene: how many lights are summed */
-    bool stats, graph, shaped; /* of a scene: --stats, --emit=frame; of a material: --shape or --samples was given */
-    SceneTools tools;          /* of a scene, if --tools was given: which are drawn */
+    const char *transparency; /* how transparent surfaces are put in order */
+    const char *lights;       /* how many lights are summed */
+    bool stats, graph;        /* --stats, --emit=frame */
+    SceneTools tools;         /* which are drawn, if --tools was given */
     bool has_tools;
-    Word shadows; /* of a scene: how its lights cast them, a word of the list Shadows; WORD_COUNT: as it says */
     bool watch, help, version;
-    Sheet *sheet;              /* where pictures go while a contact sheet is made; or NULL */
+    /* of materials alone */
+    PreviewOptions preview;
+    Viewpoint camera; /* where preview.camera points to */
+    Param params[PARAM_LIMIT];
+    int param_count;
+    const char *contact, *mesh, *material, *viewpoint, *slot;
+    bool shaped; /* --shape was given */
+    /* of scenes alone */
+    Frames frames;
+    Word shadows; /* how lights cast them, a word of the list Shadows; WORD_COUNT: as the scene says */
+
+    char message[PARAM_ROOM];  /* room for what is wrong */
     struct WatchList *watched; /* files that were met; or NULL */
 } Command;
 
@@ -43,6 +48,8 @@ const char *command_check(Command *command);
 /* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */
 const char *command_check_scene(const Command *command, const Scene *scene);
 const char *command_check_material(const Command *command);
+/* How pictures are drawn that have so many samples unless the command says else; their size is left out. */
+ScenePictureOptions command_pictures(const Command *command, int samples);
 /* Those that are drawn, if the command says so; their sizes stay. */
 void command_set_tools(const Command *command, SceneTools *tools);
 void command_free(Command *command);

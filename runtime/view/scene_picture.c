@@ -1,5 +1,6 @@
-/* Opens a renderer for all pictures of a scene. Tiles are drawn from the top row of them to the lowest: files begin there. */
+/* Opens a renderer for all pictures. Tiles are drawn from the top row of them to the lowest: files begin there. */
 #include "runtime/view/scene_picture.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -15,12 +16,18 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static bool is_picture(const char *view) { return !view || !strcmp(view, "shown"); }
 
+/* Where a picture goes: a file, from the top row on, or bytes of RGB, whose row 0 is the bottom row. */
+typedef struct {
+    PictureFile *file;
+    unsigned char *rgb;
+} Sink;
+
 static PictureSpec spec_of(const ScenePictureOptions *o, const Render *render)
 {
     const bool exr = o->format == PICTURE_FORMAT_exr;
     const char *view = o->render.view ? o->render.view : "shown";
     const bool color = is_picture(view) || !strcmp(view, "light");
-    const int lanes = render_lanes(render);
+    const int lanes = o->look ? 3 : render_lanes(render);
     return (PictureSpec){.format = o->format,
                          .width = render_width(render),
                          .height = render_height(render),
@@ -29,7 +36,7 @@ static PictureSpec spec_of(const ScenePictureOptions *o, const Render *render)
                                  : !exr  ? 8
                                  : color ? 16
                                          : 32,
-                         .color = is_picture(view)};
+                         .color = is_picture(view) || o->look};
 }
 
 /* One tile into its place in the band, whose lowest row is the picture's row y. */
@@ -45,16 +52,29 @@ static bool draw_tile(ScenePictures *p, int x, int y, int rows)
     return true;
 }
 
-static bool write_rows(const ScenePictures *p, PictureFile *file, int rows)
+/* To the nearest of 255. */
+static void put_bytes(const float *rgba, int width, unsigned char *rgb)
 {
-    const size_t floats = 4 * (size_t)render_width(p->render);
+    for (int i = 0; i < 3 * width; i++)
+        rgb[i] = (unsigned char)(255 * fminf(fmaxf(rgba[i / 3 * 4 + i % 3], 0), 1) + .5f);
+}
+
+/* A band whose lowest row is the picture's row y. */
+static bool write_rows(const ScenePictures *p, const Sink *sink, int y, int rows)
+{
+    const int width = render_width(p->render);
     const char *why = NULL;
-    for (int row = rows - 1; row >= 0 && !why; row--)
-        why = picture_file_row(file, p->band + (size_t)row * floats);
+    for (int row = rows - 1; row >= 0 && !why; row--) {
+        const float *rgba = p->band + 4 * (size_t)row * (size_t)width;
+        if (sink->file)
+            why = picture_file_row(sink->file, rgba);
+        else
+            put_bytes(rgba, width, sink->rgb + 3 * (size_t)(y + row) * (size_t)width);
+    }
     return !why || gl_fail(p->gl, "%s", why);
 }
 
-static bool draw_bands(ScenePictures *p, PictureFile *file)
+static bool draw_bands(ScenePictures *p, const Sink *sink)
 {
     const ScenePictureOptions *o = &p->options;
     const int width = render_width(p->render), height = render_height(p->render);
@@ -64,7 +84,9 @@ static bool draw_bands(ScenePictures *p, PictureFile *file)
         for (int x = 0; x < width; x += tile[0])
             if (!draw_tile(p, x, y, rows))
                 return false;
-        if (!write_rows(p, file, rows))
+        if (o->look)
+            slot_look_show(o->look, p->band, (size_t)width * (size_t)rows);
+        if (!write_rows(p, sink, y, rows))
             return false;
         if (o->progress && y > 0)
             o->progress(o->user, height - y, height);
@@ -72,7 +94,7 @@ static bool draw_bands(ScenePictures *p, PictureFile *file)
     return true;
 }
 
-/* Room for a row of tiles, once for all pictures. */
+/* Room for a row of tiles, once for all pictures of a scene. */
 static bool make_band(ScenePictures *p)
 {
     const size_t rows = (size_t)render_tile_height(p->render) * 4 * sizeof(float);
@@ -93,7 +115,7 @@ static bool write_picture(ScenePictures *p, const char *path, ScenePicture *pict
         return false;
     if (!file)
         return gl_fail(p->gl, "%s", why);
-    bool done = draw_bands(p, file);
+    bool done = draw_bands(p, &(Sink){.file = file});
     why = done ? picture_file_finish(file, path) : NULL;
     picture->faulty = why ? path : NULL;
     picture_file_close(file);
@@ -113,9 +135,37 @@ bool scene_pictures_draw(ScenePictures *p, const char *path, ScenePicture *pictu
     return true;
 }
 
+bool scene_pictures_pixels(ScenePictures *p, unsigned char *rgb)
+{
+    return make_band(p) && draw_bands(p, &(Sink){.rgb = rgb});
+}
+
 bool scene_pictures_turn(ScenePictures *p) { return render_changed(p->render, RENDER_CAMERA); }
 
-ScenePictures *scene_pictures_open(GlContext *gl, const Scene *scene, const ScenePictureOptions *options)
+char *scene_pictures_diagnostics(const ScenePictures *p) { return render_diagnostics(p->render); }
+
+bool scene_pictures_param(ScenePictures *p, const char *uniform, const float *lanes, int count)
+{
+    return render_param(p->render, 0, uniform, lanes, count);
+}
+
+static void forget_band(ScenePictures *p)
+{
+    free(p->tile);
+    free(p->band);
+    p->tile = p->band = NULL;
+}
+
+bool scene_pictures_show(ScenePictures *p, const Scene *scene)
+{
+    forget_band(p); /* its tiles may be others */
+    if (!render_scene(p->render, scene))
+        return false;
+    return !render_lacks_view(p->render) || !p->options.look ||
+           gl_fail(p->gl, "the layout does not store that slot; --layout=integer stores all of them");
+}
+
+ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options)
 {
     ScenePictures *made = calloc(1, sizeof *made);
     const bool exr = options->format == PICTURE_FORMAT_exr;
@@ -125,7 +175,7 @@ ScenePictures *scene_pictures_open(GlContext *gl, const Scene *scene, const Scen
     made->options.render.linear = exr;
     made->options.render.deep = options->bits > (exr ? 16 : 8);
     made->render = render_open(gl, &made->options.render);
-    if (made->render && render_scene(made->render, scene))
+    if (made->render)
         return made;
     scene_pictures_close(made);
     return NULL;
@@ -136,7 +186,6 @@ void scene_pictures_close(ScenePictures *p)
     if (!p)
         return;
     render_close(p->render);
-    free(p->tile);
-    free(p->band);
+    forget_band(p);
     free(p);
 }

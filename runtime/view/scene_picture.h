@@ -1,13 +1,15 @@
-/* From a scene to pictures in files: drawn by the renderer, tile by tile, and written row by row. Frames of a motion are one scene whose camera
+/* From scenes to pictures: drawn by the renderer, tile by tile, and written row by row. Frames of a motion are one scene whose camera
  * moves: what does not depend on it is made once. */
 #ifndef MATC_VIEW_SCENE_PICTURE_H
 #define MATC_VIEW_SCENE_PICTURE_H
 #include "runtime/render/render.h"
 #include "runtime/view/picture_file.h"
+#include "runtime/view/slot.h"
 
 typedef struct {
     RenderOptions render;
-    bool stats, graph; /* what ran, in words; of the graph alone: instead of a picture */
+    const SlotLook *look; /* the view is a slot, which is shown so; or NULL */
+    bool stats, graph;    /* what ran, in words; of the graph alone: instead of a picture */
     PictureFormat
         format; /* PNG has the picture as it is shown, OpenEXR its linear light, before exposure and tone mapping */
     int bits;   /* of a lane; 0: 8, of OpenEXR 16, and 32 for what is no picture */
@@ -22,12 +24,20 @@ typedef struct {
 
 typedef struct ScenePictures ScenePictures;
 
-/* The scene is there until the end, and so is what the options point to. NULL: gl->error says why. */
-ScenePictures *scene_pictures_open(GlContext *gl, const Scene *scene, const ScenePictureOptions *options);
+/* What the options point to is there until the end. NULL: gl->error says why. */
+ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options);
+/* The scene that is drawn from now on, and is there until the next one, or the end. False: gl->error says why. */
+bool scene_pictures_show(ScenePictures *pictures, const Scene *scene);
+/* Warnings of its programs, from malloc. */
+char *scene_pictures_diagnostics(const ScenePictures *pictures);
+/* A uniform of the scene's first material. False: gl->error says why. */
+bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *lanes, int count);
 /* The scene's camera is another than before. False: gl->error says why. */
 bool scene_pictures_turn(ScenePictures *pictures);
 /* False: gl->error says why, and there is no file. */
 bool scene_pictures_draw(ScenePictures *pictures, const char *path, ScenePicture *picture);
+/* The same as bytes: three a pixel, row 0 is the bottom row. */
+bool scene_pictures_pixels(ScenePictures *pictures, unsigned char *rgb);
 /* NULL is nothing. */
 void scene_pictures_close(ScenePictures *pictures);
 #endif

@@ -1,23 +1,29 @@
 /* A row for each slot. */
 #include "runtime/view/slot.h"
+#include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
-/* Exponents reach from 1 to 2^16. */
-#define EXPONENT(slot) "vec3(log2(max(s." slot ", 1.)) / 16.)"
+typedef enum { COLOR, NUMBER, EXPONENT, NORMAL, RATIO } Look;
+
+struct SlotLook {
+    const char *name;
+    Look look;
+};
 
 static const SlotLook looks[SLOT_LOOK_COUNT] = {
-    {"normal", ".5 + .5 * s.normal", false}, /* in the eye's space: what faces the eye is (128, 128, 255) */
-    {"diffuse", "s.diffuse", true},
-    {"alpha", "vec3(s.alpha)", false},
-    {"specular", "s.specular", true},
-    {"shininess", EXPONENT("shininess"), false},
-    {"transparency", "s.transparency", true},
-    {"transparencyShininess", EXPONENT("transparencyShininess"), false},
-    {"interpolatedTransparency", "vec3(s.interpolatedTransparency)", false},
-    {"diffuseTransparency", "s.diffuseTransparency", true},
-    {"ambient", "s.ambient", true},
-    {"emissive", "s.emissive", true},
-    {"ior", "vec3(s.ior - 1.)", false},
+    {"normal", NORMAL},
+    {"diffuse", COLOR},
+    {"alpha", NUMBER},
+    {"specular", COLOR},
+    {"shininess", EXPONENT},
+    {"transparency", COLOR},
+    {"transparencyShininess", EXPONENT},
+    {"interpolatedTransparency", NUMBER},
+    {"diffuseTransparency", COLOR},
+    {"ambient", COLOR},
+    {"emissive", COLOR},
+    {"ior", RATIO},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }
@@ -28,4 +34,42 @@ const SlotLook *slot_look_find(const char *name)
         if (!strcmp(looks[i].name, name))
             return &looks[i];
     return NULL;
+}
+
+double slot_encoded(double linear)
+{
+    if (!(linear > 0))
+        return 0; /* NaN too, which no picture can hold */
+    if (linear >= 1)
+        return 1;
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+}
+
+/* A lane of the slot, from 0 to 1. */
+static double shown(Look look, double value)
+{
+    switch (look) {
+    case NORMAL:
+        return .5 + .5 * value;
+    case EXPONENT:
+        return log2(fmax(value, 1)) / 16; /* they reach from 1 to 2^16 */
+    case RATIO:
+        return value - 1;
+    default:
+        return value;
+    }
+}
+
+void slot_look_show(const SlotLook *look, float *rgba, size_t pixels)
+{
+    const double nothing = .02;
+    const bool grey = look->look == NUMBER || look->look == EXPONENT || look->look == RATIO;
+    for (float *end = rgba + 4 * pixels; rgba < end; rgba += 4) {
+        const double share = rgba[3];
+        for (int lane = 2; lane >= 0; lane--) { /* the first one last, as all grey ones are made of it */
+            const double value = share * shown(look->look, rgba[grey ? 0 : lane]) + (1 - share) * nothing;
+            rgba[lane] = (float)(look->look == COLOR ? slot_encoded(value) : fmin(fmax(value, 0), 1));
+        }
+        rgba[3] = 1;
+    }
 }

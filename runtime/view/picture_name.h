@@ -1,0 +1,14 @@
+/* What pictures are called: after their documents, unless the command line says else. */
+#ifndef MATC_VIEW_PICTURE_NAME_H
+#define MATC_VIEW_PICTURE_NAME_H
+#include "runtime/view/command.h"
+
+enum { PICTURE_NAME_ROOM = 512, PICTURE_NAME_PATH = 4096 };
+
+/* A document's name without folders and ending, and that of the material where it has several; else `material` is NULL. */
+void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_ROOM]);
+/* Where a picture of that name goes. */
+void picture_name_path(const Command *command, const char *name, char path[PICTURE_NAME_PATH]);
+/* The same of a frame of a scene, with its number. NULL, or what is wrong with the command line. */
+const char *picture_name_frame(const Command *command, const char *input, int frame, char path[PICTURE_NAME_PATH]);
+#endif

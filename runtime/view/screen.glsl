@@ -1,6 +1,0 @@
-// One triangle over the whole screen, from nothing but the vertex's number.
-void main()
-{
-    vec2 corner = vec2(float((gl_VertexID & 1) << 2), float((gl_VertexID & 2) << 1));
-    gl_Position = vec4(corner - 1., 0., 1.);
-}
