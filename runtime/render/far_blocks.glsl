@@ -1,11 +1,10 @@
 // What the light of many lamps is kept in between two dispatches: for each block of 16 x 16 pixels FAR_GROUPS groups of them, each with its centre, 1 over its
-// radius, its sums in four by four terms of red, green and blue, and a list of near lights, which a pixel sums by itself. Of more than FAR_MOST a group has
-// no list: its pixels sum all lights. Before it stand FAR_LIGHTS, how many there are at most, and FAR_OTHERS, if not all are plain.
+// radius, its sums in four by four terms of red, green and blue, and which lights are near: a pixel sums these by itself. Before it stand FAR_LIGHTS, how
+// many there are at most, a multiple of 32, and FAR_OTHERS, if not all are plain.
 const int FAR_BLOCK = 16, FAR_GROUPS = 2, FAR_PIXELS = FAR_BLOCK * FAR_BLOCK;
 const int FAR_TEXELS = 1 + 3 * FAR_TERMS / 4;
-const int FAR_MAP = FAR_PIXELS / 32, FAR_MOST = 256;
-const int FAR_LIST = 1 + FAR_MOST / 2;               // how many, and their places, two in a word
-const int FAR_WORDS = FAR_MAP + FAR_GROUPS * FAR_LIST; // of a block: which pixels are of the second group; the lists of both
+const int FAR_MAP = FAR_PIXELS / 32, FAR_NEAR = FAR_LIGHTS / 32;
+const int FAR_WORDS = FAR_MAP + FAR_GROUPS * FAR_NEAR; // of a block: which pixels are of the second group; near lights of both, a bit for each
 
 layout(std140) uniform FarBudget {
     float far_relative; // to a pixel's light, that its sum may be off

@@ -9,14 +9,13 @@ layout(std430, binding = 5) writeonly buffer FarNumbers {
 
 const int GROUP = 64, SPAN = 2, PIXELS = SPAN * SPAN; // invocations, pixels of each in x and y
 const int PITCH = GROUP + 1;                          // between rows of parts, so that neighbours in a column are in other banks
-const int WORDS = (FAR_LIGHTS + 31) / 32;
 const float NEAREST = 0.6; // times a light's distance, the group's radius is less where the light is far
 const float NEVER = 1e30;
 
-shared float far_parts[3 * FAR_TERMS * PITCH]; // of sums, a row for each; then the places of near lights
+shared float far_parts[3 * FAR_TERMS * PITCH]; // shares of lights; then parts of sums, a row for each
 shared float far_sums[3 * FAR_TERMS];
 shared uint far_map[FAR_MAP];     // a bit for each pixel of the second group
-shared uint far_near[WORDS];      // a bit for each light that each pixel sums by itself
+shared uint far_near[FAR_NEAR];   // a bit for each light that each pixel sums by itself
 shared uint far_shares[32];       // how many lights take a share of the budget between 2^-i and half of that
 shared uint far_seed, far_owner;  // the depth, and the pixel, that the group is made around
 shared vec3 far_point, far_axis, far_mirror; // its point, normal, and mirrored view
@@ -93,7 +92,7 @@ bool farFindSeed(uint waiting)
     if (gl_LocalInvocationIndex < uint(BOUNDS)) far_bounds[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex < 32u) far_shares[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex < uint(FAR_MAP)) far_map[gl_LocalInvocationIndex] = 0u;
-    for (uint word = gl_LocalInvocationIndex; word < uint(WORDS); word += uint(GROUP))
+    for (uint word = gl_LocalInvocationIndex; word < uint(FAR_NEAR); word += uint(GROUP))
         far_near[word] = 0u;
     barrier();
     for (int k = 0; k < PIXELS; k++)

@@ -286,7 +286,7 @@ bool lighting_lights(Render *render);
 /* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */
 enum { LIGHT_TABLE_DEFINITION = 64 };
 bool light_table_write(Render *render, int unit);
-void light_table_define(const Render *render, char defined[LIGHT_TABLE_DEFINITION]);
+void light_table_define(const Render *render, bool scattered, char defined[LIGHT_TABLE_DEFINITION]);
 void light_table_set(const Render *render, int unit, ScreenPass *pass);
 void light_table_bind(const Render *render, int unit);
 void light_table_delete(Render *render);
@@ -311,6 +311,8 @@ CacheSource frame_source(const Render *render);
 bool light_far_check(GlContext *gl, const RenderOptions *options);
 const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);
+/* Lights, at most: programs are shared by numbers of lights that are near. A multiple of 32. */
+int light_far_most(const Render *render);
 /* What light may be off, at exposure 0: times itself, and besides. False: it may not. */
 bool light_far_budget(SceneKind tone, double budget[2]);
 /* Blocks in a row of so many pixels. */

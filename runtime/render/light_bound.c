@@ -59,6 +59,14 @@ static int count_lights(const Scene *scene)
     return count;
 }
 
+int light_far_most(const Render *render)
+{
+    int most = 512;
+    while (most < count_lights(render->scene))
+        most *= 2;
+    return most;
+}
+
 static bool is_way(const RenderOptions *options, const char *way)
 {
     return !strcmp(options->lights ? options->lights : "auto", way);

@@ -5,18 +5,9 @@
 /* As far_blocks.glsl has them. */
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
 
-/* So many at most: programs are shared by numbers of lights that are near. */
-static int count_lights(const Render *render)
-{
-    int most = 512;
-    while (most < render->light_counts[VIEW_SPACE_PLAIN] + render->light_counts[VIEW_SPACE_POINTS])
-        most *= 2;
-    return most;
-}
-
 void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
 {
-    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n%s", count_lights(render),
+    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n%s", light_far_most(render),
              render->light_counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
 }
 

@@ -3,10 +3,15 @@
 #include <limits.h>
 
 /* As far_blocks.glsl has them. */
-enum { GROUPS = 2, TEXELS = 19, WORDS = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK / 32 + GROUPS * (1 + 128) };
+enum { GROUPS = 2, TEXELS = 19, MAP = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK / 32 };
 
 /* Of a block. */
-static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float), words_bytes = WORDS * sizeof(GLuint);
+static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
+
+static size_t words_bytes(const Render *render)
+{
+    return (MAP + GROUPS * (size_t)light_far_most(render) / 32) * sizeof(GLuint);
+}
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
 
@@ -15,19 +20,19 @@ static bool is_there(const Render *render) { return render->plan.there >> FRAME_
 int light_far_bytes(const Render *render)
 {
     const size_t pixels = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK;
-    return is_there(render) ? (int)((numbers_bytes + words_bytes + pixels - 1) / pixels) : 0;
+    return is_there(render) ? (int)((numbers_bytes + words_bytes(render) + pixels - 1) / pixels) : 0;
 }
 
 int light_far_block(const Render *render) { return is_there(render) ? LIGHT_FAR_BLOCK : 1; }
 
-/* Words take more than numbers. */
 int light_far_rows(const Render *render, int width)
 {
     GLint most = 0;
     if (!is_there(render))
         return INT_MAX;
     render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    const size_t rows = (size_t)most / (words_bytes * (size_t)light_far_blocks(width));
+    const size_t words = words_bytes(render), bytes = words > numbers_bytes ? words : numbers_bytes;
+    const size_t rows = (size_t)most / (bytes * (size_t)light_far_blocks(width));
     return rows < INT_MAX / LIGHT_FAR_BLOCK ? (int)rows * LIGHT_FAR_BLOCK : INT_MAX;
 }
 
@@ -40,8 +45,9 @@ void light_far_put(Text *out, const Render *render)
 {
     if (is_there(render))
         text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
-                    light_far_bytes(render), (unsigned long)(block_count(render) * (numbers_bytes + words_bytes)),
-                    LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
+                    light_far_bytes(render),
+                    (unsigned long)(block_count(render) * (numbers_bytes + words_bytes(render))), LIGHT_FAR_BLOCK,
+                    LIGHT_FAR_BLOCK);
     else
         text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
 }
@@ -59,7 +65,7 @@ static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
 bool light_far_make(Render *render)
 {
     make_buffer(render, numbers_bytes, &render->far.numbers);
-    make_buffer(render, words_bytes, &render->far.words);
+    make_buffer(render, words_bytes(render), &render->far.words);
     return gl_check(render->gl, "making room for many lights");
 }
 

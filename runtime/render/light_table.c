@@ -1,5 +1,5 @@
 /* Numbers of lights on the driver's side: as a block of each program that lights, where the driver's blocks have room for them all, else as a
- * texture; so, too, where invocations read different lights, which a block gives one after the other. */
+ * texture; so, too, for the pass gather, whose invocations read different lights, which a block gives one after the other. */
 #include "runtime/render/frame.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,10 +58,10 @@ bool light_table_write(Render *render, int unit)
     return (fits_block(render) && !light_far_used(render)) || write_texture(render, unit);
 }
 
-void light_table_define(const Render *render, char defined[LIGHT_TABLE_DEFINITION])
+void light_table_define(const Render *render, bool scattered, char defined[LIGHT_TABLE_DEFINITION])
 {
     *defined = 0;
-    if (!render->lights.texture)
+    if (fits_block(render) && !scattered)
         snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n", render->lights.count);
 }
 
@@ -70,7 +70,7 @@ void light_table_set(const Render *render, int unit, ScreenPass *pass)
     const LightTable *lights = &render->lights;
     if (lights->texture)
         screen_pass_sampler(pass, "light_lights", unit);
-    else
+    if (fits_block(render)) /* a program has the one or the other */
         material_write(&pass->material, "Lights", lights->texels, (size_t)lights->count * sizeof *lights->texels);
 }
 

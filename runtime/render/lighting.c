@@ -71,7 +71,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
     if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
         return false;
-    light_table_define(render, table);
+    light_table_define(render, own->block > 0, table);
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
     const char *const shadows = shadow_text(render, defined);
     if (sky && !render->sky.map && !light_sky_make(render))

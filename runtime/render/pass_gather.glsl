@@ -131,13 +131,17 @@ vec3 farSureOfAll(Group group)
 }
 
 // The greatest share that a light may take, so that the sum of all shares up to it is 1 at most. Shares are counted by powers of two, and
-// each counts as the greatest of its kind: 3 of 0.1 and 5 of 0.02 are 3 / 8 + 5 / 32 = 0.53.
+// each counts as the greatest of its kind: 3 of 0.1 and 5 of 0.02 are 3 / 8 + 5 / 32 = 0.53. Each invocation leaves those of its lights in
+// far_parts for itself, DARK where no pixel sees the light.
+const float DARK = -1.0;
+
 float farThreshold(Group group, vec3 even, vec3 gloss)
 {
     for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
         Far far = farLight(i, group);
-        float share = farShare(far, group, even, gloss);
-        if (share < 1.0 && !farIsDark(far, group))
+        float share = farIsDark(far, group) ? DARK : farShare(far, group, even, gloss);
+        far_parts[i] = share;
+        if (share < 1.0 && share != DARK)
             atomicAdd(far_shares[min(126 - int(floatBitsToUint(share) >> 23), 31)], 1u); // by the float's exponent
     }
     barrier();
@@ -147,40 +151,29 @@ float farThreshold(Group group, vec3 even, vec3 gloss)
         if (sum > 1.0) break;
         threshold = exp2(float(-i));
     }
-    return threshold * 0.9999; // a share that is computed again may be rounded otherwise
+    return threshold;
 }
 
 // Sums the series of what is far, and marks what is near.
-void farGather(Group group, float threshold, vec3 even, vec3 gloss)
+void farGather(Group group, float threshold)
 {
     vec3 sums[FAR_TERMS];
 #define FAR_CLEAR(k) sums[k] = vec3(0.0);
     FAR_EACH(FAR_CLEAR)
     for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
+        float share = far_parts[i];
+        if (share == DARK) continue;
+        if (!(share < threshold)) {
+            atomicOr(far_near[i >> 5], 1u << (i & 31));
+            continue;
+        }
         Far far = farLight(i, group);
-        if (farIsDark(far, group)) continue;
-        if (!(farShare(far, group, even, gloss) < threshold)) atomicOr(far_near[i >> 5], 1u << (i & 31));
-        else if (farExpands(far)) farAdd(far.way, far.ratio, far.power, sums);
+        if (farExpands(far)) farAdd(far.way, far.ratio, far.power, sums);
     }
+    barrier(); // shares are read
 #define FAR_PART(k) farPart(k, sums[k]);
     FAR_EACH(FAR_PART)
     farSum(FAR_TERMS);
-}
-
-// The places of what is near, in their order. Returns how many.
-int farList()
-{
-    int count = 0;
-    for (int word = 0; word < WORDS; word++) {
-        if (word % GROUP == int(gl_LocalInvocationIndex)) {
-            int at = count;
-            for (uint bits = far_near[word]; bits != 0u; bits &= bits - 1u)
-                far_parts[at++] = float(32 * word + findLSB(bits));
-        }
-        count += bitCount(far_near[word]);
-    }
-    barrier();
-    return count;
 }
 
 // -- what is kept
@@ -188,7 +181,7 @@ int farList()
 int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
 
 // The sums lie four terms of a lane in a texel: texels 1 to 6 of red, 7 to 12 of green, 13 to 18 of blue.
-void farKeep(Group group, int number, int count)
+void farKeep(Group group, int number)
 {
     int at = (farBlock() * FAR_GROUPS + number) * FAR_TEXELS * 4, self = int(gl_LocalInvocationIndex);
     if (self == 0) {
@@ -198,10 +191,8 @@ void farKeep(Group group, int number, int count)
     }
     for (int i = self; i < 3 * FAR_TERMS; i += GROUP)
         far_numbers[at + 4 + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
-    int words = farBlock() * FAR_WORDS + FAR_MAP + number * FAR_LIST;
-    if (self == 0) far_words[words] = uint(count);
-    for (int i = 2 * self; i < min(count, FAR_MOST); i += 2 * GROUP)
-        far_words[words + 1 + i / 2] = uint(far_parts[i]) | uint(far_parts[i + 1]) << 16;
+    for (int i = self; i < FAR_NEAR; i += GROUP)
+        far_words[farBlock() * FAR_WORDS + FAR_MAP + number * FAR_NEAR + i] = far_near[i];
 }
 
 void farKeepMap(uint members)
@@ -213,7 +204,7 @@ void farKeepMap(uint members)
         far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = far_map[gl_LocalInvocationIndex];
 }
 
-int farLights(Group group)
+void farLights(Group group)
 {
     vec3 least = far_relative * farSureOfAll(group);
 #ifdef SURFACE_HAS_specular
@@ -223,8 +214,7 @@ int farLights(Group group)
 #endif
     vec3 even = 1.0 / max(part * (least + far_absolute / max(group.even, 1e-20)), 1e-30);
     vec3 gloss = 1.0 / max(0.5 * (least * group.dim + far_absolute), 1e-30);
-    farGather(group, farThreshold(group, even, gloss), even, gloss);
-    return farList();
+    farGather(group, farThreshold(group, even, gloss));
 }
 
 void main()
@@ -234,7 +224,8 @@ void main()
         if (!farFindSeed(waiting)) break;
         members = farMembers(waiting, number == FAR_GROUPS - 1);
         Group group = farFindGroup(members);
-        farKeep(group, number, farLights(group));
+        farLights(group);
+        farKeep(group, number);
         waiting &= ~members;
         if (number == 0) members = 0u;
         barrier();

@@ -29,18 +29,27 @@ int farGroup(int block, ivec2 pixel)
     return int(far_words[block * FAR_WORDS + number / 32] >> (number % 32) & 1u);
 }
 
-int farPlace(int at, int i) { return int(far_words[at + 1 + i / 2] >> (i % 2 * 16) & 0xffffu); }
+// Those of a word's near lights whose numbers are from `first` on, and below `end`.
+uint farBits(int at, int word, int first, int end)
+{
+    uint bits = far_words[at + word];
+    int low = max(first - 32 * word, 0), high = end - 32 * word;
+    bits = bits >> low << low;
+    return high < 32 ? bits & ((1u << high) - 1u) : bits;
+}
 
 // Plain ones come first. A loop of its own for each kind: some compilers run both sides of a branch.
 vec3 farNear(int at, Seen seen)
 {
-    int count = int(far_words[at]), i = 0;
+    int end = light_plain + light_points;
     vec3 sum = vec3(0.0);
-    for (int light; i < count && (light = farPlace(at, i)) < light_plain; i++)
-        sum += lightFromPlain(light, seen);
+    for (int word = 0; 32 * word < light_plain; word++)
+        for (uint bits = farBits(at, word, 0, light_plain); bits != 0u; bits &= bits - 1u)
+            sum += lightFromPlain(32 * word + findLSB(bits), seen);
 #ifdef FAR_OTHERS
-    for (; i < count; i++)
-        sum += lightFromOther(farPlace(at, i), seen);
+    for (int word = light_plain / 32; 32 * word < end; word++)
+        for (uint bits = farBits(at, word, light_plain, end); bits != 0u; bits &= bits - 1u)
+            sum += lightFromOther(32 * word + findLSB(bits), seen);
 #endif
     return sum;
 }
@@ -54,10 +63,8 @@ vec4 passPixel(ivec2 pixel)
     if (farReflects(seen.m)) {
         ivec2 blocks = pixel / FAR_BLOCK;
         int block = blocks.y * far_row + blocks.x, group = farGroup(block, pixel);
-        int list = block * FAR_WORDS + FAR_MAP + group * FAR_LIST;
-        if (far_words[list] > uint(FAR_MOST)) return vec4(sum + lightFromAll(seen), 1.0);
         sum += surfaceEven(seen.m) * farIrradiance((block * FAR_GROUPS + group) * FAR_TEXELS, seen.point, seen.m.normal);
-        sum += farNear(list, seen);
+        sum += farNear(block * FAR_WORDS + FAR_MAP + group * FAR_NEAR, seen);
     }
     return vec4(sum, 1.0);
 }
