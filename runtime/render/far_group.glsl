@@ -66,15 +66,33 @@ ivec2 farPixel(int k)
 
 float farDepth(int k) { return texelFetch(light_depth, farPixel(k), 0).x; }
 
-Seen farSeen(int k) { return lightSeen(farPixel(k), farDepth(k), unpackSurface(farPixel(k))); }
+// What a group asks of a pixel; `size` is a pixel's, there.
+struct Member {
+    vec3 point, normal, mirror, even, gloss;
+    float size, exponent;
+    bool behind;
+};
 
-// Pixels that send back light of lamps wait for a group, as bits.
+// Pixels at which there is a surface, as bits.
 uint farBegin()
 {
     uint waiting = 0u;
     for (int k = 0; k < PIXELS; k++)
-        if (all(lessThan(farPixel(k), textureSize(light_depth, 0))) && farDepth(k) > 0.0 && farReflects(farSeen(k).m))
-            waiting |= 1u << k;
+        if (all(lessThan(farPixel(k), textureSize(light_depth, 0))) && farDepth(k) > 0.0) waiting |= 1u << k;
+    return waiting;
+}
+
+// Looks at those that wait. Returns the ones among them that send back light of lamps.
+uint farLook(uint waiting, out Member pixels[PIXELS])
+{
+    for (int k = 0; k < PIXELS; k++) {
+        if ((waiting >> k & 1u) == 0u) continue;
+        Seen seen = lightSeen(farPixel(k), farDepth(k), unpackSurface(farPixel(k)));
+        Lit m = seen.m;
+        pixels[k] = Member(seen.point, m.normal, surfaceMirror(m), surfaceEven(m), surfaceGloss(m), seen.pixelSize,
+                           surfaceExponent(m), surfaceLetsThrough(m));
+        if (!farReflects(m)) waiting &= ~(1u << k);
+    }
     return waiting;
 }
 
@@ -83,7 +101,7 @@ uint farBegin()
 uint farNumber(int k) { return uint(k) * uint(GROUP) + gl_LocalInvocationIndex; }
 
 // The nearest pixel that waits; of those at one depth the first. It tells the others its point. False: none waits.
-bool farFindSeed(uint waiting)
+bool farFindSeed(uint waiting, Member pixels[PIXELS])
 {
     if (gl_LocalInvocationIndex == 0u) {
         far_seed = 0u;
@@ -101,56 +119,83 @@ bool farFindSeed(uint waiting)
     for (int k = 0; k < PIXELS; k++)
         if ((waiting >> k & 1u) != 0u && floatBitsToUint(farDepth(k)) == far_seed) atomicMin(far_owner, farNumber(k));
     barrier();
-    if (far_owner % uint(GROUP) == gl_LocalInvocationIndex && far_seed != 0u) {
-        Seen seen = farSeen(int(far_owner) / GROUP);
-        far_point = seen.point;
-        far_axis = seen.m.normal;
-        far_mirror = surfaceMirror(seen.m);
-    }
+    for (int k = 0; k < PIXELS; k++)
+        if (farNumber(k) == far_owner && far_seed != 0u) {
+            far_point = pixels[k].point;
+            far_axis = pixels[k].normal;
+            far_mirror = pixels[k].mirror;
+        }
     barrier();
     return far_seed != 0u;
 }
 
 // Those that wait and are near the seed, and look in a direction not far from its; in the last round all.
-uint farMembers(uint waiting, bool last)
+uint farMembers(uint waiting, Member pixels[PIXELS], bool last)
 {
     const float reach = 4.0 * float(8 * SPAN), turn = 0.8;
     uint members = 0u;
     for (int k = 0; k < PIXELS; k++) {
         if ((waiting >> k & 1u) == 0u) continue;
-        Seen seen = farSeen(k);
-        if (last || (distance(seen.point, far_point) <= reach * seen.pixelSize && dot(seen.m.normal, far_axis) >= turn))
+        bool near = distance(pixels[k].point, far_point) <= reach * pixels[k].size;
+        if (last || (near && dot(pixels[k].normal, far_axis) >= turn))
             members |= 1u << k;
     }
     return members;
 }
 
-Group farFindGroup(uint members)
+// Each invocation puts its pixels together before it tells the others of them.
+void farSpread(uint members, Member pixels[PIXELS])
+{
+    vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
+    float broad = -NEVER, behind = 0.0;
+    for (int k = 0; k < PIXELS; k++) {
+        if ((members >> k & 1u) == 0u) continue;
+        high = max(high, pixels[k].point);
+        low = max(low, -pixels[k].point);
+        even = max(even, pixels[k].even);
+        dim = max(dim, -pixels[k].even);
+        gloss = max(gloss, pixels[k].gloss);
+        broad = max(broad, -pixels[k].exponent);
+        behind = pixels[k].behind ? 1.0 : behind;
+    }
+    if (members == 0u) return;
+    farRaise3(HIGH, high);
+    farRaise3(LOW, low);
+    farRaise3(EVEN, even);
+    farRaise3(DIM, dim);
+    farRaise3(GLOSS, gloss);
+    farRaise(BROAD, broad);
+    farRaise(BEHIND, behind);
+}
+
+// The same, of what is to be known from the centre on.
+void farSpreadAround(vec3 centre, uint members, Member pixels[PIXELS])
+{
+    float radius = -NEVER, normal = -NEVER, above = -NEVER, below = -NEVER, mirror = -NEVER;
+    for (int k = 0; k < PIXELS; k++) {
+        if ((members >> k & 1u) == 0u) continue;
+        float over = dot(pixels[k].normal, pixels[k].point - centre);
+        radius = max(radius, distance(pixels[k].point, centre));
+        normal = max(normal, -dot(pixels[k].normal, far_axis));
+        above = max(above, over);
+        below = max(below, -over);
+        mirror = max(mirror, -dot(pixels[k].mirror, far_mirror));
+    }
+    if (members == 0u) return;
+    farRaise(RADIUS, radius);
+    farRaise(NORMAL, normal);
+    farRaise(ABOVE, above);
+    farRaise(BELOW, below);
+    farRaise(MIRROR, mirror);
+}
+
+Group farFindGroup(uint members, Member pixels[PIXELS])
 {
     Group group;
-    for (int k = 0; k < PIXELS; k++) {
-        if ((members >> k & 1u) == 0u) continue;
-        Seen seen = farSeen(k);
-        farRaise3(HIGH, seen.point);
-        farRaise3(LOW, -seen.point);
-        farRaise3(EVEN, surfaceEven(seen.m));
-        farRaise3(DIM, -surfaceEven(seen.m));
-        farRaise3(GLOSS, surfaceGloss(seen.m));
-        farRaise(BROAD, -surfaceExponent(seen.m));
-        farRaise(BEHIND, surfaceLetsThrough(seen.m) ? 1.0 : 0.0);
-    }
+    farSpread(members, pixels);
     barrier();
     group.centre = 0.5 * (farBound3(HIGH) - farBound3(LOW));
-    for (int k = 0; k < PIXELS; k++) {
-        if ((members >> k & 1u) == 0u) continue;
-        Seen seen = farSeen(k);
-        float over = dot(seen.m.normal, seen.point - group.centre);
-        farRaise(RADIUS, distance(seen.point, group.centre));
-        farRaise(NORMAL, -dot(seen.m.normal, far_axis));
-        farRaise(ABOVE, over);
-        farRaise(BELOW, -over);
-        farRaise(MIRROR, -dot(surfaceMirror(seen.m), far_mirror));
-    }
+    farSpreadAround(group.centre, members, pixels);
     barrier();
     const float rounding = 1e-6;
     group.radius = farBound(RADIUS) + rounding * length(group.centre);

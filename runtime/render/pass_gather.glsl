@@ -219,11 +219,13 @@ void farLights(Group group)
 
 void main()
 {
+    Member pixels[PIXELS];
     uint waiting = farBegin(), members = 0u;
     for (int number = 0; number < FAR_GROUPS; number++) {
-        if (!farFindSeed(waiting)) break;
-        members = farMembers(waiting, number == FAR_GROUPS - 1);
-        Group group = farFindGroup(members);
+        waiting = farLook(waiting, pixels);
+        if (!farFindSeed(waiting, pixels)) break;
+        members = farMembers(waiting, pixels, number == FAR_GROUPS - 1);
+        Group group = farFindGroup(members, pixels);
         farLights(group);
         farKeep(group, number);
         waiting &= ~members;
