@@ -87,12 +87,12 @@ static void buffers_are_counted(void **state)
         Render *render = open_render(&h, &(RenderOptions){.compile = &h.compile, .memory = memories[i]});
         const size_t pixels = (size_t)render_tile_width(render) * (size_t)render_tile_height(render);
         const size_t bytes = storage_bytes - before;
-        assert_true(bytes > 6 * pixels); /* they are there */
-        assert_int_equal(render_pixel_bytes(render), others + 7);
+        assert_true(bytes >= 3 * pixels); /* they are there */
+        assert_int_equal(render_pixel_bytes(render), others + 3);
         if (render_tile_height(render) > RENDER_TILE_LEAST)
             assert_true(others * pixels + bytes <= (memories[i] ? memories[i] : RENDER_MEMORY));
         char *graph = frame_graph(render), said[128];
-        snprintf(said, sizeof said, "\nfar two buffers 7: %zu bytes for blocks of 16 x 16\n", bytes);
+        snprintf(said, sizeof said, "\nfar two buffers 3: %zu bytes for blocks of 16 x 16\n", bytes);
         assert_non_null(strstr(graph, said));
         free(graph);
         render_close(render);
@@ -140,7 +140,7 @@ static void drivers_with_less(void **state)
     }
     scarce = GL_MAX_SHADER_STORAGE_BLOCK_SIZE;
     least =
-        5 * 4 * 1064 - 1; /* words of a block are 8 + 2 (1 + 128); five blocks are across, and not quite four along */
+        5 * 4 * 608 - 1; /* numbers of a block are 2 * 19 * 4 floats; five blocks are across, not quite four along */
     Render *render = open_render(&h, &options);
     assert_int_equal(render_tile_height(render), 3 * 16);
     render_close(render);

@@ -313,8 +313,8 @@ const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);
 /* Lights, at most: programs are shared by numbers of lights that are near. A multiple of 32. */
 int light_far_most(const Render *render);
-/* What light may be off, at exposure 0: times itself, and besides. False: it may not. */
-bool light_far_budget(SceneKind tone, double budget[2]);
+/* What light may be off, at exposure 0: times itself, and besides; `linear`: of a picture of light as halves. False: it may not. */
+bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
 /* Blocks in a row of so many pixels. */
 enum { LIGHT_FAR_BLOCK = 16 /* the edge of one, in pixels */ };
 int light_far_blocks(int pixels);

@@ -8,18 +8,23 @@
  *     may sum up to r E + a; what does not go into that is summed at each pixel.
  *
  * A pixel's light L is then off by r L + a at most, in each lane, whatever its colour is. r and a are such that this is less than a step's half after
- * exposure, tone mapping and the encoding as sRGB, whose slope T' may be steep: (r L + a) T'(L) <= 1/510 for every L. Clamp's slope is 12.92 at most,
- * where it is dark, and L T'(L) is 0.44 at most, where it is white: r = 0.9 / 0.44 / 510 and a = 0.9 / 12.92 / 510 leave 1/510 * 0.98 of it.
- * Filmic's are 0.286 and 6.395, of which 0.7 / 510 leave 0.93: see below. tests/test_frame_lights.c tries every L.
+ * exposure, tone mapping m and the encoding e as sRGB. Edges and samples mix pixels by shares s once they are mapped, before e: if y = m(L) is off by
+ * d(y), the mixture is off by the sum of s d(y). Let D be a concave function that is nowhere less than d: then that is D(y) at most, of the mixture's y,
+ * and all that is to be shown is e(y) - e(y - D(y)) <= 1/510; upwards e rises less, since it is concave.
  *
- * Edges mix two such pixels by shares s and 1 - s once they are mapped, before the encoding e: of y = m(L), as it is mapped, off by d(y), they make
- * y = s y1 + (1 - s) y2, off by s d(y1) + (1 - s) d(y2). Let D be a concave function that is nowhere less than d: then this is D(y) at most, and all that
- * is to be shown is |e(y + D(y)) - e(y)| <= 1/510 and the same of y - D(y). The slope of e plays no part, which at sRGB's join jumps from 12.92 to 12.70.
+ *   Clamp: D(y) = r y + a, also where it is cut at 1. y e'(y) is 0.44 at most, where y is 1, and e' is 12.92 at most: 0.9 of half a step over each
+ *      is their share, and leaves room for squares of r below.
+ *   Shoulder: the same. m is concave and m(L) <= L, so that m(L) - m(L - d) <= m(L) d / L, which is r m(L) + a at most for d = r L + a.
+ *   Exponential: a lane x of the greatest g is shown as y = x h(g), h(g) = (1 - exp(-g)) / g, and g h'(g) lies between -h(g) and 0. With s = -g h'(g) / h(g),
+ *      y is off by h (r x + a) + x h s (r g + a) / g <= 2 r y + a h (1 + s), and h (1 + s) <= 1: so D(y) = 2 r y + a, where r is half of Clamp's.
+ *   Linear: y = x / g with g the greatest lane of the picture, both off by r: D(y) = 2 r y / (1 - r). a is 0, as a / g has no bound.
+ *   Filmic: D(y) is the lesser of 2.6 r y + 0.6 a and 0.85 r y + 3.65 a.
+ *   OpenEXR as halves, which are light itself: steps of 2^-11 of it at least, so r is 0.9 / 2^12, and a is 0.
  *
- *   Clamp: d(y) = r y + a, also where it is cut at 1, is a line, so concave itself: D = d, and what holds for each L holds for a mixture.
- *   Filmic: D is the least concave function that is not below d; it exceeds d by less than 1e-5 of it, and takes 0.93 of 1/510.
+ * ReinhardDevlin stretches what it maps from its least to its greatest, and Drago counts the pixels that are brighter than some: both may jump. What has
+ * steps of 1/65535, or none, would leave hardly a light far.
  *
- * The test mixes every two of 150 strengths of light, each off by as much as it may be. */
+ * tests/test_light_bound.c proves what is said of e and of Filmic, by intervals and by the signs of polynomials, and tries the rest. */
 #include "runtime/render/frame.h"
 #include <string.h>
 
@@ -31,24 +36,28 @@ enum {
     STORAGE_BLOCKS = 3 /* of a program: two, and lists of what is transparent in shadow maps */
 };
 
-static const double half_step = 1. / 510;
-
-/* Shares of half a step over the greatest L T'(L), and over the greatest T'(L), with exposure 0. */
+/* Clamp's, with exposure 0, and which part of them another takes. */
+static const double relative = .9 / .4398 / 510, absolute = .9 / 12.92 / 510, relative_of_halves = .9 / 4096;
 static const struct {
     SceneKind tone;
     double relative, absolute;
-} budgets[] = {{SCENE_Clamp, .9 / .4398, .9 / 12.92}, {SCENE_Filmic, .7 / .286, .7 / 6.395}};
+} parts[] = {{SCENE_Clamp, 1, 1},
+             {SCENE_Shoulder, 1, 1},
+             {SCENE_Exponential, .5, 1},
+             {SCENE_Linear, .49, 0},
+             {SCENE_Filmic, 1.025, 1.346}};
 
-/* Other tone mappings ask the whole picture: what a pixel is off moves all of them. */
-bool light_far_budget(SceneKind tone, double budget[2])
+bool light_far_budget(SceneKind tone, bool linear, double budget[2])
 {
-    for (size_t i = 0; i < sizeof budgets / sizeof *budgets; i++)
-        if (budgets[i].tone == tone) {
-            budget[0] = budgets[i].relative * half_step;
-            budget[1] = budgets[i].absolute * half_step;
+    budget[0] = relative_of_halves;
+    budget[1] = 0;
+    for (size_t i = 0; !linear && i < sizeof parts / sizeof *parts; i++)
+        if (parts[i].tone == tone) {
+            budget[0] = parts[i].relative * relative;
+            budget[1] = parts[i].absolute * absolute;
             return true;
         }
-    return false;
+    return linear;
 }
 
 static int count_lights(const Scene *scene)
@@ -78,10 +87,10 @@ bool light_far_check(GlContext *gl, const RenderOptions *options)
            gl_fail(gl, "lights are auto, all or bounded, not '%s'", options->lights);
 }
 
-/* The picture has 8 bits, and nothing else is asked for. */
+/* The picture has 8 bits or halves, and nothing else is asked for. */
 static bool is_shown(const RenderOptions *options)
 {
-    return !options->deep && !options->linear && (!options->view || !strcmp(options->view, "shown"));
+    return !options->deep && (!options->view || !strcmp(options->view, "shown"));
 }
 
 static bool has_buffers(const GlContext *gl)
@@ -102,8 +111,8 @@ static const char *find_lack(const Render *render, int count)
         return "all lights are asked for";
     if (count > MOST)
         return "there are more than 4096 lights";
-    if (!light_far_budget(render->scene->tone, budget))
-        return "the tone mapping asks the whole picture";
+    if (!light_far_budget(render->scene->tone, render->options.linear, budget))
+        return "what the tone mapping makes of it has no bound";
     if (!render->surface->parts)
         return "nothing bounds the surface model";
     if (render->parted)
@@ -119,7 +128,9 @@ const char *light_far_lacks(const Render *render)
     const char *lack = find_lack(render, count);
     if (lack || is_way(&render->options, "bounded"))
         return lack;
-    return count < least ? "lights are few" : is_shown(&render->options) ? NULL : "more than 8 bits are asked for";
+    return count < least                ? "lights are few"
+           : is_shown(&render->options) ? NULL
+                                        : "more than 8 bits, or halves, are asked for";
 }
 
 bool light_far_used(const Render *render) { return !light_far_lacks(render); }

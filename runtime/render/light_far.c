@@ -16,7 +16,7 @@ void light_far_set(const Render *render, ScreenPass *pass)
 {
     const bool covered = pass_lists_needed(render) || pass_peel_needed(render);
     double budget[2] = {0};
-    light_far_budget(render->scene->tone, budget);
+    light_far_budget(render->scene->tone, render->options.linear, budget);
     material_set_number(&pass->material, "far_relative", (float)budget[0]);
     material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
     material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));

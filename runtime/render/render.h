@@ -36,8 +36,8 @@ typedef struct {
     int tile[2];       /* at most so many pixels at once; 0: as many as the memory holds */
     bool no_shadows;   /* no light casts any */
     const char *transparency; /* "lists", "peeling", or "auto" (NULL): lists where there are some, and room for them */
-    /* "all": each light is summed at each pixel; "bounded": far ones together, within a bound that holds for the picture as it is shown (by Clamp or
-     * Filmic); "auto" (NULL): that, where lights are many and the picture has 8 bits */
+    /* "all": each light is summed at each pixel; "bounded": far ones together, within a bound that holds for the picture as it is shown with 8 bits, or
+     * for light as halves (light_bound.c says for which tone mappings); "auto" (NULL): that, where lights are many and that is the picture */
     const char *lights;
     size_t list_bytes;           /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
     bool opaque;                 /* surfaces are drawn as if all were opaque: a view of a slot has the nearest */

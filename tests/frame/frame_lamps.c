@@ -44,9 +44,14 @@ char *frame_lamps_text(const FrameLamps *c, int width, int height)
     return text;
 }
 
-double frame_lamps_mapped(SceneKind tone, double x)
+double frame_lamps_mapped(SceneKind tone, double x, double greatest)
 {
-    const double y = tone == SCENE_Filmic ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14) : x;
+    const double knee = .7, over = x > knee ? (x - knee) / (1 - knee) : 0;
+    const double y = tone == SCENE_Filmic        ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)
+                     : tone == SCENE_Shoulder    ? fmin(x, knee) + (1 - knee) * over / (1 + over)
+                     : tone == SCENE_Exponential ? x / greatest * (1 - exp(-greatest))
+                     : tone == SCENE_Linear      ? x / greatest
+                                                 : x;
     return y < 0 ? 0 : y > 1 ? 1 : y;
 }
 
@@ -54,5 +59,5 @@ double frame_lamps_encoded(double y) { return y <= .0031308 ? 12.92 * y : 1.055 
 
 double frame_lamps_shown(SceneKind tone, double exposure, double light)
 {
-    return frame_lamps_encoded(frame_lamps_mapped(tone, light * exposure));
+    return frame_lamps_encoded(frame_lamps_mapped(tone, light * exposure, 1));
 }

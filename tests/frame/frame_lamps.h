@@ -19,8 +19,9 @@ typedef struct {
 
 /* The document, the lights at random places, without shadows. From malloc. */
 char *frame_lamps_text(const FrameLamps *lamps, int width, int height);
-/* What a screen is to send of light, from 0 to 1, by the formulas that matc --list=scenes gives for Clamp or Filmic; that as IEC 61966-2-1 has it; both. */
-double frame_lamps_mapped(SceneKind tone, double light);
+/* What a screen is to send of light, from 0 to 1, by the formulas that matc --list=scenes gives; `greatest` is the pixel's greatest lane for Exponential,
+ * the picture's for Linear. That as IEC 61966-2-1 has it; and both, for what sees one lane alone: Clamp, Filmic, Shoulder. */
+double frame_lamps_mapped(SceneKind tone, double light, double greatest);
 double frame_lamps_encoded(double mapped);
 double frame_lamps_shown(SceneKind tone, double exposure, double light);
 #endif
