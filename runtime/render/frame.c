@@ -1,5 +1,6 @@
 /* The list of passes, and the targets between them. */
 #include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <string.h>
 
 #define DEPTH   (1u << FRAME_TARGET_depth)

@@ -1,5 +1,6 @@
 /* Names, formats and textures of a frame's targets; drawing to them; and what the cache is made of. */
 #include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",  "lists",    "far",   "light",

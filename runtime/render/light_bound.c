@@ -25,7 +25,7 @@
  * steps of 1/65535, or none, would leave hardly a light far.
  *
  * tests/test_light_bound.c proves what is said of e and of Filmic, by intervals and by the signs of polynomials, and tries the rest. */
-#include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <string.h>
 
 enum {

@@ -1,5 +1,5 @@
 /* What the pass gather and the pass light both go by where lights are many: the GLSL's constants, what may be left out, the buffers of light_room.c. */
-#include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <stdio.h>
 
 /* As far_blocks.glsl has them. */

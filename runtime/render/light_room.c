@@ -1,5 +1,5 @@
 /* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two buffers, and the room that they take. */
-#include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <limits.h>
 
 /* As far_blocks.glsl has them. */

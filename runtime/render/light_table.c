@@ -1,6 +1,6 @@
 /* Numbers of lights on the driver's side: as a block of each program that lights, where the driver's blocks have room for them all, else as a
  * texture; so, too, for the pass gather, whose invocations read different lights, which a block gives one after the other. */
-#include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* The pass gather: from the G-buffer, depth and lights to what far lights give together to each block of pixels, and which are near, as light_bound.c
  * says. Its GLSL is pass_gather.glsl; light_room.c has its buffers. */
-#include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 
 extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_pass_gather[];
 

@@ -1,6 +1,6 @@
 /* The pass light: from the G-buffer, depth and lights to light. Its GLSL is pass_light.glsl, behind lighting.glsl; where lights are many, it is
  * pass_light_far.glsl, by what the pass gather has summed. */
-#include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 
 extern const char render_text_pass_light[], render_text_far_terms[], render_text_far_blocks[],
     render_text_pass_light_far[];

@@ -1,6 +1,7 @@
 /* The renderer as its caller sees it: what is made when, and what is read. */
 #include "runtime/render/render.h"
 #include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* What runs, in words: the passes and their targets, and what they took. */
 #include "compiler/base/session.h"
 #include "runtime/render/frame.h"
+#include "runtime/render/light_far.h"
 #include <stdlib.h>
 #include <string.h>
 
