@@ -22,6 +22,7 @@
 typedef struct {
     const char *derivatives, *aa;
     int optimize;
+    const char *target; /* NULL: the default */
 } Making;
 
 /* The normal of a program in floats. */
@@ -36,6 +37,7 @@ static void float_normal(Document *d, const Making *making, const Point *point, 
     options.slot = "normal";
     options.aa = making->aa;
     options.derivatives = making->derivatives;
+    options.target = making->target;
     assert_null(choice_job(&options, &job));
     Session session = {.options = &options, .arena = &d->arena, .optimize = making->optimize};
     const Ir *ir = compile_ir(&session, d->graph, d->graph->materials[0].node, &job);
@@ -115,7 +117,7 @@ static void steps_are_as_wide_far_out(const char *form, const Making *making, fl
 static void steps_are_as_wide_far_from_the_origin(void **state)
 {
     (void)state;
-    static const Making makings[] = {{"auto", "none", 2}, {"finite", "none", 2}};
+    static const Making makings[] = {{"auto", "none", 2, NULL}, {"finite", "none", 2, NULL}};
     static const char *const displacements[] = {CHECKER,
                                                 "{ map: VolumeChecker }",
                                                 "{ map: Carpenter, noise: 0.2 }",
@@ -126,6 +128,43 @@ static void steps_are_as_wide_far_from_the_origin(void **state)
     for (size_t i = 0; i < sizeof displacements / sizeof *displacements; i++)
         for (int k = 0; k < 4; k++)
             steps_are_as_wide_far_out(displacements[i], &makings[k % 2], k < 2 ? 4096 : 65536);
+}
+
+/* GLSL 1.10 fetches no texels beside mipmaps, so the step of a picture that the sampler averages stays beside its coordinate, whose last bits
+ * it takes: W |u| 2^-24 of the steepest slope for W texels, as docs/stability.md says. Other targets lose nothing. */
+static void steps_of_the_sampler_are_as_wide_as_floats_tell(void **state)
+{
+    (void)state;
+    enum { SIDE = 5 };
+    static const struct {
+        const char *target, *address;
+        double lost; /* of that bound */
+    } cases[] = {{"glsl110", "repeat", 1}, {"glsl330", "repeat", 0}, {"essl300", "mirror", 0}};
+    static const float turns[] = {16, 1024, 65536};
+    for (int i = 0; i < 9; i++) {
+        const Making making = {"auto", "auto", 2, cases[i / 3].target};
+        const double scale = 0.02 * 0.01, steepest = SIDE; /* from 0 to 1 over a texel */
+        const double bound = cases[i / 3].lost * SIDE * turns[i % 3] * 0x1p-24 * steepest * scale + 1e-9;
+        char text[400];
+        double n[2][3];
+        Document d;
+        snprintf(text, sizeof text,
+                 "material: Phong\ninput: { map: BumpMap, strength: 0.01, displacement: { map: ImageMap, image: %s, "
+                 "address: %s } }\n",
+                 picture, cases[i / 3].address);
+        assert_true(document_open_text(&d, text));
+        for (int out = 0; out < 2; out++) {
+            Point p = flat_point();
+            p.input[INPUT_U][0] = 1.375f + (out ? turns[i % 3] : 0);
+            p.input[INPUT_U][1] = 1.484375f + (out ? turns[i % 3] : 0);
+            float_normal(&d, &making, &p, n[out]);
+        }
+        for (int lane = 0; lane < 2; lane++)
+            if (fabs(n[1][lane] - n[0][lane]) > bound)
+                fail_msg("--target=%s, address: %s, %g turns out: off by %g, stated %g", cases[i / 3].target,
+                         cases[i / 3].address, (double)turns[i % 3], fabs(n[1][lane] - n[0][lane]), bound);
+        document_close(&d);
+    }
 }
 
 /* The red of a document's diffuse, by the oracle. */
@@ -145,7 +184,7 @@ static double red_at(MatcDocument *document, const MatcOptions *options, double 
 /* A program's slope along u at a place is the map's rise over a step. */
 static void rises_as_the_map(const char *map, double step, float u)
 {
-    static const Making making = {"auto", "none", 2};
+    static const Making making = {"auto", "none", 2, NULL};
     const float v = .30078125f;
     char text[400];
     double n[3];
@@ -210,7 +249,7 @@ static void peaks_of_waves_at_the_last_item_have_slopes(void **state)
             Point p = flat_point();
             double n[3];
             const float x = p.input[INPUT_X][0] = (float)k * 7e-5f;
-            float_normal(&d, &(Making){derivatives[i % 2], "none", i & 2}, &p, n);
+            float_normal(&d, &(Making){derivatives[i % 2], "none", i & 2, NULL}, &p, n);
             if (fabs(n[0] / n[2] - 0.02 * 9000 * sin(x)) > 1e-6)
                 fail_msg("%s, -O%d, %s at %g: %g %g %g", derivatives[i % 2], i & 2, blends[i / 4], (double)x, n[0],
                          n[1], n[2]);
@@ -251,7 +290,7 @@ static void items_of_blends_have_slopes_of_a_side(void **state)
         "{ value: 0, input: 3 }, { value: %.9g, input: { map: Smooth3D, input: { map: Leopard } } }, { value: 1, "
         "input: { map: Smooth3D, input: { map: Wood } } }, { value: 3, input: { map: VolumeTurbulence } }"};
     for (int i = 0; i < 16; i++) {
-        const Making making = {i % 2 ? "analytic" : "auto", "none", i & 2};
+        const Making making = {i % 2 ? "analytic" : "auto", "none", i & 2, NULL};
         MatcOptions options;
         char items[400], text[600];
         Document d;
@@ -287,7 +326,7 @@ static void blends_of_one_value_have_slopes_of_their_own(void **state)
     (void)state;
     static const char *const more[] = {"", ", { value: 2, input: 5 }"};
     for (int i = 0; i < 8; i++) {
-        const Making making = {i & 1 ? "analytic" : "auto", "none", i & 2};
+        const Making making = {i & 1 ? "analytic" : "auto", "none", i & 2, NULL};
         char text[800];
         Document d;
         Point p = flat_point();
@@ -314,6 +353,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_are_as_wide_far_from_the_origin),
+        cmocka_unit_test(steps_of_the_sampler_are_as_wide_as_floats_tell),
         cmocka_unit_test(steps_end_where_the_map_is_another),
         cmocka_unit_test(peaks_of_waves_at_the_last_item_have_slopes),
         cmocka_unit_test(items_of_blends_have_slopes_of_a_side),
