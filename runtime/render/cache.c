@@ -295,6 +295,8 @@ static bool make_room(Maker *m)
     cache->surfaces = calloc(objects, sizeof *cache->surfaces);
     cache->planes = calloc(objects, sizeof *cache->planes);
     cache->list = calloc(CACHE_LISTS * objects, sizeof *cache->list);
+    cache->seen_list = calloc(objects, sizeof *cache->seen_list);
+    cache->order = calloc(objects, sizeof *cache->order);
     cache->cast_order = calloc(objects, sizeof *cache->cast_order);
     cache->mesh_keys = m->meshes.keys = calloc(objects, sizeof *m->meshes.keys);
     m->file_keys = calloc((size_t)scene->mesh_count + 1, sizeof *m->file_keys);
@@ -304,8 +306,9 @@ static bool make_room(Maker *m)
     m->row_of = calloc(materials, sizeof *m->row_of);
     m->caster_of = calloc(materials, sizeof *m->caster_of);
     return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->places &&
-            cache->place_of && cache->surfaces && cache->planes && cache->list && cache->cast_order && m->meshes.keys &&
-            m->kinds.keys && m->casters.keys && m->kind_of && m->row_of && m->caster_of && m->file_keys) ||
+            cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list && cache->order &&
+            cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of && m->row_of &&
+            m->caster_of && m->file_keys) ||
            gl_fail(m->gl, "out of memory");
 }
 
@@ -381,6 +384,8 @@ void cache_delete(GlContext *gl, Cache *cache)
     free(cache->surfaces);
     free(cache->planes);
     free(cache->list);
+    free(cache->seen_list);
+    free(cache->order);
     free(cache->cast_order);
     *cache = (Cache){0};
 }

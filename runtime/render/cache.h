@@ -38,6 +38,12 @@ typedef struct {
     const SetProgram *program;
 } CachePlane;
 
+/* A place, and how near it is. */
+typedef struct {
+    double nearness;
+    uint32_t place;
+} CacheOrder;
+
 enum { CACHE_LISTS = 3 /* of places, in one buffer */ };
 
 typedef struct {
@@ -65,7 +71,9 @@ typedef struct {
     bool has_sky;
     long triangles; /* of all surfaces */
     uint32_t *list; /* places: all of them, then those in view, then those that a light sees; a buffer has the same */
+    uint32_t *seen_list; /* the second of these, as the buffer has it */
     int seen;
+    CacheOrder *order; /* room to sort places in */
     uint32_t *cast_order; /* places of what casts shadows, sorted by caster and mesh */
     int cast_count;
     GLuint matrices, words,
@@ -94,6 +102,8 @@ bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int firs
 bool cache_set(const CacheSource *source, Cache *cache, int material, const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
+/* Sorts places of a drawable, from the farthest on. cache_order.c. */
+void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list, int count);
 /* Draws the surfaces in view, each with its program: those that are opaque, or the others. */
 void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 

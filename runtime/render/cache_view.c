@@ -118,25 +118,27 @@ bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache)
 
 /* -- what is seen */
 
-/* Lists the places in view; false: they are those that were. */
+/* Lists the places in view; false: they are those that were, in that order. */
 static bool list_seen(const CacheSource *source, Cache *cache)
 {
     uint32_t *list = cache->list + cache->place_count;
     int next = 0;
-    bool changed = false;
     for (int i = 0; i < cache->surface_count; i++) {
         Drawable *drawable = &cache->surfaces[i];
-        drawable->first_seen = cache->place_count + next;
+        const int first = next;
+        drawable->first_seen = cache->place_count + first;
         for (int k = drawable->first; k < drawable->first + drawable->count; k++) {
             const SceneMatrix *matrix = &source->scene->objects[cache->places[k].object].world_from_local;
             if (source->volume && !cull_sees(source->volume, &cache->boxes[drawable->mesh], matrix))
                 continue;
-            changed |= next >= cache->seen || list[next] != (uint32_t)k;
             list[next++] = (uint32_t)k;
         }
-        drawable->seen = cache->place_count + next - drawable->first_seen;
+        drawable->seen = next - first;
+        if (i >= cache->opaque_count && source->transparency == TRANSPARENCY_lists)
+            cache_order(source, cache, drawable, list + first, drawable->seen);
     }
-    changed |= next != cache->seen;
+    const bool changed = next != cache->seen || memcmp(list, cache->seen_list, (size_t)next * sizeof *list) != 0;
+    memcpy(cache->seen_list, list, (size_t)next * sizeof *list);
     cache->seen = next;
     return changed;
 }

@@ -1,6 +1,6 @@
 // The pass blend: a pixel's transparent fragments, out of its list, from the nearest on. Before it stand lighting.glsl, LISTS_STRIDE, and
 // LISTS_TEXELS; with VEIL no light is asked for. The depth is reversed: what is nearer is greater.
-layout(std430, binding = 2) readonly buffer Lists {
+layout(std430, binding = 2) buffer Lists {
     uint lists_width;
     uint lists_pixels;
     uint lists_room;
@@ -15,84 +15,106 @@ uint nodeAt(uint number)
     return lists_pixels + (number - 1u) * LISTS_STRIDE;
 }
 
-// Whether the fragment a is in front of b. At one depth their contents decide, so that the order in which they were appended, which a GPU is
-// free to choose, does not; where these are equal too, either order gives the same picture.
-bool isBefore(uint a, uint b)
+// A fragment of a list: its depth, as bits, which are ordered as depths are; its node; its number. 0: there is none.
+uvec3 fragmentAt(uint number)
 {
-    for (uint word = 1u; word < LISTS_STRIDE; word++)
-        if (lists_words[a + word] != lists_words[b + word]) return lists_words[a + word] > lists_words[b + word];
-    return a < b;
+    uint node = number == 0u ? 0u : nodeAt(number);
+    return uvec3(number == 0u ? 0u : lists_words[node + 1u], node, number);
 }
 
-// The first fragment behind `last`, a node, of all of a list: 0, there is none. For pixels with fragments at one depth: n of them take n^2 steps.
-uint nextFragment(uint list, uint last)
+// Whether a is in front of b. At one depth their contents decide, so that the order in which they were appended, which a GPU is free to
+// choose, does not; where these are equal too, either order gives the same picture.
+bool isBefore(uvec3 a, uvec3 b)
 {
-    uint nearest = 0u;
-    for (uint number = list; number != 0u; number = lists_words[nodeAt(number)]) {
-        uint node = nodeAt(number);
-        if ((last == 0u || isBefore(last, node)) && (nearest == 0u || isBefore(node, nearest))) nearest = node;
+    for (uint word = 2u; a.x == b.x && word < LISTS_STRIDE; word++) {
+        a.x = lists_words[a.y + word];
+        b.x = lists_words[b.y + word];
     }
-    return nearest;
+    return a.x != b.x ? a.x > b.x : a.y < b.y;
 }
 
-// The nearest fragments of a list that are behind some depth, sorted: depth, as bits, which are ordered as depths are, and node. A place that is
-// not taken is 0. No index but constants, so that they stay in registers: NEAREST steps for each fragment of a list, and a walk along it for
-// each NEAREST of them.
-// Worked example, NEAREST 3, depths 5 9 7 8 inserted: 5 - -, 9 5 -, 9 7 5, 9 8 7; the next walk, behind 7, has 5 - -.
-const int NEAREST = 16;
-struct Nearest {
-    uvec2 at[NEAREST];
-    bool tied; // two of one depth: their order is another's to find
-};
-
-Nearest nearestBehind(uint list, uint behind)
+// Surfaces are drawn from the farthest on (cache_view.c), and what is appended last stands first: so most lists are in order.
+bool isSorted(uint list)
 {
-    Nearest found;
-    found.tied = false;
-    for (int i = 0; i < NEAREST; i++) found.at[i] = uvec2(0u);
-    for (uint number = list; number != 0u;) {
-        uint node = nodeAt(number);
-        uvec2 moved = uvec2(lists_words[node + 1u], node);
-        number = lists_words[node];
-        if (moved.x >= behind) continue;
-        for (int i = 0; i < NEAREST; i++) {
-            uvec2 held = found.at[i];
-            bool nearer = moved.x > held.x;
-            found.tied = found.tied || (moved.x == held.x && moved.x != 0u);
-            found.at[i] = nearer ? moved : held;
-            moved = nearer ? held : moved;
+    bool sorted = true;
+    uvec3 before = fragmentAt(list);
+    while (sorted && before.z != 0u) {
+        uvec3 next = fragmentAt(lists_words[before.y]);
+        sorted = next.z == 0u || isBefore(before, next);
+        before = next;
+    }
+    return sorted;
+}
+
+// Appends to the fragments before `last`, a node; 0: there is none before.
+void link(uvec3 fragment, inout uint first, inout uint last)
+{
+    if (last == 0u)
+        first = fragment.z;
+    else
+        lists_words[last] = fragment.z;
+    last = fragment.y;
+}
+
+// Merges the first run of a list, fragments that are in order, with the second, the third with the fourth, and so on, by the list's links alone.
+// How many runs are left, and the number of the first fragment.
+uint mergedRuns(uint list, out uint runs)
+{
+    uint first = 0u, last = 0u, rest = list;
+    for (runs = 0u; rest != 0u; runs++) {
+        uvec3 a = fragmentAt(rest), b = fragmentAt(lists_words[a.y]), end = a;
+        uint as = 1u;
+        for (; b.z != 0u && isBefore(end, b); as++) {
+            end = b;
+            b = fragmentAt(lists_words[b.y]);
         }
+        if (b.z == 0u) { // the last run is alone, and stays
+            link(a, first, last);
+            last = end.y;
+            as = 0u;
+        }
+        bool hasB = b.z != 0u;
+        while (as > 0u || hasB) {
+            bool isA = as > 0u && (!hasB || isBefore(a, b));
+            uvec3 taken = isA ? a : b, next = fragmentAt(lists_words[taken.y]);
+            link(taken, first, last);
+            hasB = hasB && (isA || (next.z != 0u && isBefore(b, next)));
+            a = isA ? next : a;
+            b = isA ? b : next;
+            as -= uint(isA);
+        }
+        rest = b.z;
     }
-    return found;
+    lists_words[last] = 0u;
+    return first;
+}
+
+// Merge sort: runs halve each time. In any order, n fragments take n log2 n steps and no memory. An invocation that stands for no pixel may not
+// write, and ends as well.
+// Worked example: depths 9 5 7 8 2, runs 9 5, 7, 8 2; then 9 7 5, 8 2; then 9 8 7 5 2.
+uint sortedList(uint list)
+{
+    uint runs = isSorted(list) ? 1u : 2u;
+    for (int i = 0; runs > 1u && i < 32; i++) list = mergedRuns(list, runs);
+    return list;
 }
 
 vec3 passOver(ivec2 pixel, out vec3 through)
 {
     vec3 sum = vec3(0.0);
-    uint list = lists_words[uint(pixel.y) * lists_width + uint(pixel.x)];
+    uint head = uint(pixel.y) * lists_width + uint(pixel.x), number = lists_words[head];
     through = vec3(1.0);
-    if (list == 0u) return sum;
-    Nearest near = nearestBehind(list, 0xFFFFFFFFu);
-    int left = NEAREST;
-    uint node = near.tied ? nextFragment(list, 0u) : near.at[0].y;
-    while (node != 0u) {
-        uint depth = lists_words[node + 1u];
+    if (number == 0u) return sum;
+    number = sortedList(number);
+    lists_words[head] = number;
+    while (number != 0u) {
+        uint node = nodeAt(number);
         Surface surface = unpackTexels(LISTS_TEXELS);
 #ifndef VEIL
-        sum += through * lightOf(pixel, uintBitsToFloat(depth), surface);
+        sum += through * lightOf(pixel, uintBitsToFloat(lists_words[node + 1u]), surface);
 #endif
         through *= surfaceThrough(surface);
-        if (near.tied) {
-            node = nextFragment(list, node);
-            continue;
-        }
-        for (int i = 1; i < NEAREST; i++) near.at[i - 1] = near.at[i];
-        near.at[NEAREST - 1] = uvec2(0u);
-        if (--left == 0) {
-            near = nearestBehind(list, depth);
-            left = NEAREST;
-        }
-        node = near.tied ? nextFragment(list, node) : near.at[0].y;
+        number = lists_words[node];
     }
 #ifndef VEIL
     through = lightOver(through);

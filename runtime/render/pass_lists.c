@@ -131,6 +131,7 @@ bool pass_blend_make(Render *render)
            pass_tools_make_veil(render, &(LightingText){{veil, render_text_pass_blend}, true, 0});
 }
 
+/* Lists are sorted where they lie, so that the veil finds them so. */
 void pass_blend_draw(Render *render)
 {
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS, render->lists.buffer);

@@ -82,12 +82,22 @@ static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *scre
     }
 }
 
+/* What programs left in images and buffers is there for whoever comes next. */
+static void settle(const GlContext *gl)
+{
+    if (gl->major * 10 + gl->minor >= 43 && gl->MemoryBarrier)
+        gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+                          GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                          GL_BUFFER_UPDATE_BARRIER_BIT);
+}
+
 void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *screen)
 {
     GlContext *gl = store_context(pass->material.store);
     const GLuint block = (GLuint)pass->block;
     if (!pass->compute) {
         draw(pass, target, screen);
+        settle(gl);
         return;
     }
     material_use(&pass->material);
@@ -95,7 +105,7 @@ void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *
                          pass->format);
     gl->DispatchCompute(((GLuint)target->spec.width + block - 1) / block,
                         ((GLuint)target->spec.height + block - 1) / block, 1);
-    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    settle(gl);
 }
 
 void screen_pass_delete(ScreenPass *pass)

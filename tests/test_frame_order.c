@@ -1,0 +1,98 @@
+/* Transparent objects are drawn from the farthest on where their fragments go to lists, for any camera; the picture does not depend on it. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/render/frame.h"
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PANES = 21, SIDE = 24, LANES = SIDE * SIDE * 4 };
+
+/* Panes one above the other in no order, three pairs of them at one height, seen from above; a box among them. */
+static int height_of(int pane) { return pane * 8 % PANES / 2 * 2 - pane * 8 % PANES / 16; }
+
+static void write_scene(char *text, size_t room)
+{
+    size_t size = (size_t)snprintf(
+        text, room,
+        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], up: [0, 1, 0], angle: "
+        "40 }\n"
+        "lights: [{ light: Point, position: [5, 5, 80], intensity: 4000, shadows: false }]\nmaterials:\n"
+        "  clear: { material: Phong, diffuse: [.1, .2, .3], transparency: [.9, .7, .8] }\n"
+        "objects:\n- { object: Box, size: [9, 9, 9], material: clear, transform: { translation: [0, 0, 5] } }\n",
+        SIDE, SIDE);
+    for (int i = 0; i < PANES; i++)
+        size += (size_t)snprintf(text + size, room - size,
+                                 "- { object: Parallelogram, u: [20, 0, %d], v: [0, 20, 0], material: clear, "
+                                 "transform: { translation: [-10, -10, %d] } }\n",
+                                 i % 5 == 4 ? 9 : 0, height_of(i));
+}
+
+/* Of each group, the heights of what is drawn: greater ones are nearer, or further away. */
+static void assert_order(const Render *render, bool from_above)
+{
+    const Cache *cache = &render->cache;
+    int drawn = 0;
+    assert_true(cache->instances);
+    for (int i = cache->opaque_count; i < cache->surface_count; i++) {
+        double before = from_above ? -INFINITY : INFINITY;
+        for (int k = 0; k < cache->surfaces[i].seen; k++, drawn++) {
+            const int object = cache->places[cache->list[cache->surfaces[i].first_seen + k]].object;
+            const SceneObject *o = &render->scene->objects[object];
+            const double height = o->world_from_local.m[14] + (o->kind == SCENE_Parallelogram ? o->numbers[2] / 2 : 0);
+            assert_true(from_above ? height >= before : height <= before);
+            before = height;
+        }
+    }
+    assert_int_equal(drawn, PANES + 1);
+}
+
+static float *read_frame(GlContext *gl, Render *render)
+{
+    float *rgba = calloc(LANES, sizeof *rgba);
+    if (!render_frame(render) || !render_read(render, rgba))
+        fail_msg("%s", gl->error);
+    return rgba;
+}
+
+static void farthest_first(void **state)
+{
+    (void)state;
+    static char text[1 << 14];
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    write_scene(text, sizeof text);
+    Scene *scene = frame_scene(text, &options, &document);
+    Render *lists = render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
+    if (!lists || !render_scene(lists, scene))
+        fail_msg("%s", gl->error);
+    for (int below = 0; below < 2; below++) {
+        scene->camera.position[2] = below ? -60 : 60;
+        scene->camera.back[2] = below ? -1 : 1;
+        scene->camera.right[0] = below ? -1 : 1;
+        assert_true(render_changed(lists, RENDER_CAMERA));
+        float *rgba = read_frame(gl, lists);
+        assert_order(lists, !below);
+        float *peeled =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = "peeling"});
+        for (int i = 0; i < LANES; i++)
+            assert_true(fabsf(rgba[i] - peeled[i]) <= 2e-6f * fmaxf(1, fabsf(peeled[i])));
+        free(rgba);
+        free(peeled);
+    }
+    render_close(lists);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
