@@ -135,12 +135,47 @@ static void room(void **state)
     }
 }
 
+/* Shadows that a scene lacks, here or with an older driver, are told. */
+static void lacks_are_said(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "image: { width: 8, height: 8 }\nlights: [{ light: Directional }, { light: Area, u: [1, 0, 0], v: [0, 1, 0] "
+        "}]\n"
+        "objects:\n- { object: Box, material: &glass { material: Phong, transparency: .5 } }\n"
+        "- { object: Plane, transform: { translation: [0, 0, -3] }, material: { material: Phong, transparency: { map: "
+        "Checker } } }\n";
+    static const char *const said[] = {"shadow none falls from 1 area lights and 0 skies",
+                                       "shadow planes whose transparency varies cast none: it takes OpenGL 4.3",
+                                       "shadow what is transparent casts all or nothing: colours take OpenGL 4.3"};
+    const MatcOptions options = frame_exact_options();
+    for (int old = 0; old < 2; old++) {
+        MatcDocument *document;
+        Scene *scene = frame_scene(text, &options, &document);
+        GlContext *gl = frame_context();
+        if (old) {
+            gl->major = gl->minor = 3;
+            gl->ClipControl = NULL;
+        }
+        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+        assert_true(render && render_scene(render, scene));
+        char *graph = frame_graph(render);
+        for (int i = 0; i < 3; i++)
+            assert_int_equal(strstr(graph, said[i]) != NULL, i == 0 || old);
+        free(graph);
+        render_close(render);
+        gl_close(gl);
+        frame_forget(scene, document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(products),
         cmocka_unit_test(products_in_parts),
         cmocka_unit_test(room),
+        cmocka_unit_test(lacks_are_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

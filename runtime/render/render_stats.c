@@ -89,6 +89,39 @@ static void put_bytes(Text *out, int bytes, int shared)
     text_char(out, '\n');
 }
 
+static int count_kind(const Scene *scene, SceneKind kind)
+{
+    int count = 0;
+    for (int i = 0; i < scene->light_count; i++)
+        count += scene->lights[i].kind == kind;
+    return count;
+}
+
+/* Planes that would cast shadows by a program of their own, if they had one. */
+static bool lacks_sheets(const Render *render)
+{
+    bool lacks = false;
+    for (int i = 0; i < render->cache.plane_count; i++) {
+        const CachePlane *plane = &render->cache.planes[i];
+        lacks |= plane->transparent && !plane->program->even && plane->program->caster < 0;
+    }
+    return lacks;
+}
+
+/* Shadows that one might look for. */
+static void put_unshadowed(Text *out, const Render *render)
+{
+    const int areas = count_kind(render->scene, SCENE_Area), skies = count_kind(render->scene, SCENE_Sky);
+    if (areas || skies)
+        text_format(out, "shadow    none falls from %d area lights and %d skies\n", areas, skies);
+    if (!shadow_is_cast(render))
+        return;
+    if (lacks_sheets(render))
+        text_put(out, "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
+    if (render->cache.caster_count && render->scene->shadow_colored && render->set.casts != SET_CASTS_colored)
+        text_put(out, "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
+}
+
 static void put_memory(Text *out, const Render *render)
 {
     text_format(out, "\n%-8s  %-24s  %s\n", "target", "format", "bytes a pixel");
@@ -118,6 +151,7 @@ static void put_memory(Text *out, const Render *render)
                     render->samples);
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
+    put_unshadowed(out, render);
 }
 
 static void put_tiles(Text *out, const Render *render)
