@@ -13,30 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- rays to lights */
-
-/* From a point a little off a surface, on the light's side of it. */
-static bool is_lit(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3])
-{
-    struct RTCIntersectContext context;
-    double way[3], from[3];
-    const double distance = shadow_way_to(light, point, way);
-    const double off = (reference_dot(facet, way) < 0 ? -1 : 1) * 3e-5;
-    for (int i = 0; i < 3; i++)
-        from[i] = point[i] + off * facet[i];
-    struct RTCRay ray = {.org_x = (float)from[0],
-                         .org_y = (float)from[1],
-                         .org_z = (float)from[2],
-                         .dir_x = (float)way[0],
-                         .dir_y = (float)way[1],
-                         .dir_z = (float)way[2],
-                         .tfar = (float)distance,
-                         .mask = ~0u};
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(tracer->traced, &context, &ray);
-    return ray.tfar > 0 && !shadow_is_behind_plane(tracer->scene, from, way, distance);
-}
-
 /* -- pictures */
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
@@ -74,11 +50,11 @@ static int share_of(const Tracer *tracer, const Hit *hit)
     const SceneLight *light = &tracer->scene->lights[0];
     const double step = band_of(tracer->scene) * shadow_texel(tracer->scene, light, hit->world, REACH);
     double way[3], moved[3];
-    const bool lit = is_lit(tracer, light, hit->world, hit->facet);
+    const bool lit = shadow_is_lit(tracer, light, hit->world, hit->facet);
     shadow_way_to(light, hit->world, way);
     for (int i = 0; i < 24; i++) {
         shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
-        if (is_lit(tracer, light, moved, hit->facet) != lit)
+        if (shadow_is_lit(tracer, light, moved, hit->facet) != lit)
             return -1;
     }
     return lit;

@@ -20,9 +20,17 @@ static const struct {
     GLenum format;
     bool words;
 } known[] = {
-    {"RGBA8", GL_RGBA8, false},      {"RGBA16", GL_RGBA16, false},    {"RGBA16F", GL_RGBA16F, false},
-    {"RGBA32F", GL_RGBA32F, false},  {"R32UI", GL_R32UI, true},       {"RG32UI", GL_RG32UI, true},
-    {"RGBA32UI", GL_RGBA32UI, true}, {"RGBA16UI", GL_RGBA16UI, true},
+    {"R8", GL_R8, false},
+    {"DEPTH32F", GL_DEPTH_COMPONENT32F, false},
+    {"DEPTH32F_STENCIL8", GL_DEPTH32F_STENCIL8, false},
+    {"RGBA8", GL_RGBA8, false},
+    {"RGBA16", GL_RGBA16, false},
+    {"RGBA16F", GL_RGBA16F, false},
+    {"RGBA32F", GL_RGBA32F, false},
+    {"R32UI", GL_R32UI, true},
+    {"RG32UI", GL_RG32UI, true},
+    {"RGBA32UI", GL_RGBA32UI, true},
+    {"RGBA16UI", GL_RGBA16UI, true},
 };
 enum { FORMAT_COUNT = sizeof known / sizeof *known };
 
@@ -64,7 +72,8 @@ bool framebuffer_has_views(const GlContext *gl)
 static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLenum format)
 {
     GLuint texture = 0;
-    bool depth = format == GL_DEPTH_COMPONENT32F, words = is_words(format);
+    const bool depth = format == GL_DEPTH_COMPONENT32F, stencil = format == GL_DEPTH32F_STENCIL8;
+    const bool words = is_words(format);
     gl->GenTextures(1, &texture);
     gl->BindTexture(GL_TEXTURE_2D, texture);
     set_nearest(gl);
@@ -72,10 +81,14 @@ static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLe
         gl->TexStorage2D(GL_TEXTURE_2D, 1, format, spec->width, spec->height);
     else
         gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)format, spec->width, spec->height, 0,
-                       depth   ? GL_DEPTH_COMPONENT
-                       : words ? GL_RGBA_INTEGER
-                               : GL_RGBA,
-                       words ? GL_UNSIGNED_INT : GL_FLOAT, NULL);
+                       depth     ? GL_DEPTH_COMPONENT
+                       : stencil ? GL_DEPTH_STENCIL
+                       : words   ? GL_RGBA_INTEGER
+                                 : GL_RGBA,
+                       stencil ? GL_FLOAT_32_UNSIGNED_INT_24_8_REV
+                       : words ? GL_UNSIGNED_INT
+                               : GL_FLOAT,
+                       NULL);
     return texture;
 }
 
@@ -93,7 +106,8 @@ static void attach(const GlContext *gl, Framebuffer *f)
         return;
     if (!f->borrowed)
         f->depth = make_texture(gl, &f->spec, GL_DEPTH_COMPONENT32F);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, f->depth, 0);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, f->stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+                             GL_TEXTURE_2D, f->depth, 0);
 }
 
 static bool check_complete(GlContext *gl)
@@ -160,6 +174,7 @@ bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec, const F
         formats[i] = format_of(textures->formats[i]);
     memcpy(made->colors, textures->colors, sizeof made->colors);
     made->depth = textures->depth;
+    made->stencil = textures->stencil;
     made->borrowed = true;
     return make_of(gl, spec, formats, made);
 }
@@ -167,8 +182,7 @@ bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec, const F
 GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec)
 {
     const FramebufferSpec size = {.width = spec->width, .height = spec->height};
-    const bool depth = !strcmp(spec->format, "DEPTH32F");
-    const GLenum format = depth ? GL_DEPTH_COMPONENT32F : format_of(spec->format);
+    const GLenum format = format_of(spec->format);
     if (!check_spec(gl, &size))
         return 0;
     if (!format)

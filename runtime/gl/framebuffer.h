@@ -19,6 +19,7 @@ typedef struct {
     GLuint depth;                       /* texture, 0 without depth; reads as plain red */
     GLenum formats[FRAMEBUFFER_COLORS]; /* of the colours */
     bool borrowed;                      /* the textures are the caller's */
+    bool stencil;                       /* as is a stencil, in that of depth */
 } Framebuffer;
 
 /* A part of one colour target. */
@@ -35,7 +36,8 @@ bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const ch
 /* Targets by themselves, for framebuffers that share them: nearest filter. 0: see gl->error. Delete with gl->DeleteTextures. */
 typedef struct {
     int width, height;
-    const char *format; /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F": depth, which reads as plain red */
+    const char
+        *format; /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F", "DEPTH32F_STENCIL8": depth, which reads as plain red */
 } TargetSpec;
 GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec);
 /* The driver can show a target's memory as one of another format (OpenGL 4.3), of as many bits a pixel, none of them depth; that one. */
@@ -44,6 +46,7 @@ GLuint framebuffer_view(GlContext *gl, GLuint target, const char *format);
 /* Such textures, the first spec->color_count of them, and depth, or 0. */
 typedef struct {
     GLuint colors[FRAMEBUFFER_COLORS], depth;
+    bool stencil; /* depth has one, which is drawn to */
     const char *formats[FRAMEBUFFER_COLORS];
 } FramebufferTextures;
 /* Draws to textures that the caller keeps. */

@@ -21,9 +21,11 @@
     F(CLEARBUFFERUIV, ClearBufferuiv)                                                                                  \
     F(CLEARCOLOR, ClearColor)                                                                                          \
     F(CLEARDEPTH, ClearDepth)                                                                                          \
+    F(COLORMASK, ColorMask)                                                                                            \
     F(COMPILESHADER, CompileShader)                                                                                    \
     F(CREATEPROGRAM, CreateProgram)                                                                                    \
     F(CREATESHADER, CreateShader)                                                                                      \
+    F(CULLFACE, CullFace)                                                                                              \
     F(DELETEBUFFERS, DeleteBuffers)                                                                                    \
     F(DELETEFRAMEBUFFERS, DeleteFramebuffers)                                                                          \
     F(DELETEPROGRAM, DeleteProgram)                                                                                    \
@@ -69,6 +71,9 @@
     F(READPIXELS, ReadPixels)                                                                                          \
     F(SCISSOR, Scissor)                                                                                                \
     F(SHADERSOURCE, ShaderSource)                                                                                      \
+    F(STENCILFUNC, StencilFunc)                                                                                        \
+    F(STENCILOP, StencilOp)                                                                                            \
+    F(STENCILOPSEPARATE, StencilOpSeparate)                                                                            \
     F(TEXIMAGE2D, TexImage2D)                                                                                          \
     F(TEXIMAGE3D, TexImage3D)                                                                                          \
     F(TEXPARAMETERI, TexParameteri)                                                                                    \
@@ -101,6 +106,7 @@
     F(GETACTIVEUNIFORMSIV, GetActiveUniformsiv)                                                                        \
     F(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                                        \
     F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex)                                                                      \
+    F(PRIMITIVERESTARTINDEX, PrimitiveRestartIndex)                                                                    \
     F(TEXSTORAGE2D, TexStorage2D)                                                                                      \
     F(TEXTUREVIEW, TextureView)                                                                                        \
     F(UNIFORMBLOCKBINDING, UniformBlockBinding)                                                                        \

@@ -21,11 +21,10 @@ static int compare(const void *a, const void *b)
     return x->place < y->place ? -1 : 1;
 }
 
-/* Which way a triangle turns, depth alone does not ask. */
 static Cast cast_of(const Cache *cache, uint32_t number)
 {
     const CachePlace *place = &cache->places[number];
-    return (Cast){place->caster, place->mesh, place->caster >= 0 && place->mirrored, number};
+    return (Cast){place->caster, place->mesh, place->mirrored, number};
 }
 
 bool cache_arrange_casters(GlContext *gl, Cache *cache)

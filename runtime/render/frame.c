@@ -9,6 +9,7 @@
 #define FAR     (1u << FRAME_TARGET_far)
 #define LIGHT   (1u << FRAME_TARGET_light)
 #define EDGE    (1u << FRAME_TARGET_edge)
+#define MASK    (1u << FRAME_TARGET_mask)
 #define LISTS   (1u << FRAME_TARGET_lists)
 #define LAYER   (1u << FRAME_TARGET_layer | 1u << FRAME_TARGET_layer_depth | 1u << FRAME_TARGET_layer_keys)
 #define TOOLS   (1u << FRAME_TARGET_tools)
@@ -29,13 +30,19 @@ const FramePass frame_passes[] = {
      pass_shadow_draw,
      "a light's shadows are cast; once, then they are kept",
      NULL},
-    {{"gather", DEPTH | GBUFFER, FAR, 0, 0},
+    {{"volume", DEPTH | SHADOW, MASK, 0, 0},
+     volume_lights_cast,
+     pass_volume_make,
+     pass_volume_draw,
+     "a light casts hybrid shadows",
+     NULL},
+    {{"gather", DEPTH | GBUFFER | MASK, FAR, 0, 0},
      pass_gather_needed,
      pass_gather_make,
      pass_gather_draw,
      "lights are many, and far ones are taken together",
      NULL},
-    {{"light", DEPTH | GBUFFER | SHADOW | FAR, LIGHT, 0, GBUFFER},
+    {{"light", DEPTH | GBUFFER | SHADOW | MASK | FAR, LIGHT, 0, GBUFFER},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
@@ -174,17 +181,17 @@ static void delete_memory(Render *render)
 static const struct {
     FrameTarget color;
     bool depth;
-} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, true},
-                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, true},
-                             [FRAME_DRAW_light] = {FRAME_TARGET_light, false},
-                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, false},
-                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, false}};
+} draws[FRAME_DRAW_COUNT] = {
+    [FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, true}, [FRAME_DRAW_sky] = {FRAME_TARGET_light, true},
+    [FRAME_DRAW_light] = {FRAME_TARGET_light, false},    [FRAME_DRAW_edge] = {FRAME_TARGET_edge, false},
+    [FRAME_DRAW_mask] = {FRAME_TARGET_mask, true},       [FRAME_DRAW_shown] = {FRAME_TARGET_shown, false}};
 
 static bool make_draw(Render *render, FrameDraw draw)
 {
     const FrameTarget color = draws[draw].color;
     const unsigned there = render->plan.there;
-    FramebufferTextures textures = {.depth = draws[draw].depth ? frame_texture(render, FRAME_TARGET_depth, 0) : 0};
+    FramebufferTextures textures = {.depth = draws[draw].depth ? frame_texture(render, FRAME_TARGET_depth, 0) : 0,
+                                    .stencil = draw == FRAME_DRAW_mask};
     FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, draws[draw].depth};
     if (!(there >> color & 1) || (draws[draw].depth && !(there & DEPTH)))
         return true; /* nobody draws there */
@@ -321,6 +328,7 @@ bool frame_change(Render *render, unsigned what)
 {
     ScreenPass *passes[] = {&render->light, &render->far.gather, &render->blend, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
+    pass_volume_change(render);
     fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
         if (fine && passes[i]->material.store)
@@ -349,6 +357,7 @@ void frame_delete(Render *render)
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
         framebuffer_delete(gl, &render->draws[draw]);
     delete_memory(render);
+    pass_volume_delete(render);
     pass_shadow_delete(render);
     light_table_delete(render);
     gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */

@@ -8,6 +8,7 @@
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 #include "runtime/render/shadow.h"
+#include "runtime/render/volume.h"
 
 typedef enum {
     FRAME_TARGET_depth,
@@ -17,6 +18,7 @@ typedef enum {
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
     FRAME_TARGET_edge,
+    FRAME_TARGET_mask,  /* a bit for each light with hybrid shadows: something keeps it off */
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
     FRAME_TARGET_layer_depth,
     FRAME_TARGET_layer_keys, /* of two layers */
@@ -31,6 +33,7 @@ typedef enum {
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_light,
     FRAME_DRAW_edge,
+    FRAME_DRAW_mask, /* with depth and stencil */
     FRAME_DRAW_shown,
     FRAME_DRAW_COUNT
 } FrameDraw;
@@ -122,6 +125,7 @@ struct Render {
     int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
     FrameEdge edge;
     FrameTools tools;
+    FrameVolumes volumes;
     FrameFar far;
     LightTable lights;
     int light_counts[VIEW_SPACE_SECTIONS];
@@ -266,11 +270,12 @@ void pass_plane_planes(Render *render, bool transparent);
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
 typedef struct {
     const char *body[5];
-    bool over; /* it is passOver() */
-    int block; /* of screen_pass.h */
+    bool over;   /* it is passOver() */
+    int block;   /* of screen_pass.h */
+    bool opaque; /* it lights what is nearest: what hybrid shadows were counted at */
 } LightingText;
 enum {
-    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 7,
+    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 8,
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);

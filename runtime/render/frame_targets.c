@@ -3,8 +3,9 @@
 #include "runtime/render/light_far.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",  "lists",    "far",   "light",
-                                                      "edge",  "layer",   "layer.z", "layer.id", "tools", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth",    "gbuffer", "shadow", "lists", "far",
+                                                      "light",    "edge",    "mask",   "layer", "layer.z",
+                                                      "layer.id", "tools",   "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -33,10 +34,14 @@ static const char *shown_format(const Render *render)
 const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
     const char *const light = is_exact(render) ? "RGBA32F" : "RGBA16F";
-    const char *const one[FRAME_TARGET_COUNT] = {
-        [FRAME_TARGET_depth] = "DEPTH32F", [FRAME_TARGET_layer_depth] = "DEPTH32F",
-        [FRAME_TARGET_light] = light,      [FRAME_TARGET_tools] = light,
-        [FRAME_TARGET_edge] = "R32UI",     [FRAME_TARGET_shown] = shown_format(render)};
+    const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] =
+                                                     volume_lights_cast(render) ? "DEPTH32F_STENCIL8" : "DEPTH32F",
+                                                 [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
+                                                 [FRAME_TARGET_layer_depth] = "DEPTH32F",
+                                                 [FRAME_TARGET_light] = light,
+                                                 [FRAME_TARGET_tools] = light,
+                                                 [FRAME_TARGET_edge] = "R32UI",
+                                                 [FRAME_TARGET_shown] = shown_format(render)};
     if (target == FRAME_TARGET_layer_keys)
         return texture < 2 ? "RG32UI" : NULL;
     if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)
@@ -47,9 +52,10 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
 static const struct {
     const char *format;
     int bytes;
-} sizes[] = {{"DEPTH32F", 4}, {"RGBA8", 4},  {"RGBA16", 8},    {"RGBA16F", 8}, {"RGBA32F", 16},
-             {"R32UI", 4},    {"RG32UI", 8}, {"RGBA32UI", 16}, {"RGBA16UI", 8}};
-enum { DEPTH_SIZE, SIZE_COUNT = sizeof sizes / sizeof *sizes };
+} sizes[] = {{"DEPTH32F", 4}, {"DEPTH32F_STENCIL8", 8}, {"R8", 1},       {"RGBA8", 4},
+             {"RGBA16", 8},   {"RGBA16F", 8},           {"RGBA32F", 16}, {"R32UI", 4},
+             {"RG32UI", 8},   {"RGBA32UI", 16},         {"RGBA16UI", 8}};
+enum { DEPTH_SIZES = 2, SIZE_COUNT = sizeof sizes / sizeof *sizes };
 
 /* The format's row. */
 static int size_of(const char *format)
@@ -64,8 +70,8 @@ static int size_of(const char *format)
 static int class_of(const Render *render, const char *format)
 {
     const int size = size_of(format);
-    int first = DEPTH_SIZE + 1;
-    if (size == DEPTH_SIZE || !framebuffer_has_views(render->gl))
+    int first = DEPTH_SIZES;
+    if (size < DEPTH_SIZES || !framebuffer_has_views(render->gl))
         return size;
     while (sizes[first].bytes != sizes[size].bytes)
         first++;

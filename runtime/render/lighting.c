@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
-    render_text_lighting[];
+    render_text_lighting[], render_text_shadow_volume[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
@@ -73,7 +73,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
         return false;
     light_table_define(render, own->block > 0, table);
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
-    const char *const shadows = shadow_text(render, defined);
+    const char *const shadows = shadow_text(render, own->opaque, defined);
     if (sky && !render->sky.map && !light_sky_make(render))
         return false;
     float hemisphere[VIEW_SPACE_HEMISPHERE][4];
@@ -81,8 +81,9 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
                                           areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
                                           around ? render_text_light_hemisphere : "", render->surface->text, defined,
-                                          shadows, table, backdrop_light_text(render), render_text_lighting,
-                                          own->body[0], own->body[1], own->body[2], own->body[3], own->body[4]},
+                                          volume_lights_cast(render) ? render_text_shadow_volume : "", shadows, table,
+                                          backdrop_light_text(render), render_text_lighting, own->body[0], own->body[1],
+                                          own->body[2], own->body[3], own->body[4]},
                                  .format = frame_format(render, FRAME_TARGET_light, 0),
                                  .compute = render->compute,
                                  .over = own->over,

@@ -138,7 +138,7 @@ vec3 lightFromOther(int light, Seen seen)
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
     if (sent.x + sent.y + sent.z > 0.0)
         sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point,
-                            dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal, seen.pixelSize);
+                            dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal, seen.pixelSize, seen.pixel);
 #endif
 #ifdef SHADOW_SHEETS
     if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, 1).w), seen.pixel);

@@ -15,7 +15,8 @@ bool pass_gather_make(Render *render)
     const LightingText text = {
         {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, render_text_pass_gather},
         false,
-        LIGHT_FAR_BLOCK};
+        LIGHT_FAR_BLOCK,
+        true};
     if (!lighting_make(render, &text, &render->far.gather))
         return false;
     light_far_set(render, &render->far.gather);

@@ -39,7 +39,8 @@ static bool make_solid(Render *render)
 
 bool pass_shadow_make(Render *render)
 {
-    return make_maps(render) && make_solid(render) && shadow_parts_make(render) && pass_shadow_count(render);
+    return make_maps(render) && make_solid(render) && volume_blur_make(render) && shadow_parts_make(render) &&
+           pass_shadow_count(render);
 }
 
 void pass_shadow_draw(Render *render)

@@ -198,6 +198,55 @@ SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 }
 #endif
 
+#ifdef SHADOW_HYBRID
+#ifdef SHADOW_MASK
+uniform sampler2D shadow_mask;
+
+// Of what is opaque, its volume was counted at the pixel: a bit for each light.
+float volumeShare(int first, int how, vec3 point, ivec2 at)
+{
+    int bit = how / 8;
+    return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
+}
+#else
+// A triangle's depth over a place between three texels: b is beside a, c beyond b. Of parallel light it is as high as the map if one of them is far.
+float volumeHeight(vec3 abc, vec2 part, bool parallel)
+{
+    return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x + (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
+}
+
+// Whether the volume of a view has a point in it: the same triangles.
+bool volumeHas(int view, vec3 point)
+{
+    vec4 how = shadowRow(view, 3);
+    vec3 place = shadowPlace(view, vec4(point, 1.0));
+    bool parallel = how.x <= 0.0;
+    if (!parallel && place.z <= 0.0) return false;
+    float depth = parallel ? place.z : how.x / place.z, size = float(SHADOW_SIZE);
+    vec2 at = (parallel ? place.xy : place.xy / place.z) * 0.5 + 0.5;
+    at = SHADOW_STRETCHED ? at * (size - 1.0) : at * size - 0.5;
+    if (!all(greaterThanEqual(at, vec2(0.0))) || !all(lessThan(at, vec2(size - 1.0)))) return false;
+    ivec2 texel = ivec2(at);
+    vec2 part = at - vec2(texel);
+    vec4 quad = vec4(texelFetch(shadow_maps, ivec3(texel, view), 0).x,
+                     texelFetch(shadow_maps, ivec3(texel + ivec2(1, 0), view), 0).x,
+                     texelFetch(shadow_maps, ivec3(texel + ivec2(1, 1), view), 0).x,
+                     texelFetch(shadow_maps, ivec3(texel + ivec2(0, 1), view), 0).x);
+    if (SHADOW_QUADS && !volumeTurned(quad)) // b-d: mirrored, it is a-c
+        quad = quad.yxwz, part.x = 1.0 - part.x;
+    return depth < (part.x >= part.y ? volumeHeight(quad.xyz, part, parallel) : volumeHeight(quad.xwz, part.yx, parallel));
+}
+
+// What is transparent is in no pixel's count.
+float volumeShare(int first, int how, vec3 point, ivec2 at)
+{
+    for (int view = first; view < first + how % 8; view++)
+        if (volumeHas(view, point)) return 0.0;
+    return 1.0;
+}
+#endif
+#endif
+
 #ifdef SHADOW_PLANES
 uniform sampler2D shadow_planes;
 
@@ -241,15 +290,18 @@ vec3 shadowSheets(int layer, ivec2 pixel)
 #endif
 
 // The share of a light that reaches a point. `views` has the first of its views, or -1, and how many; it casts no shadow if that is less.
-SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
+SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel, ivec2 at)
 {
     SHARE share = SHARE(1.0);
-    if (views.y < 0) return shadowNone();
+    if (views.y == -1) return shadowNone();
 #ifdef SHADOW_PLANES
     share = shadowPlanes(light, point);
     if (share == SHARE(0.0)) return share;
 #endif
 #ifdef SHADOW_MAPS
+#ifdef SHADOW_HYBRID
+    if (views.y < -1) return share * shadowNone() * volumeShare(views.x, -2 - views.y, point, at);
+#endif
     if (views.y > 0) return share * shadowMapped(views.x, views.y, point, normal, pixel);
 #endif
     return share * shadowNone();

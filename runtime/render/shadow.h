@@ -89,8 +89,8 @@ bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
 bool shadow_change(Render *render, bool drawn_again);
 /* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
-enum { SHADOW_DEFINITIONS = 320, SHADOW_UNITS = 4 };
-const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS]);
+enum { SHADOW_DEFINITIONS = 448, SHADOW_UNITS = 5 };
+const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS]);
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. Behind its light: 1 + the layer of what
  * sheets let through of it, or 0. */

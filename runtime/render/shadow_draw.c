@@ -36,6 +36,11 @@ static CullVolume volume_of(const ShadowView *view)
 }
 
 /* Slopes push away from the light; so do two steps of depth. shadow.glsl says by how much, and why. */
+static void push(const Render *render)
+{
+    render->gl->PolygonOffset(-(float)(render->scene->shadow_filter + 1) - 1.0f / 64, -2);
+}
+
 static void begin(const Render *render)
 {
     const GlContext *gl = render->gl;
@@ -46,7 +51,7 @@ static void begin(const Render *render)
     gl->Enable(GL_DEPTH_TEST);
     gl->DepthFunc(GL_GREATER);
     gl->Enable(GL_POLYGON_OFFSET_FILL);
-    gl->PolygonOffset(-(float)(render->scene->shadow_filter + 1) - 1.0f / 64, -2);
+    push(render);
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
@@ -79,11 +84,43 @@ static void use_layer(const Render *render, int number)
     render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows.maps, 0, number);
 }
 
+/* Of a hybrid light: one side of what is opaque, and nothing at the border, so that the volume that is made of it is closed. */
+static void draw_hybrid(Render *render, const CacheSource *source, int number)
+{
+    const GlContext *gl = render->gl;
+    const Scene *scene = render->scene;
+    const bool blurred = scene->shadow_volume == WORD_Volume_blurred;
+    const int inner = scene->shadow_size - 2;
+    if (blurred)
+        volume_blur_use(render);
+    else
+        use_layer(render, number);
+    gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+    gl->Enable(GL_CULL_FACE);
+    gl->CullFace(blurred ? GL_BACK : GL_FRONT);
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(1, 1, inner, inner);
+    gl->PolygonOffset((blurred ? -(float)scene->shadow_offset : 0) - 1.0f / 64, -2);
+    cast(render, source, number, false);
+    gl->Disable(GL_CULL_FACE);
+    gl->CullFace(GL_BACK);
+    gl->Disable(GL_SCISSOR_TEST);
+    if (blurred) {
+        use_layer(render, number);
+        volume_blur_draw(render);
+    }
+    push(render);
+}
+
 void shadow_draw_depths(Render *render)
 {
     const CacheSource source = frame_source(render);
     begin(render);
     for (int i = 0; i < render->shadows.views.count; i++) {
+        if (render->shadows.views.views[i].hybrid) {
+            draw_hybrid(render, &source, i);
+            continue;
+        }
         use_layer(render, i);
         render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
         cast(render, &source, i, false);

@@ -121,7 +121,10 @@ bool shadow_is_cast(const Render *render)
 
 SetCasts shadow_casts(const Render *render)
 {
-    if (!shadow_is_cast(render))
+    bool maps = false;
+    for (int i = 0; i < render->scene->light_count; i++)
+        maps |= render->scene->lights[i].shadows == WORD_Shadows_map;
+    if (!shadow_is_cast(render) || !maps)
         return SET_CASTS_none;
     return render->scene->shadow_colored && transparency_has_lists(render->gl) ? SET_CASTS_colored : SET_CASTS_cut;
 }
@@ -164,7 +167,7 @@ bool shadow_change(Render *render, bool drawn_again)
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
 
-const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
+const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS])
 {
     const bool maps = pass_shadow_needed(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
     const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
@@ -178,6 +181,12 @@ const char *shadow_text(const Render *render, char defined[SHADOW_DEFINITIONS])
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
                          "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
                          render->scene->shadow_size, render->scene->shadow_filter);
+    if (volume_lights_cast(render))
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_HYBRID\n%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
+                         opaque ? "#define SHADOW_MASK\n" : "",
+                         render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
+                         render->scene->shadow_stretched ? "true" : "false");
     if (planes)
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
                          render->cache.opaque_plane_count);
@@ -194,7 +203,7 @@ void shadow_put_lights(const Render *render, float (*texels)[4])
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
     float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
-    for (int i = 0, layer = 0; i < scene->light_count; i++) {
+    for (int i = 0, layer = 0, bit = 0; i < scene->light_count; i++) {
         layer += scene_light_casts(&scene->lights[i]);
         if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
@@ -203,6 +212,8 @@ void shadow_put_lights(const Render *render, float (*texels)[4])
         next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
         next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
         next[1][3] = casts ? (float)layer : 0;
+        if (mapped && scene->lights[i].shadows == WORD_Shadows_hybrid)
+            next[3][3] = -2 - next[3][3] - 8.0f * (float)bit++;
         next += VIEW_SPACE_LIGHT_TEXELS;
     }
 }
@@ -213,6 +224,7 @@ void shadow_samplers(ScreenPass *pass, int unit)
     screen_pass_sampler(pass, "shadow_views", unit + 1);
     screen_pass_sampler(pass, "shadow_planes", unit + 2);
     screen_pass_sampler(pass, "shadow_sheets", unit + 3);
+    screen_pass_sampler(pass, "shadow_mask", unit + 4);
 }
 
 void shadow_bind(const Render *render, int unit)
@@ -230,6 +242,8 @@ void shadow_bind(const Render *render, int unit)
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 3);
         gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->sheets.layers);
     }
+    if (frame_texture(render, FRAME_TARGET_mask, 0))
+        texture_bind(gl, frame_texture(render, FRAME_TARGET_mask, 0), unit + 4);
     if (maps->glass.buffer)
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, maps->glass.buffer);
 }

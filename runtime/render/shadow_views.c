@@ -81,17 +81,25 @@ static double near_of(const Fit *fit, const double position[3])
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }
 
+/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow: faces overlap by it. */
+static double face_of(const Scene *scene, bool hybrid)
+{
+    enum { BORDER = 4 }; /* texels, of both sides: the border, and half of one to the centre of the next */
+    return hybrid ? (double)scene->shadow_size / (scene->shadow_size - BORDER) : 1;
+}
+
 static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[SHADOW_VIEWS_CUBE])
 {
-    const double near = near_of(fit, light->position);
+    const double half = face_of(fit->scene, light->shadows == WORD_Shadows_hybrid);
+    const double near = near_of(fit, light->position) / half;
     for (int face = 0; face < SHADOW_VIEWS_CUBE; face++) {
         const int axis = face / 2;
         double axes[3][3] = {{0}};
         axes[0][(axis + 1) % 3] = axes[1][(axis + 2) % 3] = axes[2][axis] = 1;
         for (int row = 0; row < 3; row++)
-            set_row(axes[row], row == 2 && face % 2 ? -1 : 1, light->position, views[face].rows[row]);
+            set_row(axes[row], row < 2 ? 1 / half : face % 2 ? -1 : 1, light->position, views[face].rows[row]);
         views[face].near = near;
-        views[face].texel = 2.0 / fit->scene->shadow_size;
+        views[face].texel = 2 * half / fit->scene->shadow_size;
         views[face].mirrored = face % 2 == 0; /* x, y and z of a right-handed view: z comes towards it */
     }
 }
@@ -241,18 +249,22 @@ static void fit_light(Fit *fit, int number)
 {
     const SceneLight *light = &fit->scene->lights[number];
     ShadowView *views = fit->made->views + fit->made->count;
-    const bool cube = has_cube(light);
+    const bool cube = has_cube(light), hybrid = light->shadows == WORD_Shadows_hybrid;
     if (!scene_light_casts(light))
         return;
     if (cube)
         fit_cube(fit, light, views);
     else if (light->kind == SCENE_Spot)
         fit_cone(fit, light, views);
+    else if (hybrid)
+        fit_box(fit, light, NULL, views);
     else
         fit_cascades(fit, light, views);
-    const int flat = light->kind == SCENE_Spot ? 1 : fit->scene->shadow_cascades;
+    const int flat = light->kind == SCENE_Spot || hybrid ? 1 : fit->scene->shadow_cascades;
     fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
     fit->made->count += fit->made->lights[number].count;
+    for (ShadowView *view = views; hybrid && view < fit->made->views + fit->made->count; view++)
+        view->hybrid = true;
 }
 
 bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)

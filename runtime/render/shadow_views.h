@@ -13,12 +13,13 @@ typedef struct {
     double rows[3][4]; /* from the world */
     double near;       /* 0: directional */
     double texel;      /* its longer edge: where z is 1; directional: everywhere */
+    bool hybrid;       /* its depths become a volume: at its border they are 0 */
     bool mirrored;     /* left-handed: triangles turn the other way round */
 } ShadowView;
 
 /* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the last of which has all objects; or
  * SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2 k + 1 against it, with the axes k + 1 and
- * k + 2 (modulo 3) as x and y. */
+ * k + 2 (modulo 3) as x and y. Those of a hybrid light are as much wider than 90 degrees as their borders take. */
 typedef struct {
     int first, count;
 } ShadowLight;

@@ -27,14 +27,11 @@ static void read_tone(SceneReader *r, Tree *tree)
     static const int first[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity,
                                                 [SCENE_Drago] = S_Drago_bias,
                                                 [SCENE_Shoulder] = S_Shoulder_knee};
-    static const int numbers[SCENE_KIND_COUNT] = {
-        [SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1, [SCENE_Shoulder] = 1};
-    static const int exposures[SCENE_KIND_COUNT] = {[SCENE_Clamp] = S_Clamp_exposure,
-                                                    [SCENE_Filmic] = S_Filmic_exposure,
-                                                    [SCENE_Shoulder] = S_Shoulder_exposure,
-                                                    [SCENE_Exponential] = S_Exponential_exposure,
-                                                    [SCENE_Linear] = S_Linear_exposure,
-                                                    [SCENE_Drago] = S_Drago_exposure};
+    static const int numbers[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1, [SCENE_Shoulder] = 1};
+    static const int exposures[SCENE_KIND_COUNT] = {
+        [SCENE_Clamp] = S_Clamp_exposure,       [SCENE_Filmic] = S_Filmic_exposure,
+        [SCENE_Shoulder] = S_Shoulder_exposure, [SCENE_Exponential] = S_Exponential_exposure,
+        [SCENE_Linear] = S_Linear_exposure,     [SCENE_Drago] = S_Drago_exposure};
     Scene *scene = r->scene;
     scene->tone = thing.kind;
     scene->exposure = exposures[thing.kind] ? exp2(scene_thing_number(&thing, exposures[thing.kind])) : 1;
@@ -53,6 +50,9 @@ static void read_shadow_maps(SceneReader *r, Tree *tree)
     r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
     r->scene->shadow_cascades = (int)scene_thing_number(&thing, S_ShadowMaps_cascades);
     r->scene->shadow_colored = scene_thing_number(&thing, S_ShadowMaps_colored) != 0;
+    r->scene->shadow_volume = (Word)scene_thing_number(&thing, S_ShadowMaps_volume);
+    r->scene->shadow_offset = scene_thing_number(&thing, S_ShadowMaps_offset);
+    r->scene->shadow_stretched = scene_thing_number(&thing, S_ShadowMaps_stretched) != 0;
 }
 
 static bool sees_planes(const SceneReader *r, const SceneCamera *camera)

@@ -1,0 +1,286 @@
+/* The pass volume: hybrid shadows. The depth map of a light is the surface of one shadow volume for all that casts shadows: its texels are the
+ * vertices, and those without depth lie infinitely far away. Where the volume's surface lies behind what is seen, back faces are counted up and front
+ * faces down, in the stencil; a count that is not 0 is a bit of the light in the target mask.
+ *
+ * The volume is closed, so that counts are right with the camera in the shadow, too. Of parallel light all that is infinitely far away is one
+ * point. A spot or a face of a cube has a far side, from border to border; as it has the vertices of the border, both cancel exactly where
+ * there is no shadow. Depth is clamped: nothing is cut off. */
+#include "runtime/render/frame.h"
+#include "runtime/scene/scene_matrix.h"
+#include <stdlib.h>
+
+extern const char render_text_shadow_volume[], render_text_volume_vertex[];
+
+enum { RESTART = -1, QUAD_CORNERS = 4, QUAD_INDICES = 6, BITS = 8 /* of a lane of the mask */ };
+
+/* -- indices */
+
+/* Rows of quads: a strip each, two vertices a column, from the upper to the lower one, and a restart. */
+static GLsizei put_strips(GLuint *indices, GLuint size)
+{
+    GLsizei count = 0;
+    for (GLuint y = 0; y + 1 < size; y++) {
+        for (GLuint x = 0; x < size; x++) {
+            indices[count++] = (y + 1) * size + x;
+            indices[count++] = y * size + x;
+        }
+        indices[count++] = (GLuint)RESTART;
+    }
+    return count;
+}
+
+/* Two triangles a quad, whose corners are a, b, c, d. */
+static GLsizei put_quads(GLuint *indices, GLuint size)
+{
+    static const GLuint corners[QUAD_INDICES] = {0, 1, 3, 1, 2, 3};
+    GLsizei count = 0;
+    for (GLuint quad = 0; quad < (size - 1) * (size - 1); quad++)
+        for (int i = 0; i < QUAD_INDICES; i++)
+            indices[count++] = quad * QUAD_CORNERS + corners[i];
+    return count;
+}
+
+static bool make_indices(Render *render)
+{
+    GlContext *gl = render->gl;
+    FrameVolumes *volumes = &render->volumes;
+    const GLuint size = (GLuint)render->scene->shadow_size;
+    GLuint *indices = malloc((size_t)size * size * QUAD_INDICES * sizeof *indices);
+    if (!indices)
+        return gl_fail(gl, "out of memory");
+    volumes->quads = render->scene->shadow_volume == WORD_Volume_perfect;
+    volumes->index_count = volumes->quads ? put_quads(indices, size) : put_strips(indices, size);
+    gl->GenVertexArrays(1, &volumes->array);
+    gl->GenBuffers(1, &volumes->indices);
+    gl->BindVertexArray(volumes->array);
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, volumes->indices);
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)sizeof *indices * volumes->index_count, indices,
+                   GL_STATIC_DRAW);
+    gl->BindVertexArray(0);
+    free(indices);
+    return gl_check(gl, "making indices of shadow volumes");
+}
+
+/* -- programs */
+
+/* Points of the world, times 1 or, infinitely far away, 0, from a place in the map: x, y, and 1 and depth, or, of parallel light, depth and 1. */
+static void world_from_place(const ShadowView *view, double m[4][4])
+{
+    const double(*rows)[4] = view->rows;
+    const double scale = view->near > 0 ? view->near : 1;
+    double columns[3][3];
+    scene_vector_cross(rows[1], rows[2], columns[0]);
+    scene_vector_cross(rows[2], rows[0], columns[1]);
+    scene_vector_cross(rows[0], rows[1], columns[2]);
+    const double volume = scene_vector_dot(rows[0], columns[0]);
+    for (int lane = 0; lane < 3; lane++) {
+        m[3][lane] = 0;
+        for (int i = 0; i < 3; i++) {
+            const double inverse = columns[i][lane] / volume;
+            m[3][lane] -= inverse * rows[i][3];
+            m[i][lane] = scale * inverse;
+        }
+    }
+    for (int i = 0; i < 4; i++)
+        m[i][3] = i == 3;
+}
+
+static void transform(const double m[16], const double v[4], double out[4])
+{
+    for (int row = 0; row < 4; row++) {
+        out[row] = 0;
+        for (int k = 0; k < 4; k++)
+            out[row] += m[4 * k + row] * v[k];
+    }
+}
+
+static void set_view(const Render *render, int number, Material *material)
+{
+    static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
+    const ShadowView *view = &render->shadows.views.views[number];
+    const Scene *scene = render->scene;
+    const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0, scene->shadow_stretched};
+    double world[4][4], eye[4], clip[4], projection[16];
+    world_from_place(view, world);
+    for (int i = 0; i < 16; i++)
+        projection[i] = render->space.spaces.clip_from_eye.m[i];
+    for (int i = 0; i < 4; i++) {
+        transform(render->space.eye_from_world, world[i], eye);
+        transform(projection, eye, clip);
+        const float column[4] = {(float)clip[0], (float)clip[1], (float)clip[2], (float)clip[3]};
+        material_set(material, &(MaterialValue){names[i], 4, column});
+    }
+    material_set(material, &(MaterialValue){"volume_map", 4, map});
+}
+
+static const char *head_of(const Render *render)
+{
+    return render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 330 core\n";
+}
+
+static bool make_view(Render *render, int number)
+{
+    FrameVolumes *volumes = &render->volumes;
+    const char *const head = head_of(render);
+    const ProgramText sheet = {
+        .vertex = {head, volumes->quads ? "#define QUADS\n" : "", render_text_shadow_volume, render_text_volume_vertex},
+        .fragment = {head, "void main() {}\n"}};
+    const ProgramText cap = {.vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
+                             .fragment = {head, "void main() {}\n"}};
+    if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
+        return false;
+    set_view(render, number, &volumes->sheets[number]);
+    if (render->shadows.views.views[number].near <= 0)
+        return true;
+    if (!material_make(render->store, NULL, &cap, &volumes->caps[number]))
+        return false;
+    set_view(render, number, &volumes->caps[number]);
+    return true;
+}
+
+/* Adds the bit of a light to what is there. */
+static bool make_mark(Render *render, int number)
+{
+    static const char text[] = "layout(std140) uniform Mark { vec4 mark_bit; };\nlayout(location = 0) out vec4 bits;\n"
+                               "void main() { bits = mark_bit; }\n";
+    const char *const head = head_of(render);
+    const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
+    float bit[4] = {0};
+    bit[number / BITS] = (float)(1 << number % BITS) / 255;
+    return material_make(render->store, NULL, &mark, &render->volumes.marks[number]) &&
+           material_set(&render->volumes.marks[number], &(MaterialValue){"mark_bit", 4, bit});
+}
+
+static bool check(const Render *render)
+{
+    const int count = volume_lights_count(render);
+    if (count > VOLUME_LIGHTS)
+        return gl_fail(render->gl, "%d lights cast hybrid shadows, more than %d", count, VOLUME_LIGHTS);
+    return render->gl->PrimitiveRestartIndex || gl_fail(render->gl, "hybrid shadows take OpenGL 3.1");
+}
+
+bool pass_volume_make(Render *render)
+{
+    FrameVolumes *volumes = &render->volumes;
+    const int views = render->shadows.views.count, lights = volume_lights_count(render);
+    if (!check(render))
+        return false;
+    volumes->sheets = calloc((size_t)views, sizeof *volumes->sheets);
+    volumes->caps = calloc((size_t)views, sizeof *volumes->caps);
+    volumes->marks = calloc((size_t)lights, sizeof *volumes->marks);
+    if (!volumes->sheets || !volumes->caps || !volumes->marks)
+        return gl_fail(render->gl, "out of memory");
+    volumes->view_count = views;
+    volumes->light_count = lights;
+    bool fine = make_indices(render);
+    for (int i = 0; fine && i < views; i++)
+        fine = !render->shadows.views.views[i].hybrid || make_view(render, i);
+    for (int i = 0; fine && i < lights; i++)
+        fine = make_mark(render, i);
+    return fine;
+}
+
+void pass_volume_change(Render *render)
+{
+    for (int i = 0; i < render->volumes.view_count; i++) {
+        if (render->volumes.sheets[i].store)
+            set_view(render, i, &render->volumes.sheets[i]);
+        if (render->volumes.caps[i].store)
+            set_view(render, i, &render->volumes.caps[i]);
+    }
+}
+
+/* -- drawing */
+
+static void draw_view(Render *render, int number)
+{
+    const GlContext *gl = render->gl;
+    FrameVolumes *volumes = &render->volumes;
+    gl->FrontFace(render->shadows.views.views[number].mirrored ? GL_CW : GL_CCW);
+    gl->BindVertexArray(volumes->array);
+    material_use(&volumes->sheets[number]);
+    gl->DrawElements(volumes->quads ? GL_TRIANGLES : GL_TRIANGLE_STRIP, volumes->index_count, GL_UNSIGNED_INT, NULL);
+    if (volumes->caps[number].store) {
+        material_use(&volumes->caps[number]);
+        gl->DrawArrays(GL_TRIANGLES, 0, 3 * 4 * (render->scene->shadow_size - 1));
+    }
+    gl->BindVertexArray(0);
+}
+
+static void count_faces(Render *render, const ShadowLight *light)
+{
+    const GlContext *gl = render->gl;
+    gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl->StencilFunc(GL_ALWAYS, 0, ~0u);
+    gl->StencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    gl->StencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    gl->Enable(GL_DEPTH_TEST);
+    gl->Enable(GL_PRIMITIVE_RESTART);
+    gl->PrimitiveRestartIndex((GLuint)RESTART);
+    for (int i = light->first; i < light->first + light->count; i++)
+        draw_view(render, i);
+    gl->Disable(GL_PRIMITIVE_RESTART);
+    gl->FrontFace(GL_CCW);
+    gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+/* Counts become 0 where they are read. */
+static void mark(Render *render, int number)
+{
+    const GlContext *gl = render->gl;
+    gl->Disable(GL_DEPTH_TEST);
+    gl->StencilFunc(GL_NOTEQUAL, 0, ~0u);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(GL_ONE, GL_ONE);
+    material_use(&render->volumes.marks[number]);
+    screen_draw(gl, &render->screen);
+    gl->BlendFunc(GL_ONE, GL_ZERO);
+    gl->Disable(GL_BLEND);
+}
+
+void pass_volume_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    int number = 0;
+    pass_surface_begin(render, &render->draws[FRAME_DRAW_mask], GL_GEQUAL);
+    gl->ClearBufferfv(GL_COLOR, 0, (float[4]){0});
+    gl->Clear(GL_STENCIL_BUFFER_BIT);
+    gl->DepthMask(GL_FALSE);
+    gl->Enable(GL_STENCIL_TEST);
+    gl->Enable(GL_DEPTH_CLAMP);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
+    for (int i = 0; i < render->scene->light_count; i++)
+        if (volume_lights_has(render, i)) {
+            count_faces(render, &render->shadows.views.lights[i]);
+            mark(render, number++);
+        }
+    gl->Disable(GL_DEPTH_CLAMP);
+    gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    gl->StencilFunc(GL_ALWAYS, 0, ~0u);
+    gl->Disable(GL_STENCIL_TEST);
+    gl->DepthMask(GL_TRUE);
+    pass_surface_end(render);
+}
+
+static void delete_all(Material *materials, int count)
+{
+    for (int i = 0; materials && i < count; i++)
+        if (materials[i].store)
+            material_delete(&materials[i]);
+    free(materials);
+}
+
+void pass_volume_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVolumes *volumes = &render->volumes;
+    delete_all(volumes->sheets, volumes->view_count);
+    delete_all(volumes->caps, volumes->view_count);
+    delete_all(volumes->marks, volumes->light_count);
+    gl->DeleteVertexArrays(1, &volumes->array); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &volumes->indices);
+    volume_blur_delete(render);
+    *volumes = (FrameVolumes){0};
+}

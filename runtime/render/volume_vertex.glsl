@@ -1,0 +1,49 @@
+// The shadow volume of a depth map: the vertex program. A vertex is a texel, or, of the perfect triangulation, a corner of a quad, four each;
+// behind CAP it is one of a fan that closes the volume infinitely far away, over the map's border.
+uniform sampler2DArray volume_depths;
+layout(std140) uniform Volume {
+    vec4 volume_x, volume_y, volume_z, volume_w; // clip space from a place: columns
+    vec4 volume_map;                             // its layer, its size, 1: of parallel light, 1: stretched
+};
+invariant gl_Position; // caps and sheets meet
+
+float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
+
+// Perspective depth is near / z: a homogeneous point, at infinity where it is 0. Of parallel light what has no depth goes with the light.
+vec4 volumePoint(vec2 place, float depth)
+{
+    if (volume_map.z == 0.0) return volume_x * place.x + volume_y * place.y + volume_z + volume_w * depth;
+    return depth > 0.0 ? volume_x * place.x + volume_y * place.y + volume_z * depth + volume_w : -volume_z;
+}
+
+#ifdef CAP
+// The k-th texel of the border, counterclockwise.
+ivec2 volumeBorder(int k)
+{
+    int last = int(volume_map.y) - 1, along = k % last, side = k / last % 4;
+    return side == 0 ? ivec2(along, 0) : side == 1 ? ivec2(last, along) : side == 2 ? ivec2(last - along, last) : ivec2(0, last - along);
+}
+#endif
+
+void main()
+{
+    bool stretched = volume_map.w > 0.0;
+#ifdef CAP
+    int corner = gl_VertexID % 3;
+    ivec2 texel = volumeBorder(gl_VertexID / 3 + 2 - corner);
+    gl_Position = volumePoint(corner == 0 ? vec2(0.0) : volumePlace(texel, volume_map.y, stretched), 0.0);
+#elif defined QUADS
+    const ivec2 corners[4] = ivec2[](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 1));
+    int quad = gl_VertexID / 4, row = int(volume_map.y) - 1;
+    ivec2 first = ivec2(quad % row, quad / row);
+    vec4 depths;
+    for (int i = 0; i < 4; i++)
+        depths[i] = volumeDepth(first + corners[i]);
+    int corner = (gl_VertexID + int(volumeTurned(depths))) % 4;
+    gl_Position = volumePoint(volumePlace(first + corners[corner], volume_map.y, stretched), depths[corner]);
+#else
+    int size = int(volume_map.y);
+    ivec2 texel = ivec2(gl_VertexID % size, gl_VertexID / size);
+    gl_Position = volumePoint(volumePlace(texel, volume_map.y, stretched), volumeDepth(texel));
+#endif
+}

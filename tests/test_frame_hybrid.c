@@ -1,0 +1,268 @@
+/* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band around the ends of shadows; a shadow's end by
+ * its closed form; turned diagonals against distances from planes; counts of pixels against look-ups of the same volume. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/render/screen_pass.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/shadow_ray.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
+
+#define VIEW                                                                                                           \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
+    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
+/* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the origin's height. */
+#define THINGS                                                                                                         \
+    "objects:\n- { object: Plane, material: m }\n"                                                                     \
+    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n"                     \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3], scale: [-1, 1, 1] } "  \
+    "}\n"                                                                                                              \
+    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
+    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, 1] } }\n"             \
+    "- { object: Box, size: [.3, 1.5, .3], material: m, transform: { translation: [-1.9, -.8, .9], rotation: [.4, 0, " \
+    ".3] } }\n"
+
+/* Light that arrives at each pixel, as a share of all of it; -1 where none would. From malloc. */
+static float *shares_of(GlContext *gl, Scene *scene, const MatcOptions *options)
+{
+    float *with = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
+    float *without = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
+    for (int i = 0; i < PIXELS; i++)
+        with[i] = without[4 * i] > 1e-7f ? with[4 * i] / without[4 * i] : -1;
+    free(without);
+    return with;
+}
+
+/* -- against rays */
+
+typedef struct {
+    const char *light;
+    double reach; /* directional: of the map, about; else of a map's edge at distance 1 */
+    const char *volume;
+    double band; /* texels */
+} Case;
+
+typedef struct {
+    int lit, dark, band, wrong;
+} Count;
+
+/* 1 or 0; -1: an end of a shadow is near. */
+static int expected(const Tracer *tracer, const Hit *hit, const Case *c)
+{
+    const SceneLight *light = &tracer->scene->lights[0];
+    double way[3], moved[3];
+    const double distance = shadow_way_to(light, hit->world, way);
+    const double step = c->band * c->reach * (light->kind == SCENE_Directional ? 1 : distance) / SIZE;
+    const bool lit = shadow_is_lit(tracer, light, hit->world, hit->facet);
+    for (int i = 0; i < 24; i++) {
+        shadow_beside(hit, way, step * (i / 8 + 1) / 3, 3.14159265 / 4 * i + i / 8, moved);
+        if (shadow_is_lit(tracer, light, moved, hit->facet) != lit)
+            return -1;
+    }
+    return lit;
+}
+
+static void add(const Tracer *tracer, const Case *c, int pixel, double share, Count *count)
+{
+    const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);
+    const Hit hit = reference_hit(tracer, &ray, 0);
+    double way[3];
+    if (hit.object < 0 || reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit, 1))
+        return;
+    shadow_way_to(&tracer->scene->lights[0], hit.world, way);
+    if (reference_dot(way, hit.facet) <= .05 * sqrt(reference_dot(way, way)) || reference_dot(way, hit.normal) <= 0)
+        return; /* at the terminator of what is not smooth */
+    const int lit = expected(tracer, &hit, c);
+    count->band += lit < 0;
+    count->lit += lit == 1;
+    count->dark += lit == 0;
+    count->wrong += lit >= 0 && fabs(share - lit) > 1e-3;
+}
+
+static Count compare(GlContext *gl, const Case *c)
+{
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    char text[4096];
+    Count count = {0};
+    snprintf(text, sizeof text,
+             VIEW "shadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS, SIZE,
+             c->volume, c->light);
+    Scene *scene = frame_scene(text, &options, &document);
+    float *shares = shares_of(gl, scene, &options);
+    Tracer tracer = reference_open(scene);
+    for (int i = 0; i < PIXELS; i++)
+        if (shares[i] >= 0)
+            add(&tracer, c, i, shares[i], &count);
+    reference_close(&tracer);
+    free(shares);
+    frame_forget(scene, document);
+    return count;
+}
+
+#define LIGHTS(volume, band)                                                                                           \
+    {"Directional, direction: [1, .2, -.15]", 5, volume, band},                                                        \
+        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, volume, band},     \
+    {                                                                                                                  \
+        "Point, position: [0, .6, 1.1]", 2, volume, band                                                               \
+    }
+
+/* The volume's walls stand up to a texel off, and depths of a texel hold half a texel beside its centre; means reach two texels further. */
+static void rays(void **state)
+{
+    (void)state;
+    static const Case cases[] = {
+        LIGHTS("plain", 2.5),
+        LIGHTS("perfect", 2.5),
+        LIGHTS("blurred", 5),
+        {"Directional, direction: [.5, .6, -1]", 4.5, "perfect", 2.5},
+        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5}};
+    GlContext *gl = frame_context();
+    int wrong = 0, lit = 0, dark = 0;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const Count count = compare(gl, &cases[i]);
+        print_message("%-8s %-40.40s %5d lit, %4d dark, %4d in bands: %d wrong\n", cases[i].volume, cases[i].light,
+                      count.lit, count.dark, count.band, count.wrong);
+        wrong += count.wrong, lit += count.lit, dark += count.dark;
+    }
+    gl_close(gl);
+    assert_true(lit > 40000 && dark > 10000);
+    assert_int_equal(wrong, 0);
+}
+
+/* -- a shadow's end */
+
+/* Light from above onto a box whose edge is 1: the map is fitted to it, 2 (filter + 2) texels wider. The shadow ends at the outermost centre of a texel
+ * that the box covers, or, stretched, where that centre is taken to be. */
+static double end_of_shadow(bool stretched)
+{
+    const double half = .5 * (1 + 6.0 / SIZE);
+    double end = 0;
+    for (int i = 0; i < SIZE; i++) {
+        const double centre = half * ((2 * i + 1.0) / SIZE - 1);
+        if (fabs(centre) < .5)
+            end = fmax(end, stretched ? half * (2.0 * i / (SIZE - 1) - 1) : centre);
+    }
+    return end;
+}
+
+/* A picture of one edge: its 120 pixels are 2.4 texels. Means are not 0 for two texels more, so blurred volumes end so much later. */
+#define EDGE_VIEW                                                                                                      \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [3, 0, 1], target: [.5, 0, 0], "      \
+    "angle: "                                                                                                          \
+    ".15 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\nlights: [{ light: Directional, shadows: hybrid }]\n"   \
+    "objects:\n- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: [0, 0, 3] } " \
+    "}\n"
+
+static void end_is_at(GlContext *gl, const char *volume, bool stretched, double end)
+{
+    const MatcOptions options = frame_exact_options();
+    char text[2048];
+    MatcDocument *document;
+    int wrong = 0, dark = 0;
+    snprintf(text, sizeof text, EDGE_VIEW "shadowMaps: { size: %d, volume: %s, stretched: %s }\n", SIZE, volume,
+             stretched ? "true" : "false");
+    Scene *scene = frame_scene(text, &options, &document);
+    float *shares = shares_of(gl, scene, &options);
+    Tracer tracer = reference_open(scene);
+    for (int i = 0; i < PIXELS; i++) {
+        const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);
+        const Hit hit = reference_hit(&tracer, &ray, 0);
+        dark += shares[i] < .5f;
+        wrong += fabs(hit.world[0] - end) > .01 / SIZE && (shares[i] < .5f) != (hit.world[0] < end);
+    }
+    print_message("%s%s: %d dark, %d wrong\n", volume, stretched ? ", stretched" : "", dark, wrong);
+    assert_true(dark > 1000 && dark < PIXELS - 500);
+    assert_int_equal(wrong, 0);
+    reference_close(&tracer);
+    free(shares);
+    frame_forget(scene, document);
+}
+
+static void ends(void **state)
+{
+    (void)state;
+    const double texel = (1 + 6.0 / SIZE) / SIZE;
+    GlContext *gl = frame_context();
+    for (int stretched = 0; stretched < 2; stretched++) {
+        end_is_at(gl, "plain", stretched, end_of_shadow(stretched));
+        end_is_at(gl, "perfect", stretched, end_of_shadow(stretched));
+        end_is_at(gl, "blurred", stretched,
+                  end_of_shadow(stretched) + 2 * texel * (stretched ? SIZE / (SIZE - 1.0) : 1));
+    }
+    gl_close(gl);
+}
+
+/* -- diagonals */
+
+extern const char render_text_shadow_volume[];
+
+/* From the plane of the other three corners, in double; the quad's edges are 1 long. */
+static double distance_of(const double z[4], int corner)
+{
+    static const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
+    const int a = (corner + 1) % 4, b = (corner + 2) % 4, c = (corner + 3) % 4;
+    const double u[3] = {x[a] - x[b], y[a] - y[b], z[a] - z[b]}, v[3] = {x[c] - x[b], y[c] - y[b], z[c] - z[b]};
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double p[3] = {x[corner] - x[b], y[corner] - y[b], z[corner] - z[b]};
+    return fabs(n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+}
+
+static bool is_turned(const double z[4])
+{
+    double far[4];
+    for (int i = 0; i < 4; i++)
+        far[i] = distance_of(z, i);
+    return (far[1] > far[0] && far[1] > far[2]) || (far[3] > far[0] && far[3] > far[2]);
+}
+
+/* All quads of four depths from 0 to 7, which are exact: 4096 of them, a pixel each. */
+static void diagonals(void **state)
+{
+    (void)state;
+    enum { EDGE = 64 };
+    static const char body[] =
+        "vec4 passPixel(ivec2 pixel)\n{\n    int number = pixel.y * 64 + pixel.x;\n"
+        "    return vec4(volumeTurned(vec4(number & 7, number >> 3 & 7, number >> 6 & 7, number >> 9)));\n}\n";
+    GlContext *gl = frame_context();
+    Store *store = store_new(gl);
+    ScreenPass pass;
+    Screen screen;
+    Framebuffer target;
+    int turned = 0;
+    const ScreenPassText text = {.body = {render_text_shadow_volume, body}, .format = "RGBA32F"};
+    assert_true(store && screen_make(gl, &screen) && screen_pass_make(store, &text, &pass));
+    assert_true(framebuffer_make(gl, &(FramebufferSpec){EDGE, EDGE, 1, GL_RGBA32F, false}, &target));
+    float *pixels = malloc(4 * sizeof *pixels * EDGE * EDGE);
+    screen_pass_run(&pass, &target, &screen);
+    assert_true(framebuffer_read(gl, &target, 0, pixels));
+    for (int i = 0; i < EDGE * EDGE; i++) {
+        const double z[4] = {i & 7, i >> 3 & 7, i >> 6 & 7, i >> 9};
+        const double a = distance_of(z, 0), b = distance_of(z, 1), c = distance_of(z, 2), d = distance_of(z, 3);
+        if (fmin(fmin(fabs(b - a), fabs(b - c)), fmin(fabs(d - a), fabs(d - c))) < 1e-12 && a + b + c + d > 0)
+            continue; /* equal but for rounding */
+        assert_int_equal(pixels[4 * i] > .5f, is_turned(z));
+        turned += is_turned(z);
+    }
+    print_message("%d of 4096 turned\n", turned);
+    assert_true(turned > 400);
+    free(pixels);
+    framebuffer_delete(gl, &target);
+    screen_pass_delete(&pass);
+    screen_delete(gl, &screen);
+    store_free(store);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rays), cmocka_unit_test(ends), cmocka_unit_test(diagonals)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
