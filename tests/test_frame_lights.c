@@ -139,6 +139,9 @@ static const FrameLamps far_cases[] = {
      "Point", 120, .3, 1.2, 5, 9, 1},
     {"borders of cones", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Spot", 200, 3, 6, 4,
      200, 1},
+    {"spots among points",
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5, specular: .2, shininess: .4") "]\n",
+     FRAME_LAMPS_BOTH, 200, .5, 3, 5, 30, 1},
     {"from infinitely far",
      FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
          "diffuse: .5") ", { object: Sphere, material: { material: Phong, diffuse: .7 } }]\n",

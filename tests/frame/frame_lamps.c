@@ -28,14 +28,15 @@ char *frame_lamps_text(const FrameLamps *c, int width, int height)
     for (int i = 0; i < c->count; i++) {
         const double x = chance(&state), y = chance(&state), z = chance(&state);
         const double red = chance(&state), green = chance(&state), blue = chance(&state);
-        APPEND("- { light: %s, intensity: %.6f, color: [%.3f, %.3f, %.3f], shadows: false", c->kind,
+        const char *const kind = strcmp(c->kind, FRAME_LAMPS_BOTH) != 0 ? c->kind : i % 3 ? "Point" : "Spot";
+        APPEND("- { light: %s, intensity: %.6f, color: [%.3f, %.3f, %.3f], shadows: false", kind,
                c->sum / c->count * (i == 0 ? c->bright : 1), red, green, blue);
-        if (strcmp(c->kind, "Directional") != 0)
+        if (strcmp(kind, "Directional") != 0)
             APPEND(", position: [%.4f, %.4f, %.5f]", c->reach * (2 * x - 1), c->reach * (2 * y - 1),
                    c->low + (c->high - c->low) * z);
-        if (strcmp(c->kind, "Point") != 0)
+        if (strcmp(kind, "Point") != 0)
             APPEND(", direction: [%.4f, %.4f, -1]", x - .5, y - .5);
-        if (!strcmp(c->kind, "Spot"))
+        if (!strcmp(kind, "Spot"))
             APPEND(", innerAngle: %.2f, outerAngle: %.2f", 40 + 30 * x, 70 + 15 * y);
         APPEND(" }\n");
     }

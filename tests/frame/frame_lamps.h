@@ -5,7 +5,8 @@
 
 typedef struct {
     const char *name, *head; /* objects, camera, tone mapping */
-    const char *kind;        /* of lights */
+    const char *kind;        /* of lights, or: */
+#define FRAME_LAMPS_BOTH "spots among points"
     int count;
     double low, high, reach, sum; /* their heights; how far to the sides; of their intensities */
     int bright;                   /* so many times as bright as the others is the first */
