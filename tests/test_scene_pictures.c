@@ -61,12 +61,12 @@ static int draw_both(GlContext *gl, const Scene *scene, const ScenePictureOption
         if (pictures)
             assert_true(scene_pictures_turn(pictures));
         else
-            assert_non_null(pictures = scene_pictures_open(gl, &seen, options));
+            assert_true((pictures = scene_pictures_open(gl, options)) && scene_pictures_show(pictures, &seen));
         assert_true(scene_pictures_draw(pictures, one, &picture));
         made = frame_calls.made;
         alone.camera = seen.camera;
-        ScenePictures *other = scene_pictures_open(gl, &alone, options);
-        assert_true(other && scene_pictures_draw(other, own, &picture));
+        ScenePictures *other = scene_pictures_open(gl, options);
+        assert_true(other && scene_pictures_show(other, &alone) && scene_pictures_draw(other, own, &picture));
         scene_pictures_close(other);
         assert_same_file(one, own);
     }
