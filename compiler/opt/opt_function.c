@@ -1,6 +1,7 @@
-/* Functions that do not depend on their arguments become their bodies; arguments that are not read are dropped.
+/* Functions that do not depend on their arguments become their bodies; arguments and lanes that are not read are dropped.
  *
  *     f(p, st) = noise(p)    the calls f(a, b) become g(a), g(p) = noise(p)
+ *     f(p).x, f(q).x         of a vec3 f, which no other lanes are read of, become h(p), h(q), h(p) = f(p).x
  *     f(p, st) = 0.5         the calls become 0.5, and a kernel's sum of it 27 times that */
 #include "compiler/opt/opt.h"
 
@@ -55,16 +56,105 @@ static int trimmed(Ir *ir, int f, uint32_t read)
     return (int)ir->function_count - 1;
 }
 
+enum { ALL_LANES = 15 };
+
+/* Lanes of a call that its user reads: a bit each. A lane that is read twice is not told apart. */
+static uint32_t lanes_of_use(const Ir *ir, Ref user)
+{
+    uint32_t lanes = 0;
+    if (!ir_is(ir, user, OP_swizzle))
+        return ALL_LANES;
+    for (int i = 0; i < ir_lanes(ir, user); i++) {
+        const uint32_t bit = 1u << (ir_at(ir, user)->payload >> 2 * i & 3);
+        lanes |= lanes & bit ? ALL_LANES : bit;
+    }
+    return lanes;
+}
+
+static void read_lanes(const Ir *ir, Ref value, uint32_t lanes, uint32_t *read)
+{
+    if (ir_applies(ir, value))
+        read[ir_at(ir, value)->payload] |= lanes;
+}
+
+/* Which lanes of each function's result are read of any of its calls. */
+static uint32_t *lanes_read(const Ir *ir, Arena *scratch)
+{
+    const uint8_t *live = ir_live(ir, scratch);
+    uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        for (int i = 0; live[ref] && i < ir_at(ir, ref)->count; i++)
+            read_lanes(ir, ir_arg(ir, ref, i), lanes_of_use(ir, ref), read);
+    for (int i = 0; i < ir->output_count; i++)
+        read_lanes(ir, ir->outputs[i].value, ALL_LANES, read);
+    for (size_t f = 0; f < ir->function_count; f++)
+        if (live[ir->functions[f].result])
+            read_lanes(ir, ir->functions[f].result, ALL_LANES, read);
+    return read;
+}
+
 typedef struct {
-    const uint32_t *read;
-    int *trimmed; /* function that replaces one, from 1; 0 for none */
+    const uint32_t *read, *lanes;
+    int *trimmed, *narrowed; /* function that replaces one, from 1; 0 for none */
     size_t count;
 } Plan;
 
-static Ref simplify_apply(Ir *ir, Ref ref, const void *user)
+/* The lanes of a mask, in order, as a swizzle has them. */
+static uint32_t swizzle_of(uint32_t mask, int *count)
+{
+    uint32_t lanes = 0;
+    *count = 0;
+    for (uint32_t lane = 0; lane < 4; lane++)
+        if (mask >> lane & 1)
+            lanes |= lane << 2 * (*count)++;
+    return lanes;
+}
+
+/* The function with only the lanes of its result that are read. */
+static int narrowed(Ir *ir, int f, uint32_t mask)
+{
+    int count;
+    const uint32_t lanes = swizzle_of(mask, &count);
+    IrFunction function = ir->functions[f];
+    function.result = build_lanes(ir, function.result, lanes, count);
+    ARENA_PUSH(ir->arena, ir->functions, ir->function_count, ir->function_room, function);
+    return (int)ir->function_count - 1;
+}
+
+/* f(p).z, if of f's lanes only y and z are read: h(p).y. */
+static Ref simplify_lanes(Ir *ir, Ref swizzle, const Plan *plan)
+{
+    const Ref call = ir_arg(ir, swizzle, 0);
+    IrNode node = *ir_at(ir, call);
+    if (!ir_applies(ir, call) || node.payload >= plan->count)
+        return swizzle;
+    const uint32_t f = node.payload, mask = plan->lanes[f], own = ir_at(ir, swizzle)->payload;
+    int count, position[4] = {0};
+    swizzle_of(mask, &count);
+    if (!count || count >= ir_lanes(ir, call))
+        return swizzle;
+    if (!plan->narrowed[f])
+        plan->narrowed[f] = narrowed(ir, (int)f, mask) + 1;
+    for (int lane = 0, next = 0; lane < 4; lane++)
+        position[lane] = mask >> lane & 1 ? next++ : 0;
+    Ref args[32];
+    for (int i = 0; i < node.count; i++)
+        args[i] = ir_arg(ir, call, i);
+    node.payload = (uint32_t)plan->narrowed[f] - 1;
+    node.type = (uint8_t)build_lanes_type(count);
+    const Ref made = ir_make(ir, node, args);
+    uint32_t lanes = 0;
+    for (int i = 0; i < ir_lanes(ir, swizzle); i++)
+        lanes |= (uint32_t)position[own >> 2 * i & 3] << 2 * i;
+    return count == 1 ? made : build_lanes(ir, made, lanes, ir_lanes(ir, swizzle));
+}
+
+static Ref simplify(Ir *ir, Ref ref, const void *user)
 {
     const Plan *plan = user;
     IrNode node = *ir_at(ir, ref);
+    if (node.op == OP_swizzle)
+        return simplify_lanes(ir, ref, plan);
     if (!ir_applies(ir, ref) || node.payload >= plan->count)
         return ref;
     uint32_t f = node.payload, all = (1u << ir->functions[f].count) - 1;
@@ -90,7 +180,9 @@ bool opt_function(Ir *ir)
     if (!ir->function_count)
         return false;
     Arena *scratch = &ir->scratch;
-    Plan plan = {arguments_read(ir, scratch), ARENA_ARRAY(scratch, int, ir->function_count + 1), ir->function_count};
-    bool changed = ir_sweep(ir, simplify_apply, &plan);
+    Plan plan = {arguments_read(ir, scratch), lanes_read(ir, scratch),
+                 ARENA_ARRAY(scratch, int, ir->function_count + 1), ARENA_ARRAY(scratch, int, ir->function_count + 1),
+                 ir->function_count};
+    bool changed = ir_sweep(ir, simplify, &plan);
     return changed;
 }

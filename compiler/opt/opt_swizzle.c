@@ -2,7 +2,10 @@
 #include "compiler/opt/opt.h"
 #include <string.h>
 
-enum { KNOWN_DEPTH = 4 }; /* operations that are looked through for a lane that is known */
+enum {
+    KNOWN_DEPTH = 4, /* operations that are looked through for a lane that is known */
+    PUSH_DEPTH = 64  /* operations below each other that a swizzle goes through at once */
+};
 
 static uint32_t lane_at(uint32_t lanes, int i) { return lanes >> 2 * i & 3; }
 
@@ -40,20 +43,35 @@ static Ref lanes_of_vec(Ir *ir, Ref vec, uint32_t lanes, int count)
 
 static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP_select; }
 
-/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody: (a + b).x is a.x + b.x. */
-static Ref push_down(Ir *ir, Ref operation, uint32_t lanes, int count)
+static Ref push_down(Ir *ir, Ref swizzle, const Uses *uses, int depth);
+
+/* Lanes of an operation's operand, and of what stands below it. */
+static Ref lanes_below(Ir *ir, Ref operand, Ref swizzle, const Uses *uses, int depth)
 {
+    const IrNode *node = ir_at(ir, swizzle);
+    if (ir_lanes(ir, operand) == 1)
+        return operand;
+    const Ref lanes = build_lanes(ir, operand, node->payload, ir_lanes(ir, swizzle));
+    return ir_is(ir, lanes, OP_swizzle) ? push_down(ir, lanes, uses, depth - 1) : lanes;
+}
+
+/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody, and on from there:
+ * (a + (b + c)).x is a.x + (b.x + c.x). */
+static Ref push_down(Ir *ir, Ref swizzle, const Uses *uses, int depth)
+{
+    const Ref operation = ir_arg(ir, swizzle, 0);
+    const int count = ir_lanes(ir, swizzle);
     IrNode node = *ir_at(ir, operation);
     Ref args[3];
-    for (int i = 0; i < node.count; i++) {
-        args[i] = ir_arg(ir, operation, i);
-        if (ir_lanes(ir, args[i]) > 1)
-            args[i] = build_lanes(ir, args[i], lanes, count);
-    }
+    if (!depth || operation >= uses->count || uses->uses[operation] != 1 || count >= ir_lanes(ir, operation) ||
+        !by_lane((Op)node.op))
+        return swizzle;
+    for (int i = 0; i < node.count; i++)
+        args[i] = lanes_below(ir, ir_arg(ir, operation, i), swizzle, uses, depth);
     node.type = (uint8_t)build_lanes_type(count);
     bool narrow = node.op != OP_select && count > 1;
     Ref made = ir_make(ir, node, args);
-    return narrow && ir_at(ir, made)->type != node.type ? 0 : made;
+    return narrow && ir_at(ir, made)->type != node.type ? swizzle : made;
 }
 
 static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value);
@@ -120,12 +138,7 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
     }
     if (ir_is(ir, a, OP_vec))
         return lanes_of_vec(ir, a, lanes, count);
-    bool only_use = a < uses->count && uses->uses[a] == 1;
-    if (only_use && count < ir_lanes(ir, a) && by_lane((Op)ir_at(ir, a)->op)) {
-        Ref pushed = push_down(ir, a, lanes, count);
-        return pushed ? pushed : ref;
-    }
-    return ref;
+    return push_down(ir, ref, uses, PUSH_DEPTH);
 }
 
 /* vec(v.x, v.y) -> v.xy */

@@ -9,11 +9,6 @@ uniform mat3 matc_eyeFromWorld;
 uniform sampler2D imageTexture0;
 layout(location = 0) out uvec4 fragment0;
 
-// Width and height of a picture, texels.
-vec2 pictureSize(sampler2D s) {
-    return vec2(textureSize(s, 0));
-}
-
 // Texel (i.x, i.y) of the base level, whatever the sampler's state; i is whole and inside the picture.
 vec4 texel(sampler2D s, vec2 i, vec2 size) {
     return texelFetch(s, ivec2(i), 0);
@@ -66,6 +61,11 @@ vec2 imageRiseOver(sampler2D s, vec2 uv, vec2 size, int lane, vec2 right, vec2 u
     return imageRise(s, uv, size, lane);
 }
 
+// Width and height of a picture, texels.
+vec2 pictureSize(sampler2D s) {
+    return vec2(textureSize(s, 0));
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -107,24 +107,12 @@ uint octahedralBits(vec3 n, int bits) {
 vec2 uvByX;
 vec2 uvByY;
 
-vec3 smooth3DInput0(vec2 st) {
-    // bumpFilter.yaml:11 UVTransform
-    vec2 uvTransform = st * vec2(6.0, 3.0);
-    // bumpFilter.yaml:11 ImageMap
-    vec2 image = pictureSize(imageTexture0);
-    vec2 uvTransform_2 = uvByX * vec2(6.0, 3.0);
-    vec2 uvTransform_3 = uvByY * vec2(6.0, 3.0);
-    return vec3(imageRiseOver(imageTexture0, uvTransform, image, 0, uvTransform_2, uvTransform_3).x, imageRiseOver(imageTexture0, uvTransform, image, 1, uvTransform_2, uvTransform_3).x, imageRiseOver(imageTexture0, uvTransform, image, 2, uvTransform_2, uvTransform_3).x) * 6.0;
+float smooth3DInput0(vec2 st) {
+    return imageRiseOver(imageTexture0, st * vec2(6.0, 3.0), pictureSize(imageTexture0), 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0)).x * 6.0;
 }
 
-vec3 smooth3DInput1(vec2 st) {
-    // bumpFilter.yaml:11 UVTransform
-    vec2 uvTransform = st * vec2(6.0, 3.0);
-    // bumpFilter.yaml:11 ImageMap
-    vec2 image = pictureSize(imageTexture0);
-    vec2 uvTransform_2 = uvByX * vec2(6.0, 3.0);
-    vec2 uvTransform_3 = uvByY * vec2(6.0, 3.0);
-    return vec3(imageRiseOver(imageTexture0, uvTransform, image, 0, uvTransform_2, uvTransform_3).y, imageRiseOver(imageTexture0, uvTransform, image, 1, uvTransform_2, uvTransform_3).y, imageRiseOver(imageTexture0, uvTransform, image, 2, uvTransform_2, uvTransform_3).y) * 3.0;
+float smooth3DInput1(vec2 st) {
+    return imageRiseOver(imageTexture0, st * vec2(6.0, 3.0), pictureSize(imageTexture0), 0, uvByX * vec2(6.0, 3.0), uvByY * vec2(6.0, 3.0)).y * 3.0;
 }
 
 void main() {
@@ -142,34 +130,34 @@ void main() {
     vec2 smooth3D_6 = uv + vec2(0.005, -0.005);
     vec2 smooth3D_7 = uv + vec2(0.005, 0.0);
     vec2 smooth3D_8 = uv + vec2(0.005);
-    vec3 smooth3D_9 = smooth3DInput0(smooth3D);
-    vec3 smooth3D_10 = smooth3DInput0(smooth3D_2);
-    vec3 smooth3D_11 = smooth3DInput0(smooth3D_3);
-    vec3 smooth3D_12 = smooth3D_11 + (smooth3D_10 + (smooth3D_9 + smooth3D_9 + smooth3D_9) + smooth3D_10 + smooth3D_10) + smooth3D_11;
-    vec3 smooth3D_13 = smooth3DInput0(smooth3D_4);
-    vec3 smooth3D_14 = smooth3DInput0(uv);
-    vec3 smooth3D_15 = smooth3D_14 + (smooth3D_13 + (smooth3D_12 + smooth3D_11) + smooth3D_13 + smooth3D_13) + smooth3D_14 + smooth3D_14;
-    vec3 smooth3D_16 = smooth3DInput0(smooth3D_5);
-    vec3 smooth3D_17 = smooth3DInput0(smooth3D_6);
-    vec3 smooth3D_18 = smooth3DInput0(smooth3D_7);
-    vec3 smooth3D_19 = smooth3D_18 + (smooth3D_17 + (smooth3D_16 + smooth3D_15 + smooth3D_16 + smooth3D_16) + smooth3D_17 + smooth3D_17);
-    vec3 smooth3D_20 = smooth3DInput1(smooth3D);
-    vec3 smooth3D_21 = smooth3DInput1(smooth3D_2);
-    vec3 smooth3D_22 = smooth3DInput1(smooth3D_3);
-    vec3 smooth3D_23 = smooth3D_22 + (smooth3D_21 + (smooth3D_20 + smooth3D_20 + smooth3D_20) + smooth3D_21 + smooth3D_21) + smooth3D_22;
-    vec3 smooth3D_24 = smooth3DInput1(smooth3D_4);
-    vec3 smooth3D_25 = smooth3DInput1(uv);
-    vec3 smooth3D_26 = smooth3D_25 + (smooth3D_24 + (smooth3D_23 + smooth3D_22) + smooth3D_24 + smooth3D_24) + smooth3D_25 + smooth3D_25;
-    vec3 smooth3D_27 = smooth3DInput1(smooth3D_5);
-    vec3 smooth3D_28 = smooth3DInput1(smooth3D_6);
-    vec3 smooth3D_29 = smooth3DInput1(smooth3D_7);
-    vec3 smooth3D_30 = smooth3D_29 + (smooth3D_28 + (smooth3D_27 + smooth3D_26 + smooth3D_27 + smooth3D_27) + smooth3D_28 + smooth3D_28);
-    float bumpMap_3 = smooth3DInput0(smooth3D_8).x;
-    float bumpMap_4 = smooth3DInput1(smooth3D_8).x;
-    float bumpMap_5 = (smooth3D_19.x + smooth3D_18.x + smooth3D_18.x + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.04;
-    float bumpMap_6 = (smooth3D_30.x + smooth3D_29.x + smooth3D_29.x + bumpMap_4 + bumpMap_4 + bumpMap_4) * 0.037037037 * 0.04;
-    vec3 bumpMap_7 = cross(bumpMap_1, bumpMap_5 * worldTangentV - bumpMap_6 * worldTangentU) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_7 : bumpMap_7;
+    float bumpMap_3 = smooth3DInput0(smooth3D_8);
+    float bumpMap_4 = smooth3DInput0(smooth3D_7);
+    float bumpMap_5 = smooth3DInput0(smooth3D_6);
+    float bumpMap_6 = smooth3DInput0(smooth3D_5);
+    float bumpMap_7 = smooth3DInput0(uv);
+    float bumpMap_8 = smooth3DInput0(smooth3D_4);
+    float bumpMap_9 = smooth3DInput0(smooth3D_3);
+    float bumpMap_10 = smooth3DInput0(smooth3D_2);
+    float bumpMap_11 = smooth3DInput0(smooth3D);
+    float bumpMap_12 = bumpMap_11 + bumpMap_11 + bumpMap_11 + bumpMap_10 + bumpMap_10 + bumpMap_10 + bumpMap_9 + bumpMap_9;
+    float bumpMap_13 = bumpMap_12 + bumpMap_9 + bumpMap_8 + bumpMap_8 + bumpMap_8 + bumpMap_7 + bumpMap_7 + bumpMap_7;
+    float bumpMap_14 = bumpMap_13 + bumpMap_6 + bumpMap_6 + bumpMap_6 + bumpMap_5 + bumpMap_5 + bumpMap_5 + bumpMap_4;
+    float bumpMap_15 = smooth3DInput1(smooth3D_8);
+    float bumpMap_16 = smooth3DInput1(smooth3D_7);
+    float bumpMap_17 = smooth3DInput1(smooth3D_6);
+    float bumpMap_18 = smooth3DInput1(smooth3D_5);
+    float bumpMap_19 = smooth3DInput1(uv);
+    float bumpMap_20 = smooth3DInput1(smooth3D_4);
+    float bumpMap_21 = smooth3DInput1(smooth3D_3);
+    float bumpMap_22 = smooth3DInput1(smooth3D_2);
+    float bumpMap_23 = smooth3DInput1(smooth3D);
+    float bumpMap_24 = bumpMap_23 + bumpMap_23 + bumpMap_23 + bumpMap_22 + bumpMap_22 + bumpMap_22 + bumpMap_21 + bumpMap_21;
+    float bumpMap_25 = bumpMap_24 + bumpMap_21 + bumpMap_20 + bumpMap_20 + bumpMap_20 + bumpMap_19 + bumpMap_19 + bumpMap_19;
+    float bumpMap_26 = bumpMap_25 + bumpMap_18 + bumpMap_18 + bumpMap_18 + bumpMap_17 + bumpMap_17 + bumpMap_17 + bumpMap_16;
+    float bumpMap_27 = (bumpMap_14 + bumpMap_4 + bumpMap_4 + bumpMap_3 + bumpMap_3 + bumpMap_3) * 0.037037037 * 0.04;
+    float bumpMap_28 = (bumpMap_26 + bumpMap_16 + bumpMap_16 + bumpMap_15 + bumpMap_15 + bumpMap_15) * 0.037037037 * 0.04;
+    vec3 bumpMap_29 = cross(bumpMap_1, bumpMap_27 * worldTangentV - bumpMap_28 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_29 : bumpMap_29;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 2358747273u, 903908492u);
 }

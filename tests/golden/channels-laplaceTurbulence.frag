@@ -123,21 +123,21 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
-vec3 laplace3DInput0(vec3 p) {
+float laplace3DInput0(vec3 p) {
     // laplaceTurbulence.yaml:16 Turbulence
     vec3 diffuse_turbulence = vectorTurbulence(p, 3, 2.0, 0.5) * vec3(0.4) + p;
     // laplaceTurbulence.yaml:13 Gradient
     float diffuse_gradient = sin(fract(dot(diffuse_turbulence, vec3(2.0, 0.5, 2.0))) * 6.2831855);
-    return vec3(diffuse_gradient);
+    return diffuse_gradient;
 }
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // laplaceTurbulence.yaml:5 Blend
-    float diffuse_blend_1 = laplace3DInput0(localPosition).x;
-    float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)).x + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)).x);
-    float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)).x);
-    float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)).x);
+    float diffuse_blend_1 = laplace3DInput0(localPosition);
+    float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.075, 0.0, 0.0)) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.075, 0.0, 0.0)));
+    float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.075, 0.0))) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.075, 0.0)));
+    float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.075))) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.075)));
     float diffuse_blend_5 = diffuse_blend_4 * 0.083333336;
     vec3 diffuse_blend = mix(mix(vec3(0.8879231, 0.8549926, 0.76815116), vec3(0.21223076, 0.2746773, 0.2541521), clamp((diffuse_blend_5 + 0.2) * 5.0, 0.0, 1.0)), vec3(0.011612245, 0.023153367, 0.023153367), clamp(diffuse_blend_5 * 5.0, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;

@@ -113,14 +113,14 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
-vec3 smooth3DInput0(vec3 p) {
+float smooth3DInput0(vec3 p) {
     // smoothCostly.yaml:7 Granite
     float diffuse_granite = granite(p) * 1.2;
-    return vec3(diffuse_granite);
+    return diffuse_granite;
 }
 
-vec3 smooth3DInput0Sum(vec3 p, vec3 size) {
-    vec3 sum = vec3(0.0);
+float smooth3DInput0Sum(vec3 p, vec3 size) {
+    float sum = 0.0;
     for (float i = -0.5; i < 1.0; i += 0.5)
         for (float j = -0.5; j < 1.0; j += 0.5)
             for (float k = -0.5; k < 1.0; k += 0.5)
@@ -131,7 +131,7 @@ vec3 smooth3DInput0Sum(vec3 p, vec3 size) {
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // smoothCostly.yaml:5 Blend
-    vec3 diffuse_blend = mix(vec3(0.1682694, 0.114435375, 0.07818742), vec3(0.8549926, 0.7835378, 0.63759685), clamp((smooth3DInput0Sum(localPosition, vec3(0.2, 0.2, 0.1)).x * 0.037037037 + 0.4) * 1.1111112, 0.0, 1.0));
+    vec3 diffuse_blend = mix(vec3(0.1682694, 0.114435375, 0.07818742), vec3(0.8549926, 0.7835378, 0.63759685), clamp((smooth3DInput0Sum(localPosition, vec3(0.2, 0.2, 0.1)) * 0.037037037 + 0.4) * 1.1111112, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -47,25 +47,24 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
-vec3 smooth3DInput0(vec3 p) {
-    return p;
+float smooth3DInput0(vec3 p) {
+    return p.x;
 }
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // smoothPosition.yaml:7 Smooth3D
-    vec3 diffuse_smooth3D = smooth3DInput0(localPosition + vec3(-0.1, -0.5, 0.5)) + (smooth3DInput0(localPosition + vec3(-0.1, -0.5, 0.0)) + smooth3DInput0(localPosition - vec3(0.1, 0.5, 0.5)));
-    vec3 diffuse_smooth3D_2 = smooth3DInput0(localPosition + vec3(-0.1, 0.0, 0.5)) + (smooth3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)) + (smooth3DInput0(localPosition + vec3(-0.1, 0.0, -0.5)) + diffuse_smooth3D));
-    vec3 diffuse_smooth3D_3 = smooth3DInput0(localPosition + vec3(-0.1, 0.5, 0.5)) + (smooth3DInput0(localPosition + vec3(-0.1, 0.5, 0.0)) + (smooth3DInput0(localPosition + vec3(-0.1, 0.5, -0.5)) + diffuse_smooth3D_2));
-    vec3 diffuse_smooth3D_4 = smooth3DInput0(localPosition + vec3(0.0, -0.5, 0.5)) + (smooth3DInput0(localPosition + vec3(0.0, -0.5, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, -0.5, -0.5)) + diffuse_smooth3D_3));
-    vec3 diffuse_smooth3D_5 = smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.5)) + (smooth3DInput0(localPosition) + (smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.5)) + diffuse_smooth3D_4));
-    vec3 diffuse_smooth3D_6 = smooth3DInput0(localPosition + vec3(0.0, 0.5, 0.5)) + (smooth3DInput0(localPosition + vec3(0.0, 0.5, 0.0)) + (smooth3DInput0(localPosition + vec3(0.0, 0.5, -0.5)) + diffuse_smooth3D_5));
     // smoothPosition.yaml:7 Gradient
-    float diffuse_gradient = (smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.0)) + (smooth3DInput0(localPosition + vec3(0.1, -0.5, -0.5)) + diffuse_smooth3D_6)).x + smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.5)).x;
-    float diffuse_gradient_2 = diffuse_gradient + smooth3DInput0(localPosition + vec3(0.1, 0.0, -0.5)).x + smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.0)).x + smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.5)).x;
-    float diffuse_gradient_3 = diffuse_gradient_2 + smooth3DInput0(localPosition + vec3(0.1, 0.5, -0.5)).x + smooth3DInput0(localPosition + vec3(0.1, 0.5, 0.0)).x + smooth3DInput0(localPosition + vec3(0.1, 0.5, 0.5)).x;
+    float diffuse_gradient = smooth3DInput0(localPosition - vec3(0.1, 0.5, 0.5)) + smooth3DInput0(localPosition + vec3(-0.1, -0.5, 0.0)) + smooth3DInput0(localPosition + vec3(-0.1, -0.5, 0.5));
+    float diffuse_gradient_2 = diffuse_gradient + smooth3DInput0(localPosition + vec3(-0.1, 0.0, -0.5)) + smooth3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)) + smooth3DInput0(localPosition + vec3(-0.1, 0.0, 0.5));
+    float diffuse_gradient_3 = diffuse_gradient_2 + smooth3DInput0(localPosition + vec3(-0.1, 0.5, -0.5)) + smooth3DInput0(localPosition + vec3(-0.1, 0.5, 0.0)) + smooth3DInput0(localPosition + vec3(-0.1, 0.5, 0.5));
+    float diffuse_gradient_4 = diffuse_gradient_3 + smooth3DInput0(localPosition + vec3(0.0, -0.5, -0.5)) + smooth3DInput0(localPosition + vec3(0.0, -0.5, 0.0)) + smooth3DInput0(localPosition + vec3(0.0, -0.5, 0.5));
+    float diffuse_gradient_5 = diffuse_gradient_4 + smooth3DInput0(localPosition + vec3(0.0, 0.0, -0.5)) + smooth3DInput0(localPosition) + smooth3DInput0(localPosition + vec3(0.0, 0.0, 0.5));
+    float diffuse_gradient_6 = diffuse_gradient_5 + smooth3DInput0(localPosition + vec3(0.0, 0.5, -0.5)) + smooth3DInput0(localPosition + vec3(0.0, 0.5, 0.0)) + smooth3DInput0(localPosition + vec3(0.0, 0.5, 0.5));
+    float diffuse_gradient_7 = diffuse_gradient_6 + smooth3DInput0(localPosition + vec3(0.1, -0.5, -0.5)) + smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.0)) + smooth3DInput0(localPosition + vec3(0.1, -0.5, 0.5));
+    float diffuse_gradient_8 = diffuse_gradient_7 + smooth3DInput0(localPosition + vec3(0.1, 0.0, -0.5)) + smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.0)) + smooth3DInput0(localPosition + vec3(0.1, 0.0, 0.5));
+    float diffuse_gradient_9 = diffuse_gradient_8 + smooth3DInput0(localPosition + vec3(0.1, 0.5, -0.5)) + smooth3DInput0(localPosition + vec3(0.1, 0.5, 0.0)) + smooth3DInput0(localPosition + vec3(0.1, 0.5, 0.5));
     // smoothPosition.yaml:5 Blend
-    vec3 diffuse_blend = mix(vec3(0.011612245, 0.011612245, 0.027320892), vec3(0.69387174, 0.48514995, 0.2541521), clamp((diffuse_gradient_3 * 0.037037037 + 1.0) * 0.5, 0.0, 1.0));
+    vec3 diffuse_blend = mix(vec3(0.011612245, 0.011612245, 0.027320892), vec3(0.69387174, 0.48514995, 0.2541521), clamp((diffuse_gradient_9 * 0.037037037 + 1.0) * 0.5, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -126,7 +126,7 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // turbulenceDefaults.yaml:5 Blend
-    vec3 diffuse_blend = mix(vec3(0.004024717, 0.015996294, 0.031896032), vec3(0.7454042, 0.63075715, 0.3515326), clamp((vectorTurbulence(localPosition, 5, 2.0, 2.0).x * 0.2 + localPosition.x + 1.0) * 0.5, 0.0, 1.0));
+    vec3 diffuse_blend = mix(vec3(0.004024717, 0.015996294, 0.031896032), vec3(0.7454042, 0.63075715, 0.3515326), clamp((localPosition.x + vectorTurbulence(localPosition, 5, 2.0, 2.0).x * 0.2 + 1.0) * 0.5, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -114,19 +114,19 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
-vec3 laplace3DInput0(vec3 p) {
+float laplace3DInput0(vec3 p) {
     // laplace3D.yaml:15 VolumeTurbulence
     float diffuse_volumeTurbulence = turbulence(p * 2.0, 4, 2.0, 0.5);
-    return vec3(diffuse_volumeTurbulence);
+    return diffuse_volumeTurbulence;
 }
 
 void main() {
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // laplace3D.yaml:5 Blend
-    float diffuse_blend_1 = laplace3DInput0(localPosition).x;
-    float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)).x + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.1, 0.0, 0.0)).x);
-    float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.1, 0.0)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.1, 0.0)).x);
-    float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.1)).x) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.1)).x);
+    float diffuse_blend_1 = laplace3DInput0(localPosition);
+    float diffuse_blend_2 = diffuse_blend_1 - laplace3DInput0(localPosition + vec3(-0.1, 0.0, 0.0)) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.1, 0.0, 0.0)));
+    float diffuse_blend_3 = diffuse_blend_2 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, -0.1, 0.0))) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.1, 0.0)));
+    float diffuse_blend_4 = diffuse_blend_3 + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, -0.1))) + (diffuse_blend_1 - laplace3DInput0(localPosition + vec3(0.0, 0.0, 0.1)));
     float diffuse_blend_5 = diffuse_blend_4 * 0.083333336;
     vec3 diffuse_blend = mix(mix(vec3(0.011612245, 0.011612245, 0.04373503), vec3(0.14412847, 0.21223076, 0.462077), clamp((diffuse_blend_5 + 0.12) * 8.333333, 0.0, 1.0)), vec3(0.9301109, 0.7991027, 0.6172066), clamp(diffuse_blend_5 * 8.333333, 0.0, 1.0));
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;

@@ -185,44 +185,6 @@ vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, fl
     return sum;
 }
 
-// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
-// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
-float lattice(vec3 cell, vec3 d) {
-    uvec4 low, high;
-    latticeCorners(cell, low, high);
-    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
-}
-
-// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
-float noise(vec3 p) {
-    vec3 cell = floor(p);
-    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
-}
-
-// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
-// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
-float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
-    int count = octaves > 1 ? octaves : 1;
-    float strength = 1.0;
-    float sum = 0.0;
-    for (int k = 0; k < count; k++) {
-        sum += strength * noise(p);
-        strength *= noiseRatio;
-        p *= frequencyRatio;
-    }
-    return sum;
-}
-
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
-}
-
 // Derivative of vectorNoise(cell, d) along a direction.
 vec3 vectorNoiseAlong(vec3 cell, vec3 d, vec3 direction) {
     vec3 sum;
@@ -273,6 +235,44 @@ vec3 safeNormalize(vec3 v) {
 
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
+}
+
+// Lattice noise at a point of a cell, d in [0, 1): at each corner a value and a gradient from a hash, smoothly interpolated.
+// About [-1, 1], standard deviation 1/4, period 65536 an axis. Error below 1e-6 of the reference at the same floats.
+float lattice(vec3 cell, vec3 d) {
+    uvec4 low, high;
+    latticeCorners(cell, low, high);
+    return latticeMix(latticeTerms(low, d), latticeTerms(high, d - vec3(0.0, 0.0, 1.0)), d) * latticeScale;
+}
+
+// Noise in [-1, 1], standard deviation 1/2. About one sample in twenty is clamped. Error 2e-6, in simplex noise too.
+float noise(vec3 p) {
+    vec3 cell = floor(p);
+    return clamp(2.0 * lattice(cell, p - cell), -1.0, 1.0);
+}
+
+// Sum of octaves noiseRatio^k noise(frequencyRatio^k p), k from 0; at least one. Signed and not normalised.
+// Error that of noise, to the sum of the strengths, where frequencyRatio is a power of two; other ratios round p.
+float turbulence(vec3 p, int octaves, float frequencyRatio, float noiseRatio) {
+    int count = octaves > 1 ? octaves : 1;
+    float strength = 1.0;
+    float sum = 0.0;
+    for (int k = 0; k < count; k++) {
+        sum += strength * noise(p);
+        strength *= noiseRatio;
+        p *= frequencyRatio;
+    }
+    return sum;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -342,40 +342,6 @@ void main() {
     bool dome_8 = dome_3 < 0.01;
     float dome_9 = 1.0 - (dome_3 - 0.45) * 1.8181819;
     float across_6 = street.x - across_1;
-    // cobbles.yaml:39 Blend
-    float diffuse_blend_1 = across * clamp(along, 0.0, 1.0);
-    // cobbles.yaml:42 Blend
-    vec3 diffuse_blend2;
-    if (diffuse_blend_1 < 0.07) {
-        // cobbles.yaml:42 VolumeTurbulence
-        float diffuse_volumeTurbulence = turbulence(localPosition * 2.0, 3, 2.0, 0.6);
-        diffuse_blend2 = mix(vec3(0.024157632, 0.020288562, 0.015208514), vec3(0.04231141, 0.052860647, 0.015996294), clamp((diffuse_volumeTurbulence + 0.1) * 2.2222223, 0.0, 1.0));
-    } else {
-        diffuse_blend2 = vec3(0.0);
-    }
-    // cobbles.yaml:49 Blend
-    float specular_blend = mix(0.02, 0.14, clamp((diffuse_blend_1 - 0.2) * 2.0, 0.0, 1.0));
-    uint specular_bits = rootBits(specular_blend, 8);
-    // cobbles.yaml:45 Blend
-    vec3 diffuse_blend3;
-    if (0.02 < diffuse_blend_1) {
-        // cobbles.yaml:33 Gradient
-        float number_gradient = floor(street.z);
-        // cobbles.yaml:33 XYZTransform
-        vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
-        // cobbles.yaml:32 Gradient
-        float number_gradient2 = floor(across_2);
-        // cobbles.yaml:32 XYZTransform
-        vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
-        // cobbles.yaml:30 number
-        vec3 number = number_xyzTransform2 * 0.5 + number_xyzTransform * 0.5;
-        float diffuse_blend3_1 = turbulence(number, 1, 2.0, 1.0) * 0.65 + grain.w * 0.35;
-        diffuse_blend3 = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend3_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend3_1 * 2.857143, 0.0, 1.0));
-    } else {
-        diffuse_blend3 = vec3(0.0);
-    }
-    vec3 diffuse_blend = mix(diffuse_blend2, diffuse_blend3, clamp((diffuse_blend_1 - 0.02) * 20.0, 0.0, 1.0));
-    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     float dome_10;
     if (dome_8) {
         dome_10 = 0.0;
@@ -415,6 +381,40 @@ void main() {
     vec3 bumpMap_3 = cross(bumpMap_1, dome_10 * 0.06 * worldTangentV - dome_13 * 0.06 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    // cobbles.yaml:39 Blend
+    float diffuse_blend_1 = across * clamp(along, 0.0, 1.0);
+    // cobbles.yaml:42 Blend
+    vec3 diffuse_blend2;
+    if (diffuse_blend_1 < 0.07) {
+        // cobbles.yaml:42 VolumeTurbulence
+        float diffuse_volumeTurbulence = turbulence(localPosition * 2.0, 3, 2.0, 0.6);
+        diffuse_blend2 = mix(vec3(0.024157632, 0.020288562, 0.015208514), vec3(0.04231141, 0.052860647, 0.015996294), clamp((diffuse_volumeTurbulence + 0.1) * 2.2222223, 0.0, 1.0));
+    } else {
+        diffuse_blend2 = vec3(0.0);
+    }
+    // cobbles.yaml:49 Blend
+    float specular_blend = mix(0.02, 0.14, clamp((diffuse_blend_1 - 0.2) * 2.0, 0.0, 1.0));
+    uint specular_bits = rootBits(specular_blend, 8);
+    // cobbles.yaml:45 Blend
+    vec3 diffuse_blend3;
+    if (0.02 < diffuse_blend_1) {
+        // cobbles.yaml:33 Gradient
+        float number_gradient = floor(street.z);
+        // cobbles.yaml:33 XYZTransform
+        vec3 number_xyzTransform = vec3(number_gradient) * vec3(4.3, 1.1, 2.9);
+        // cobbles.yaml:32 Gradient
+        float number_gradient2 = floor(across_2);
+        // cobbles.yaml:32 XYZTransform
+        vec3 number_xyzTransform2 = vec3(number_gradient2) * vec3(1.7, 3.1, 5.3);
+        // cobbles.yaml:30 number
+        vec3 number = number_xyzTransform2 * 0.5 + number_xyzTransform * 0.5;
+        float diffuse_blend3_1 = turbulence(number, 1, 2.0, 1.0) * 0.65 + grain.w * 0.35;
+        diffuse_blend3 = mix(mix(vec3(0.104616486, 0.10946171, 0.12477182), vec3(0.23455058, 0.23074006, 0.21223076), clamp((diffuse_blend3_1 + 0.35) * 2.857143, 0.0, 1.0)), vec3(0.39157248, 0.33716363, 0.26225066), clamp(diffuse_blend3_1 * 2.857143, 0.0, 1.0));
+    } else {
+        diffuse_blend3 = vec3(0.0);
+    }
+    vec3 diffuse_blend = mix(diffuse_blend2, diffuse_blend3, clamp((diffuse_blend_1 - 0.02) * 20.0, 0.0, 1.0));
+    uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | specular_bits << 24, specular_bits | specular_bits << 8 | 696254464u);
     fragment0 = surface_bits2;
 }

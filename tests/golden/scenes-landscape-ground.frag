@@ -139,22 +139,6 @@ vec4 turbulenceGradient(vec3 p, vec3 rest, int octaves, float frequencyRatio, fl
     return sum;
 }
 
-// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
-// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
-vec3 safeNormalize(vec3 v) {
-    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
-    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
-    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
-    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
-    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
-}
-
-// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
-
-vec3 eyeFromWorld(vec3 d) {
-    return matc_eyeFromWorld * d;
-}
-
 // A second, unrelated hash out of a corner's hash: one round, since the first is already mixed.
 uvec4 latticeNext(uvec4 hash) {
     hash = (hash ^ (hash >> 15u)) * 0x2C1B3C6Du;
@@ -201,6 +185,22 @@ vec3 vectorTurbulence(vec3 p, int octaves, float frequencyRatio, float noiseRati
     return sum;
 }
 
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
 // v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
 uint unormBits(float v, int bits) {
     return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
@@ -239,17 +239,17 @@ void main() {
     // landscape.yaml:10 VolumeTurbulence
     vec3 volumeTurbulence = turbulenceGradient(localPosition * 3.0, vec3(0.0), 4, 2.0, 0.45, 0.0).xyz;
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    vec3 bumpMap_3 = dot(volumeTurbulence, localTangentU * 3.0) * 0.03 * worldTangentV - dot(volumeTurbulence, localTangentV * 3.0) * 0.03 * worldTangentU;
-    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     // landscape.yaml:23 Gradient
-    float diffuse_gradient = vectorTurbulence(localPosition, 5, 2.0, 0.6).z * 0.12 + localPosition.z;
+    float diffuse_gradient = localPosition.z + vectorTurbulence(localPosition, 5, 2.0, 0.6).z * 0.12;
     // landscape.yaml:12 Blend
     vec3 diffuse_blend_1 = mix(mix(vec3(0.12, 0.1, 0.06), vec3(0.42, 0.35, 0.2), clamp((diffuse_gradient + 0.12) * 8.333333, 0.0, 1.0)), vec3(0.3, 0.28, 0.12), clamp(diffuse_gradient * 16.666666, 0.0, 1.0));
     vec3 diffuse_blend_2 = mix(mix(diffuse_blend_1, vec3(0.1, 0.16, 0.04), clamp((diffuse_gradient - 0.06) * 16.666666, 0.0, 1.0)), vec3(0.09, 0.13, 0.04), clamp((diffuse_gradient - 0.12) * 2.0833333, 0.0, 1.0));
     vec3 diffuse_blend_3 = mix(mix(diffuse_blend_2, vec3(0.17, 0.15, 0.12), clamp((diffuse_gradient - 0.6) * 4.0, 0.0, 1.0)), vec3(0.26, 0.24, 0.22), clamp((diffuse_gradient - 0.85) * 1.6666666, 0.0, 1.0));
     vec3 diffuse_blend = mix(diffuse_blend_3, vec3(0.85, 0.87, 0.9), clamp((diffuse_gradient - 1.45) * 5.0, 0.0, 1.0));
+    vec3 bumpMap_3 = dot(volumeTurbulence, localTangentU * 3.0) * 0.03 * worldTangentV - dot(volumeTurbulence, localTangentV * 3.0) * 0.03 * worldTangentU;
+    vec3 bumpMap_4 = cross(bumpMap_1, bumpMap_3) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_4 : bumpMap_4;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_blend.x, 8) | rootBits(diffuse_blend.y, 8) << 8 | rootBits(diffuse_blend.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }
