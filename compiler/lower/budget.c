@@ -7,7 +7,7 @@
  *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
  * Tried are all means; points, unless the means are free or none; and, where not all fit, those that come first in the document, as many as
- * are found by halving. Most programs are lowered once.
+ * are found along a line through what none and all cost. Most programs are lowered once.
  *
  * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
  * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
@@ -17,10 +17,14 @@
  * A plane reaches the horizon, where every map is finer than a pixel: its pass may cost twice as much. */
 #include "compiler/lower/lower.h"
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FREE_COST = 200 }; /* operations that a pixel has the time for anyway: 234 were measured to take none */
+enum {
+    FREE_COST = 200, /* operations that a pixel has the time for anyway: 234 were measured to take none */
+    MOST_SLOW = 2    /* guesses after each other that may leave more than half */
+};
 static const double most_growth = 1.1, most_growth_of_plane = 2;
 
 static int by_index(const void *a, const void *b)
@@ -105,22 +109,43 @@ static void swap(Trial **a, Trial **b)
     *b = c;
 }
 
-/* The one with as many means as fit, of those before the last, beside one that has none. The others are dropped. */
-static Trial *halve(const LowerRequest *what, Trial *plain, Trial *spare, double most)
+/* Between how many means the last one that fits lies, and what programs with so many cost. */
+typedef struct {
+    int fit, beyond;
+    double cost_fit, cost_beyond;
+} Bracket;
+
+/* Most maps cost about the same, so that a line through both ends says how many fit: 2,048 checkers are lowered 5 times, not 13. Where
+ * two guesses have left more than half, the middle is next.
+ *
+ *     none of 100 costs 200, all cost 2,200, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known */
+static int guess(const Bracket *b, double most, bool halve)
 {
-    int count;
-    const int *ends = ends_of(what->session->arena, &plain->seen, &count);
-    Trial *best = plain, *next = spare;
-    int fit = 0, beyond = count; /* so many fit, so many do not */
-    while (fit + 1 < beyond) {
-        const int middle = fit + (beyond - fit) / 2;
-        try_below(next, what, ends[middle - 1]);
+    const int between = b->beyond - b->fit;
+    const double rise = b->cost_beyond - b->cost_fit;
+    double step = halve || !(rise > 0) ? between / 2 : floor((most - b->cost_fit) / rise * between);
+    return b->fit + (int)fmin(fmax(step, 1), between - 1);
+}
+
+/* The one with as many means as fit, of those before the last, beside one that has none; all of them cost so much. The others are
+ * dropped. */
+static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, double cost_of_all)
+{
+    Trial *next = &trials[0], *best = &trials[1];
+    Bracket b = {.cost_fit = best->cost, .cost_beyond = cost_of_all};
+    const int *ends = ends_of(what->session->arena, &best->seen, &b.beyond);
+    int slow = 0; /* guesses that left more than half */
+    while (b.fit + 1 < b.beyond) {
+        const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MOST_SLOW);
+        try_below(next, what, ends[tried - 1]);
+        const double cost = next->ir ? next->cost : 0; /* of one that failed nothing is known */
         if (fits(next, most)) {
             swap(&best, &next);
-            fit = middle;
+            b.fit = tried, b.cost_fit = cost;
         } else {
-            beyond = middle;
+            b.beyond = tried, b.cost_beyond = cost;
         }
+        slow = 2 * (b.beyond - b.fit) > before && slow < MOST_SLOW ? slow + 1 : 0;
         drop(next);
     }
     return best;
@@ -140,8 +165,9 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
         drop(plain);
         return all;
     }
+    const double cost_of_all = all->ir ? all->cost : 0;
     drop(all);
-    return plain->ir ? halve(what, plain, all, most) : plain;
+    return plain->ir ? most_that_fit(what, trials, most, cost_of_all) : plain;
 }
 
 static bool may_average(const Job *job) { return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow; }
