@@ -58,6 +58,9 @@ for document in $ten; do
 done
 # shellcheck disable=SC2086
 [ -z "$update" ] || "$matview" --contact=../../docs/materials.png $ten
+# README.md's: every map's example, and every material but the sky
+# shellcheck disable=SC2010,SC2046
+[ -z "$update" ] || (cd .. && "$matview" --contact=../docs/examples.png --size=120 *.yaml $(ls materials/*.yaml | grep -v -e sunSky -e palette))
 cd ../.. || exit 1
 check "their picture is in docs" test -s docs/materials.png
 
