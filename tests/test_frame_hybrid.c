@@ -5,6 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
@@ -261,8 +262,77 @@ static void diagonals(void **state)
     gl_close(gl);
 }
 
+/* -- a scene that changes; many lights; what is transparent */
+
+/* A box that moves changes what the map is fitted to: a frame is then that of a new renderer, bit for bit. */
+static void changes(void **state)
+{
+    (void)state;
+    static const char *const lights[] = {"Directional, direction: [1, .2, -.6]", "Point, position: [0, .6, 1.1]"};
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    GlContext *gl = frame_context();
+    for (int k = 0; k < 2; k++) {
+        char text[4096];
+        MatcDocument *document;
+        snprintf(text, sizeof text, VIEW "shadowMaps: { size: 64 }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
+                 lights[k]);
+        Scene *scene = frame_scene(text, &options, &document);
+        Render *render = render_open(gl, &how);
+        float *changed = malloc(4 * sizeof *changed * PIXELS);
+        assert_true(render && render_scene(render, scene) && render_frame(render));
+        scene->objects[scene->object_count - 1].world_from_local.m[12] -= .7;
+        assert_true(render_changed_objects(render, scene->object_count - 1, 1) && render_frame(render) &&
+                    render_read(render, changed));
+        render_close(render);
+        float *anew = frame_floats(gl, scene, &how);
+        assert_memory_equal(changed, anew, 4 * sizeof *anew * PIXELS);
+        free(anew);
+        free(changed);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+/* Nine lights take a second lane of the mask: the last alone keeps its own shadows. 33 are refused. */
+static void many_lights(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (int count = 9; count <= 33; count += 24) {
+        char text[8192];
+        MatcDocument *document;
+        int size = snprintf(text, sizeof text, VIEW "shadowMaps: { size: 64 }\nlights:\n");
+        for (int i = 0; i < count; i++)
+            size += snprintf(text + size, sizeof text - (size_t)size,
+                             "- { light: Directional, direction: [%d, .2, -.6], intensity: %d, shadows: hybrid }\n",
+                             i < count - 1 ? -1 : 1, i == count - 1);
+        snprintf(text + size, sizeof text - (size_t)size, THINGS);
+        Scene *scene = frame_scene(text, &options, &document);
+        if (count == 9) {
+            float *nine = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            scene->lights[0] = scene->lights[count - 1];
+            scene->light_count = 1;
+            float *one = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            for (int i = 0; i < 4 * PIXELS; i++)
+                assert_true(fabsf(nine[i] - one[i]) <= 1e-6f);
+            free(nine);
+            free(one);
+        } else {
+            Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+            assert_false(render_scene(render, scene));
+            assert_string_equal(gl->error, "33 lights cast hybrid shadows, more than 32");
+            render_close(render);
+        }
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rays), cmocka_unit_test(ends), cmocka_unit_test(diagonals)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rays), cmocka_unit_test(ends), cmocka_unit_test(diagonals),
+                                       cmocka_unit_test(changes), cmocka_unit_test(many_lights)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -211,8 +211,10 @@ bool render_changed_objects(Render *render, int first, int count)
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
     render->uncounted = true;
-    return cache_move(render->gl, &source, &render->cache, first, count) && shadow_change(render, true) &&
-           pass_edge_change(render) && gl_check(render->gl, "moving objects");
+    if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true))
+        return false;
+    pass_volume_change(render); /* maps are fitted to what has moved */
+    return pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count)
