@@ -1,12 +1,14 @@
-/* What a driver, or the set of all materials, refuses: the material is named, and where it stands. */
+/* What a driver, or the set of all materials, refuses: the material is named, and where it stands; the format of a target; a mesh that is too large. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* One white pixel. */
 static char *read_picture(void *user, const char *path, size_t *size, const char **why)
@@ -56,8 +58,98 @@ static void materials_are_named(void **state)
     assert_refused(32, "none", "scene.yaml:2:22: the material 'plain': ");
 }
 
+/* -- a driver that cannot draw to halves */
+
+enum { TEXTURES = 256, HALVES = GL_RGBA16F };
+
+/* Formats of textures by their names, and that of the framebuffer's first. */
+static struct {
+    GlContext driver;
+    GLenum formats[TEXTURES], drawn;
+    GLuint bound;
+} fake;
+
+static void bind_texture(GLenum target, GLuint name)
+{
+    fake.bound = name;
+    fake.driver.BindTexture(target, name);
+}
+
+static void store_texture(GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height)
+{
+    assert_true(fake.bound < TEXTURES);
+    fake.formats[fake.bound] = format;
+    fake.driver.TexStorage2D(target, levels, format, width, height);
+}
+
+static void attach_texture(GLenum target, GLenum attachment, GLenum kind, GLuint texture, GLint level)
+{
+    if (attachment == GL_COLOR_ATTACHMENT0)
+        fake.drawn = fake.formats[texture];
+    fake.driver.FramebufferTexture2D(target, attachment, kind, texture, level);
+}
+
+static GLenum refuse_halves(GLenum target)
+{
+    return fake.drawn == HALVES ? GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT : fake.driver.CheckFramebufferStatus(target);
+}
+
+/* The format is named, and nothing is left: the next renderer, on a driver that can, draws. */
+static void targets_are_named(void **state)
+{
+    (void)state;
+    static const char box[] =
+        "image: { width: 8, height: 8 }\nobjects: [{ object: Box, material: { material: Phong } }]\n";
+    MatcOptions compile;
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    matc_options_init(&compile);
+    Scene *scene = frame_scene(box, &compile, &document);
+    fake.driver = *gl;
+    gl->BindTexture = bind_texture;
+    gl->TexStorage2D = store_texture;
+    gl->FramebufferTexture2D = attach_texture;
+    gl->CheckFramebufferStatus = refuse_halves;
+    Render *render =
+        render_open(gl, &(RenderOptions){.compile = &compile, .fragment = true}); /* light lies by itself */
+    assert_non_null(render);
+    assert_false(render_scene(render, scene));
+    assert_string_equal(gl->error, "the driver cannot draw to one of these formats: RGBA16F, and depth DEPTH32F");
+    assert_false(render_frame(render));
+    gl->CheckFramebufferStatus = fake.driver.CheckFramebufferStatus;
+    assert_true(render_scene(render, scene) && render_frame(render));
+    assert_true(gl_check(gl, "all of it"));
+    render_close(render);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
+/* A file of 257 MiB that takes no room on the disk. */
+static void meshes_too_large(void **state)
+{
+    (void)state;
+    static const char large[] = "objects:\n- { object: Mesh, file: large.obj, material: { material: Phong } }\n";
+    char folder[] = "/tmp/matc_large_XXXXXX", path[64], scene_path[64];
+    MatcOptions options;
+    Scene *scene = NULL;
+    matc_options_init(&options);
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/large.obj", folder);
+    snprintf(scene_path, sizeof scene_path, "%s/scene.yaml", folder);
+    FILE *file = fopen(path, "wb");
+    assert_true(file && !ftruncate(fileno(file), (off_t)257 << 20) && !fclose(file));
+    MatcDocument *document = scene_read(scene_path, large, sizeof large - 1, &options, &scene);
+    assert_null(scene);
+    if (!strstr(matc_diagnostics(document, MATC_TEXT),
+                "scene.yaml:2:25: error: cannot read 'large.obj': larger than 256 MiB"))
+        fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
+    matc_document_free(document);
+    assert_true(!remove(path) && !rmdir(folder));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_named)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_named), cmocka_unit_test(targets_are_named),
+                                       cmocka_unit_test(meshes_too_large)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

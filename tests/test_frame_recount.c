@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -145,9 +146,48 @@ static void shadows_that_are_too_long(void **state)
     matc_layout_free(layout);
 }
 
+/* A pane that lets all through has no fragment in a light's lists; a number makes it dark glass, which has, as a scene with that number. */
+static void params_are_counted(void **state)
+{
+    (void)state;
+    static const char pane[] =
+        "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -4, 3], angle: 40 }\n"
+        "shadowMaps: { size: 64 }\nlights: [{ light: Directional, direction: [0, 0, -1] }]\nobjects:\n"
+        "- { object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], material: { material: Phong, diffuse: .5 }, "
+        "transform: { translation: [-2, -2, 0] } }\n"
+        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: { material: Phong, diffuse: 0, transparency: "
+        "{ param: clear, default: %s } }, transform: { translation: [-.5, -.5, 1] } }\n";
+    static float changed[4 * WIDTH * HEIGHT];
+    const MatcOptions compile = frame_exact_options();
+    const RenderOptions options = {.compile = &compile, .view = "light"};
+    GlContext *gl = frame_context();
+    char text[sizeof pane + 4];
+    MatcDocument *documents[2];
+    Scene *scenes[2];
+    for (int i = 0; i < 2; i++) {
+        snprintf(text, sizeof text, pane, i ? ".25" : "1");
+        scenes[i] = frame_scene(text, &compile, &documents[i]);
+    }
+    Render *render = render_open(gl, &options);
+    assert_true(render && render_scene(render, scenes[0]) && render_frame(render));
+    const int glass = scenes[0]->objects[1].material;
+    assert_true(render_param(render, glass, "clear", &(float){.25f}, 1));
+    assert_true(render_frame(render) && render_read(render, changed));
+    float *new = frame_floats(gl, scenes[1], &options), *before = frame_floats(gl, scenes[0], &options);
+    assert_memory_equal(changed, new, sizeof changed);
+    assert_memory_not_equal(changed, before, sizeof changed);
+    free(new);
+    free(before);
+    render_close(render);
+    gl_close(gl);
+    for (int i = 0; i < 2; i++)
+        frame_forget(scenes[i], documents[i]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(more_are_counted), cmocka_unit_test(lists_that_are_too_long),
-                                       cmocka_unit_test(shadows_that_are_too_long)};
+                                       cmocka_unit_test(shadows_that_are_too_long),
+                                       cmocka_unit_test(params_are_counted)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 /* Makes, binds and reads framebuffers. */
 #include "runtime/gl/framebuffer.h"
+#include <stdio.h>
 #include <string.h>
 
 static bool check_spec(GlContext *gl, const FramebufferSpec *spec)
@@ -32,7 +33,7 @@ static const struct {
     {"RGBA32UI", GL_RGBA32UI, true},
     {"RGBA16UI", GL_RGBA16UI, true},
 };
-enum { FORMAT_COUNT = sizeof known / sizeof *known };
+enum { FORMAT_COUNT = sizeof known / sizeof *known, FORMAT_NAMES = 128 };
 
 /* 0: of none. */
 static GLenum format_of(const char *name)
@@ -110,16 +111,31 @@ static void attach(const GlContext *gl, Framebuffer *f)
                              GL_TEXTURE_2D, f->depth, 0);
 }
 
-static bool check_complete(GlContext *gl)
+/* "RG32UI R32UI, and depth DEPTH32F" */
+static void name_formats(const Framebuffer *f, char names[FORMAT_NAMES])
 {
+    size_t size = 0;
+    *names = 0;
+    for (int i = 0; i < f->spec.color_count; i++)
+        for (int k = 0; k < FORMAT_COUNT; k++)
+            if (known[k].format == f->formats[i])
+                size += (size_t)snprintf(names + size, FORMAT_NAMES - size, "%s%s", i ? " " : "", known[k].name);
+    if (f->spec.depth)
+        snprintf(names + size, FORMAT_NAMES - size, "%s", size ? ", and depth DEPTH32F" : "depth DEPTH32F");
+}
+
+static bool check_complete(GlContext *gl, const Framebuffer *f)
+{
+    char names[FORMAT_NAMES];
     GLenum status = gl->CheckFramebufferStatus(GL_FRAMEBUFFER);
+    name_formats(f, names);
     switch (status) {
     case GL_FRAMEBUFFER_COMPLETE:
         return true;
     case GL_FRAMEBUFFER_UNSUPPORTED:
-        return gl_fail(gl, "the driver cannot draw to a framebuffer of these formats");
+        return gl_fail(gl, "the driver cannot draw to these formats together: %s", names);
     case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-        return gl_fail(gl, "a framebuffer's texture cannot be drawn to");
+        return gl_fail(gl, "the driver cannot draw to one of these formats: %s", names);
     case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
         return gl_fail(gl, "a framebuffer needs a colour target or depth");
     default:
@@ -134,7 +150,7 @@ static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *fo
     memcpy(made->formats, formats, sizeof *formats * (size_t)spec->color_count);
     attach(gl, made);
     framebuffer_use(gl, made); /* before the check: GL 3 counts missing draw buffers as incomplete */
-    if (gl_check(gl, "making a framebuffer") && check_complete(gl))
+    if (gl_check(gl, "making a framebuffer") && check_complete(gl, made))
         return true;
     framebuffer_delete(gl, made);
     return false;

@@ -288,7 +288,7 @@ static bool measure_layers(const Bench *bench, int layers, const char *way)
 
 static bool measure_fragments(const Bench *bench)
 {
-    static const int layers[] = {1, 10, 40};
+    static const int layers[] = {1, 2, 4, 10, 40};
     static const char *const ways[] = {"lists", "peeling"};
     bool fine = true;
     printf(
