@@ -7,6 +7,7 @@
 #define GBUFFER (1u << FRAME_TARGET_gbuffer)
 #define SHADOW  (1u << FRAME_TARGET_shadow)
 #define FAR     (1u << FRAME_TARGET_far)
+#define SEEN    (1u << FRAME_TARGET_seen)
 #define LIGHT   (1u << FRAME_TARGET_light)
 #define EDGE    (1u << FRAME_TARGET_edge)
 #define MASK    (1u << FRAME_TARGET_mask)
@@ -30,6 +31,12 @@ const FramePass frame_passes[] = {
      pass_shadow_draw,
      "a light's shadows are cast; once, then they are kept",
      NULL},
+    {{"exact", 0, SEEN | 1u << FRAME_TARGET_seen_depth, 0, 0},
+     pass_exact_needed,
+     pass_exact_make,
+     pass_exact_draw,
+     "a light's shadows are exact",
+     NULL},
     {{"volume", DEPTH | SHADOW, MASK, 0, 0},
      volume_lights_cast,
      pass_volume_make,
@@ -42,7 +49,7 @@ const FramePass frame_passes[] = {
      pass_gather_draw,
      "lights are many, and far ones are taken together",
      NULL},
-    {{"light", DEPTH | GBUFFER | SHADOW | MASK | FAR, LIGHT, 0, GBUFFER},
+    {{"light", DEPTH | GBUFFER | SHADOW | MASK | SEEN | FAR, LIGHT, 0, GBUFFER},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
@@ -177,23 +184,28 @@ static void delete_memory(Render *render)
     memset(render->memory, 0, sizeof render->memory);
 }
 
-/* The targets of each: colours, then whether depth is with them. */
+/* The targets of each: colours, then the depth that is with them, or -1. */
 static const struct {
     FrameTarget color;
-    bool depth;
-} draws[FRAME_DRAW_COUNT] = {
-    [FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, true}, [FRAME_DRAW_sky] = {FRAME_TARGET_light, true},
-    [FRAME_DRAW_light] = {FRAME_TARGET_light, false},    [FRAME_DRAW_edge] = {FRAME_TARGET_edge, false},
-    [FRAME_DRAW_mask] = {FRAME_TARGET_mask, true},       [FRAME_DRAW_shown] = {FRAME_TARGET_shown, false}};
+    int depth;
+} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
+                             [FRAME_DRAW_seen] = {FRAME_TARGET_seen, FRAME_TARGET_seen_depth},
+                             [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
+                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
+                             [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
+                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
 
 static bool make_draw(Render *render, FrameDraw draw)
 {
     const FrameTarget color = draws[draw].color;
+    const int depth = draws[draw].depth;
+    const bool deep = depth >= 0;
     const unsigned there = render->plan.there;
-    FramebufferTextures textures = {.depth = draws[draw].depth ? frame_texture(render, FRAME_TARGET_depth, 0) : 0,
+    FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
                                     .stencil = draw == FRAME_DRAW_mask};
-    FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, draws[draw].depth};
-    if (!(there >> color & 1) || (draws[draw].depth && !(there & DEPTH)))
+    FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
+    if (!(there >> color & 1) || (deep && !(there >> depth & 1)))
         return true; /* nobody draws there */
     for (const char *format; (format = frame_format(render, color, spec.color_count)); spec.color_count++) {
         textures.formats[spec.color_count] = format;
@@ -359,6 +371,7 @@ void frame_delete(Render *render)
     delete_memory(render);
     pass_volume_delete(render);
     pass_shadow_delete(render);
+    pass_exact_delete(render);
     light_table_delete(render);
     gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */
     render->sky = (SkyLight){0};

@@ -2,6 +2,7 @@
 #ifndef MATC_RENDER_FRAME_H
 #define MATC_RENDER_FRAME_H
 #include "runtime/render/cache.h"
+#include "runtime/render/exact.h"
 #include "runtime/render/frame_plan.h"
 #include "runtime/render/measure.h"
 #include "runtime/render/reader.h"
@@ -14,6 +15,8 @@ typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
+    FRAME_TARGET_seen,   /* numbers of triangles */
+    FRAME_TARGET_seen_depth,
     FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
@@ -31,6 +34,7 @@ typedef enum {
 typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
     FRAME_DRAW_sky,     /* light and depth */
+    FRAME_DRAW_seen,
     FRAME_DRAW_light,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */
@@ -130,6 +134,7 @@ struct Render {
     LightTable lights;
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
+    ExactShadows exact;
     SkyLight sky;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
@@ -275,7 +280,7 @@ typedef struct {
     bool opaque; /* it lights what is nearest: what hybrid shadows were counted at */
 } LightingText;
 enum {
-    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 8,
+    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 9,
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);

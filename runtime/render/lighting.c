@@ -6,7 +6,7 @@ extern const char render_text_light_area[], render_text_light_sky[], render_text
     render_text_lighting[], render_text_shadow_volume[];
 
 /* Units behind those of the G-buffer. */
-enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
+enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
 
 /* What stands for a layout where no surface has one. */
 static const char no_surface[] =
@@ -54,6 +54,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     screen_pass_sampler(pass, "light_depth", DEPTH_UNIT);
     light_table_set(render, LIGHTS_UNIT, pass);
     shadow_samplers(pass, SHADOW_UNIT);
+    pass_exact_set(render, EXACT_UNIT, pass);
 }
 
 /* The driver's words are of texts that it put together from several. */
@@ -69,25 +70,27 @@ bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_U
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
     char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
+    const char *exact[EXACT_TEXTS];
     if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
         return false;
     light_table_define(render, own->block > 0, table);
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
     const char *const shadows = shadow_text(render, own->opaque, defined);
+    pass_exact_texts(render, own->opaque, exact);
     if (sky && !render->sky.map && !light_sky_make(render))
         return false;
     float hemisphere[VIEW_SPACE_HEMISPHERE][4];
     const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
-    const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
-                                          areas ? render_text_light_area : "", sky ? render_text_light_sky : "",
-                                          around ? render_text_light_hemisphere : "", render->surface->text, defined,
-                                          volume_lights_cast(render) ? render_text_shadow_volume : "", shadows, table,
-                                          backdrop_light_text(render), render_text_lighting, own->body[0], own->body[1],
-                                          own->body[2], own->body[3], own->body[4]},
-                                 .format = frame_format(render, FRAME_TARGET_light, 0),
-                                 .compute = render->compute,
-                                 .over = own->over,
-                                 .block = own->block};
+    const ScreenPassText text = {
+        .body = {render->set.unpack ? render->set.unpack : no_surface, areas ? render_text_light_area : "",
+                 sky ? render_text_light_sky : "", around ? render_text_light_hemisphere : "", render->surface->text,
+                 exact[0], exact[1], defined, volume_lights_cast(render) ? render_text_shadow_volume : "", shadows,
+                 exact[2], table, backdrop_light_text(render), render_text_lighting, own->body[0], own->body[1],
+                 own->body[2], own->body[3], own->body[4]},
+        .format = frame_format(render, FRAME_TARGET_light, 0),
+        .compute = render->compute,
+        .over = own->over,
+        .block = own->block};
     if (!screen_pass_make(render->store, &text, made))
         return fail_model(render);
     set_numbers(render, made);
@@ -113,6 +116,7 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
     light_table_bind(render, LIGHTS_UNIT);
     shadow_bind(render, SHADOW_UNIT);
+    pass_exact_bind(render, EXACT_UNIT);
     if (render->sky.map)
         light_sky_bind(render, SKY_UNIT);
 }

@@ -82,6 +82,10 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     bool orthographic = light_view.y > 0.0;
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
+#ifdef EXACT_SEEN
+    exactFind(pixel, orthographic ? vec3(ray.xy, 0.0) : vec3(0.0), orthographic ? vec3(0.0, 0.0, -1.0) : ray, point,
+              orthographic ? 0.0 : light_view.x);
+#endif
     vec3 toEye = orthographic ? vec3(0.0, 0.0, 1.0) : -normalize(ray);
     return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, toEye));
 }
@@ -135,10 +139,16 @@ vec3 lightFromOther(int light, Seen seen)
 #endif
     vec3 arrives = lightAt(light, seen.point, l);
     vec3 sent = arrives * surfaceLobe(seen.m, l);
+#if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS || defined EXACT
+    if (sent.x + sent.y + sent.z <= 0.0) return sent;
+    vec3 side = dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal;
+#endif
+#ifdef EXACT
+    float exact = lightTexel(light, 2).w;
+    if (exact > 0.0 && !exactReaches(int(exact) - 1, exactPoint(seen.point, side, seen.pixelSize))) return vec3(0.0);
+#endif
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
-    if (sent.x + sent.y + sent.z > 0.0)
-        sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point,
-                            dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal, seen.pixelSize, seen.pixel);
+    sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point, side, seen.pixelSize, seen.pixel);
 #endif
 #ifdef SHADOW_SHEETS
     if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, 1).w), seen.pixel);

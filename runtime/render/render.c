@@ -199,8 +199,8 @@ bool render_changed(Render *render, unsigned what)
     render->uncounted |=
         (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));
     const bool fitted = what & RENDER_CAMERA && render->scene->shadow_cascades > 1;
-    return shadow_change(render, fitted || what & RENDER_LIGHTS) && frame_change(render, what) &&
-           gl_check(render->gl, "changing a scene");
+    return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what & RENDER_LIGHTS) &&
+           frame_change(render, what) && gl_check(render->gl, "changing a scene");
 }
 
 bool render_changed_objects(Render *render, int first, int count)
@@ -214,7 +214,7 @@ bool render_changed_objects(Render *render, int first, int count)
     if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true))
         return false;
     pass_volume_change(render); /* maps are fitted to what has moved */
-    return pass_edge_change(render) && gl_check(render->gl, "moving objects");
+    return pass_exact_change(render, true) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count)

@@ -78,6 +78,14 @@ static void put_maps(Text *out, const Render *render)
         put_glass(out, render);
 }
 
+static void put_exact(Text *out, const ExactShadows *exact)
+{
+    text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangle_count,
+                (unsigned long)exact->triangle_count * sizeof(float[3][3]));
+    text_format(out, "exact     lists of triangles for %d lights, %lu bytes; the longest has %lu\n", exact->list_count,
+                (unsigned long)exact->list_bytes, (unsigned long)exact->longest);
+}
+
 /* "16, 8 shared" */
 static void put_bytes(Text *out, int bytes, int shared)
 {
@@ -152,6 +160,8 @@ static void put_memory(Text *out, const Render *render)
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
     put_unshadowed(out, render);
+    if (render->exact.array)
+        put_exact(out, &render->exact);
 }
 
 static void put_tiles(Text *out, const Render *render)
@@ -228,6 +238,11 @@ char *render_stats(Render *render)
     put_passes(&out, render, times);
     put_memory(&out, render);
     put_tiles(&out, render);
+    if (render->exact.array) {
+        text_put(&out, "\nlists for exact shadows were made in ");
+        text_rounded(&out, 1e3 * render->exact.seconds, 3);
+        text_put(&out, " milliseconds\n");
+    }
     text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
                 render_width(render), render_height(render), render->scene->object_count, render->cache.triangles,
                 render->cache.mesh_count, render->cache.plane_count, render->scene->light_count);

@@ -123,7 +123,8 @@ void shadow_draw_depths(Render *render)
         }
         use_layer(render, i);
         render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
-        cast(render, &source, i, false);
+        if (!render->shadows.views.views[i].transparent)
+            cast(render, &source, i, false);
         if (!shadow_glass_needed(render))
             cast(render, &source, i, true);
     }

@@ -123,7 +123,7 @@ SetCasts shadow_casts(const Render *render)
 {
     bool maps = false;
     for (int i = 0; i < render->scene->light_count; i++)
-        maps |= render->scene->lights[i].shadows == WORD_Shadows_map;
+        maps |= render->scene->lights[i].shadows == WORD_Shadows_map || exact_lists_wanted(&render->scene->lights[i]);
     if (!shadow_is_cast(render) || !maps)
         return SET_CASTS_none;
     return render->scene->shadow_colored && transparency_has_lists(render->gl) ? SET_CASTS_colored : SET_CASTS_cut;
@@ -203,12 +203,13 @@ void shadow_put_lights(const Render *render, float (*texels)[4])
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
     float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
-    for (int i = 0, layer = 0, bit = 0; i < scene->light_count; i++) {
+    for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
         layer += scene_light_casts(&scene->lights[i]);
         if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
         const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
         const bool mapped = casts && pass_shadow_needed(render);
+        next[2][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
         next[3][2] = mapped ? (float)render->shadows.views.lights[i].first : 0;
         next[3][3] = mapped ? (float)render->shadows.views.lights[i].count : casts ? 0 : -1;
         next[1][3] = casts ? (float)layer : 0;

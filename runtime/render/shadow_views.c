@@ -1,4 +1,5 @@
 /* Fits views to lights and to the boxes around what casts shadows. */
+#include "runtime/render/exact_lists.h"
 #include "runtime/render/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -19,6 +20,7 @@ typedef struct {
     const int *size;      /* of the picture */
     double (*corners)[3]; /* of boxes around what casts shadows, in the world */
     int count;
+    bool glass; /* something transparent casts shadows */
 } Fit;
 
 static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_from_local)
@@ -250,7 +252,8 @@ static void fit_light(Fit *fit, int number)
     const SceneLight *light = &fit->scene->lights[number];
     ShadowView *views = fit->made->views + fit->made->count;
     const bool cube = has_cube(light), hybrid = light->shadows == WORD_Shadows_hybrid;
-    if (!scene_light_casts(light))
+    const bool exact = exact_lists_wanted(light);
+    if (!scene_light_casts(light) || (exact && !fit->glass))
         return;
     if (cube)
         fit_cube(fit, light, views);
@@ -262,6 +265,8 @@ static void fit_light(Fit *fit, int number)
         fit_cascades(fit, light, views);
     const int flat = light->kind == SCENE_Spot || hybrid ? 1 : fit->scene->shadow_cascades;
     fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
+    for (int i = 0; i < fit->made->lights[number].count; i++)
+        views[i].transparent = exact;
     fit->made->count += fit->made->lights[number].count;
     for (ShadowView *view = views; hybrid && view < fit->made->views + fit->made->count; view++)
         view->hybrid = true;
@@ -269,7 +274,7 @@ static void fit_light(Fit *fit, int number)
 
 bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)
 {
-    Fit fit = {.scene = scene, .made = made, .size = size};
+    Fit fit = {.scene = scene, .made = made, .size = size, .glass = cache->caster_count > 0};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
     made->views = calloc(lights * SHADOW_VIEWS_CUBE, sizeof *made->views);

@@ -60,7 +60,7 @@ const char command_help[] =
     "                       Exponents as their logarithm to base 2, of 16; of the layout integer unless one is named\n"
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of scenes\n"
-    "  --shadows=METHOD     map, hybrid, none: how all lights cast shadows that do, else as the scene says\n"
+    "  --shadows=METHOD     map, hybrid, exact, none: how all lights cast shadows that do, else as the scene says\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
     "                       K-th; the first is 0. -o names them, out-%04d.png\n"

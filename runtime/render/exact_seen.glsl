@@ -1,0 +1,42 @@
+// The point of the opaque surface that a pixel sees, as exactly as its triangle's corners are. Depth would not do: a rasteriser rounds corners to
+// 1/256 of a pixel.
+uniform usampler2D exact_seen; // the number of the triangle that is seen, counted from 1; 0: none
+
+vec3 exact_point; // of the pixel that is lit
+
+// Where a ray meets a triangle: a mean of the corners, so that it is never off it, however flatly it is seen.
+bool exactOn(uint triangle, ExactRay ray, out vec3 point)
+{
+    vec3 a = exactCorner(triangle, 0), b = exactCorner(triangle, 1), c = exactCorner(triangle, 2);
+    vec3 areas = exactAreas(exactSeen(ray, a), exactSeen(ray, b), exactSeen(ray, c));
+    areas = max(areas.x + areas.y + areas.z < 0.0 ? -areas : areas, 0.0);
+    float area = areas.x + areas.y + areas.z;
+    vec3 part = areas / max(area, 1e-37);
+    point = a + part.y * (b - a) + part.z * (c - a);
+    return area > 0.0;
+}
+
+// `start` and `way` are the pixel's ray in the eye's space, z of the way -1; `seen` is the point by depth. Planes nearer than the triangle are
+// met as exactly; those before `near` are not seen.
+void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
+{
+    vec3 from = exact_eye.xyz + exactDirection(start), along = exactDirection(way), on;
+    uint number = texelFetch(exact_seen, pixel, 0).x;
+    float nearest = 3e38;
+    exact_point = exact_eye.xyz + exactDirection(seen);
+    if (number != 0u && exactOn(number - 1u, exactRay(from, along), on)) {
+        exact_point = on;
+        nearest = -dot(on - exact_eye.xyz, exact_back.xyz);
+    }
+#ifdef SHADOW_PLANES
+    for (int i = 0; i < SHADOW_PLANES; i++) {
+        vec4 plane = shadowPlane(i);
+        float far = -dot(plane, vec4(start, 1.0)) / dot(plane.xyz, way);
+        if (!(far > near && far < nearest)) continue;
+        exact_point = from + far * along;
+        nearest = far;
+    }
+#endif
+}
+
+vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_point; }
