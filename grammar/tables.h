@@ -265,8 +265,8 @@ typedef struct {
     const char *library;   /* ending of its own files of the library, or NULL */
     int number;            /* of the version */
     int layout;            /* Layout: the default */
-    bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
-        float_filters, storage; /* as targets.def says */
+    bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders, float_filters,
+        storage; /* as targets.def says */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 
