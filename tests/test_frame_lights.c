@@ -197,7 +197,7 @@ static double half_off(double all, double bounded)
     return fabs(bounded - all) / (.5 * ldexp(1, exponent - 11));
 }
 
-/* A pixel's lane as it is shown; `whole` is the picture's greatest, of which the tone mapping Linear makes 1. */
+/* A pixel's lane as it is shown; `whole` is the picture's greatest: the tone mapping Linear makes 1 of it. */
 static double shown(const Scene *scene, const float *pixel, int lane, double whole)
 {
     const double greatest = scene->tone == SCENE_Linear ? whole : scene->exposure * greatest_of(pixel, 1);

@@ -41,18 +41,6 @@ static void add_row(const double axis[3], double scale, double shift, float row[
     row[3] = (float)shift;
 }
 
-static void axes_around(const double along[3], double x[3], double y[3])
-{
-    const int least = fabs(along[0]) <= fabs(along[1]) && fabs(along[0]) <= fabs(along[2]) ? 0
-                      : fabs(along[1]) <= fabs(along[2])                                   ? 1
-                                                                                           : 2;
-    double helper[3] = {0};
-    helper[least] = 1;
-    scene_vector_cross(helper, along, x);
-    scene_vector_normalize(x);
-    scene_vector_cross(along, x, y);
-}
-
 /* From -1 to 1 along an axis, with some room: all triangles. */
 static void fit_row(const ExactTriangles *triangles, const double axis[3], float row[4])
 {
@@ -87,7 +75,7 @@ static View view_of(const ExactListsSource *source, const SceneLight *light)
         fit_cube(&view);
         return view;
     }
-    axes_around(light->direction, x, y);
+    scene_vector_axes(light->direction, x, y);
     if (view.placed) {
         const double cosine = light->outer_cosine,
                      half = fmax(sqrt(fmax(1 - cosine * cosine, 0)) / cosine * 1.01, 1e-4);

@@ -41,19 +41,6 @@ static void set_row(const double axis[3], double scale, const double origin[3], 
     row[3] = -scale * scene_vector_dot(axis, origin);
 }
 
-/* Two directions at right angles to `back` and to each other. */
-static void axes_around(const double along[3], double x[3], double y[3])
-{
-    const int least = fabs(along[0]) <= fabs(along[1]) && fabs(along[0]) <= fabs(along[2]) ? 0
-                      : fabs(along[1]) <= fabs(along[2])                                   ? 1
-                                                                                           : 2;
-    double helper[3] = {0};
-    helper[least] = 1;
-    scene_vector_cross(helper, along, x);
-    scene_vector_normalize(x);
-    scene_vector_cross(along, x, y);
-}
-
 /* -- point and spot */
 
 /* How near the view begins: at the nearest box around an object, but no nearer than a share of the distance to the farthest. Nearer, and depth
@@ -114,7 +101,7 @@ static void fit_cone(const Fit *fit, const SceneLight *light, ShadowView *view)
     const double cosine = fmax(light->outer_cosine, widest);
     const double half = fmax(sqrt(1 - fmin(cosine * cosine, 1)) / cosine, 1e-6) * widened(fit->scene);
     double x[3], y[3];
-    axes_around(light->direction, x, y);
+    scene_vector_axes(light->direction, x, y);
     set_row(x, 1 / half, light->position, view->rows[0]);
     set_row(y, 1 / half, light->position, view->rows[1]);
     set_row(light->direction, 1, light->position, view->rows[2]);
@@ -157,7 +144,7 @@ static void fit_box(const Fit *fit, const SceneLight *light, const double (*show
 {
     double axes[3][3], ranges[3][2], most = 1e-30;
     memcpy(axes[2], light->direction, sizeof axes[2]);
-    axes_around(axes[2], axes[0], axes[1]);
+    scene_vector_axes(axes[2], axes[0], axes[1]);
     for (int i = 0; i < 3; i++) {
         range_of(fit, axes[i], ranges[i]);
         most = fmax(most, ranges[i][1] - ranges[i][0]);
@@ -211,7 +198,7 @@ static void corner_of(const Fit *fit, double depth, int number, double corner[3]
 static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2], double shown[2][2])
 {
     double axes[2][3], corner[3];
-    axes_around(light->direction, axes[0], axes[1]);
+    scene_vector_axes(light->direction, axes[0], axes[1]);
     for (int axis = 0; axis < 2; axis++) {
         shown[axis][0] = INFINITY;
         shown[axis][1] = -INFINITY;

@@ -117,3 +117,15 @@ bool scene_vector_span(const double u[3], const double v[3])
     scene_vector_cross(a, b, cross);
     return scene_vector_dot(cross, cross) > 1e-12;
 }
+
+void scene_vector_axes(const double along[3], double x[3], double y[3])
+{
+    const int least = fabs(along[0]) <= fabs(along[1]) && fabs(along[0]) <= fabs(along[2]) ? 0
+                      : fabs(along[1]) <= fabs(along[2])                                   ? 1
+                                                                                           : 2;
+    double helper[3] = {0};
+    helper[least] = 1;
+    scene_vector_cross(helper, along, x);
+    scene_vector_normalize(x);
+    scene_vector_cross(along, x, y);
+}

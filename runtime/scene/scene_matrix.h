@@ -18,6 +18,8 @@ double scene_matrix_determinant(const SceneMatrix *m);
 
 double scene_vector_dot(const double a[3], const double b[3]);
 void scene_vector_cross(const double a[3], const double b[3], double result[3]);
+/* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x cross y. */
+void scene_vector_axes(const double along[3], double x[3], double y[3]);
 /* False: it has no length, or none that is a number. */
 bool scene_vector_normalize(double v[3]);
 /* Both have a length, and are not on one line. */
