@@ -115,8 +115,29 @@ typedef struct {
     ReferenceTexture textures[FORM_COUNT][EVALUATE_TEXTURES];
     ReferenceContext context[FORM_COUNT];
     const char *name;
+    Pixel pixel;
     double greatest; /* a value on the way that is beyond this excuses all */
 } Program;
+
+static bool calls(const Ir *ir, Function function)
+{
+    for (size_t i = 0; i < ir->count; i++)
+        if (ir->nodes[i].op == OP_call && ir->nodes[i].payload == (uint32_t)function)
+            return true;
+    return false;
+}
+
+/* A sampler that takes the footprint from its neighbours sees none here. A picture is read so, or with a footprint that is told, by whether
+ * the first who asks for it stands in a branch, which the optimiser may change: where both are met, a pixel has no size. */
+static Pixel pixel_of(const Trial *t, const Program *p)
+{
+    bool sees = false, told = false;
+    for (int form = 0; form < FORM_COUNT; form++) {
+        sees |= calls(p->ir[form], FN_imageSampled);
+        told |= calls(p->ir[form], FN_imageSampledOver);
+    }
+    return sees && told ? (Pixel){0, 0} : t->plan->pixel;
+}
 
 static bool make_form(Trial *t, Program *p, Pass pass, Slot slot, int form)
 {
@@ -144,6 +165,7 @@ static bool make_program(Trial *t, Program *p, Pass pass, Slot slot)
     if (p->ir[AS_WRITTEN]->constant_count + p->ir[OPTIMISED]->constant_count > 0 &&
         !make_form(t, p, pass, slot, WITH_NUMBERS))
         return false;
+    p->pixel = pixel_of(t, p);
     return reads_back(t, &p->arena, p->ir[OPTIMISED]);
 }
 
@@ -170,11 +192,11 @@ static const char *where(const Spot *s)
 }
 
 /* The plane and the eye of the passes that know them are those of the point. */
-static void spot_open(Spot *s, Program *program, Pixel pixel, const Point *point, bool front)
+static void spot_open(Spot *s, Program *program, const Point *point, bool front)
 {
     *s = (Spot){.program = program, .point = point, .front = front};
     evaluate_inputs(point, front, s->inputs);
-    pixel_inputs(pixel, s->inputs);
+    pixel_inputs(program->pixel, s->inputs);
     memcpy(s->inputs[INPUT_planeU], s->inputs[INPUT_DU], sizeof s->inputs[0]);
     memcpy(s->inputs[INPUT_planeV], s->inputs[INPUT_DV], sizeof s->inputs[0]);
     memcpy(s->inputs[INPUT_eye], s->inputs[INPUT_P], sizeof s->inputs[0]);
@@ -234,7 +256,7 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
         TrialWanted wanted;
         bool beyond = false, front = (t->plan->first + i) % 4 != 0;
         const Point *point = &t->plan->field[(t->plan->first + i) % FIELD_COUNT];
-        spot_open(&s, p, t->plan->pixel, point, front);
+        spot_open(&s, p, point, front);
         if (!is_finite(t, &s, &beyond))
             return false;
         if (beyond)
@@ -325,7 +347,7 @@ static bool try_pass(Trial *t, Pass pass)
     for (int i = 0; i < t->plan->count && fine; i++) {
         Spot s;
         bool beyond = false;
-        spot_open(&s, &p, t->plan->pixel, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
+        spot_open(&s, &p, &t->plan->field[(t->plan->first + i) % FIELD_COUNT], i % 4 != 0);
         fine = is_finite(t, &s, &beyond);
         if (fine && !beyond && pass != PASS_shadow)
             fine = in_range(t, &s, layout);
