@@ -58,6 +58,8 @@ static const struct {
     {"render", bench_render,
      "what a frame takes by materials, lights, objects, passes, transparent fragments, beside a forward renderer",
      true},
+    {"shadows", bench_shadows, "how far ends of shadows are from the true ones, and what they take, by every method",
+     true},
     {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk", true},
 };
 

@@ -1,0 +1,28 @@
+/* How far ends of shadows are from where they should be, in texels of the default map. */
+#ifndef SHADOWS_ERROR_H
+#define SHADOWS_ERROR_H
+#include "shadows_scene.h"
+
+typedef struct {
+    GlContext *gl;
+    const MatcOptions *compile;
+    int edge, map_size; /* of pictures, in pixels; of maps, in texels */
+} ShadowsTarget;
+
+/* A picture of which each pixel knows its place in the map, and whether light arrives there: by exact shadows. */
+typedef struct {
+    ShadowsTarget target;
+    Scene *scene;
+    double (*places)[2]; /* texels */
+    float *light;        /* without shadows; 0 where nothing is, or what faces away from the light */
+    float *truth;        /* shares of that: 0 or 1 */
+    double length;       /* of the boundary between them, in texels */
+} ShadowsPicture;
+
+/* False: said on standard error. */
+bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place, ShadowsPicture *made);
+/* The area of points that are lit and should not be, or the other way round, over the boundary's length: its mean distance from the true one. A point to
+ * which half of the light comes, or more, is lit. NAN: said on standard error. */
+double shadows_picture_error(const ShadowsPicture *picture, const ShadowsMethod *method);
+void shadows_picture_close(ShadowsPicture *picture);
+#endif
