@@ -80,6 +80,12 @@ static void doubts_are_of_what_is_used(void **state)
         {"defs: { a: { map: Granite, input: { map: UVTransform } } }\nmaterial: Phong\nspecular: { ref: a }\n", true},
         {"material: Phong\nspecular: { map: UVTransform }\ndiffuse: { map: Nothing }\n", false},
         {"material: Phong\nspecular: { map: UVTransform }\n", true},
+        {"defs: { a: { map: ImageMap }, b: { map: Blend } }\nmaterial: Phong\n", false},
+        {"defs: { a: { map: ImageMap } }\nmaterial: Phong\nspecular: { ref: a }\n", true},
+        {"defs: { b: { map: Blend } }\nmaterial: Phong\nspecular: { ref: b }\n", true},
+        {"material: Phong\nemissive: 128\n", false},
+        {"material: Phong\nemissive: [128, 0, 0]\n", true},
+        {"material: Phong\ndiffuse: 128\n", true},
     };
     (void)state;
     for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {

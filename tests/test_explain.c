@@ -57,7 +57,7 @@ static Look look_of(const char *text, bool sky)
     matc_options_init(&compile);
     compile.pixels = true;
     compile.pass = sky ? "sky" : NULL;
-    MatcDocument *document = matc_read("example.yaml", text, strlen(text), &compile);
+    MatcDocument *document = matc_read("examples/example.yaml", text, strlen(text), &compile);
     assert_string_equal(matc_diagnostics(document, MATC_TEXT), "");
     const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
                                             .preview = {.width = SIDE, .height = SIDE, .sky = sky}};

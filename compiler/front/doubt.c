@@ -17,6 +17,7 @@ typedef enum {
     ASKED_shininess = 8, /* red as a material reads it for an exponent */
     ASKED_slope = 16,    /* by u and v */
     ASKED_other = 32,    /* normal, index of refraction, position in the world */
+    ASKED_light = 64,    /* a colour that light is made of, of any strength */
     ASKED_shown = ASKED_color | ASKED_shininess,
 } Asked;
 
@@ -49,16 +50,18 @@ static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
     diag_add(d->session, span, DIAG_byte_color, hex.at);
 }
 
-/* `diffuse: 112233`: one number of as many digits as a colour has. Fewer may be a light of that strength. */
-static void doubt_digits(const Doubts *d, const Value *value)
+/* `diffuse: 128` is a grey as bytes have it, unless it may be a light of that strength. `diffuse: 112233`: as many digits as a colour has. */
+static void doubt_single(const Doubts *d, const Value *value, double lane, bool light)
 {
     const char *text = d->session->sources[value->span.file].text + value->span.start;
     const size_t size = value->span.end - value->span.start;
-    if (value->kind != VALUE_number || strspn(text, "0123456789") != size || (size != 6 && size != 8))
-        return;
-    Text hex = text_new(d->session->arena);
-    text_format(&hex, "#%.*s", (int)size, text);
-    diag_add(d->session, value->span, DIAG_byte_color, hex.at);
+    if (value->kind == VALUE_number && strspn(text, "0123456789") == size && (size == 6 || size == 8)) {
+        Text hex = text_new(d->session->arena);
+        text_format(&hex, "#%.*s", (int)size, text);
+        diag_add(d->session, value->span, DIAG_byte_color, hex.at);
+    } else if (!light) {
+        doubt_bytes(d, value->span, (const double[3]){lane, lane, lane});
+    }
 }
 
 /* Parameters r, g and b of a colour or a material. */
@@ -89,7 +92,7 @@ static void doubt_constant(const Doubts *d, const Node *node, unsigned asked)
     if (asked & ASKED_color && node->kind == KIND_Constant && count >= 3)
         doubt_bytes(d, node->params[0].span, lanes);
     else if (asked & ASKED_color && node->kind == KIND_Constant && count == 1)
-        doubt_digits(d, &node->params[0]);
+        doubt_single(d, &node->params[0], *lanes, asked & ASKED_light);
     else if (asked & ASKED_color)
         doubt_components(d, node);
     if (asked & ASKED_shininess && count && *lanes > 1) {
@@ -136,7 +139,9 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return ASKED_slope;
     if (section_of(node->kind) != SECTION_material)
         return asked;
-    return strstr(param->name, "hininess") ? ASKED_shininess : ASKED_color;
+    if (strstr(param->name, "hininess"))
+        return ASKED_shininess;
+    return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
 
 static void ask_below(Doubts *d, const Node *node, unsigned asked)
@@ -182,6 +187,20 @@ static void doubt_use(const Doubts *d, const Node *node)
                  asked & ASKED_xyz ? "x, y and z" : "u and v", name, mover(asked & (ASKED_uv | ASKED_xyz)));
 }
 
+/* A map that is asked for something, and lacks what it would show: its picture, its items. */
+static void doubt_lack(const Doubts *d, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    for (int i = 0; i < row->count && d->asked[node->index]; i++) {
+        const ParamRow *param = &param_table[row->first + i];
+        const Value *value = &node->params[i];
+        if (param->type == PARAM_Image && value->kind == VALUE_none)
+            diag_add(d->session, node->span, DIAG_no_picture, row->name, param->name);
+        if (param->type == PARAM_Items && (value->kind != VALUE_items || !value->items->count))
+            diag_add(d->session, node->span, DIAG_no_items, row->name, param->name);
+    }
+}
+
 /* In the order of the document, inputs before their users. */
 static void say(Doubts *d, const Node *node)
 {
@@ -190,6 +209,7 @@ static void say(Doubts *d, const Node *node)
         doubt_components(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
         doubt_use(d, node);
+    doubt_lack(d, node);
 }
 
 void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
