@@ -100,10 +100,57 @@ static bool say_second_colon(Session *session, const Source *source, const YamlF
     return line->indent > above.indent && say_indent(session, source, fault, line);
 }
 
+/* `{ map: Checker color1: red }`: a value in braces or brackets that goes on where it should end. */
+static bool say_no_comma(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+{
+    const char *end = source->text + fault->at, *word;
+    if (*end != ':') {
+        word = end;
+        end = word + strcspn(word, " ,:]}\r\n");
+    } else {
+        for (word = end; word > line->start && !strchr(" ,[{", word[-1]);)
+            word--;
+    }
+    if (word < end)
+        diag_add(session, span_to(source, fault, word, end), DIAG_no_comma,
+                 arena_string(session->arena, word, (size_t)(end - word)));
+    return word < end;
+}
+
+/* A brace, a bracket or a quote that has no end: whatever libyaml trips over, it begins at `context`.
+ *
+ *     diffuse: { map: Checker, color1: red      libyaml reads on, and trips over the ':' of the next line, which stands
+ *     specular: 0.5                             no deeper than the line of the brace: so the brace was to be closed before. */
+static bool say_open(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+{
+    const char *open = source->text + fault->context, *at = source->text + fault->at;
+    const bool quote = *open == '"' || *open == '\'', ends = at == source->text + source->size;
+    const Line opening = line_at(source, fault->context);
+    const bool later = line->start != opening.start && line->indent <= opening.indent;
+    if (!quote && !ends && !later && !strchr("]}", *at))
+        return say_no_comma(session, source, fault, line);
+    diag_add(session, span_to(source, fault, open, open + 1), DIAG_not_closed, *open);
+    if (!ends)
+        diag_add(session, span_to(source, fault, later ? line->word : at, at + 1), DIAG_closed_before);
+    return true;
+}
+
+static bool is_open(const char *problem)
+{
+    static const char *const problems[] = {"did not find expected ',' or '}'", "did not find expected ',' or ']'",
+                                           "found unexpected end of stream", "found unexpected document indicator"};
+    bool found = false;
+    for (size_t i = 0; i < sizeof problems / sizeof *problems; i++)
+        found |= !strcmp(problem, problems[i]);
+    return found;
+}
+
 bool read_mistake(Session *session, const YamlFault *fault)
 {
     const Source *source = &session->sources[fault->file];
     const Line line = line_at(source, fault->at), context = line_at(source, fault->context);
+    if (is_open(fault->problem) && strchr("{['\"", source->text[fault->context]))
+        return say_open(session, source, fault, &line);
     if (say_tab(session, source, fault, &line))
         return true;
     if (!strcmp(fault->problem, "could not find expected ':'"))
