@@ -35,10 +35,17 @@ for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=
     check "a misspelt word: ${wrong% *}" status 2 $draw "${wrong% *}" $example -o "$work/none.png"
     check "is quoted, and the right one guessed" says "there is no .*'.*; did you mean '${wrong#* }'"
 done
-for wrong in "--size=x not 'x'" "--samples=9 not '9'" "--bits=1 not '1'" "--memory=0 not '0'" "--camera=frnt not 'frnt'" "--watch=3 takes no value"; do
+for wrong in "--size=x not 'x'" "--samples=9 not '9'" "--bits=1 not '1'" "--memory=0 not '0'" "--camera=frnt not 'frnt'" "--watch=3 takes no value" \
+    "--frames=x not 'x'" "--frame=1-2 not '1-2'" "--contact=tea.exr not 'tea.exr'"; do
     check "a value: ${wrong%% *}" status 2 $draw "${wrong%% *}" $example -o "$work/none.png"
     check "is quoted" says "[, ]${wrong#* }; see matview --help"
 done
+check "a picture of another ending" status 2 $draw $example -o "$work/none.bmp"
+check "is told" says "ends in .png or .exr, or --format, not '.*none.bmp'"
+check "an ending that --format excludes" status 2 $draw --format=exr $example -o "$work/none.png"
+check "is told" says "the ending of --format, not '.*none.png'"
+check "an ending of its own, with --format" status 0 $draw --format=png $example -o "$work/plain.part"
+check "is the picture" cmp -s "$work/plain.part" "$work/plain.png"
 check "an option without its value" status 2 $draw $example -o
 check "is told" says '^matview: -o wants a value;'
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"

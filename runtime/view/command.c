@@ -27,8 +27,7 @@ const char command_help[] =
     "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
     "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
     "says\n"
-    "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; -o FILE.exr says so "
-    "too\n"
+    "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; else as FILE ends\n"
     "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
     "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
     "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
@@ -96,6 +95,12 @@ static const char *read_whole(Command *command, const Whole *whole, const char *
     return NULL;
 }
 
+/* What a number of frames wants to be, and what it is; NULL: nothing is wanted. */
+static const char *say_frames(Command *command, const char *wants, const char *value)
+{
+    return wants ? words_number(room_of(command), wants, value) : NULL;
+}
+
 /* "grid,axes", or "none". */
 static void read_tools(const char *list, SceneTools *tools)
 {
@@ -120,9 +125,9 @@ static const char *set_scene(Command *command, const char *name, const char *val
     if (!strcmp(name, "--bits"))
         return read_whole(command, &bits, value, &command->bits);
     if (!strcmp(name, "--frames"))
-        return frames_read(value, &command->frames);
+        return say_frames(command, frames_read(value, &command->frames), value);
     if (!strcmp(name, "--frame"))
-        return frames_read_one(value, &command->frames);
+        return say_frames(command, frames_read_one(value, &command->frames), value);
     if (!strcmp(name, "--edges")) {
         command->edges = !strcmp(value, "coverage") ? RENDER_EDGES_coverage : RENDER_EDGES_none;
     } else if (!strcmp(name, "--tools")) {
@@ -305,6 +310,22 @@ static const char *check_view(Command *command)
     return NULL;
 }
 
+/* The format is what --format says, else what the name ends in. */
+static const char *check_endings(Command *command)
+{
+    PictureFormat ends = command->format, sheet = PICTURE_FORMAT_png;
+    const bool known = !command->output || picture_file_ending(command->output, &ends);
+    if (!known && !command->formatted)
+        return words_number(room_of(command), "-o wants a name that ends in .png or .exr, or --format",
+                            command->output);
+    if (command->formatted && ends != command->format)
+        return words_number(room_of(command), "-o wants the ending of --format", command->output);
+    command->format = ends;
+    if (command->contact && (!picture_file_ending(command->contact, &sheet) || sheet != PICTURE_FORMAT_png))
+        return words_number(room_of(command), "--contact wants a name that ends in .png", command->contact);
+    return NULL;
+}
+
 static const char *check_format(const Command *command)
 {
     const bool exr = command->format == PICTURE_FORMAT_exr;
@@ -326,10 +347,9 @@ static const char *check_choices(Command *command)
 
 const char *command_check(Command *command)
 {
-    const size_t size = command->output ? strlen(command->output) : 0;
-    if (!command->formatted && size > 4 && !strcmp(command->output + size - 4, ".exr"))
-        command->format = PICTURE_FORMAT_exr;
-    const char *fault = check_choices(command);
+    const char *fault = check_endings(command);
+    if (!fault)
+        fault = check_choices(command);
     if (!fault)
         fault = check_view(command);
     if (!fault)

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char fault[] = "--frames: a number from 1, or two from 0 as in 10-19; --frame: a number from 0";
-
 /* Digits alone. NULL: none, or too great. */
 static const char *read_number(const char *text, int *number)
 {
@@ -23,7 +21,7 @@ const char *frames_read(const char *text, Frames *frames)
         return NULL;
     *frames = (Frames){.given = true, .first = first};
     end = end && *end == '-' ? read_number(end + 1, &frames->last) : NULL;
-    return end && !*end && frames->last >= first ? NULL : fault;
+    return end && !*end && frames->last >= first ? NULL : "--frames wants a number from 1, or two from 0 as 10-19";
 }
 
 const char *frames_read_one(const char *text, Frames *frames)
@@ -31,17 +29,20 @@ const char *frames_read_one(const char *text, Frames *frames)
     *frames = (Frames){.given = true};
     const char *end = read_number(text, &frames->first);
     frames->last = frames->first;
-    return end && !*end ? NULL : fault;
+    return end && !*end ? NULL : "--frame wants a number from 0";
 }
 
-const char *frames_check(const Scene *scene, Frames *frames)
+const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_ROOM])
 {
     if (!frames->given)
         return NULL;
     if (!scene->motion.frames)
         return "--frames and --frame want a scene with a `motion:`";
     frames->whole = frames->whole ? frames->whole : scene->motion.frames;
-    return frames->last < frames->whole ? NULL : "--frames, --frame: the motion has no such frame; the first one is 0";
+    if (frames->last < frames->whole)
+        return NULL;
+    snprintf(room, FRAMES_ROOM, "the motion has the frames 0 to %d, and no frame %d", frames->whole - 1, frames->last);
+    return room;
 }
 
 /* Places that the number has at least; -1: it is no place for a number. */

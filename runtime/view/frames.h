@@ -4,7 +4,7 @@
 #include "runtime/scene/scene.h"
 #include <stddef.h>
 
-enum { FRAMES_MOST = 100000 };
+enum { FRAMES_MOST = 100000, FRAMES_ROOM = 80 };
 
 /* {0}: none was asked for. */
 typedef struct {
@@ -13,12 +13,12 @@ typedef struct {
     int whole;       /* so many has the motion; 0: as many as the scene says */
 } Frames;
 
-/* "N": the motion in N frames; "A-B": those of the scene's, A to B. NULL, or what is wrong. */
+/* "N": the motion in N frames; "A-B": those of the scene's, A to B. NULL, or what is wanted. */
 const char *frames_read(const char *text, Frames *frames);
 /* "K": that one of the scene's. */
 const char *frames_read_one(const char *text, Frames *frames);
-/* Fills in what the scene says. NULL, or what is wrong. */
-const char *frames_check(const Scene *scene, Frames *frames);
+/* Fills in what the scene says. NULL, or what is wrong, perhaps in `room`. */
+const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_ROOM]);
 
 /* A path whose only % begins %d, or %0 with up to nine places and d, as in out-%04d.png: with the frame's number there. False: it has none,
  * another %, or no room. */

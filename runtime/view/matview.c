@@ -242,10 +242,11 @@ static int draw_frames(Drawing *d)
 static int draw_scene(Run *run, const Scene *scene, const char *input)
 {
     Drawing d = {.run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
+    char room[FRAMES_ROOM];
     const char *fault = command_check_scene(run->command, scene);
     command_set_tools(run->command, &d.seen.tools);
     if (!fault)
-        fault = frames_check(scene, &d.frames);
+        fault = frames_check(scene, &d.frames, room);
     if (fault)
         return usage(fault);
     run->shown = (Shown){.frames = d.frames.last - d.frames.first + 1};

@@ -4,6 +4,8 @@
 #include "compiler/base/text.h"
 #include <errno.h>
 #include <stdlib.h>
+#include <string.h>
+#include <strings.h>
 #include <sys/mman.h>
 
 struct PictureFile {
@@ -12,6 +14,17 @@ struct PictureFile {
     FILE *out;
     int missing; /* rows */
 };
+
+bool picture_file_ending(const char *path, PictureFormat *format)
+{
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    if (!dot || dot == name)
+        return true;
+    const bool png = !strcasecmp(dot, ".png"), exr = !strcasecmp(dot, ".exr");
+    if (png || exr)
+        *format = exr ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;
+    return png || exr;
+}
 
 PictureFile *picture_file_open(const PictureSpec *spec, const char **why)
 {
