@@ -1,15 +1,19 @@
-/* Lists of exact shadows: whatever stands between a point and a light, in double, is in the list of the point's cell. */
+/* Lists of exact shadows, as the driver's programs make them: whatever stands between a point and a light, in double, is in the list of the point's
+ * cell; each cell has all triangles that cover any of it, by a clipper that goes through cell by cell, and few others. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/exact_lists.h"
+#include "runtime/render/exact_cover.h"
+#include "tests/frame/exact_cells.h"
+#include "tests/frame/frame_draw.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TRIANGLES = 400, POINTS = 3000, MOST = 1 << 20 };
+enum { TRIANGLES = 400, POINTS = 3000, MOST = 1 << 20 /* words */ };
 
 static uint64_t state_of_chance = 1;
 
@@ -19,13 +23,22 @@ static double chance(void)
     return (double)(state_of_chance >> 11) / 9007199254740992.0;
 }
 
-/* All sizes, needles and points among them; as floats. */
-static ExactTriangles some_triangles(void)
+/* So many, in a box around them. */
+typedef struct {
+    ExactCorners *corners;
+    ExactObject all;
+    ExactTriangles triangles;
+} Things;
+
+/* All sizes down to `least` of the greatest, needles and points among them; as floats. */
+static Things some_things(int count, double least)
 {
-    ExactTriangles made = {.corners = malloc(TRIANGLES * sizeof *made.corners), .count = TRIANGLES, .reach = 1};
+    Things made = {.corners = malloc((size_t)count * sizeof *made.corners + 1),
+                   .all = {.count = count, .box = {{-2, -2, -2}, {2, 2, 2}}}};
     assert_non_null(made.corners);
-    for (int i = 0; i < TRIANGLES; i++) {
-        const double size = 2 * pow(10, -3 * chance());
+    made.triangles = (ExactTriangles){.count = count, .reach = 2, .object_count = 1};
+    for (int i = 0; i < count; i++) {
+        const double size = 2 * pow(least, chance());
         double middle[3];
         for (int k = 0; k < 3; k++)
             middle[k] = 2 * chance() - 1;
@@ -37,6 +50,53 @@ static ExactTriangles some_triangles(void)
                 made.corners[i][2][k] = made.corners[i][1][k] + 1e-6f * (float)k;
     }
     return made;
+}
+
+/* Lists of a scene's lights, read back. */
+typedef struct {
+    GlContext *gl;
+    Store *store;
+    ExactCover cover;
+    GLuint corners;
+    uint32_t *words;
+    int heads[8]; /* of lights; -1: none */
+} Made;
+
+static Made open_made(size_t most)
+{
+    Made made = {.gl = frame_context()};
+    made.store = store_new(made.gl);
+    assert_true(made.store && exact_cover_open(made.store, most, &made.cover));
+    made.gl->GenBuffers(1, &made.corners);
+    return made;
+}
+
+static bool make(Made *made, const Scene *scene, Things *things)
+{
+    const GlContext *gl = made->gl;
+    things->triangles.objects = &things->all;
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, made->corners);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)((size_t)things->triangles.count * sizeof *things->corners),
+                   things->corners, GL_STATIC_DRAW);
+    if (!exact_cover_make(&made->cover, scene, &things->triangles, made->corners))
+        return false;
+    made->words = realloc(made->words, made->cover.words * sizeof *made->words);
+    assert_non_null(made->words);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, made->cover.lists);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)(made->cover.words * sizeof *made->words),
+                         made->words);
+    for (int i = 0, head = 0; i < scene->light_count; i++)
+        made->heads[i] = exact_lists_wanted(&scene->lights[i]) ? head++ : -1;
+    return true;
+}
+
+static void close_made(Made *made)
+{
+    made->gl->DeleteBuffers(1, &made->corners);
+    exact_cover_close(&made->cover);
+    store_free(made->store);
+    gl_close(made->gl);
+    free(made->words);
 }
 
 static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -68,73 +128,79 @@ static bool is_met(const float corners[3][3], const double at[3], const double w
     return t > 0 && t < most;
 }
 
-/* -- the cell of a point, by the words of the head */
+/* -- lists */
 
-static float number_at(const uint32_t *head, int word)
+static const uint32_t *head_of(const Made *made, int light)
 {
-    float number;
-    memcpy(&number, head + word, sizeof number);
-    return number;
+    return made->words + (size_t)made->heads[light] * EXACT_LISTS_HEAD;
 }
 
-/* -1: the light does not see it. */
-static long cell_of(const uint32_t *head, const double at[3])
+/* Its first word, and that behind its last. */
+static void list_of(const Made *made, const uint32_t *head, long cell, const uint32_t *list[2])
 {
-    const bool placed = number_at(head, EXACT_LISTS_PLACED) > 0;
-    const long size = head[EXACT_LISTS_SIZE];
-    double place[3], turned[3];
-    long face = 0;
-    for (int row = 0; row < 3; row++) {
-        place[row] = number_at(head, EXACT_LISTS_ROWS + 4 * row + 3);
-        for (int k = 0; k < 3; k++)
-            place[row] += number_at(head, EXACT_LISTS_ROWS + 4 * row + k) *
-                          (at[k] - (placed ? number_at(head, EXACT_LISTS_FROM + k) : 0));
-    }
-    memcpy(turned, place, sizeof turned);
-    if (head[EXACT_LISTS_VIEWS] == 6) {
-        int axis = 0;
-        for (int k = 1; k < 3; k++)
-            axis = fabs(place[k]) > fabs(place[axis]) ? k : axis;
-        for (int k = 0; k < 3; k++)
-            turned[k] = place[(axis + 1 + k) % 3];
-        face = 2 * axis + (turned[2] < 0);
-        turned[2] = fabs(turned[2]);
-    }
-    const double over = placed ? turned[2] : 1, x = turned[0] / over, y = turned[1] / over;
-    if (over <= 0 || fabs(x) >= 1 || fabs(y) >= 1)
-        return -1;
-    return (face * size + (long)((y * .5 + .5) * (double)size)) * size + (long)((x * .5 + .5) * (double)size);
+    const uint32_t *pair = made->words + head[EXACT_LISTS_CELLS] + EXACT_LISTS_PAIR * cell;
+    assert_true(pair[0] <= pair[1] && pair[1] <= made->cover.words);
+    list[0] = made->words + pair[0];
+    list[1] = made->words + pair[1];
 }
 
-static bool is_listed(const ExactLists *lists, const uint32_t *head, long cell, uint32_t triangle)
+/* Once. */
+static bool is_listed(const Made *made, const uint32_t *head, long cell, uint32_t triangle)
 {
-    const uint32_t *begin = lists->words + head[EXACT_LISTS_CELLS] + cell;
-    bool found = false;
-    for (uint32_t i = begin[0]; i < begin[1]; i++)
-        found |= lists->words[i] == triangle;
+    const uint32_t *list[2];
+    int found = 0;
+    list_of(made, head, cell, list);
+    for (const uint32_t *word = list[0]; word < list[1]; word++)
+        found += *word == triangle;
+    assert_true(found <= 1);
     return found;
 }
 
 /* How many triangles were met, each of which is listed. */
-static int count_met(const ExactTriangles *triangles, const ExactLists *lists, int light)
+static int count_met(const Things *things, const Made *made, int light, int points)
 {
-    const uint32_t *head = lists->words + (size_t)lists->heads[light] * EXACT_LISTS_HEAD;
-    const bool placed = number_at(head, EXACT_LISTS_PLACED) > 0;
+    const uint32_t *head = head_of(made, light);
+    const bool placed = exact_cell_number(head, EXACT_LISTS_PLACED) > 0;
     int met = 0;
-    for (int i = 0; i < POINTS; i++) {
+    for (int i = 0; i < points; i++) {
         double at[3], way[3];
         for (int k = 0; k < 3; k++) {
             at[k] = 3 * chance() - 1.5;
-            way[k] = number_at(head, EXACT_LISTS_FROM + k) - (placed ? at[k] : 0);
+            way[k] = exact_cell_number(head, EXACT_LISTS_FROM + k) - (placed ? at[k] : 0);
         }
-        const long cell = cell_of(head, at);
-        for (int t = 0; cell >= 0 && t < triangles->count; t++)
-            if (is_met((const float(*)[3])triangles->corners[t], at, way, placed ? 1 : INFINITY)) {
-                assert_true(is_listed(lists, head, cell, (uint32_t)t));
+        const long cell = exact_cell_of(head, at);
+        for (int t = 0; cell >= 0 && t < things->triangles.count; t++)
+            if (is_met((const float(*)[3])things->corners[t], at, way, placed ? 1 : INFINITY)) {
+                assert_true(is_listed(made, head, cell, (uint32_t)t));
                 met++;
             }
     }
     return met;
+}
+
+/* -- cell by cell */
+
+/* Triangles in cells: those that cover any of it, that may be listed, and that are. */
+typedef struct {
+    long covered, wide, listed;
+} Counts;
+
+static void count_cells(const Things *things, const Made *made, int light, Counts *counts)
+{
+    const uint32_t *head = head_of(made, light);
+    const int size = (int)head[EXACT_LISTS_SIZE], faces = (int)head[EXACT_LISTS_VIEWS];
+    for (int t = 0; t < things->triangles.count * faces; t++) {
+        const int face = t % faces;
+        const ExactPolygon polygon = exact_cell_polygon(head, &things->corners[t / faces], face);
+        for (int i = 0; i < size * size; i++) {
+            const bool covered = exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 0);
+            const bool listed = is_listed(made, head, face * size * size + i, (uint32_t)(t / faces));
+            counts->covered += covered;
+            counts->listed += listed;
+            counts->wide += exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 1. / 64 + 1e-4);
+            assert_true(listed || !covered);
+        }
+    }
 }
 
 /* -- */
@@ -150,62 +216,105 @@ static SceneLight lights[] = {
 };
 enum { LIGHTS = sizeof lights / sizeof *lights, EXACT_LIGHTS = LIGHTS - 1 };
 
+static const Scene scene = {.lights = lights, .light_count = LIGHTS};
+
+static void free_things(Things *things) { free(things->corners); }
+
 static void all_are_listed(void **state)
 {
     (void)state;
-    const Scene scene = {.lights = lights, .light_count = LIGHTS};
-    ExactTriangles triangles = some_triangles();
-    ExactLists lists;
-    assert_true(exact_lists_make(&(ExactListsSource){&scene, &triangles, MOST}, &lists));
-    assert_int_equal(lists.light_count, EXACT_LIGHTS);
-    assert_int_equal(lists.coarsened, 0);
+    Things things = some_things(TRIANGLES, .001);
+    Made made = open_made(MOST);
+    assert_true(make(&made, &scene, &things));
+    assert_int_equal(made.cover.light_count, EXACT_LIGHTS);
+    assert_int_equal(made.cover.coarsened, 0);
     for (int i = 0; i < LIGHTS; i++)
-        if (i == 1)
-            assert_int_equal(lists.heads[i], -1);
-        else
-            assert_true(count_met(&triangles, &lists, i) > 100);
-    exact_lists_free(&lists);
-    exact_triangles_free(&triangles);
+        if (made.heads[i] >= 0)
+            assert_true(count_met(&things, &made, i, POINTS) > 100);
+    close_made(&made);
+    free_things(&things);
+}
+
+/* No cell lacks what covers it, and lists have what covers cells that are 1/64 wider on all sides, and 2 % more: what goes through the plane in which the
+ * light is, and what it sees from the side. */
+static void cells(void **state)
+{
+    (void)state;
+    Things things = some_things(TRIANGLES, .001);
+    Made made = open_made(MOST);
+    assert_true(make(&made, &scene, &things));
+    for (int i = 0; i < LIGHTS; i++) {
+        Counts counts = {0};
+        if (made.heads[i] < 0)
+            continue;
+        count_cells(&things, &made, i, &counts);
+        print_message("light %d: %ld triangles in cells, %ld in cells 1/64 wider, %ld listed\n", i, counts.covered,
+                      counts.wide, counts.listed);
+        assert_true(counts.covered > TRIANGLES && (double)counts.listed <= 1.02 * (double)counts.wide);
+    }
+    close_made(&made);
+    free_things(&things);
+}
+
+/* So many large triangles that the programs' own lists of blocks of rows, and the lists, have to be made longer; then few of them again. */
+static void many_large(void **state)
+{
+    (void)state;
+    Things things = some_things(4000, .5), few = some_things(TRIANGLES, .5);
+    Made made = open_made(32 * MOST);
+    assert_true(make(&made, &scene, &few));
+    const size_t first = made.cover.room, blocks = made.cover.blocks;
+    assert_true(make(&made, &scene, &things));
+    assert_true(made.cover.room > first && made.cover.blocks > blocks && !made.cover.coarsened);
+    for (int i = 0; i < LIGHTS; i++)
+        if (made.heads[i] >= 0)
+            assert_true(count_met(&things, &made, i, 50) > 100);
+    const size_t room = made.cover.room;
+    assert_true(make(&made, &scene, &few));
+    assert_true(made.cover.room == room && made.cover.words <= first);
+    assert_true(count_met(&few, &made, 0, POINTS) > 100);
+    close_made(&made);
+    free_things(&things);
+    free_things(&few);
 }
 
 /* With less room cells are wider, and the lists are as complete; with too little, it is said how much there has to be. */
 static void less_room(void **state)
 {
     (void)state;
-    const Scene scene = {.lights = lights, .light_count = LIGHTS};
-    ExactTriangles triangles = some_triangles();
-    ExactLists lists;
-    assert_true(exact_lists_make(&(ExactListsSource){&scene, &triangles, MOST}, &lists));
-    const size_t most = lists.count / 2;
-    exact_lists_free(&lists);
-    assert_true(exact_lists_make(&(ExactListsSource){&scene, &triangles, most}, &lists));
-    assert_true(lists.coarsened > 0 && lists.count <= most);
+    Things things = some_things(TRIANGLES, .001);
+    Made made = open_made(MOST);
+    assert_true(make(&made, &scene, &things));
+    made.cover.most = made.cover.words / 2;
+    exact_cover_empty(&made.cover);
+    assert_true(make(&made, &scene, &things));
+    assert_true(made.cover.coarsened > 0 && made.cover.words <= made.cover.most);
     for (int i = 0; i < LIGHTS; i++)
-        if (i != 1)
-            assert_true(count_met(&triangles, &lists, i) > 100);
-    exact_lists_free(&lists);
-    assert_false(exact_lists_make(&(ExactListsSource){&scene, &triangles, TRIANGLES}, &lists));
-    assert_true(lists.count > TRIANGLES && !lists.words && !lists.heads);
-    exact_triangles_free(&triangles);
+        if (made.heads[i] >= 0)
+            assert_true(count_met(&things, &made, i, POINTS) > 100);
+    made.cover.most = TRIANGLES;
+    assert_false(make(&made, &scene, &things));
+    assert_non_null(strstr(made.gl->error, "bytes in a buffer, and there may be 1600"));
+    close_made(&made);
+    free_things(&things);
 }
 
 static void of_nothing(void **state)
 {
     (void)state;
-    const Scene scene = {.lights = lights, .light_count = LIGHTS};
-    ExactTriangles nothing = {.count = 0};
-    ExactLists lists;
-    assert_true(exact_lists_make(&(ExactListsSource){&scene, &nothing, MOST}, &lists));
-    assert_int_equal(lists.longest, 0);
-    exact_lists_free(&lists);
+    Things nothing = some_things(0, 1);
+    Made made = open_made(MOST);
+    assert_true(make(&made, &scene, &nothing));
+    assert_int_equal(exact_cover_longest(&made.cover), 0);
+    close_made(&made);
+    free_things(&nothing);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_are_listed),
-        cmocka_unit_test(less_room),
-        cmocka_unit_test(of_nothing),
+        cmocka_unit_test(all_are_listed), cmocka_unit_test(cells),      cmocka_unit_test(many_large),
+        cmocka_unit_test(less_room),      cmocka_unit_test(of_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

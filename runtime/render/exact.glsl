@@ -117,9 +117,9 @@ bool exactReaches(int light, vec3 point)
     int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)), int(exact_words[head + 16u]),
                          int(exact_words[head + 17u]), placed);
     if (cell < 0) return true;
-    uint begin = exact_words[head + 18u] + uint(cell);
+    uint list = exact_words[head + 18u] + 2u * uint(cell);
     ExactRay ray = exactRay(point, placed ? -from.xyz : row[0].xyz);
-    for (uint i = exact_words[begin], end = exact_words[begin + 1u]; i < end; i++)
+    for (uint i = exact_words[list], end = exact_words[list + 1u]; i < end; i++)
         if (exactMeets(ray, exact_words[i], !placed)) return false;
     return true;
 }

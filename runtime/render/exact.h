@@ -2,25 +2,26 @@
  * (pass_exact.c). Private to frame.c, render.c and the passes. */
 #ifndef MATC_RENDER_EXACT_H
 #define MATC_RENDER_EXACT_H
-#include "runtime/render/exact_lists.h"
+#include "runtime/render/exact_cover.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 
 typedef struct {
-    double origin[3], reach;        /* of exact_triangles.h */
-    int triangle_count, list_count; /* lights with lists */
-    size_t list_bytes;
-    size_t longest;                 /* list */
-    double seconds;                 /* in which triangles and lists were made */
-    GLuint array, triangles, lists; /* buffers: corners, as vertices too; words of exact_lists.h */
-    Material material;              /* draws numbers of triangles */
+    ExactTriangles triangles;
+    ExactCover cover;      /* lists; its programs stay until the renderer goes */
+    GLuint corners, array; /* a buffer of the triangles' corners, as vertices too */
+    Material material;     /* draws numbers of triangles */
 } ExactShadows;
 
 /* Some light's shadows are exact, and there is something opaque. */
 bool pass_exact_needed(const Render *render);
 bool pass_exact_make(Render *render);
-/* The camera is another, or what triangles and lists are made of. */
-bool pass_exact_change(Render *render, bool made_again);
+/* The camera is another, or lights are, and lists are made again. */
+bool pass_exact_change(Render *render, bool lights);
+/* So many objects from `first` on stand elsewhere. */
+bool pass_exact_move(Render *render, int first, int count);
+/* Makes the lists again; the driver may still be at it. */
+bool pass_exact_list(Render *render);
 void pass_exact_draw(Render *render);
 void pass_exact_delete(Render *render);
 

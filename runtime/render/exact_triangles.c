@@ -1,4 +1,4 @@
-/* Corners go to the world in double. Their middle is known after a first turn over all of them; a second writes what they are from there. */
+/* Corners go to the world in double. Their middle is known after a first turn over all objects; a second writes what they are from there. */
 #include "runtime/render/exact_triangles.h"
 #include <limits.h>
 #include <math.h>
@@ -29,9 +29,10 @@ static void shapes_close(Shapes *shapes)
 }
 
 /* Of an object that is opaque; NULL: memory ran out. */
-static const Shape *shape_of(Shapes *shapes, const CachePlace *place)
+static const Shape *shape_of(Shapes *shapes, int number)
 {
-    const SceneObject *object = &shapes->scene->objects[place->object];
+    const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];
+    const SceneObject *object = &shapes->scene->objects[number];
     if (object->kind == SCENE_Mesh)
         return &shapes->scene->meshes[object->mesh].shape;
     if (!shapes->made[place->mesh])
@@ -46,80 +47,117 @@ static void to_world(const SceneMatrix *matrix, const float local[3], double wor
         world[i] = m[i] * local[0] + m[4 + i] * local[1] + m[8 + i] * local[2] + m[12 + i];
 }
 
-typedef struct {
-    double low[3], high[3];
-} Range;
+static const double grid = 1.0 / 32; /* of the reach, as a power of two: what the middle is rounded to */
 
-static void add_range(const Shape *shape, const SceneMatrix *matrix, Range *range)
+/* False: memory ran out. */
+static bool measure(Shapes *shapes, ExactObject *object)
 {
+    const Shape *shape = shape_of(shapes, object->object);
+    const SceneMatrix *matrix = &shapes->scene->objects[object->object].world_from_local;
     double world[3];
-    for (int i = 0; i < shape->index_count; i++) {
+    object->box = (ExactBox){{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    object->count = shape ? shape->index_count / 3 : 0;
+    for (int i = 0; i < 3 * object->count; i++) {
         to_world(matrix, shape->vertices[shape->indices[i]].position, world);
         for (int k = 0; k < 3; k++) {
-            range->low[k] = fmin(range->low[k], world[k]);
-            range->high[k] = fmax(range->high[k], world[k]);
+            object->box.low[k] = fmin(object->box.low[k], world[k]);
+            object->box.high[k] = fmax(object->box.high[k], world[k]);
         }
     }
+    return shape;
 }
 
-static void add_triangles(const Shape *shape, const SceneMatrix *matrix, ExactTriangles *made)
+/* Boxes of 0 to 2 and of 0 to 4: their middle is 2, their reach 2, steps of the grid 1/16. Where the second grows to 4.01, the middle stays 2. */
+static void set_origin(ExactTriangles *made)
 {
-    double world[3];
-    for (int i = 0; i < shape->index_count; i++) {
-        float *corner = made->corners[made->count + i / 3][i % 3];
-        to_world(matrix, shape->vertices[shape->indices[i]].position, world);
-        for (int k = 0; k < 3; k++)
-            corner[k] = (float)(world[k] - made->origin[k]);
-    }
-    made->count += shape->index_count / 3;
-}
-
-static void set_origin(const Range *range, ExactTriangles *made)
-{
+    ExactBox all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    double widest = 0;
+    for (int i = 0; i < made->object_count; i++)
+        for (int k = 0; k < 3; k++) {
+            all.low[k] = fmin(all.low[k], made->objects[i].box.low[k]);
+            all.high[k] = fmax(all.high[k], made->objects[i].box.high[k]);
+        }
+    for (int k = 0; k < 3; k++)
+        widest = fmax(widest, all.high[k] - all.low[k]);
+    const double step = widest > 0 ? exp2(floor(log2(widest / 2))) * grid : 1;
+    made->reach = 0;
     for (int k = 0; k < 3; k++) {
-        made->origin[k] = (range->low[k] + range->high[k]) / 2;
-        made->reach = fmax(made->reach, (range->high[k] - range->low[k]) / 2);
+        made->origin[k] = made->count ? round((all.low[k] + all.high[k]) / 2 / step) * step : 0;
+        if (made->count)
+            made->reach = fmax(made->reach, fmax(all.high[k] - made->origin[k], made->origin[k] - all.low[k]));
     }
 }
 
-static bool make(Shapes *shapes, ExactTriangles *made)
+static bool measure_all(Shapes *shapes, ExactTriangles *made)
 {
     const Cache *cache = shapes->cache;
-    Range range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     size_t count = 0;
-    for (int i = 0; i < cache->place_count; i++) {
-        const Shape *shape = cache->places[i].transparent ? NULL : shape_of(shapes, &cache->places[i]);
-        if (shape)
-            add_range(shape, &shapes->scene->objects[cache->places[i].object].world_from_local, &range);
-        else if (!cache->places[i].transparent)
+    made->objects = calloc((size_t)cache->place_count + 1, sizeof *made->objects);
+    for (int i = 0; made->objects && i < cache->place_count && !cache->places[i].transparent; i++) {
+        ExactObject *object = &made->objects[made->object_count++];
+        *object = (ExactObject){.object = cache->places[i].object, .first = (int)count};
+        count += measure(shapes, object) ? (size_t)object->count : INT_MAX;
+        if (count > INT_MAX / sizeof(ExactCorners))
             return false;
-        count += shape ? (size_t)shape->index_count / 3 : 0;
     }
-    made->corners = count <= INT_MAX / 9 ? malloc(count * sizeof *made->corners + 1) : NULL;
-    if (!made->corners)
-        return false;
-    if (count)
-        set_origin(&range, made);
-    for (int i = 0; i < cache->place_count; i++)
-        if (!cache->places[i].transparent)
-            add_triangles(shape_of(shapes, &cache->places[i]),
-                          &shapes->scene->objects[cache->places[i].object].world_from_local, made);
-    return true;
+    made->count = (int)count;
+    return made->objects;
 }
 
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made)
 {
     Shapes shapes;
     *made = (ExactTriangles){.reach = 0};
-    const bool done = shapes_open(scene, cache, &shapes) && make(&shapes, made);
+    const bool done = shapes_open(scene, cache, &shapes) && measure_all(&shapes, made);
     shapes_close(&shapes);
-    if (!done)
+    if (done)
+        set_origin(made);
+    else
         exact_triangles_free(made);
+    return done;
+}
+
+bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2], ExactTriangles *triangles)
+{
+    Shapes shapes;
+    bool done = shapes_open(scene, cache, &shapes);
+    for (int i = range[0]; done && i < range[1]; i++)
+        done = measure(&shapes, &triangles->objects[i]);
+    shapes_close(&shapes);
+    if (done)
+        set_origin(triangles);
+    return done;
+}
+
+static void put_corners(const Shape *shape, const SceneMatrix *matrix, const double origin[3], ExactCorners *corners)
+{
+    double world[3];
+    for (int i = 0; i < shape->index_count; i++) {
+        to_world(matrix, shape->vertices[shape->indices[i]].position, world);
+        for (int k = 0; k < 3; k++)
+            corners[i / 3][i % 3][k] = (float)(world[k] - origin[k]);
+    }
+}
+
+bool exact_triangles_corners(const Scene *scene, const Cache *cache, const ExactTriangles *triangles,
+                             const int range[2], ExactCorners *corners)
+{
+    Shapes shapes;
+    bool done = shapes_open(scene, cache, &shapes);
+    for (int i = range[0]; done && i < range[1]; i++) {
+        const ExactObject *object = &triangles->objects[i];
+        const Shape *shape = shape_of(&shapes, object->object);
+        done = shape != NULL;
+        if (done)
+            put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin,
+                        corners + object->first - triangles->objects[range[0]].first);
+    }
+    shapes_close(&shapes);
     return done;
 }
 
 void exact_triangles_free(ExactTriangles *triangles)
 {
-    free(triangles->corners);
+    free(triangles->objects);
     *triangles = (ExactTriangles){.reach = 0};
 }

@@ -1,17 +1,38 @@
-/* The triangles of all that is opaque, as shadows: exact take them: every object's in one array, in floats, once rounded. No GL. */
+/* The triangles of all that is opaque, as shadows: exact take them: every object's one behind the other, in floats, once rounded. No GL. */
 #ifndef MATC_RENDER_EXACT_TRIANGLES_H
 #define MATC_RENDER_EXACT_TRIANGLES_H
 #include "runtime/render/cache.h"
 
+/* In the world. */
 typedef struct {
-    double origin[3];       /* what corners are counted from, in the world: the middle of them all */
-    float (*corners)[3][3]; /* of each triangle, along the world's axes; where two meet, bit for bit the same */
+    double low[3], high[3];
+} ExactBox;
+
+typedef struct {
+    int object;       /* in Scene.objects */
+    int first, count; /* of its triangles */
+    ExactBox box;     /* around them */
+} ExactObject;
+
+typedef struct {
+    double origin
+        [3]; /* what corners are counted from, in the world: near the middle of them all, on a grid, so that it rarely moves */
+    double reach; /* the greatest coordinate from there, whatever its sign */
     int count;
-    double reach; /* the greatest coordinate, whatever its sign */
+    ExactObject *objects; /* that are opaque, in the order of cache->places */
+    int object_count;
 } ExactTriangles;
 
-/* Triangles in the order of cache->places. False: memory ran out, or there are more than an int counts; *made is empty then. */
+/* Along the world's axes; where two triangles meet, bit for bit the same. */
+typedef float ExactCorners[3][3];
+
+/* Measures all objects. False: memory ran out, or there are more triangles than an int counts; *made is empty then. */
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made);
+/* Measures some of its objects again, which stand elsewhere. False: memory ran out. */
+bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2], ExactTriangles *triangles);
+/* Corners of its objects range[0] to range[1] - 1, from the first one's on. False: memory ran out. */
+bool exact_triangles_corners(const Scene *scene, const Cache *cache, const ExactTriangles *triangles,
+                             const int range[2], ExactCorners *corners);
 /* Safe on an empty one. */
 void exact_triangles_free(ExactTriangles *triangles);
 #endif

@@ -1,7 +1,8 @@
 /* The pass exact: which triangle each pixel sees; and what exact shadows read, made once for a scene: the triangles of all that is opaque, and the
  * lists of exact_lists.h. exact.glsl says what becomes of them. */
-#include "compiler/base/session.h"
 #include "runtime/render/frame.h"
+#include <stdlib.h>
+#include <string.h>
 
 extern const char render_text_exact[], render_text_exact_seen[], render_text_exact_vertex[],
     render_text_exact_fragment[];
@@ -24,58 +25,51 @@ bool pass_exact_needed(const Render *render)
 
 /* -- buffers */
 
-static bool fits(Render *render, size_t bytes)
-{
-    const size_t most = transparency_most_bytes(render);
-    return bytes <= most || gl_fail(render->gl, "shadows: exact takes %lu bytes in a buffer, and there may be %lu",
-                                    (unsigned long)bytes, (unsigned long)most);
-}
+static size_t corner_bytes(int count) { return (size_t)count * sizeof(ExactCorners); }
 
-static bool write_buffer(Render *render, GLuint *buffer, const void *from, size_t bytes)
+/* Corners of objects range[0] to range[1] - 1, into a buffer that has room for all, or is made. */
+static bool write_corners(Render *render, const int range[2])
 {
     const GlContext *gl = render->gl;
-    if (!fits(render, bytes))
-        return false;
-    if (!*buffer)
-        gl->GenBuffers(1, buffer);
-    gl->BindBuffer(GL_ARRAY_BUFFER, *buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, from, GL_DYNAMIC_DRAW);
+    ExactShadows *exact = &render->exact;
+    const ExactTriangles *triangles = &exact->triangles;
+    const ExactObject *first = &triangles->objects[range[0]], *last = &triangles->objects[range[1] - 1];
+    const int count = last->first + last->count - first->first;
+    ExactCorners *corners = malloc(corner_bytes(count) + 1);
+    if (!corners || !exact_triangles_corners(render->scene, &render->cache, triangles, range, corners))
+        return free(corners), gl_fail(render->gl, "out of memory");
+    gl->BindBuffer(GL_ARRAY_BUFFER, exact->corners);
+    if (count == triangles->count)
+        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)corner_bytes(count), corners, GL_DYNAMIC_DRAW);
+    else
+        gl->BufferSubData(GL_ARRAY_BUFFER, (GLintptr)corner_bytes(first->first), (GLsizeiptr)corner_bytes(count),
+                          corners);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    free(corners);
     return gl_check(render->gl, "making room for exact shadows");
 }
 
-static bool write_lists(Render *render, const ExactTriangles *triangles)
+static bool measure(Render *render)
 {
-    const ExactListsSource source = {render->scene, triangles, transparency_most_bytes(render) / sizeof(uint32_t)};
-    ExactShadows *exact = &render->exact;
-    ExactLists lists;
-    if (!exact_lists_make(&source, &lists))
-        return lists.count ? fits(render, lists.count * sizeof *lists.words) : gl_fail(render->gl, "out of memory");
-    exact->list_bytes = lists.count * sizeof *lists.words;
-    exact->list_count = lists.light_count;
-    exact->longest = lists.longest;
-    const bool done = write_buffer(render, &exact->lists, lists.words, exact->list_bytes);
-    exact_lists_free(&lists);
-    return done;
+    const size_t most = transparency_most_bytes(render);
+    ExactTriangles *triangles = &render->exact.triangles;
+    exact_triangles_free(triangles);
+    if (!exact_triangles_make(render->scene, &render->cache, triangles))
+        return gl_fail(render->gl, "out of memory");
+    return corner_bytes(triangles->count) <= most ||
+           gl_fail(render->gl, "shadows: exact takes %lu bytes in a buffer, and there may be %lu",
+                   (unsigned long)corner_bytes(triangles->count), (unsigned long)most);
 }
 
-static bool write_all(Render *render)
+static bool write_triangles(Render *render)
+{
+    return measure(render) && write_corners(render, (int[]){0, render->exact.triangles.object_count});
+}
+
+bool pass_exact_list(Render *render)
 {
     ExactShadows *exact = &render->exact;
-    ExactTriangles triangles;
-    const double start = session_now();
-    if (!exact_triangles_make(render->scene, &render->cache, &triangles))
-        return gl_fail(render->gl, "out of memory");
-    const size_t bytes = (size_t)triangles.count * sizeof *triangles.corners;
-    for (int i = 0; i < 3; i++)
-        exact->origin[i] = triangles.origin[i];
-    exact->reach = triangles.reach;
-    exact->triangle_count = triangles.count;
-    const bool done =
-        write_buffer(render, &exact->triangles, triangles.corners, bytes) && write_lists(render, &triangles);
-    exact_triangles_free(&triangles);
-    exact->seconds = session_now() - start;
-    return done;
+    return exact_cover_make(&exact->cover, render->scene, &exact->triangles, exact->corners);
 }
 
 /* -- which triangle is seen */
@@ -84,7 +78,7 @@ static bool write_all(Render *render)
 static void set_clip(Render *render)
 {
     const float *clip = render->space.spaces.clip_from_eye.m;
-    const double *eye = render->space.eye_from_world, *origin = render->exact.origin;
+    const double *eye = render->space.eye_from_world, *origin = render->exact.triangles.origin;
     double moved[16];
     float product[16];
     for (int i = 0; i < 16; i++)
@@ -112,19 +106,28 @@ static void make_array(Render *render)
     const GlContext *gl = render->gl;
     gl->GenVertexArrays(1, &render->exact.array);
     gl->BindVertexArray(render->exact.array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->exact.triangles);
+    gl->BindBuffer(GL_ARRAY_BUFFER, render->exact.corners);
     gl->EnableVertexAttribArray(0);
     gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 3 * sizeof(float), NULL);
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
+/* Its programs stay for the next scene. */
+static bool open_cover(Render *render)
+{
+    const size_t most = transparency_most_bytes(render) / sizeof(GLuint);
+    return render->exact.cover.cover.store || exact_cover_open(render->store, most, &render->exact.cover);
+}
+
 bool pass_exact_make(Render *render)
 {
+    ExactShadows *exact = &render->exact;
     if (!transparency_has_lists(render->gl))
         return gl_fail(render->gl, "shadows: exact takes OpenGL 4.3, and the driver has %d.%d", render->gl->major,
                        render->gl->minor);
-    if (!write_all(render) || !make_program(render))
+    render->gl->GenBuffers(1, &exact->corners);
+    if (!write_triangles(render) || !make_program(render) || !open_cover(render) || !pass_exact_list(render))
         return false;
     make_array(render);
     set_clip(render);
@@ -137,30 +140,83 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     const SceneCamera *camera = &render->scene->camera;
     const double *const axes[3] = {camera->right, camera->up, camera->back};
     for (int i = 0; i < 4; i++) {
-        float lanes[4] = {0, 0, 0, i == 3 ? (float)render->exact.reach : 0};
+        float lanes[4] = {0, 0, 0, i == 3 ? (float)render->exact.triangles.reach : 0};
         for (int k = 0; k < 3; k++)
-            lanes[k] = (float)(i < 3 ? axes[i][k] : camera->position[k] - render->exact.origin[k]);
+            lanes[k] = (float)(i < 3 ? axes[i][k] : camera->position[k] - render->exact.triangles.origin[k]);
         material_set(&pass->material, &(MaterialValue){names[i], 4, lanes});
     }
 }
 
-bool pass_exact_change(Render *render, bool drawn_again)
+static void set_all_numbers(Render *render)
 {
     ScreenPass *passes[] = {&render->light, &render->far.gather, &render->blend, &render->peel};
-    const int before = render->exact.list_count;
-    if (!render->exact.array && drawn_again && pass_exact_needed(render) && render->light.material.store)
-        return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
-    if (!render->exact.array)
-        return true;
-    if (drawn_again && !write_all(render))
-        return false;
-    if (before && !render->exact.list_count)
-        return gl_fail(render->gl, "no shadows are exact where some were: this is another scene");
     set_clip(render);
-    for (size_t i = 0; drawn_again && i < sizeof passes / sizeof *passes; i++)
+    for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         if (passes[i]->material.store)
             set_numbers(render, passes[i]);
-    return true;
+}
+
+bool pass_exact_change(Render *render, bool lights)
+{
+    const bool there = render->exact.array, needed = pass_exact_needed(render);
+    if (!there && lights && needed && render->light.material.store)
+        return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
+    if (there && !needed)
+        return gl_fail(render->gl, "no shadows are exact where some were: this is another scene");
+    if (there)
+        set_all_numbers(render);
+    return !there || !lights || pass_exact_list(render);
+}
+
+/* Of the cache's places that are opaque, the first and the one behind the last of these objects. None: range[0] >= range[1]. */
+static void find_range(const Render *render, const int objects[2], int range[2])
+{
+    range[0] = render->exact.triangles.object_count;
+    range[1] = 0;
+    for (int object = objects[0]; object < objects[1]; object++) {
+        const int place = render->cache.place_of[object];
+        if (place < 0 || place >= render->exact.triangles.object_count)
+            continue;
+        range[0] = place < range[0] ? place : range[0];
+        range[1] = place >= range[1] ? place + 1 : range[1];
+    }
+}
+
+/* The cache's order is another, as an object is mirrored now. */
+static bool is_reordered(const Render *render)
+{
+    bool is = false;
+    for (int i = 0; i < render->exact.triangles.object_count; i++)
+        is |= render->exact.triangles.objects[i].object != render->cache.places[i].object;
+    return is;
+}
+
+/* Corners of all objects, if what they are counted from moves. */
+static bool move(Render *render, int range[2])
+{
+    double before[3];
+    ExactTriangles *triangles = &render->exact.triangles;
+    memcpy(before, triangles->origin, sizeof before);
+    if (!exact_triangles_move(render->scene, &render->cache, range, triangles))
+        return gl_fail(render->gl, "out of memory");
+    if (memcmp(before, triangles->origin, sizeof before) != 0)
+        range[0] = 0, range[1] = triangles->object_count;
+    return write_corners(render, range);
+}
+
+bool pass_exact_move(Render *render, int first, int count)
+{
+    int range[2];
+    if (!render->exact.array)
+        return true;
+    find_range(render, (int[]){first, first + count}, range);
+    const bool again = is_reordered(render);
+    if (!again && range[0] >= range[1])
+        return true;
+    if (!(again ? write_triangles(render) : move(render, range)))
+        return false;
+    set_all_numbers(render);
+    return pass_exact_list(render);
 }
 
 void pass_exact_draw(Render *render)
@@ -173,7 +229,7 @@ void pass_exact_draw(Render *render)
     gl->ClearBufferfv(GL_DEPTH, 0, far);
     material_use(&render->exact.material);
     gl->BindVertexArray(render->exact.array);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3 * render->exact.triangle_count);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3 * render->exact.triangles.count);
     gl->BindVertexArray(0);
     pass_surface_end(render);
 }
@@ -185,9 +241,10 @@ void pass_exact_delete(Render *render)
     if (exact->material.store)
         material_delete(&exact->material);
     gl->DeleteVertexArrays(1, &exact->array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &exact->triangles);
-    gl->DeleteBuffers(1, &exact->lists);
-    *exact = (ExactShadows){.array = 0};
+    gl->DeleteBuffers(1, &exact->corners);
+    exact_cover_empty(&exact->cover);
+    exact_triangles_free(&exact->triangles);
+    *exact = (ExactShadows){.cover = exact->cover};
 }
 
 /* -- for the lighting of surfaces */
@@ -212,6 +269,6 @@ void pass_exact_bind(const Render *render, int unit)
     if (!render->exact.array)
         return;
     texture_bind(gl, frame_texture(render, FRAME_TARGET_seen, 0), unit);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRIANGLES_BINDING, render->exact.triangles);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LISTS_BINDING, render->exact.lists);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRIANGLES_BINDING, render->exact.corners);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LISTS_BINDING, render->exact.cover.lists);
 }

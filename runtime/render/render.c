@@ -68,6 +68,7 @@ void render_close(Render *render)
         gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
         forget_scene(render);
         material_delete(&render->shadows.solid);
+        exact_cover_close(&render->exact.cover);
     }
     if (render->has_screen)
         screen_delete(gl, &render->screen);
@@ -214,7 +215,7 @@ bool render_changed_objects(Render *render, int first, int count)
     if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true))
         return false;
     pass_volume_change(render); /* maps are fitted to what has moved */
-    return pass_exact_change(render, true) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
+    return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count)

@@ -1,0 +1,264 @@
+// Lists of exact shadows: which cells of what a light sees a triangle covers, counted, then listed.
+//
+// Seen from the light, a triangle and a cell are cones with three and four sides. They are apart if, and only if, the plane of a side of one has all of the other
+// beyond it. So nothing is clipped, and it does not matter whether corners are behind the light. Of a row of cells each side of the triangle leaves
+// those from one on, or up to one.
+//
+//     a triangle (0.5, 0.5), (2.5, 0.5), (0.5, 1.5) in cells, whose side x + 2 y <= 3.5: of row 0, whose lowest y is 0, it leaves x <= 3.5, and the
+//     corners x <= 2.5: cells 0, 1, 2; of row 1 x <= 1.5: cells 0 and 1. Five entries
+//
+// All is in double, from corners and heads in floats. A corner's place is then off by 1e-9 of a cell at most. A side is the product of two corners, whose
+// terms are below the product of what they have at most, for which 2^-44 is room: sums and products of doubles round by 2^-53. What counts is that
+// exact.glsl finds a point's cell in floats, off by 1e-4 of a cell: its place is a sum of three products, or a quotient of such, times half as many cells as a
+// view's edge has, 512 at most. So cells are taken 1/64 wider on all sides.
+//
+// A thread for each triangle, then a group for each block of rows of those triangles that cover many cells: no thread walks over more
+// than 256 cells. Counting and listing are one program, so that both find the same.
+layout(local_size_x = 64) in;
+
+const uint HEAD = 19u; // words of exact_lists.h
+const int ROWS = 16; // of a block
+const int FEW = 64; // cells that one thread takes
+const uint MANY_BLOCKS = (1u << 21) - 4u; // more are not counted
+const double SPREAD = 1.0lf / 64.0lf; // of a cell
+const double ROUNDING = 1.0lf / 17592186044416.0lf; // 2^-44
+const double FAR = 1e300lf;
+
+// exact_cover.c fills the first four and exact_next; more entries than exact_most are not counted.
+layout(std430, binding = 5) coherent buffer ExactWork {
+    uint exact_triangles, exact_cells, exact_most, exact_room; // room: blocks
+    uint exact_blocks, exact_entries, exact_next, exact_longest;
+    uvec2 exact_queue[]; // blocks: the triangle and face; the light and the block's number
+};
+layout(std430, binding = 6) readonly buffer ExactTriangles {
+    float exact_corners[];
+};
+layout(std430, binding = 7) buffer ExactLists {
+    uint exact_words[];
+};
+uniform bool exact_lists; // else they are counted
+uniform bool exact_rows; // blocks of rows, else triangles
+
+struct View {
+    bool placed;
+    dvec3 from;
+    dvec4 rows[3];
+    int faces, size;
+    uint cells;
+};
+
+View viewOf(uint light)
+{
+    uint head = light * HEAD;
+    View view;
+    vec4 row[4];
+    for (int i = 0; i < 16; i++)
+        row[i / 4][i % 4] = uintBitsToFloat(exact_words[head + uint(i)]);
+    view.placed = row[0].w > 0.0;
+    view.from = dvec3(row[0].xyz);
+    for (int i = 0; i < 3; i++)
+        view.rows[i] = dvec4(row[i + 1]);
+    view.faces = int(exact_words[head + 16u]);
+    view.size = int(exact_words[head + 17u]);
+    view.cells = exact_words[head + 18u];
+    return view;
+}
+
+// -- triangles, as the light sees them
+
+// Corners, x and y in cells times z; sides, each opposite to its corner, a corner being on it where the product is 0, and what that is off at most;
+// which of their signs is inside: 0 is not known, as the light is in the triangle's plane.
+struct Facet {
+    dvec3 corners[3], sides[3];
+    double off[3];
+    int turn;
+    ivec4 bounds; // the first and the last row, and column; none: the last is before the first
+};
+
+// A corner by the light's axes.
+dvec3 placeOf(View view, uint triangle, uint corner)
+{
+    uint at = triangle * 9u + corner * 3u;
+    dvec3 from = dvec3(exact_corners[at], exact_corners[at + 1u], exact_corners[at + 2u]) - (view.placed ? view.from : dvec3(0.0lf));
+    return dvec3(dot(view.rows[0].xyz, from) + view.rows[0].w, dot(view.rows[1].xyz, from) + view.rows[1].w,
+                 view.placed ? dot(view.rows[2].xyz, from) + view.rows[2].w : 1.0lf);
+}
+
+dvec3[3] placesOf(View view, uint triangle)
+{
+    return dvec3[3](placeOf(view, triangle, 0u), placeOf(view, triangle, 1u), placeOf(view, triangle, 2u));
+}
+
+// By the axes of a face: face 2 k looks along axis k, 2 k + 1 against it.
+dvec3 turned(dvec3 place, View view, int face)
+{
+    if (view.faces > 1) {
+        place = face / 2 == 0 ? place.yzx : face / 2 == 1 ? place.zxy : place;
+        place.z = face % 2 == 0 ? place.z : -place.z;
+    }
+    return dvec3((place.xy + place.z) * (0.5lf * double(view.size)), place.z);
+}
+
+// The plane of a face's side, or of a cell's, has all corners beyond it.
+bool areBeyond(double a, double b, double c) { return max(max(a, b), c) < 0.0lf; }
+
+bool isAway(dvec3 a, dvec3 b, dvec3 c, double size)
+{
+    double from = -SPREAD, to = size + SPREAD;
+    return areBeyond(a.z, b.z, c.z) || areBeyond(a.x - from * a.z, b.x - from * b.z, c.x - from * c.z) ||
+           areBeyond(to * a.z - a.x, to * b.z - b.x, to * c.z - c.x) || areBeyond(a.y - from * a.z, b.y - from * b.z, c.y - from * c.z) ||
+           areBeyond(to * a.z - a.y, to * b.z - b.y, to * c.z - c.y);
+}
+
+int cellOf(double at, int size) { return int(clamp(floor(at), 0.0lf, double(size - 1))); }
+
+// Where a corner is not before the light: all of the face.
+ivec4 boundsOf(dvec3 a, dvec3 b, dvec3 c, int size)
+{
+    if (min(min(a.z, b.z), c.z) <= 0.0lf) return ivec4(0, size - 1, 0, size - 1);
+    dvec2 u = a.xy / a.z, v = b.xy / b.z, w = c.xy / c.z;
+    dvec2 low = min(min(u, v), w) - SPREAD, high = max(max(u, v), w) + SPREAD;
+    return ivec4(cellOf(low.y, size), cellOf(high.y, size), cellOf(low.x, size), cellOf(high.x, size));
+}
+
+double greatest(dvec3 corner, double size) { return max(max(abs(corner.x), abs(corner.y)), abs(corner.z) * size); }
+
+Facet facetOf(View view, dvec3 places[3], int face)
+{
+    Facet facet;
+    double size = double(view.size), most[3];
+    for (int i = 0; i < 3; i++) {
+        facet.corners[i] = turned(places[i], view, face);
+        most[i] = greatest(facet.corners[i], size);
+    }
+    dvec3 a = facet.corners[0], b = facet.corners[1], c = facet.corners[2];
+    facet.bounds = ivec4(0, -1, 0, -1);
+    if (isAway(a, b, c, size)) return facet;
+    facet.bounds = boundsOf(a, b, c, view.size);
+    facet.sides = dvec3[3](cross(b, c), cross(c, a), cross(a, b));
+    facet.off = double[3](ROUNDING * most[1] * most[2], ROUNDING * most[2] * most[0], ROUNDING * most[0] * most[1]);
+    double volume = dot(a, facet.sides[0]), least = facet.off[0] * most[0] / size;
+    facet.turn = volume > least ? 1 : volume < -least ? -1 : 0;
+    return facet;
+}
+
+// -- cells of a row
+
+// What a side leaves of a range of x, in a row from y = heights.x to heights.y; a turn of -1 has its inside on the other side.
+void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 range)
+{
+    dvec3 inward = turn * side;
+    double rest = inward.y * (inward.y > 0.0lf ? heights.y : heights.x) + inward.z + off, x = -rest / inward.x;
+    if (inward.x > 0.0lf) range.x = max(range.x, x);
+    else if (inward.x < 0.0lf) range.y = min(range.y, x);
+    else if (rest < 0.0lf) range = dvec2(FAR, -FAR);
+}
+
+// Any of a cell, 1/64 wider, may be what a side leaves.
+ivec2 cellsLeft(Facet facet, double turn, dvec2 heights, int size)
+{
+    dvec2 range = dvec2(-FAR, FAR);
+    for (int i = 0; i < 3; i++)
+        cutRange(facet.sides[i], facet.off[i], turn, heights, range);
+    range = clamp(range + dvec2(-SPREAD, SPREAD), -1.0lf, double(size));
+    return ivec2(int(floor(range.x)), int(floor(range.y)));
+}
+
+// The first and last cell of a row. Where it is not known which side is inside, either may be.
+ivec2 cellsOf(Facet facet, int row, int size)
+{
+    dvec2 heights = dvec2(double(row) - SPREAD, double(row + 1) + SPREAD);
+    dvec3 a = facet.corners[0], b = facet.corners[1], c = facet.corners[2];
+    if (areBeyond(a.y - heights.x * a.z, b.y - heights.x * b.z, c.y - heights.x * c.z) ||
+        areBeyond(heights.y * a.z - a.y, heights.y * b.z - b.y, heights.y * c.z - c.y)) return ivec2(0, -1);
+    ivec2 cells = cellsLeft(facet, facet.turn < 0 ? -1.0lf : 1.0lf, heights, size);
+    ivec2 other = facet.turn == 0 ? cellsLeft(facet, -1.0lf, heights, size) : cells;
+    if (cells.x > cells.y || (other.x <= other.y && other.x < cells.x)) cells.x = other.x;
+    cells.y = max(cells.y, other.y);
+    return ivec2(max(cells.x, facet.bounds.z), min(cells.y, facet.bounds.w));
+}
+
+// -- lists
+
+// Each cell has two words: where its list begins and ends. While entries are counted, the second is their number.
+void addCell(uint cell, uint triangle)
+{
+    uint at = atomicAdd(exact_words[cell + 1u], 1u);
+    if (exact_lists) exact_words[at] = triangle;
+}
+
+// Every `step`th cell of a row, from number `first` on. How many they are.
+uint addRow(View view, Facet facet, uvec2 number, int row, ivec2 steps)
+{
+    ivec2 cells = cellsOf(facet, row, view.size);
+    uint line = view.cells + 2u * uint((int(number.y) * view.size + row) * view.size), count = 0u;
+    for (int cell = cells.x + steps.x; cell <= cells.y; cell += steps.y, count++)
+        addCell(line + 2u * uint(cell), number.x);
+    return count;
+}
+
+bool isTooMuch() { return exact_entries > exact_most || exact_blocks > MANY_BLOCKS; }
+
+void queueBlocks(uvec2 number, uint light, ivec4 bounds)
+{
+    uint count = uint((bounds.y - bounds.x) / ROWS + 1), at = atomicAdd(exact_blocks, count);
+    for (uint i = 0u; i < count && at + i < exact_room; i++)
+        exact_queue[at + i] = uvec2(number.x * 8u + number.y, light << 16 | i);
+}
+
+// A triangle, as one face has it. How many entries were added.
+uint addFacet(View view, Facet facet, uvec2 number, uint light)
+{
+    ivec4 bounds = facet.bounds;
+    uint count = 0u;
+    if ((bounds.y - bounds.x + 1) * (bounds.w - bounds.z + 1) > FEW) {
+        if (!exact_lists) queueBlocks(number, light, bounds);
+        return 0u;
+    }
+    for (int row = bounds.x; row <= bounds.y; row++)
+        count += addRow(view, facet, number, row, ivec2(0, 1));
+    return count;
+}
+
+uint addTriangle(View view, uint triangle, uint light)
+{
+    dvec3 places[3] = placesOf(view, triangle);
+    uint count = 0u;
+    for (int face = 0; face < view.faces; face++)
+        count += addFacet(view, facetOf(view, places, face), uvec2(triangle, face), light);
+    return count;
+}
+
+shared uint group_entries;
+
+void addTriangles(uint light)
+{
+    View view = viewOf(light);
+    uint count = 0u;
+    if (gl_LocalInvocationIndex == 0u) group_entries = 0u;
+    barrier();
+    for (uint t = gl_GlobalInvocationID.x; t < exact_triangles; t += gl_NumWorkGroups.x * 64u)
+        if (exact_lists || !isTooMuch()) count += addTriangle(view, t, light);
+    atomicAdd(group_entries, count);
+    barrier();
+    if (gl_LocalInvocationIndex == 0u && !exact_lists && group_entries > 0u) atomicAdd(exact_entries, group_entries);
+}
+
+void addBlock(uvec2 block)
+{
+    View view = viewOf(block.y >> 16);
+    uvec2 number = uvec2(block.x / 8u, block.x % 8u);
+    Facet facet = facetOf(view, placesOf(view, number.x), int(number.y));
+    int thread = int(gl_LocalInvocationIndex), row = facet.bounds.x + int(block.y & 65535u) * ROWS + thread % ROWS;
+    if (row > facet.bounds.y) return;
+    uint count = addRow(view, facet, number, row, ivec2(thread / ROWS, 64 / ROWS));
+    if (!exact_lists && count > 0u) atomicAdd(exact_entries, count);
+}
+
+void main()
+{
+    if (!exact_rows) addTriangles(gl_WorkGroupID.y);
+    else
+        for (uint i = gl_WorkGroupID.x; i < min(exact_blocks, exact_room); i += gl_NumWorkGroups.x)
+            if (exact_lists || !isTooMuch()) addBlock(exact_queue[i]);
+}
