@@ -253,6 +253,26 @@ static void none_is_without_a_case(void **state)
     set_close(&set);
 }
 
+/* Of the two the layout holds one's exponent for both: the other has no lobe, and nothing is said of it. */
+static void constants_are_for_those_to_which_they_matter(void **state)
+{
+    (void)state;
+    static const char *const gloss[] = {"tests/layouts/gloss.yaml"};
+    Set set;
+    set_open(&set, gloss, 1, 0);
+    assert_non_null(layout_fixed(set.layout->row, SLOT_shininess));
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < set.documents[0].graph->material_count; k++) {
+            MatcOptions options = set.documents[0].options;
+            options.custom = set.layout;
+            options.optimize = i;
+            MatcProgram *program = matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
+            assert_string_equal(matc_program_diagnostics(program, MATC_TEXT), "");
+            matc_program_free(program);
+        }
+    set_close(&set);
+}
+
 static void none_is_told(void **state)
 {
     (void)state;
@@ -287,6 +307,7 @@ int main(void)
         cmocka_unit_test(joining_has_no_order),
         cmocka_unit_test(mixed_sets_have_cases),
         cmocka_unit_test(none_is_without_a_case),
+        cmocka_unit_test(constants_are_for_those_to_which_they_matter),
         cmocka_unit_test(none_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

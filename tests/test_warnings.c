@@ -98,7 +98,7 @@ static void only_warnings_have_settings(void **state)
 /* A warning of compiling, not of reading: the program is not ok. */
 static void programs_have_them(void **state)
 {
-    static const char material[] = "material: Phong\nshininess: 0.5\n";
+    static const char material[] = "material: Phong\nspecular: 0.3\nshininess: 0.5\n";
     static const char dull[] = "layout: dull\ntargets: [RGBA32UI]\nconstants: { shininess: 0.25 }\nfields:\n"
                                "  - { slot: normal, encoding: octahedral, bits: 12 }\n";
     (void)state;

@@ -1,4 +1,5 @@
 /* The G-buffer: every slot of a layout, encoded, in its place of a render target. */
+#include "compiler/ir/range.h"
 #include "compiler/layout/layout.h"
 #include "compiler/lower/lower.h"
 #include <math.h>
@@ -208,10 +209,27 @@ static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const
     return false;
 }
 
+/* The exponent of a material without a lobe changes nothing: of slots without any of which this one does not matter, none is ever above 0. */
+static bool matters(Lower *l, Slot slot, const Node *material, const Env *env)
+{
+    const unsigned to = slot_class_table[slot].matters;
+    bool there = !to;
+    for (int other = 0; other < SLOT_COUNT && !there; other++) {
+        if (!(to >> other & 1))
+            continue;
+        Arena arena = {0};
+        const Ref value = lower_slot(l, material, (Slot)other, env);
+        const Ranges ranges = range_find(l->ir, &arena, 1);
+        there = range_of(&ranges, l->ir, value, 0).high > 0;
+        arena_free(&arena);
+    }
+    return there;
+}
+
 static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
 {
     for (int i = 0; i < row->fixed_count; i++)
-        if (differs(l, &row->fixed[i], material, env))
+        if (differs(l, &row->fixed[i], material, env) && matters(l, row->fixed[i].slot, material, env))
             diag_add(l->session, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
 }
 
