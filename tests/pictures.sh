@@ -69,6 +69,8 @@ for scene in examples/scenes/*.yaml; do
     [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/gallery/$shown.png"
     check "$shown is in the gallery" grep -q "!\[$shown\](gallery/$shown.png).*scenes/$shown.yaml" docs/gallery.md
     check "and so is its picture" test -s "docs/gallery/$shown.png"
+    check "its materials compile" status 0 "$matview" --emit=frame "$scene"
+    check "without a warning" test ! -s "$work/stderr"
 done
 for frame in 9 18 27; do
     shown=$(printf 'carpaint-%02d' $frame)
