@@ -11,6 +11,7 @@
 #define VALUE_Vec3            PLAIN(Vec3)
 #define VALUE_Shadows         PLAIN(Shadows)
 #define VALUE_Volume          PLAIN(Volume)
+#define VALUE_Path            PLAIN(Path)
 #define VALUE_Transform       PLAIN(Transform)
 #define VALUE_Material        .value = SCENE_VALUE_material, .param.type = PARAM_Material
 #define VALUE_File            .value = SCENE_VALUE_file, .param.type = PARAM_Image

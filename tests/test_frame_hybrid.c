@@ -1,5 +1,5 @@
 /* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band around the ends of shadows; a shadow's end by
- * its closed form; turned diagonals against distances from planes; counts of pixels against look-ups of the same volume. */
+ * its closed form; paths of data against each other, bit for bit; turned diagonals against distances from planes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -7,6 +7,7 @@
 #include <cmocka.h>
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
+#include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
 #include <math.h>
@@ -294,6 +295,56 @@ static void changes(void **state)
     gl_close(gl);
 }
 
+/* Two frames of three lights, between which a box moves, into floats; a further frame writes to no buffer and makes none. */
+static void draw_path(GlContext *gl, const char *volume, const char *path, float *frames)
+{
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    MatcDocument *document;
+    char text[4096];
+    snprintf(text, sizeof text,
+             VIEW "shadowMaps: { size: 48, volume: %s, path: %s }\nlights:\n"
+                  "- { light: Directional, direction: [1, .2, -.6], shadows: hybrid }\n"
+                  "- { light: Point, position: [-3, -2, 3], shadows: map }\n"
+                  "- { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: hybrid }\n"
+                  "- { light: Point, position: [0, .6, 1.1], shadows: hybrid }\n" THINGS,
+             volume, path);
+    Scene *scene = frame_scene(text, &options, &document);
+    Render *render = render_open(gl, &how);
+    assert_true(render && render_scene(render, scene) && render_frame(render) && render_read(render, frames));
+    scene->objects[scene->object_count - 1].world_from_local.m[12] += 1.1;
+    assert_true(render_changed_objects(render, scene->object_count - 1, 1) && render_frame(render) &&
+                render_read(render, frames + 4 * PIXELS));
+    frame_calls = (FrameCalls){0};
+    assert_true(render_frame(render));
+    assert_int_equal(frame_calls.made + frame_calls.written, 0);
+    render_close(render);
+    frame_forget(scene, document);
+}
+
+/* Paths draw the same, bit for bit; what is moved goes with them. */
+static void paths(void **state)
+{
+    (void)state;
+    static const char *const volumes[] = {"plain", "blurred", "perfect"}, *const ways[] = {"copy", "compute", "auto"};
+    const size_t floats = 2 * 4 * PIXELS;
+    GlContext *gl = frame_context();
+    frame_count_calls(gl);
+    float *fetched = malloc(floats * sizeof *fetched), *others = malloc(floats * sizeof *others);
+    assert_true(fetched && others);
+    for (int volume = 0; volume < 3; volume++) {
+        draw_path(gl, volumes[volume], "fetch", fetched);
+        assert_memory_not_equal(fetched, fetched + floats / 2, floats / 2 * sizeof *fetched);
+        for (int way = 0; way < 3; way++) {
+            draw_path(gl, volumes[volume], ways[way], others);
+            assert_memory_equal(others, fetched, floats * sizeof *fetched);
+        }
+    }
+    free(fetched);
+    free(others);
+    gl_close(gl);
+}
+
 /* Nine lights take a second lane of the mask: the last alone keeps its own shadows. 33 are refused. */
 static void many_lights(void **state)
 {
@@ -332,7 +383,8 @@ static void many_lights(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rays), cmocka_unit_test(ends), cmocka_unit_test(diagonals),
-                                       cmocka_unit_test(changes), cmocka_unit_test(many_lights)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rays),      cmocka_unit_test(ends),
+                                       cmocka_unit_test(diagonals), cmocka_unit_test(changes),
+                                       cmocka_unit_test(paths),     cmocka_unit_test(many_lights)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

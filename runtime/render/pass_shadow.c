@@ -39,7 +39,7 @@ static bool make_solid(Render *render)
 
 bool pass_shadow_make(Render *render)
 {
-    return make_maps(render) && make_solid(render) && volume_blur_make(render) && shadow_parts_make(render) &&
+    return make_maps(render) && make_solid(render) && volume_blur_make(render) && volume_data_make(render) && shadow_parts_make(render) &&
            pass_shadow_count(render);
 }
 
@@ -48,6 +48,7 @@ void pass_shadow_draw(Render *render)
     if (render->shadows.drawn)
         return;
     shadow_draw_depths(render);
+    volume_data_write(render);
     if (shadow_glass_needed(render) && !render->parted)
         shadow_draw_lists(render, render->shadows.glass.parts);
     render->shadows.drawn = true;
@@ -58,6 +59,7 @@ bool pass_shadow_count(Render *render)
     if (!shadow_glass_needed(render) || !render->shadows.maps || render->shadows.drawn)
         return true;
     shadow_draw_depths(render);
+    volume_data_write(render);
     render->shadows.drawn = shadow_parts_count(render);
     return render->shadows.drawn;
 }

@@ -11,55 +11,7 @@
 
 extern const char render_text_shadow_volume[], render_text_volume_vertex[];
 
-enum { RESTART = -1, QUAD_CORNERS = 4, QUAD_INDICES = 6, BITS = 8 /* of a lane of the mask */ };
-
-/* -- indices */
-
-/* Rows of quads: a strip each, two vertices a column, from the upper to the lower one, and a restart. */
-static GLsizei put_strips(GLuint *indices, GLuint size)
-{
-    GLsizei count = 0;
-    for (GLuint y = 0; y + 1 < size; y++) {
-        for (GLuint x = 0; x < size; x++) {
-            indices[count++] = (y + 1) * size + x;
-            indices[count++] = y * size + x;
-        }
-        indices[count++] = (GLuint)RESTART;
-    }
-    return count;
-}
-
-/* Two triangles a quad, whose corners are a, b, c, d. */
-static GLsizei put_quads(GLuint *indices, GLuint size)
-{
-    static const GLuint corners[QUAD_INDICES] = {0, 1, 3, 1, 2, 3};
-    GLsizei count = 0;
-    for (GLuint quad = 0; quad < (size - 1) * (size - 1); quad++)
-        for (int i = 0; i < QUAD_INDICES; i++)
-            indices[count++] = quad * QUAD_CORNERS + corners[i];
-    return count;
-}
-
-static bool make_indices(Render *render)
-{
-    GlContext *gl = render->gl;
-    FrameVolumes *volumes = &render->volumes;
-    const GLuint size = (GLuint)render->scene->shadow_size;
-    GLuint *indices = malloc((size_t)size * size * QUAD_INDICES * sizeof *indices);
-    if (!indices)
-        return gl_fail(gl, "out of memory");
-    volumes->quads = render->scene->shadow_volume == WORD_Volume_perfect;
-    volumes->index_count = volumes->quads ? put_quads(indices, size) : put_strips(indices, size);
-    gl->GenVertexArrays(1, &volumes->array);
-    gl->GenBuffers(1, &volumes->indices);
-    gl->BindVertexArray(volumes->array);
-    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, volumes->indices);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)sizeof *indices * volumes->index_count, indices,
-                   GL_STATIC_DRAW);
-    gl->BindVertexArray(0);
-    free(indices);
-    return gl_check(gl, "making indices of shadow volumes");
-}
+enum { BITS = 8 /* of a lane of the mask */ };
 
 /* -- programs */
 
@@ -123,7 +75,7 @@ static bool make_view(Render *render, int number)
     FrameVolumes *volumes = &render->volumes;
     const char *const head = head_of(render);
     const ProgramText sheet = {
-        .vertex = {head, volumes->quads ? "#define QUADS\n" : "", render_text_shadow_volume, render_text_volume_vertex},
+        .vertex = {head, volume_data_text(render), render_text_shadow_volume, render_text_volume_vertex},
         .fragment = {head, "void main() {}\n"}};
     const ProgramText cap = {.vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
                              .fragment = {head, "void main() {}\n"}};
@@ -172,7 +124,8 @@ bool pass_volume_make(Render *render)
         return gl_fail(render->gl, "out of memory");
     volumes->view_count = views;
     volumes->light_count = lights;
-    bool fine = make_indices(render);
+    render->gl->GenVertexArrays(1, &volumes->array);
+    bool fine = true;
     for (int i = 0; fine && i < views; i++)
         fine = !render->shadows.views.views[i].hybrid || make_view(render, i);
     for (int i = 0; fine && i < lights; i++)
@@ -192,22 +145,23 @@ void pass_volume_change(Render *render)
 
 /* -- drawing */
 
-static void draw_view(Render *render, int number)
+/* The number of the view is that among those of hybrid lights. */
+static void draw_view(Render *render, int view, int number)
 {
     const GlContext *gl = render->gl;
     FrameVolumes *volumes = &render->volumes;
-    gl->FrontFace(render->shadows.views.views[number].mirrored ? GL_CW : GL_CCW);
-    gl->BindVertexArray(volumes->array);
-    material_use(&volumes->sheets[number]);
-    gl->DrawElements(volumes->quads ? GL_TRIANGLES : GL_TRIANGLE_STRIP, volumes->index_count, GL_UNSIGNED_INT, NULL);
-    if (volumes->caps[number].store) {
-        material_use(&volumes->caps[number]);
+    gl->FrontFace(render->shadows.views.views[view].mirrored ? GL_CW : GL_CCW);
+    material_use(&volumes->sheets[view]);
+    volume_data_draw(render, number);
+    if (volumes->caps[view].store) {
+        gl->BindVertexArray(volumes->array);
+        material_use(&volumes->caps[view]);
         gl->DrawArrays(GL_TRIANGLES, 0, 3 * 4 * (render->scene->shadow_size - 1));
     }
     gl->BindVertexArray(0);
 }
 
-static void count_faces(Render *render, const ShadowLight *light)
+static void count_faces(Render *render, const ShadowLight *light, int number)
 {
     const GlContext *gl = render->gl;
     gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -216,9 +170,9 @@ static void count_faces(Render *render, const ShadowLight *light)
     gl->StencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
     gl->Enable(GL_DEPTH_TEST);
     gl->Enable(GL_PRIMITIVE_RESTART);
-    gl->PrimitiveRestartIndex((GLuint)RESTART);
-    for (int i = light->first; i < light->first + light->count; i++)
-        draw_view(render, i);
+    gl->PrimitiveRestartIndex(~0u);
+    for (int i = 0; i < light->count; i++)
+        draw_view(render, light->first + i, number + i);
     gl->Disable(GL_PRIMITIVE_RESTART);
     gl->FrontFace(GL_CCW);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -242,7 +196,7 @@ static void mark(Render *render, int number)
 void pass_volume_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    int number = 0;
+    int number = 0, view = 0;
     pass_surface_begin(render, &render->draws[FRAME_DRAW_mask], GL_GEQUAL);
     gl->ClearBufferfv(GL_COLOR, 0, (float[4]){0});
     gl->Clear(GL_STENCIL_BUFFER_BIT);
@@ -253,8 +207,9 @@ void pass_volume_draw(Render *render)
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
     for (int i = 0; i < render->scene->light_count; i++)
         if (volume_lights_has(render, i)) {
-            count_faces(render, &render->shadows.views.lights[i]);
+            count_faces(render, &render->shadows.views.lights[i], view);
             mark(render, number++);
+            view += render->shadows.views.lights[i].count;
         }
     gl->Disable(GL_DEPTH_CLAMP);
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -280,7 +235,7 @@ void pass_volume_delete(Render *render)
     delete_all(volumes->caps, volumes->view_count);
     delete_all(volumes->marks, volumes->light_count);
     gl->DeleteVertexArrays(1, &volumes->array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &volumes->indices);
+    volume_data_delete(render);
     volume_blur_delete(render);
     *volumes = (FrameVolumes){0};
 }

@@ -74,6 +74,7 @@ static void put_maps(Text *out, const Render *render)
     for (int i = 0; i < count; i++)
         if (render->shadows.views.views[i].near <= 0)
             put_texel(out, i, render->shadows.views.views[i].texel);
+    volume_data_put(out, render);
     if (render->shadows.glass.buffer)
         put_glass(out, render);
 }

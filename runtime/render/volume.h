@@ -1,19 +1,29 @@
 /* Hybrid shadows: what a renderer keeps of shadow volumes, and what draws them. Private to frame.c and the passes. */
 #ifndef MATC_RENDER_VOLUME_H
 #define MATC_RENDER_VOLUME_H
+#include "compiler/base/text.h"
+#include "runtime/gl/framebuffer.h"
 #include "runtime/render/material.h"
 #include "runtime/render/render.h"
 
-enum { VOLUME_LIGHTS = 32 /* with hybrid shadows, in a scene: bits of the mask */ };
+enum {
+    VOLUME_LIGHTS = 32,   /* with hybrid shadows, in a scene: bits of the mask */
+    VOLUME_AUTO_MIB = 256 /* that the path auto may take for buffers */
+};
 
-/* Of pass_volume.c and volume_blur.c. */
+/* Of pass_volume.c, volume_data.c and volume_blur.c. */
 typedef struct {
     Material *sheets, *caps; /* by view, of those that are hybrid; caps of those that are perspective */
     Material *marks;         /* of each hybrid light */
     int view_count, light_count;
-    GLuint array, indices;
-    GLsizei index_count;
-    bool quads; /* two triangles a quad, else a strip a row */
+    GLuint array; /* of caps, whose vertices have no numbers but their own */
+    Word path;    /* of volume_data.c, as is what follows; never auto */
+    GLuint *arrays;
+    int array_count;          /* one, or as many as views of hybrid lights */
+    GLuint indices, vertices; /* 0: these fetch all */
+    GLsizei index_count;      /* of a view */
+    Material writer;
+    Framebuffer corners; /* of quads, two by two texels each, before they are copied */
     Material blur;
     GLuint sharp; /* depths before they are blurred */
 } FrameVolumes;
@@ -28,6 +38,15 @@ bool volume_blur_make(Render *render);
 void volume_blur_use(const Render *render);
 void volume_blur_draw(Render *render);
 void volume_blur_delete(Render *render);
+
+/* Vertices by the scene's path: made; written, when maps have been drawn; what the vertex program goes by; a view's drawn, which is that number among
+ * those of hybrid lights; a line on them; deleted. volume_data.c */
+bool volume_data_make(Render *render);
+void volume_data_write(Render *render);
+const char *volume_data_text(const Render *render);
+void volume_data_draw(const Render *render, int number);
+void volume_data_put(Text *out, const Render *render);
+void volume_data_delete(Render *render);
 
 bool pass_volume_make(Render *render);
 /* The view is another, or those of lights. */

@@ -1,10 +1,14 @@
 // The shadow volume of a depth map: the vertex program. A vertex is a texel, or, of the perfect triangulation, a corner of a quad, four each;
-// behind CAP it is one of a fan that closes the volume infinitely far away, over the map's border.
+// behind CAP it is one of a fan that closes the volume infinitely far away, over the map's border. Behind DEPTHS its depth comes out of a buffer; behind
+// CORNERS, too, four vertices a quad, and is negative where the quad is turned (volume_corners.glsl).
 uniform sampler2DArray volume_depths;
 layout(std140) uniform Volume {
     vec4 volume_x, volume_y, volume_z, volume_w; // clip space from a place: columns
     vec4 volume_map;                             // its layer, its size, 1: of parallel light, 1: stretched
 };
+#if defined DEPTHS || defined CORNERS
+layout(location = 0) in float volume_depth;
+#endif
 invariant gl_Position; // caps and sheets meet
 
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
@@ -32,6 +36,12 @@ void main()
     int corner = gl_VertexID % 3;
     ivec2 texel = volumeBorder(gl_VertexID / 3 + 2 - corner);
     gl_Position = volumePoint(corner == 0 ? vec2(0.0) : volumePlace(texel, volume_map.y, stretched), 0.0);
+#elif defined CORNERS
+    const ivec2 corners[4] = ivec2[](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 1));
+    int edge = 2 * (int(volume_map.y) - 1);
+    ivec2 texel = ivec2(gl_VertexID % edge, gl_VertexID / edge), within = texel % 2;
+    int corner = (within.y == 0 ? within.x : 3 - within.x) + int(floatBitsToInt(volume_depth) < 0);
+    gl_Position = volumePoint(volumePlace(texel / 2 + corners[corner % 4], volume_map.y, stretched), abs(volume_depth));
 #elif defined QUADS
     const ivec2 corners[4] = ivec2[](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 1));
     int quad = gl_VertexID / 4, row = int(volume_map.y) - 1;
@@ -44,6 +54,10 @@ void main()
 #else
     int size = int(volume_map.y);
     ivec2 texel = ivec2(gl_VertexID % size, gl_VertexID / size);
+#ifdef DEPTHS
+    gl_Position = volumePoint(volumePlace(texel, volume_map.y, stretched), volume_depth);
+#else
     gl_Position = volumePoint(volumePlace(texel, volume_map.y, stretched), volumeDepth(texel));
+#endif
 #endif
 }

@@ -102,6 +102,7 @@ typedef struct Scene {
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
     int shadow_cascades;    /* maps of a directional light */
     Word shadow_volume;     /* of hybrid shadows: WORD_Volume_plain, ... */
+    Word shadow_path;       /* how its vertices come to their depths: WORD_Path_auto, ... */
     double shadow_offset;   /* texels, of a blurred volume */
     bool shadow_stretched;  /* its outermost texels lie at the map's edge */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */

@@ -51,6 +51,7 @@ static void read_shadow_maps(SceneReader *r, Tree *tree)
     r->scene->shadow_cascades = (int)scene_thing_number(&thing, S_ShadowMaps_cascades);
     r->scene->shadow_colored = scene_thing_number(&thing, S_ShadowMaps_colored) != 0;
     r->scene->shadow_volume = (Word)scene_thing_number(&thing, S_ShadowMaps_volume);
+    r->scene->shadow_path = (Word)scene_thing_number(&thing, S_ShadowMaps_path);
     r->scene->shadow_offset = scene_thing_number(&thing, S_ShadowMaps_offset);
     r->scene->shadow_stretched = scene_thing_number(&thing, S_ShadowMaps_stretched) != 0;
 }
