@@ -20,7 +20,7 @@ static int wide = 72, high = 54; /* pixels of a picture */
     "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"                         \
     "materials: { m: { material: Phong, diffuse: .5 } }\n"
 #define THINGS                                                                                                         \
-    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, .8] } }\n"                      \
+    "- { object: Sphere, radius: .8, detail: 48, material: m, transform: { translation: [-.6, -.4, .8] } }\n"          \
     "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } }\n"                  \
     "- { object: Box, size: [.5, .5, .5], material: m, transform: { translation: [1.1, .5, 1.25] } }\n"                \
     "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
@@ -29,7 +29,7 @@ static int wide = 72, high = 54; /* pixels of a picture */
     "} }\n"
 /* Bodies that cross, needles, sheets a hair apart, copies in one place. */
 #define NASTY                                                                                                          \
-    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.9, -.4, .5] } }\n"                      \
+    "- { object: Sphere, radius: .7, detail: 48, material: m, transform: { translation: [-.9, -.4, .5] } }\n"          \
     "- { object: Sphere, radius: .7, detail: 9, material: m, transform: { translation: [-.3, -.2, .6] } }\n"           \
     "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] } }\n"                \
     "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] } }\n"                \
@@ -298,6 +298,30 @@ static void glass(void **state)
     gl_close(gl);
 }
 
+/* OpenGL 4.3 draws each object by itself, which has to be told the number of its first triangle. */
+static void no_instances(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    Scene *scene = scene_of(&options, &lamps[0], shadow_angles[3], (const char *[2]){GROUND, THINGS}, &document);
+    int others = 0, dark = 0;
+    float *newest = frame_floats(gl, scene, &how);
+    gl->minor = 3;
+    float *older = frame_floats(gl, scene, &how);
+    for (int i = 0; i < scene->width * scene->height; i++) {
+        others += fabsf(newest[4 * i] - older[4 * i]) > 1e-3f;
+        dark += older[4 * i] <= 0;
+    }
+    assert_true(others <= 2 && dark > 100);
+    free(newest);
+    free(older);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
 static void older_drivers(void **state)
 {
     (void)state;
@@ -318,8 +342,9 @@ static void older_drivers(void **state)
 int main(int count, char **arguments)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(on_a_mesh), cmocka_unit_test(on_a_plane), cmocka_unit_test(nasty),
-        cmocka_unit_test(changes),   cmocka_unit_test(glass),      cmocka_unit_test(older_drivers),
+        cmocka_unit_test(on_a_mesh),     cmocka_unit_test(on_a_plane), cmocka_unit_test(nasty),
+        cmocka_unit_test(changes),       cmocka_unit_test(glass),      cmocka_unit_test(no_instances),
+        cmocka_unit_test(older_drivers),
     };
     if (count > 1) {
         const double each = atof(arguments[1]) / (SETS * SHADOW_ANGLES);

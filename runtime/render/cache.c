@@ -1,6 +1,7 @@
 /* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one kind. */
 #include "runtime/render/cache.h"
 #include "compiler/base/hash_index.h"
+#include "runtime/render/exact_number.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,7 @@ typedef struct {
     Known meshes, kinds, casters;
     Key *file_keys; /* of the scene's meshes */
     TransparencyText transparency;
+    ExactNumberText number;
     int *kind_of, *row_of, *caster_of; /* by material; kind_of -1: not met; caster_of -1: none */
 } Maker;
 
@@ -110,6 +112,8 @@ static bool make_material(Maker *m, const SetProgram *program, bool casts, Mater
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
     if (casts && set->casts == SET_CASTS_colored)
         transparency_wrap_caster(m->gl, &text);
+    if (m->source->numbered && !program->transparent && !strcmp(program->pass, "gbuffer"))
+        exact_number_wrap(&m->number, &text);
     return material_make(m->store, program->program, &text, made) ||
            set_fail(m->gl, m->source->scene, program->material);
 }
@@ -349,6 +353,7 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
     Maker maker = {.store = store, .gl = store_context(store), .source = source, .before = before, .cache = made};
     *made = (Cache){.instances = source->set->instances};
     transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
+    exact_number_text(maker.gl, source->set, &maker.number);
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
                       cache_arrange(maker.gl, source, made);
     forget(&maker);

@@ -73,7 +73,7 @@ typedef struct {
     uint32_t *list; /* places: all of them, then those in view, then those that a light sees; a buffer has the same */
     uint32_t *seen_list; /* the second of these, as the buffer has it */
     int seen;
-    CacheOrder *order; /* room to sort places in */
+    CacheOrder *order;    /* room to sort places in */
     uint32_t *cast_order; /* places of what casts shadows, sorted by caster and mesh */
     int cast_count;
     GLuint matrices, words,
@@ -87,6 +87,7 @@ typedef struct {
     const CullVolume *volume; /* what is seen; NULL: all */
     const int *size;          /* of the picture, in pixels */
     Transparency transparency;
+    bool numbered; /* what is opaque writes numbers of triangles, too: exact_number.h */
 } CacheSource;
 
 /* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */

@@ -8,13 +8,14 @@
 
 typedef struct {
     ExactTriangles triangles;
-    ExactCover cover;      /* lists; its programs stay until the renderer goes */
-    GLuint corners, array; /* a buffer of the triangles' corners, as vertices too */
-    Material material;     /* draws numbers of triangles */
+    ExactCover cover;       /* lists; its programs stay until the renderer goes */
+    GLuint corners, firsts; /* buffers: of triangles; of numbers of objects' first ones, counted from 1 */
 } ExactShadows;
 
-/* Some light's shadows are exact, and there is something opaque. */
-bool pass_exact_needed(const Render *render);
+/* Some light's shadows are exact, and light is drawn: so are numbers of triangles. And there is something opaque. exact_lights.c. */
+bool exact_lights_number(const Render *render);
+bool exact_lights_cast(const Render *render);
+/* Of what is needed, when the cache is there. */
 bool pass_exact_make(Render *render);
 /* The camera is another, or lights are, and lists are made again. */
 bool pass_exact_change(Render *render, bool lights);
@@ -22,7 +23,8 @@ bool pass_exact_change(Render *render, bool lights);
 bool pass_exact_move(Render *render, int first, int count);
 /* Makes the lists again; the driver may still be at it. */
 bool pass_exact_list(Render *render);
-void pass_exact_draw(Render *render);
+/* For the programs that write numbers. */
+void pass_exact_begin(const Render *render);
 void pass_exact_delete(Render *render);
 
 /* For lighting.c: GLSL, two texts before that of shadows and one behind it; `seen`: of the surface that a pixel sees. Numbers; one unit. */

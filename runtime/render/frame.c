@@ -18,7 +18,7 @@
 
 const FramePass frame_passes[] = {
     /*  name       reads            fills            changes          own */
-    {{"surface", 0, DEPTH | GBUFFER, 0, 0},
+    {{"surface", 0, DEPTH | GBUFFER | SEEN, 0, 0},
      pass_surface_needed,
      NULL,
      pass_surface_draw,
@@ -30,12 +30,6 @@ const FramePass frame_passes[] = {
      pass_shadow_make,
      pass_shadow_draw,
      "a light's shadows are cast; once, then they are kept",
-     NULL},
-    {{"exact", 0, SEEN | 1u << FRAME_TARGET_seen_depth, 0, 0},
-     pass_exact_needed,
-     pass_exact_make,
-     pass_exact_draw,
-     "a light's shadows are exact",
      NULL},
     {{"volume", DEPTH | SHADOW, MASK, 0, 0},
      volume_lights_cast,
@@ -49,7 +43,7 @@ const FramePass frame_passes[] = {
      pass_gather_draw,
      "lights are many, and far ones are taken together",
      NULL},
-    {{"light", DEPTH | GBUFFER | SHADOW | MASK | SEEN | FAR, LIGHT, 0, GBUFFER},
+    {{"light", DEPTH | GBUFFER | SHADOW | MASK | SEEN | FAR, LIGHT, 0, GBUFFER | SEEN},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
@@ -117,10 +111,12 @@ static unsigned wanted(const Render *render)
     return view ? GBUFFER : SHOWN;
 }
 
-/* What no pass fills is neither read nor changed. */
-static void leave_out(FramePlanPass *rows, unsigned allowed)
+/* What no pass fills is neither read nor changed. Without exact shadows nobody fills SEEN. */
+static void leave_out(FramePlanPass *rows, unsigned allowed, bool seen)
 {
     unsigned filled = 0;
+    for (int i = 0; i < PASS_COUNT_HERE; i++)
+        rows[i].fills &= seen ? ~0u : ~SEEN;
     for (int i = 0; i < PASS_COUNT_HERE; i++)
         filled |= allowed >> i & 1 ? rows[i].fills : 0;
     for (int i = 0; i < PASS_COUNT_HERE; i++) {
@@ -139,7 +135,7 @@ void frame_request(const Render *render, FramePlanRows *made)
         made->passes[i].own &= at_once ? ~0u : 0;
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
-    leave_out(made->passes, allowed);
+    leave_out(made->passes, allowed, exact_lights_cast(render));
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
         made->targets[target] = frame_plan_target(render, (FrameTarget)target);
     made->request =
@@ -189,12 +185,22 @@ static const struct {
     FrameTarget color;
     int depth;
 } draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
-                             [FRAME_DRAW_seen] = {FRAME_TARGET_seen, FRAME_TARGET_seen_depth},
                              [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
                              [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
                              [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
                              [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
+
+/* Behind those of a target. */
+static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec, FramebufferTextures *textures)
+{
+    const char *format;
+    for (int i = 0; spec->color_count < FRAMEBUFFER_COLORS && (format = frame_format(render, target, i)); i++) {
+        textures->formats[spec->color_count] = format;
+        textures->colors[spec->color_count++] = frame_texture(render, target, i);
+    }
+}
 
 static bool make_draw(Render *render, FrameDraw draw)
 {
@@ -205,12 +211,11 @@ static bool make_draw(Render *render, FrameDraw draw)
     FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
                                     .stencil = draw == FRAME_DRAW_mask};
     FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
-    if (!(there >> color & 1) || (deep && !(there >> depth & 1)))
+    if (!(there >> color & 1) || (deep && !(there >> depth & 1)) || (draw == FRAME_DRAW_seen && !(there & SEEN)))
         return true; /* nobody draws there */
-    for (const char *format; (format = frame_format(render, color, spec.color_count)); spec.color_count++) {
-        textures.formats[spec.color_count] = format;
-        textures.colors[spec.color_count] = frame_texture(render, color, spec.color_count);
-    }
+    add_colors(render, color, &spec, &textures);
+    if (draw == FRAME_DRAW_seen)
+        add_colors(render, FRAME_TARGET_seen, &spec, &textures);
     return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
 }
 

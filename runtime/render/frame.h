@@ -16,7 +16,6 @@ typedef enum {
     FRAME_TARGET_gbuffer,
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_seen,   /* numbers of triangles */
-    FRAME_TARGET_seen_depth,
     FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
@@ -33,8 +32,8 @@ typedef enum {
 /* Textures that are drawn to together. */
 typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
+    FRAME_DRAW_seen,    /* the same and numbers of triangles */
     FRAME_DRAW_sky,     /* light and depth */
-    FRAME_DRAW_seen,
     FRAME_DRAW_light,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */

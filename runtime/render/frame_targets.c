@@ -3,9 +3,9 @@
 #include "runtime/render/light_far.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",   "seen",  "seen.z",
-                                                      "lists", "far",     "light",    "edge",  "mask",
-                                                      "layer", "layer.z", "layer.id", "tools", "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth",   "gbuffer",  "shadow", "seen", "lists",
+                                                      "far",     "light",    "edge",   "mask", "layer",
+                                                      "layer.z", "layer.id", "tools",  "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -41,7 +41,6 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
                                                  [FRAME_TARGET_light] = light,
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_seen] = "R32UI",
-                                                 [FRAME_TARGET_seen_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_edge] = "R32UI",
                                                  [FRAME_TARGET_shown] = shown_format(render)};
     if (target == FRAME_TARGET_layer_keys)
@@ -150,7 +149,11 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
 
 CacheSource frame_source(const Render *render)
 {
-    return (CacheSource){render->scene,  &render->set,
-                         &render->space, render->options.unculled ? NULL : &render->volume,
-                         render->whole,  render->transparency};
+    return (CacheSource){render->scene,
+                         &render->set,
+                         &render->space,
+                         render->options.unculled ? NULL : &render->volume,
+                         render->whole,
+                         render->transparency,
+                         exact_lights_number(render)};
 }

@@ -1,27 +1,13 @@
-/* The pass exact: which triangle each pixel sees; and what exact shadows read, made once for a scene: the triangles of all that is opaque, and the
- * lists of exact_lists.h. exact.glsl says what becomes of them. */
+/* What exact shadows read, made once for a scene: the triangles of all that is opaque, and the lists of exact_cover.h. exact.glsl says what becomes
+ * of them. */
+#include "runtime/render/exact_number.h"
 #include "runtime/render/frame.h"
 #include <stdlib.h>
 #include <string.h>
 
-extern const char render_text_exact[], render_text_exact_seen[], render_text_exact_vertex[],
-    render_text_exact_fragment[];
+extern const char render_text_exact[], render_text_exact_seen[];
 
 enum { TRIANGLES_BINDING = 6, LISTS_BINDING = 7 };
-
-static bool has_lights(const Render *render)
-{
-    bool has = false;
-    for (int i = 0; i < render->scene->light_count; i++)
-        has |= exact_lists_wanted(&render->scene->lights[i]);
-    return has && !render->options.no_shadows;
-}
-
-/* Opaque places come first. */
-bool pass_exact_needed(const Render *render)
-{
-    return render->cache.place_count > 0 && !render->cache.places[0].transparent && has_lights(render);
-}
 
 /* -- buffers */
 
@@ -61,9 +47,31 @@ static bool measure(Render *render)
                    (unsigned long)corner_bytes(triangles->count), (unsigned long)most);
 }
 
+/* By places of the cache. A surface that is no instance has a uniform for its own. */
+static bool write_firsts(Render *render)
+{
+    const GlContext *gl = render->gl;
+    const ExactTriangles *triangles = &render->exact.triangles;
+    GLuint *firsts = malloc((size_t)triangles->object_count * sizeof *firsts);
+    if (!firsts)
+        return gl_fail(render->gl, "out of memory");
+    for (int i = 0; i < triangles->object_count; i++) {
+        firsts[i] = (GLuint)triangles->objects[i].first + 1;
+        if (!render->cache.instances)
+            material_set_number(&render->cache.kinds[render->cache.places[i].kind].material, "exact_place", (float)i);
+    }
+    gl->BindBuffer(GL_ARRAY_BUFFER, render->exact.firsts);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)triangles->object_count * sizeof *firsts), firsts,
+                   GL_DYNAMIC_DRAW);
+    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    free(firsts);
+    return true;
+}
+
 static bool write_triangles(Render *render)
 {
-    return measure(render) && write_corners(render, (int[]){0, render->exact.triangles.object_count});
+    return measure(render) && write_firsts(render) &&
+           write_corners(render, (int[]){0, render->exact.triangles.object_count});
 }
 
 bool pass_exact_list(Render *render)
@@ -72,45 +80,14 @@ bool pass_exact_list(Render *render)
     return exact_cover_make(&exact->cover, render->scene, &exact->triangles, exact->corners);
 }
 
-/* -- which triangle is seen */
+/* -- made and changed */
 
-/* Clip space from where corners are counted from: a product in double, of a matrix that the driver has in floats. */
-static void set_clip(Render *render)
+static bool has_target(const Render *render)
 {
-    const float *clip = render->space.spaces.clip_from_eye.m;
-    const double *eye = render->space.eye_from_world, *origin = render->exact.triangles.origin;
-    double moved[16];
-    float product[16];
-    for (int i = 0; i < 16; i++)
-        moved[i] = i < 12 ? eye[i] : eye[i - 12] * origin[0] + eye[i - 8] * origin[1] + eye[i - 4] * origin[2] + eye[i];
-    for (int i = 0; i < 16; i++) {
-        double sum = 0;
-        for (int k = 0; k < 4; k++)
-            sum += (double)clip[4 * k + i % 4] * moved[i / 4 * 4 + k];
-        product[i] = (float)sum;
-    }
-    material_set(&render->exact.material, &(MaterialValue){"exact_clip", 16, product});
-}
-
-static bool make_program(Render *render)
-{
-    const bool newest = render->gl->major * 10 + render->gl->minor >= 45;
-    const char *head = newest ? "#version 450 core\n" : "#version 430 core\n";
-    const ProgramText text = {.vertex = {head, render_text_exact_vertex},
-                              .fragment = {head, render_text_exact_fragment}};
-    return render->exact.material.store || material_make(render->store, NULL, &text, &render->exact.material);
-}
-
-static void make_array(Render *render)
-{
-    const GlContext *gl = render->gl;
-    gl->GenVertexArrays(1, &render->exact.array);
-    gl->BindVertexArray(render->exact.array);
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->exact.corners);
-    gl->EnableVertexAttribArray(0);
-    gl->VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 3 * sizeof(float), NULL);
-    gl->BindVertexArray(0);
-    gl->BindBuffer(GL_ARRAY_BUFFER, 0);
+    int targets = 0;
+    while (set_format(&render->set, targets))
+        targets++;
+    return targets < render->gl->max_draw_buffers && targets < FRAMEBUFFER_COLORS;
 }
 
 /* Its programs stay for the next scene. */
@@ -122,16 +99,18 @@ static bool open_cover(Render *render)
 
 bool pass_exact_make(Render *render)
 {
+    GlContext *gl = render->gl;
     ExactShadows *exact = &render->exact;
-    if (!transparency_has_lists(render->gl))
-        return gl_fail(render->gl, "shadows: exact takes OpenGL 4.3, and the driver has %d.%d", render->gl->major,
-                       render->gl->minor);
-    render->gl->GenBuffers(1, &exact->corners);
-    if (!write_triangles(render) || !make_program(render) || !open_cover(render) || !pass_exact_list(render))
-        return false;
-    make_array(render);
-    set_clip(render);
-    return gl_check(render->gl, "making exact shadows");
+    if (!exact_lights_cast(render))
+        return true;
+    if (!transparency_has_lists(gl))
+        return gl_fail(gl, "shadows: exact takes OpenGL 4.3, and the driver has %d.%d", gl->major, gl->minor);
+    if (!has_target(render))
+        return gl_fail(gl, "shadows: exact takes one more target than the layout has, and the driver has no more");
+    gl->GenBuffers(1, &exact->corners);
+    gl->GenBuffers(1, &exact->firsts);
+    return write_triangles(render) && open_cover(render) && pass_exact_list(render) &&
+           gl_check(gl, "making exact shadows");
 }
 
 static void set_numbers(const Render *render, ScreenPass *pass)
@@ -150,7 +129,6 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 static void set_all_numbers(Render *render)
 {
     ScreenPass *passes[] = {&render->light, &render->far.gather, &render->blend, &render->peel};
-    set_clip(render);
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         if (passes[i]->material.store)
             set_numbers(render, passes[i]);
@@ -158,7 +136,7 @@ static void set_all_numbers(Render *render)
 
 bool pass_exact_change(Render *render, bool lights)
 {
-    const bool there = render->exact.array, needed = pass_exact_needed(render);
+    const bool there = render->exact.corners, needed = exact_lights_cast(render);
     if (!there && lights && needed && render->light.material.store)
         return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
     if (there && !needed)
@@ -207,7 +185,7 @@ static bool move(Render *render, int range[2])
 bool pass_exact_move(Render *render, int first, int count)
 {
     int range[2];
-    if (!render->exact.array)
+    if (!render->exact.corners)
         return true;
     find_range(render, (int[]){first, first + count}, range);
     const bool again = is_reordered(render);
@@ -219,29 +197,18 @@ bool pass_exact_move(Render *render, int first, int count)
     return pass_exact_list(render);
 }
 
-void pass_exact_draw(Render *render)
+void pass_exact_begin(const Render *render)
 {
-    static const GLuint none[4];
-    static const float far[4];
-    const GlContext *gl = render->gl;
-    pass_surface_begin(render, &render->draws[FRAME_DRAW_seen], GL_GREATER);
-    gl->ClearBufferuiv(GL_COLOR, 0, none);
-    gl->ClearBufferfv(GL_DEPTH, 0, far);
-    material_use(&render->exact.material);
-    gl->BindVertexArray(render->exact.array);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3 * render->exact.triangles.count);
-    gl->BindVertexArray(0);
-    pass_surface_end(render);
+    if (render->exact.corners)
+        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXACT_NUMBER_FIRSTS, render->exact.firsts);
 }
 
 void pass_exact_delete(Render *render)
 {
     const GlContext *gl = render->gl;
     ExactShadows *exact = &render->exact;
-    if (exact->material.store)
-        material_delete(&exact->material);
-    gl->DeleteVertexArrays(1, &exact->array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(1, &exact->corners);
+    gl->DeleteBuffers(1, &exact->corners); /* GL ignores the name 0 */
+    gl->DeleteBuffers(1, &exact->firsts);
     exact_cover_empty(&exact->cover);
     exact_triangles_free(&exact->triangles);
     *exact = (ExactShadows){.cover = exact->cover};
@@ -251,7 +218,7 @@ void pass_exact_delete(Render *render)
 
 void pass_exact_texts(const Render *render, bool seen, const char *texts[EXACT_TEXTS])
 {
-    const bool needed = pass_exact_needed(render);
+    const bool needed = exact_lights_cast(render);
     texts[0] = !needed ? "" : seen ? "#define EXACT\n#define EXACT_SEEN\n" : "#define EXACT\n";
     texts[1] = needed ? render_text_exact : "";
     texts[2] = needed && seen ? render_text_exact_seen : "";
@@ -266,7 +233,7 @@ void pass_exact_set(const Render *render, int unit, ScreenPass *pass)
 void pass_exact_bind(const Render *render, int unit)
 {
     const GlContext *gl = render->gl;
-    if (!render->exact.array)
+    if (!render->exact.corners)
         return;
     texture_bind(gl, frame_texture(render, FRAME_TARGET_seen, 0), unit);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRIANGLES_BINDING, render->exact.corners);

@@ -39,8 +39,10 @@ void pass_surface_end(const Render *render)
 
 void pass_surface_draw(Render *render)
 {
-    pass_surface_begin(render, &render->draws[FRAME_DRAW_surface], GL_GREATER);
-    clear(render->gl, &render->draws[FRAME_DRAW_surface]);
+    const Framebuffer *framebuffer = &render->draws[exact_lights_cast(render) ? FRAME_DRAW_seen : FRAME_DRAW_surface];
+    pass_surface_begin(render, framebuffer, GL_GREATER);
+    clear(render->gl, framebuffer);
+    pass_exact_begin(render);
     cache_draw(render->gl, &render->cache, false);
     pass_surface_end(render);
 }

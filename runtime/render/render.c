@@ -138,7 +138,7 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
         render->transparency = TRANSPARENCY_peeling;
     const CacheSource source = frame_source(render);
     return cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
-           frame_make(render) && make_reader(render);
+           pass_exact_make(render) && frame_make(render) && make_reader(render);
 }
 
 /* Where lists would be too long: of pixels, peeling; of shadow maps, parts. False: that is not why nothing was made. */

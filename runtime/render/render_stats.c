@@ -162,7 +162,7 @@ static void put_memory(Text *out, const Render *render)
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
     put_unshadowed(out, render);
-    if (render->exact.array)
+    if (render->exact.corners)
         put_exact(out, &render->exact);
 }
 
@@ -251,7 +251,7 @@ char *render_stats(Render *render)
     put_passes(&out, render, times);
     put_memory(&out, render);
     put_tiles(&out, render);
-    if (render->exact.array)
+    if (render->exact.corners)
         put_exact_time(&out, render);
     text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
                 render_width(render), render_height(render), render->scene->object_count, render->cache.triangles,
