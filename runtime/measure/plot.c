@@ -14,9 +14,11 @@ static const char style[] =
     ".label{font-size:10px;fill:#1f4e79}.paper{fill:#ffffff}.field{fill:#f7f8fa;stroke:#c9ced6}"
     ".grid{stroke:#e1e5ea;stroke-width:1}.front{fill:none;stroke:#1f77b4;stroke-width:2;stroke-linejoin:round}"
     ".on{fill:#1f77b4;stroke:#ffffff;stroke-width:1}.off{fill:#9aa3ad;fill-opacity:0.75}"
+    ".line{fill:none;stroke-width:2;stroke-linejoin:round}.line1{stroke:#8a94a0}.line2{stroke:#1f77b4}"
+    ".line3{stroke:#d1600f}.line4{stroke:#2c9048}.line5{stroke:#8a56c2}"
     "@media (prefers-color-scheme:dark){text{fill:#d0d7de}.title,.panel{fill:#f0f6fc}.note,.tick{fill:#9aa4b0}"
     ".label{fill:#a5d0f5}.paper{fill:#0d1117}.field{fill:#151b23;stroke:#3d444d}.grid{stroke:#262c36}"
-    ".front{stroke:#58a6ff}.on{fill:#58a6ff;stroke:#0d1117}.off{fill:#6e7681}}";
+    ".line2{stroke:#58a6ff}.front{stroke:#58a6ff}.on{fill:#58a6ff;stroke:#0d1117}.off{fill:#6e7681}}";
 
 typedef struct {
     double low, high; /* decades: powers of ten */
@@ -143,6 +145,28 @@ static void draw_front(const Canvas *c, const PlotPoint *sorted, int count)
     fputs(begun ? "\"/>\n" : "M0 0\"/>\n", c->out);
 }
 
+static void draw_line(const Canvas *c, const PlotPoint *sorted, int count, int line)
+{
+    const char *joint = "M";
+    fprintf(c->out, "<path class=\"line line%d\" d=\"", line);
+    for (int i = 0; i < count; i++)
+        if (sorted[i].line == line && is_shown(&sorted[i])) {
+            fprintf(c->out, "%s%.1f %.1f", joint, pixel_x(c, sorted[i].x), pixel_y(c, sorted[i].y));
+            joint = "L";
+        }
+    fputs(*joint == 'L' ? "\"/>\n" : "M0 0\"/>\n", c->out);
+}
+
+static void draw_lines(const Canvas *c, const PlotPoint *sorted, int count)
+{
+    unsigned there = 0;
+    for (int i = 0; i < count; i++)
+        there |= 1u << sorted[i].line;
+    for (int line = 1; line <= PLOT_LINES; line++)
+        if (there >> line & 1)
+            draw_line(c, sorted, count, line);
+}
+
 static bool is_free(const Canvas *c, const Box *box)
 {
     const Box *f = &c->field;
@@ -218,6 +242,7 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     put_text(out, panel->y);
     fputs("</text>\n", out);
     draw_front(c, sorted, panel->count);
+    draw_lines(c, sorted, panel->count);
     draw_points(c, sorted, panel->count);
     for (int i = 0; i < panel->count; i++)
         if ((sorted[i].front || sorted[i].named) && is_shown(&sorted[i]) && sorted[i].label && *sorted[i].label)

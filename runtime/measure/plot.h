@@ -1,14 +1,17 @@
-/* Plots of error against time: small panels, both axes logarithmic, the Pareto front a line. */
+/* Plots of error against time: small panels, both axes logarithmic, the Pareto front a line, or several lines. */
 #ifndef MATC_MEASURE_PLOT_H
 #define MATC_MEASURE_PLOT_H
 #include <stdbool.h>
 #include <stddef.h>
+
+enum { PLOT_LINES = 5 };
 
 typedef struct {
     double x, y;       /* 0 and below stand on the axis; a NaN is left out */
     bool front;        /* on the line, and labelled */
     bool named;        /* labelled even if not */
     const char *label; /* NULL or "": none */
+    int line;          /* 1 to PLOT_LINES: joined with those of the same line in the order of x; 0: not */
 } PlotPoint;
 
 typedef struct {

@@ -155,7 +155,7 @@ static void add_panel(ErrorBench *bench, const char *subject, const MeasuredList
         char name[VARIANT_NAME];
         variant_name(&m->variant, &list->at[0].variant, name);
         points[i] = (PlotPoint){m->nanoseconds, aliasing ? m->aliasing : m->error, aliasing ? m->alias_front : m->front,
-                                i == 0, strdup(i ? name : "default")};
+                                i == 0, strdup(i ? name : "default"), 0};
     }
     bench->panels[bench->panel_count++] = (PlotPanel){
         strdup(title), "ns a pixel", aliasing ? "RMS of the worst slot" : "greatest of all slots", points, list->count};

@@ -1,6 +1,7 @@
 /* matbench shadows: every way in which a light casts shadows, by how far their ends are from where they should be, and by what a frame takes. What should be
  * is what exact shadows are, which tests compare with rays of Embree: so it runs where there is none. */
 #include "matbench.h"
+#include "shadows.h"
 #include "shadows_error.h"
 #include "runtime/scene/model.h"
 #include <math.h>
@@ -9,6 +10,7 @@
 #include <string.h>
 
 typedef struct {
+    const char *plot; /* or NULL */
     GlKind kind;
     const char *mesh; /* a file, or NULL */
     int triangles;    /* else, of a ball with bumps, about */
@@ -17,21 +19,12 @@ typedef struct {
     unsigned tables;
 } Arguments;
 
-typedef struct {
-    GlContext *gl;
-    MatcOptions compile;
-    Arguments arguments;
-    Shape mesh;
-    ShadowsMethod methods[SHADOWS_METHODS_MOST];
-    int method_count, pcf;
-} Shadows;
-
 /* -- errors */
 
 static bool measure_receiver(const Shadows *s, ShadowsScene which, double errors[SHADOWS_METHODS_MOST])
 {
     enum { EDGE = 512 };
-    const ShadowsTarget target = {s->gl, &s->compile, EDGE, s->arguments.map_size};
+    const ShadowsTarget target = {s->gl, &s->compile, EDGE, s->map_size};
     ShadowsPlace place;
     ShadowsPicture picture = {0};
     bool fine = shadows_open(which, &s->mesh, &s->compile, &place) && shadows_picture_open(&target, &place, &picture);
@@ -58,7 +51,7 @@ static bool measure_errors(const Shadows *s)
         if (!measure_receiver(s, (ShadowsScene)i, errors[i]))
             return false;
     printf("\nerrors: mean distance of shadows' ends from the true ones, in texels of a map of %d x %d\n%-19s",
-           s->arguments.map_size, s->arguments.map_size, "shadows on");
+           s->map_size, s->map_size, "shadows on");
     for (int i = 0; i < SHADOWS_RECEIVERS; i++)
         printf(" %11s", shadows_receivers[i]);
     putchar('\n');
@@ -74,104 +67,33 @@ static bool measure_errors(const Shadows *s)
 
 /* -- times */
 
-enum { MOST_FRAMES = 64, FEWEST_FRAMES = 5 };
-
-/* A method's own scene, as each light has one method, and its frames' seconds: of a scene that stands still, and of light that moves. */
-typedef struct {
-    ShadowsPlace place;
-    Render *render;
-    double seconds[2][MOST_FRAMES];
-} Timed;
-
-static bool open_timed(const Shadows *s, int method, Timed *timed)
-{
-    const int *const size = s->gl->hardware ? (const int[]){1920, 1080} : (const int[]){480, 270};
-    const RenderOptions options = {.compile = &s->compile, .view = "light", .width = size[0], .height = size[1]};
-    if (!shadows_open(SHADOWS_frame, &s->mesh, &s->compile, &timed->place))
-        return false;
-    shadows_use(timed->place.scene, &s->methods[method], s->arguments.map_size);
-    timed->render = render_open(s->gl, &options);
-    return (timed->render && render_scene(timed->render, timed->place.scene) && render_frame(timed->render)) ||
-           fprintf(stderr, "matbench: %s\n", s->gl->error) < 0;
-}
-
-/* Seconds of a frame, of so many that are finished together. */
-static double draw(const Shadows *s, Timed *timed, bool moving, int frames)
-{
-    SceneLight *light = timed->place.scene->lights;
-    const double start = bench_now();
-    for (int i = 0; i < frames; i++) {
-        light->direction[0] += moving ? (i % 2 ? -1e-3 : 1e-3) : 0;
-        if (moving)
-            render_changed(timed->render, RENDER_LIGHTS);
-        render_frame(timed->render);
-    }
-    s->gl->Finish();
-    return (bench_now() - start) / frames;
-}
-
-/* As many as take longer than it takes a GPU to tell that it has finished; an even number. */
-static int frames_of(const Shadows *s, Timed *timed, bool moving)
-{
-    const double least = 5e-3, one = draw(s, timed, moving, 2);
-    return 2 + 2 * (int)(least / (2 * fmax(one, 1e-5)));
-}
-
-static void time_all(const Shadows *s, Timed timed[SHADOWS_METHODS_MOST], bool moving)
-{
-    const double end = bench_now() + 4;
-    int frames[SHADOWS_METHODS_MOST], count = 0;
-    for (int i = 0; i < s->method_count; i++)
-        frames[i] = frames_of(s, &timed[i], moving);
-    for (; count < MOST_FRAMES && (count < FEWEST_FRAMES || bench_now() < end); count++)
-        for (int i = 0; i < s->method_count; i++)
-            timed[i].seconds[moving][count] = draw(s, &timed[i], moving, frames[i]);
-    for (int i = 0; i < s->method_count; i++)
-        for (int k = 1; k < count; k++)
-            timed[i].seconds[moving][0] = fmin(timed[i].seconds[moving][0], timed[i].seconds[moving][k]);
-}
-
 /* What the shadows take alone is what a frame takes more than one without. */
-static void put_times(const Shadows *s, const Timed timed[SHADOWS_METHODS_MOST])
+static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MOST])
 {
+    const ShadowsTime none = times[0], pcf = times[s->pcf];
     printf("\ntimes: least milliseconds of a frame, and what shadows take more than none, over what PCF 3x3 takes "
-           "more\n%-19s "
-           "%11s %11s %11s %11s\n",
+           "more\n%-19s %11s %11s %11s %11s\n",
            "shadows", "still", "/ PCF", "moving", "/ PCF");
     for (int method = 0; method < s->method_count; method++) {
+        const ShadowsTime time = times[method];
         put_name(s, method);
-        for (int moving = 0; moving < 2; moving++) {
-            const double none = timed[0].seconds[moving][0], time = timed[method].seconds[moving][0];
-            printf(" %11s %11s", NUMBER(3, 1e3 * time),
-                   NUMBER(2, (time - none) / (timed[s->pcf].seconds[moving][0] - none)));
-        }
-        putchar('\n');
+        printf(" %11s %11s", NUMBER(3, 1e3 * time.still),
+               NUMBER(2, (time.still - none.still) / (pcf.still - none.still)));
+        printf(" %11s %11s\n", NUMBER(3, 1e3 * time.moving),
+               NUMBER(2, (time.moving - none.moving) / (pcf.moving - none.moving)));
     }
     fflush(stdout);
 }
 
 static bool measure_times(const Shadows *s)
 {
-    static Timed timed[SHADOWS_METHODS_MOST];
-    bool fine = true;
-    memset(timed, 0, sizeof timed);
+    const ShadowsTiming timing = {s->methods, s->method_count, s->map_size, &s->mesh, {0, 0}, 4};
+    ShadowsTime times[SHADOWS_METHODS_MOST];
     bench_show("times");
-    for (int i = 0; fine && i < s->method_count && s->arguments.timed; i++)
-        fine = open_timed(s, i, &timed[i]);
-    for (int moving = 0; fine && moving < 2; moving++)
-        if (s->arguments.timed)
-            time_all(s, timed, moving);
-        else
-            for (int i = 0; i < s->method_count; i++)
-                timed[i].seconds[moving][0] = NAN;
+    const bool fine = shadows_time(s, &timing, times);
     bench_show("");
-    fine = fine && (gl_check(s->gl, "drawing frames") || fprintf(stderr, "matbench: %s\n", s->gl->error) < 0);
     if (fine)
-        put_times(s, timed);
-    for (int i = 0; i < s->method_count; i++) {
-        render_close(timed[i].render);
-        shadows_close(&timed[i].place);
-    }
+        put_times(s, times);
     return fine;
 }
 
@@ -180,7 +102,8 @@ static bool measure_times(const Shadows *s)
 static const struct {
     const char *name;
     bool (*measure)(const Shadows *s);
-} tables[] = {{"errors", measure_errors}, {"times", measure_times}};
+} tables[] = {
+    {"errors", measure_errors}, {"times", measure_times}, {"paths", shadows_paths}, {"polygons", shadows_polygons}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static bool read_argument(const char *text, Arguments *made)
@@ -192,7 +115,10 @@ static bool read_argument(const char *text, Arguments *made)
         }
     if (!strncmp(text, "--mesh=", 7))
         made->mesh = text + 7;
-    return made->mesh == text + 7 || (!strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &made->kind)) ||
+    if (!strncmp(text, "--plot=", 7))
+        made->plot = text + 7;
+    return made->mesh == text + 7 || made->plot == text + 7 ||
+           (!strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &made->kind)) ||
            sscanf(text, "--triangles=%d", &made->triangles) == 1 || sscanf(text, "--maps=%d", &made->map_size) == 1;
 }
 
@@ -218,7 +144,7 @@ static bool open_mesh(const Arguments *arguments, Shape *made)
 static int run(const Arguments *arguments)
 {
     char error[4096];
-    Shadows s = {.arguments = *arguments};
+    Shadows s = {.timed = arguments->timed, .map_size = arguments->map_size, .plot = arguments->plot};
     matc_options_init(&s.compile);
     s.compile.pixels = true;
     if (!open_mesh(arguments, &s.mesh))

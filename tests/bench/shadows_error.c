@@ -10,8 +10,10 @@ static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why
 
 /* -- pictures */
 
-static const ShadowsMethod truth = {{"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false};
-static const ShadowsMethod usual = {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false};
+static const ShadowsMethod truth = {{"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false,
+                                    WORD_Path_auto};
+static const ShadowsMethod usual = {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false,
+                                    WORD_Path_auto};
 
 /* A view of the scene, four floats a pixel, from malloc; NULL: said. What the light sees first goes to *view, or NULL. */
 static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMethod *method, ShadowView *seen)

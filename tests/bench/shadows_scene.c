@@ -10,14 +10,14 @@ const char *const shadows_receivers[SHADOWS_RECEIVERS] = {"plane", "itself", "se
 /* -- methods */
 
 static const ShadowsMethod known[] = {
-    {{"no", "shadows"}, WORD_Shadows_none, 1, WORD_Volume_perfect, false},
-    {{"map", "hard"}, WORD_Shadows_map, 0, WORD_Volume_perfect, false},
-    {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false},
-    {{"PCF", "3x3"}, WORD_Shadows_map, 2, WORD_Volume_perfect, false},
-    {{"hybrid", "plain"}, WORD_Shadows_hybrid, 1, WORD_Volume_plain, false},
-    {{"hybrid", "blurred"}, WORD_Shadows_hybrid, 1, WORD_Volume_blurred, false},
-    {{"hybrid", "perfect"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, false},
-    {{"hybrid", "stretched"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, true},
+    {{"no", "shadows"}, WORD_Shadows_none, 1, WORD_Volume_perfect, false, WORD_Path_auto},
+    {{"map", "hard"}, WORD_Shadows_map, 0, WORD_Volume_perfect, false, WORD_Path_auto},
+    {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false, WORD_Path_auto},
+    {{"PCF", "3x3"}, WORD_Shadows_map, 2, WORD_Volume_perfect, false, WORD_Path_auto},
+    {{"hybrid", "plain"}, WORD_Shadows_hybrid, 1, WORD_Volume_plain, false, WORD_Path_auto},
+    {{"hybrid", "blurred"}, WORD_Shadows_hybrid, 1, WORD_Volume_blurred, false, WORD_Path_auto},
+    {{"hybrid", "perfect"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, false, WORD_Path_auto},
+    {{"hybrid", "stretched"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, true, WORD_Path_auto},
 };
 enum { KNOWN = sizeof known / sizeof *known, PCF = 3 };
 
@@ -31,8 +31,8 @@ int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MOST], int *pcf)
         while (row < KNOWN && known[row].shadows != (Word)word)
             row++;
         if (row == KNOWN && scene_shadows_name((Word)word))
-            methods[count++] =
-                (ShadowsMethod){{scene_shadows_name((Word)word), "default"}, (Word)word, 1, WORD_Volume_perfect, false};
+            methods[count++] = (ShadowsMethod){
+                {scene_shadows_name((Word)word), "default"}, (Word)word, 1, WORD_Volume_perfect, false, WORD_Path_auto};
     }
     return count;
 }
@@ -44,6 +44,7 @@ void shadows_use(Scene *scene, const ShadowsMethod *method, int map_size)
     scene->shadow_filter = method->filter;
     scene->shadow_volume = method->volume;
     scene->shadow_stretched = method->stretched;
+    scene->shadow_path = method->path;
 }
 
 /* -- the mesh */

@@ -22,6 +22,7 @@ typedef struct {
     int filter;
     Word volume;
     bool stretched;
+    Word path;
 } ShadowsMethod;
 enum { SHADOWS_METHODS_MOST = 24 };
 /* Those of the list Shadows and the volumes of hybrid ones; a word that this file does not know has its own name. The first casts none; *pcf is
