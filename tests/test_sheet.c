@@ -32,10 +32,10 @@ static const unsigned char *pixel(const PngPicture *picture, int x, int y)
 /* A picture of one colour but for its lowest row, which is blue: that is next to the name. */
 static void add(Sheet *sheet, const char *name, int red, int green)
 {
-    unsigned char *rgb = malloc((size_t)(sheet->edge * sheet->edge * 3));
+    unsigned char *rgb = malloc((size_t)(sheet->width * sheet->height * 3));
     assert_non_null(rgb);
-    for (int i = 0; i < sheet->edge * sheet->edge; i++) {
-        const int bottom = i < sheet->edge;
+    for (int i = 0; i < sheet->width * sheet->height; i++) {
+        const int bottom = i < sheet->width;
         rgb[3 * i] = (unsigned char)(bottom ? 0 : red);
         rgb[3 * i + 1] = (unsigned char)(bottom ? 0 : green);
         rgb[3 * i + 2] = bottom ? 255 : 0;
@@ -74,7 +74,7 @@ static void pictures_lie_in_order(void **state)
 {
     (void)state;
     enum { EDGE = 48, COUNT = 5 };
-    Sheet sheet = {.edge = EDGE};
+    Sheet sheet = {.width = EDGE, .height = EDGE};
     PngPicture picture;
     char name[32];
     for (int i = 0; i < COUNT; i++) {
@@ -105,7 +105,7 @@ static void pictures_lie_in_order(void **state)
 static void what_cannot_be_is_told(void **state)
 {
     (void)state;
-    Sheet sheet = {.edge = 6000};
+    Sheet sheet = {.width = 6000, .height = 6000};
     PngPicture picture;
     assert_non_null(strstr(sheet_draw(&sheet, &picture), "no picture"));
     for (int i = 0; i < 3; i++)

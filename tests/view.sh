@@ -51,6 +51,24 @@ check "is told" says '^matview: -o wants a value;'
 check "--slot of a layout without it" status 1 $draw --layout=compact --slot=ior $example -o "$work/none.png"
 check "says so" says 'the layout does not store that slot'
 
+# -- all methods of shadows side by side: cells of 40 x 30 pixels, 6 between them, 12 below for the name
+
+cat >"$work/scene.yaml" <<'EOF_SCENE'
+image: { width: 40, height: 30 }
+materials: { m: { material: Phong, diffuse: .5 } }
+shadowMaps: { size: 64 }
+lights: [{ light: Directional, direction: [1, 1, -1] }, { light: Point, position: [1, -2, 3], shadows: none }]
+objects: [{ object: Plane, material: m }, { object: Sphere, material: m, transform: { translation: [0, 0, 1] } }]
+EOF_SCENE
+check "--compare" status 0 "$matview" --compare=shadows "$work/scene.yaml" -o "$work/compared.png"
+check "has a cell for none, map, exact, and three hybrid ones at least" test "$(od -An -tu1 -j20 -N4 "$work/compared.png" | awk '{ print ($3 * 256 + $4 - 6) / 48 }')" -ge 2
+check "of a material" status 2 $draw --compare=shadows $example -o "$work/none.png"
+check "says so" says 'are of scenes'
+for option in --shadows=map --frame=0 --stats --emit=frame --bits=16; do
+    check "--compare with $option" status 2 "$matview" --compare=shadows $option "$work/scene.yaml" -o "$work/none.png"
+    check "says so" says 'it takes none of'
+done
+
 # -- the manual page has the options that --help has, and the words of each
 
 "$matview" --help | grep -oE -- '--[a-z]+' | grep -vx -- --list | sort -u >"$work/help.txt"

@@ -120,6 +120,8 @@ void scene_free(Scene *scene);
 bool scene_shadows_find(const char *name, Word *method);
 /* The word, if it is the name of such a method; else NULL. */
 const char *scene_shadows_name(Word word);
+/* The same of the list Volume. */
+const char *scene_volume_name(Word word);
 /* All lights that cast shadows do so by this method. */
 void scene_lights_shadow(Scene *scene, Word method);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }

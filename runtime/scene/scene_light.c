@@ -110,6 +110,11 @@ const char *scene_shadows_name(Word word)
     return word_table[word].list == PARAM_Shadows ? word_table[word].name : NULL;
 }
 
+const char *scene_volume_name(Word word)
+{
+    return word_table[word].list == PARAM_Volume ? word_table[word].name : NULL;
+}
+
 bool scene_shadows_find(const char *name, Word *method)
 {
     for (int i = 0; i < WORD_COUNT; i++)

@@ -60,6 +60,7 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of scenes\n"
     "  --shadows=METHOD     map, hybrid, exact, none: how all lights cast shadows that do, else as the scene says\n"
+    "  --compare=shadows    one picture, with names: all methods side by side, and what hybrid ones choose from\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
     "                       K-th; the first is 0. -o names them, out-%04d.png\n"
@@ -138,6 +139,8 @@ static const char *set_scene(Command *command, const char *name, const char *val
         command->format = !strcmp(value, "exr") ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;
     } else if (!strcmp(name, "--shadows")) {
         scene_shadows_find(value, &command->shadows);
+    } else if (!strcmp(name, "--compare")) {
+        command->compare = true;
     } else if (!strcmp(name, "--emit")) {
         command->graph = true;
     } else {
@@ -263,13 +266,18 @@ const char *command_check_scene(const Command *command, const Scene *scene)
                "--param, --camera, --slot, --pass, --contact";
     if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
         return "--size: the picture would be higher than 16384 pixels";
+    if (command->compare && (command->shadows != WORD_COUNT || command->frames.given || command->graph ||
+                             command->stats || command->format == PICTURE_FORMAT_exr || command->bits > 8))
+        return "--compare is one PNG of 8 bits, of all methods: it takes none of --shadows, --frames, --frame, "
+               "--stats, "
+               "--emit, --format=exr, --bits";
     return NULL;
 }
 
 const char *command_check_material(const Command *command)
 {
-    return command->shadows != WORD_COUNT || command->frames.given
-               ? "--shadows and --frames are of scenes: a material has none"
+    return command->shadows != WORD_COUNT || command->frames.given || command->compare
+               ? "--shadows, --compare and --frames are of scenes: a material has none"
                : NULL;
 }
 

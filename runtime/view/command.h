@@ -33,6 +33,7 @@ typedef struct {
     bool shaped; /* --shape was given */
     /* of scenes alone */
     Frames frames;
+    bool compare; /* all methods of shadows in one picture */
     Word shadows; /* how lights cast them, a word of the list Shadows; WORD_COUNT: as the scene says */
 
     char message[PARAM_ROOM];  /* room for what is wrong */

@@ -1,14 +1,11 @@
 /* The program matview: draws pictures of materials and scenes. The only file here that prints. */
 #include "compiler/base/file.h"
-#include "compiler/base/output.h"
 #include "compiler/base/progress.h"
 #include "compiler/base/session.h"
-#include "compiler/base/text.h"
 #include "compiler/base/watch.h"
+#include "runtime/view/compare.h"
 #include "runtime/view/picture_name.h"
-#include "runtime/view/sheet.h"
 #include "runtime/scene/model.h"
-#include "runtime/gl/png_write.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -126,8 +123,7 @@ static int draw_picture(Run *run, ScenePictures *pictures, const char *input, co
 /* Into a cell of the contact sheet. */
 static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 {
-    const size_t edge = (size_t)run->sheet->edge;
-    unsigned char *rgb = malloc(edge * edge * 3);
+    unsigned char *rgb = malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3);
     if (!rgb)
         abort();
     const bool done = scene_pictures_pixels(pictures, rgb);
@@ -239,6 +235,27 @@ static int draw_frames(Drawing *d)
     return FINE;
 }
 
+static int write_sheet(const Sheet *sheet, const char *path)
+{
+    const char *why = sheet_write(sheet, path);
+    if (!why && strcmp(path, "-") != 0)
+        puts(path);
+    return why ? complain(path, why) : FINE;
+}
+
+static int draw_comparison(Run *run, const Scene *scene, const char *input)
+{
+    char path[PICTURE_NAME_PATH];
+    ScenePictureOptions options = scene_options(run, scene);
+    Sheet sheet = {0};
+    options.progress = NULL; /* its rows are not the sheet's */
+    picture_name_frame(run->command, input, 0, path);
+    const bool drawn = compare_shadows(run->gl, scene, &options, &sheet);
+    const int status = drawn ? write_sheet(&sheet, path) : complain(input, run->gl->error);
+    sheet_free(&sheet);
+    return status;
+}
+
 static int draw_scene(Run *run, const Scene *scene, const char *input)
 {
     Drawing d = {.run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
@@ -249,6 +266,8 @@ static int draw_scene(Run *run, const Scene *scene, const char *input)
         fault = frames_check(scene, &d.frames, room);
     if (fault)
         return usage(fault);
+    if (run->command->compare)
+        return draw_comparison(run, &d.seen, input);
     run->shown = (Shown){.frames = d.frames.last - d.frames.first + 1};
     const int status = draw_frames(&d);
     scene_pictures_close(d.pictures);
@@ -293,33 +312,16 @@ static int run_input(Run *run, const char *input)
     return status;
 }
 
-static bool write_sheet(const Sheet *sheet, const char *path)
-{
-    PngPicture picture = {0};
-    size_t size;
-    const char *why = sheet_draw(sheet, &picture);
-    uint8_t *file = why ? NULL : png_write(&picture, &size, &why);
-    if (file)
-        why = output_write(path, file, size);
-    free(file);
-    free(picture.bytes);
-    if (why)
-        complain(path, why);
-    else if (strcmp(path, "-") != 0)
-        puts(path);
-    return !why;
-}
-
 /* A contact sheet is written if nothing is wrong in any of its documents. */
 static int draw_inputs(const Command *command, GlContext *gl, const Shape *mesh)
 {
-    Sheet sheet = {.edge = command->preview.width};
+    Sheet sheet = {.width = command->preview.width, .height = command->preview.width};
     Run run = {.command = command, .gl = gl, .sheet = command->contact ? &sheet : NULL, .mesh = mesh};
     int status = FINE;
     for (int i = 0; i < command->input_count; i++)
         status |= run_input(&run, command->inputs[i]);
-    if (command->contact && status == FINE && !write_sheet(&sheet, command->contact))
-        status = FAULT;
+    if (command->contact && status == FINE)
+        status = write_sheet(&sheet, command->contact);
     material_pictures_close(run.materials);
     keep_document(&run, NULL);
     sheet_free(&sheet);

@@ -1,5 +1,6 @@
 /* Cells from the upper left, row by row; the bytes of a picture go from its bottom row upwards. */
 #include "runtime/view/sheet.h"
+#include "compiler/base/output.h"
 #include "runtime/view/font.h"
 #include <math.h>
 #include <stdlib.h>
@@ -10,11 +11,11 @@ typedef struct SheetCell {
     unsigned char *rgb;
 } SheetCell;
 
-enum { PAPER = 24, INK = 214, GAP = 6, LARGE = 160 /* an edge from which letters are twice as large */ };
+enum { PAPER = 24, INK = 214, GAP = 6, LARGE = 160 /* a width from which letters are twice as large */ };
 
 void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb)
 {
-    size_t size = (size_t)sheet->edge * (size_t)sheet->edge * 3;
+    const size_t size = (size_t)sheet->width * (size_t)sheet->height * 3;
     if (sheet->count == sheet->room) {
         sheet->room = sheet->room ? 2 * sheet->room : 16;
         sheet->cells = realloc(sheet->cells, (size_t)sheet->room * sizeof *sheet->cells);
@@ -54,28 +55,28 @@ static void draw_letter(const PngPicture *picture, char letter, int scale, int x
                 put(picture, x + column, y + row, INK);
 }
 
-static int scale_for(int edge) { return edge < LARGE ? 1 : 2; }
+static int scale_for(int width) { return width < LARGE ? 1 : 2; }
 
 /* In the middle below its picture: smaller if it is too long, and cut if that does not help. */
-static void draw_name(const PngPicture *picture, const char *name, int edge, int x, int y)
+static void draw_name(const PngPicture *picture, const char *name, int width, int x, int y)
 {
-    int size = (int)strlen(name), scale = scale_for(edge);
-    if (size * FONT_ADVANCE * scale > edge)
+    int size = (int)strlen(name), scale = scale_for(width);
+    if (size * FONT_ADVANCE * scale > width)
         scale = 1;
-    if (size * FONT_ADVANCE * scale > edge)
-        size = edge / (FONT_ADVANCE * scale);
-    x += (edge - size * FONT_ADVANCE * scale + scale) / 2;
+    if (size * FONT_ADVANCE * scale > width)
+        size = width / (FONT_ADVANCE * scale);
+    x += (width - size * FONT_ADVANCE * scale + scale) / 2;
     for (int i = 0; i < size; i++)
         draw_letter(picture, name[i], scale, x + i * FONT_ADVANCE * scale, y);
 }
 
-static void draw_cell(const PngPicture *picture, const SheetCell *cell, int edge, int x, int y)
+static void draw_cell(const PngPicture *picture, const Sheet *sheet, const SheetCell *cell, int x, int y)
 {
-    const size_t row = (size_t)edge * 3;
-    for (int i = 0; i < edge; i++)
+    const size_t row = (size_t)sheet->width * 3;
+    for (int i = 0; i < sheet->height; i++)
         memcpy(picture->bytes + ((size_t)(picture->height - 1 - y - i) * (size_t)picture->width + (size_t)x) * 3,
-               cell->rgb + (size_t)(edge - 1 - i) * row, row);
-    draw_name(picture, cell->name, edge, x, y + edge + GAP / 2);
+               cell->rgb + (size_t)(sheet->height - 1 - i) * row, row);
+    draw_name(picture, cell->name, sheet->width, x, y + sheet->height + GAP / 2);
 }
 
 const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
@@ -83,7 +84,8 @@ const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
     if (!sheet->count)
         return "there is no picture for the contact sheet";
     const int columns = sheet_columns(sheet->count), rows = (sheet->count + columns - 1) / columns;
-    const long across = sheet->edge + GAP, down = sheet->edge + GAP + FONT_HEIGHT * scale_for(sheet->edge) + GAP / 2;
+    const long across = sheet->width + GAP,
+               down = sheet->height + GAP + FONT_HEIGHT * scale_for(sheet->width) + GAP / 2;
     if (columns * across + GAP > PNG_SIZE_LIMIT || rows * down + GAP > PNG_SIZE_LIMIT)
         return "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
     *picture = (PngPicture){(int)(columns * across + GAP), (int)(rows * down + GAP), 3, NULL};
@@ -93,9 +95,21 @@ const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
         abort();
     memset(picture->bytes, PAPER, size);
     for (int i = 0; i < sheet->count; i++)
-        draw_cell(picture, &sheet->cells[i], sheet->edge, GAP + i % columns * (int)across,
-                  GAP + i / columns * (int)down);
+        draw_cell(picture, sheet, &sheet->cells[i], GAP + i % columns * (int)across, GAP + i / columns * (int)down);
     return NULL;
+}
+
+const char *sheet_write(const Sheet *sheet, const char *path)
+{
+    PngPicture picture = {0};
+    size_t size;
+    const char *why = sheet_draw(sheet, &picture);
+    uint8_t *file = why ? NULL : png_write(&picture, &size, &why);
+    if (file)
+        why = output_write(path, file, size);
+    free(file);
+    free(picture.bytes);
+    return why;
 }
 
 void sheet_free(Sheet *sheet)
@@ -103,5 +117,5 @@ void sheet_free(Sheet *sheet)
     for (int i = 0; i < sheet->count; i++)
         free(sheet->cells[i].rgb);
     free(sheet->cells);
-    *sheet = (Sheet){.edge = sheet->edge};
+    *sheet = (Sheet){.width = sheet->width, .height = sheet->height};
 }

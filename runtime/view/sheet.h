@@ -5,19 +5,21 @@
 
 enum { SHEET_NAME = 128 };
 
-/* Pictures as they come; {edge} at first. */
+/* Pictures as they come; {width, height} at first. */
 typedef struct {
-    int edge; /* of every picture, in pixels */
+    int width, height; /* of every picture, in pixels */
     int count, room;
     struct SheetCell *cells;
 } Sheet;
 
-/* Adds a picture: edge x edge pixels of RGB, row 0 is the bottom row. Both are copied; a long name is cut. */
+/* Adds a picture: its pixels of RGB, row 0 is the bottom row. Both are copied; a long name is cut. */
 void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb);
 /* How many of so many pictures stand side by side: the sheet is wider than high, with as few empty cells as can be. */
 int sheet_columns(int count);
 /* Draws it; picture->bytes is from malloc. NULL, or why not: there is no picture, or the sheet would be too large for a file. */
 const char *sheet_draw(const Sheet *sheet, PngPicture *picture);
-/* Back to {edge}. */
+/* Writes it as a PNG. NULL, or why not. */
+const char *sheet_write(const Sheet *sheet, const char *path);
+/* Back to {width, height}. */
 void sheet_free(Sheet *sheet);
 #endif

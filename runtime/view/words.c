@@ -50,6 +50,7 @@ static const struct {
     {"--edges", WORDS("coverage", "none"), false},
     {"--format", WORDS("png", "exr"), false},
     {"--shadows", {shadows_word, NULL, WORD_COUNT}, false},
+    {"--compare", WORDS("shadows"), false},
     {"--transparency", WORDS("auto", "lists", "peeling"), false},
     {"--lights", WORDS("auto", "bounded", "all"), false},
     {"--tools", WORDS("grid", "axes", "lights", "none"), true},

@@ -1,0 +1,71 @@
+/* The scene, again and again, with other words. */
+#include "runtime/view/compare.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+    ScenePictures *pictures;
+    Scene scene; /* whose lights are a copy */
+    const Scene *given;
+    unsigned char *rgb;
+    Sheet *sheet;
+} Comparison;
+
+static void use_method(Comparison *c, Word shadows)
+{
+    memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
+    scene_lights_shadow(&c->scene, shadows);
+}
+
+static bool add(Comparison *c, const char *name)
+{
+    if (!scene_pictures_show(c->pictures, &c->scene) || !scene_pictures_pixels(c->pictures, c->rgb))
+        return false;
+    sheet_add(c->sheet, name, c->rgb);
+    return true;
+}
+
+static bool add_volumes(Comparison *c, const char *method)
+{
+    char name[SHEET_NAME];
+    for (int i = 0; i < WORD_COUNT; i++) {
+        const char *volume = scene_volume_name((Word)i);
+        if (!volume)
+            continue;
+        c->scene.shadow_volume = (Word)i;
+        snprintf(name, sizeof name, "%s, %s", method, volume);
+        if (!add(c, name))
+            return false;
+    }
+    return true;
+}
+
+static bool add_all(Comparison *c)
+{
+    for (int i = 0; i < WORD_COUNT; i++) {
+        const char *name = scene_shadows_name((Word)i);
+        if (!name)
+            continue;
+        use_method(c, (Word)i);
+        if (!(i == WORD_Shadows_hybrid ? add_volumes(c, name) : add(c, name)))
+            return false;
+    }
+    return true;
+}
+
+bool compare_shadows(GlContext *gl, const Scene *scene, const ScenePictureOptions *options, Sheet *sheet)
+{
+    Comparison c = {.scene = *scene, .given = scene, .sheet = sheet};
+    sheet->width = options->render.width;
+    sheet->height = options->render.height;
+    c.scene.lights = malloc(((size_t)scene->light_count + 1) * sizeof *c.scene.lights);
+    c.rgb = malloc(3 * (size_t)sheet->width * (size_t)sheet->height);
+    c.pictures = scene_pictures_open(gl, options);
+    const bool room = c.scene.lights && c.rgb;
+    const bool done = room ? c.pictures && add_all(&c) : gl_fail(gl, "out of memory");
+    scene_pictures_close(c.pictures);
+    free(c.scene.lights);
+    free(c.rgb);
+    return done;
+}
