@@ -1,10 +1,11 @@
-// What the light of many lamps is kept in between two dispatches: for each block of 16 x 16 pixels FAR_GROUPS groups of them, each with its centre, 1 over its
+// What the light of many lamps is kept in between two dispatches: for each block of 32 x 32 pixels FAR_GROUPS groups of them, each with its centre, 1 over its
 // radius, its sums in four by four terms of red, green and blue, and which lights are near: a pixel sums these by itself. Before it stand FAR_LIGHTS, how
-// many there are at most, a multiple of 32, and FAR_OTHERS, if not all are plain.
-const int FAR_BLOCK = 16, FAR_GROUPS = 2, FAR_PIXELS = FAR_BLOCK * FAR_BLOCK;
+// many there are at most, 32 times a power of two, and FAR_OTHERS, if not all are plain.
+const int FAR_SPAN = 4, FAR_BLOCK = 8 * FAR_SPAN, FAR_GROUPS = 4; // pixels of an invocation of 8 x 8, and of all, along x and y
 const int FAR_TEXELS = 1 + 3 * FAR_TERMS / 4;
-const int FAR_MAP = FAR_PIXELS / 32, FAR_NEAR = FAR_LIGHTS / 32;
-const int FAR_WORDS = FAR_MAP + FAR_GROUPS * FAR_NEAR; // of a block: which pixels are of the second group; near lights of both, a bit for each
+const int FAR_MAP = 64;                                               // words of a block: of an invocation's pixels two bits each, their groups
+const int FAR_BITS = FAR_LIGHTS / 32, FAR_TOPS = (FAR_BITS + 31) / 32; // of a group: a bit for each light; before that a bit for each of these words, if it isn't 0
+const int FAR_NEAR = FAR_TOPS + FAR_BITS, FAR_WORDS = FAR_MAP + FAR_GROUPS * FAR_NEAR;
 
 layout(std140) uniform FarBudget {
     float far_relative; // to a pixel's light, that its sum may be off

@@ -7,22 +7,21 @@ layout(std430, binding = 5) writeonly buffer FarNumbers {
     float far_numbers[];
 };
 
-const int GROUP = 64, SPAN = 2, PIXELS = SPAN * SPAN; // invocations, pixels of each in x and y
-const int PITCH = GROUP + 1;                          // between rows of parts, so that neighbours in a column are in other banks
+const int GROUP = 64, PIXELS = FAR_SPAN * FAR_SPAN; // invocations, pixels of each
+const int PITCH = GROUP + 1;                        // between rows of parts, so that neighbours in a column are in other banks
 const float NEAREST = 0.6; // times a light's distance, the group's radius is less where the light is far
 const float NEVER = 1e30;
 
 shared float far_parts[3 * FAR_TERMS * PITCH]; // shares of lights; then parts of sums, a row for each
 shared float far_sums[3 * FAR_TERMS];
-shared uint far_map[FAR_MAP];     // a bit for each pixel of the second group
-shared uint far_near[FAR_NEAR];   // a bit for each light that each pixel sums by itself
-shared uint far_shares[32];       // how many lights take a share of the budget between 2^-i and half of that
+shared uint far_near[FAR_NEAR];   // the lights that each pixel sums by itself, as far_blocks.glsl has them
+shared uint far_shares[32];       // sums of lights' shares of the budget, by their size
 shared uint far_seed, far_owner;  // the depth, and the pixel, that the group is made around
 shared vec3 far_point, far_axis, far_mirror; // its point, normal, and mirrored view
 
 // The greatest of what all invocations see of some numbers, as unsigned integers of the same order.
-const int LOW = 0, HIGH = 3, RADIUS = 6, NORMAL = 7, ABOVE = 8, BELOW = 9, MIRROR = 10, EVEN = 11, DIM = 14, GLOSS = 17,
-          BROAD = 20, BEHIND = 21, BOUNDS = 22;
+const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, GLOSS = 16, BROAD = 19,
+          BEHIND = 20, BOUNDS = 21;
 shared uint far_bounds[BOUNDS];
 
 uint farOrdered(float x)
@@ -48,7 +47,7 @@ float farBound(int bound)
 
 vec3 farBound3(int bound) { return vec3(farBound(bound), farBound(bound + 1), farBound(bound + 2)); }
 
-// The group: the centre of its points and their greatest distance; the cone of normals around the seed's, n.(p - c) at most and at least; the cone
+// The group: the centre of its points' box, and the distance of its corners; the cone of normals around the seed's, n.(p - c) at most and at least; the cone
 // of mirrored views; of its surfaces the most and the least that is even, the most that is not, and the least exponent of that.
 struct Group {
     vec3 centre;
@@ -61,47 +60,28 @@ struct Group {
 
 ivec2 farPixel(int k)
 {
-    return ivec2(gl_WorkGroupID.xy) * 8 * SPAN + ivec2(gl_LocalInvocationID.xy) + 8 * ivec2(k % SPAN, k / SPAN);
+    return ivec2(gl_WorkGroupID.xy) * FAR_BLOCK + ivec2(gl_LocalInvocationID.xy) + 8 * ivec2(k % FAR_SPAN, k / FAR_SPAN);
 }
 
 float farDepth(int k) { return texelFetch(light_depth, farPixel(k), 0).x; }
 
-// What a group asks of a pixel; `size` is a pixel's, there.
-struct Member {
-    vec3 point, normal, mirror, even, gloss;
-    float size, exponent;
-    bool behind;
-};
+Seen farSeen(int k) { return lightSeen(farPixel(k), farDepth(k), unpackSurface(farPixel(k))); }
 
-// Pixels at which there is a surface, as bits.
+uint farNumber(int k) { return uint(k) * uint(GROUP) + gl_LocalInvocationIndex; }
+
+// Those of an invocation's pixels at which there is a surface that sends back light of lamps, as bits.
 uint farBegin()
 {
     uint waiting = 0u;
     for (int k = 0; k < PIXELS; k++)
-        if (all(lessThan(farPixel(k), textureSize(light_depth, 0))) && farDepth(k) > 0.0) waiting |= 1u << k;
-    return waiting;
-}
-
-// Looks at those that wait. Returns the ones among them that send back light of lamps.
-uint farLook(uint waiting, out Member pixels[PIXELS])
-{
-    for (int k = 0; k < PIXELS; k++) {
-        if ((waiting >> k & 1u) == 0u) continue;
-        Seen seen = lightSeen(farPixel(k), farDepth(k), unpackSurface(farPixel(k)));
-        Lit m = seen.m;
-        pixels[k] = Member(seen.point, m.normal, surfaceMirror(m), surfaceEven(m), surfaceGloss(m), seen.pixelSize,
-                           surfaceExponent(m), surfaceLetsThrough(m));
-        if (!farReflects(m)) waiting &= ~(1u << k);
-    }
+        if (all(lessThan(farPixel(k), textureSize(light_depth, 0))) && farDepth(k) > 0.0 && farReflects(farSeen(k).m))
+            waiting |= 1u << k;
     return waiting;
 }
 
 // -- the group
 
-uint farNumber(int k) { return uint(k) * uint(GROUP) + gl_LocalInvocationIndex; }
-
-// The nearest pixel that waits; of those at one depth the first. It tells the others its point. False: none waits.
-bool farFindSeed(uint waiting, Member pixels[PIXELS])
+void farClear()
 {
     if (gl_LocalInvocationIndex == 0u) {
         far_seed = 0u;
@@ -109,100 +89,102 @@ bool farFindSeed(uint waiting, Member pixels[PIXELS])
     }
     if (gl_LocalInvocationIndex < uint(BOUNDS)) far_bounds[gl_LocalInvocationIndex] = 0u;
     if (gl_LocalInvocationIndex < 32u) far_shares[gl_LocalInvocationIndex] = 0u;
-    if (gl_LocalInvocationIndex < uint(FAR_MAP)) far_map[gl_LocalInvocationIndex] = 0u;
     for (uint word = gl_LocalInvocationIndex; word < uint(FAR_NEAR); word += uint(GROUP))
         far_near[word] = 0u;
     barrier();
-    for (int k = 0; k < PIXELS; k++)
-        if ((waiting >> k & 1u) != 0u) atomicMax(far_seed, floatBitsToUint(farDepth(k)));
+}
+
+// The nearest pixel that waits; of those at one depth the first. It tells the others its point. False: none waits.
+bool farFindSeed(uint waiting)
+{
+    float nearest = 0.0;
+    int own = 0;
+    farClear();
+    for (uint left = waiting; left != 0u; left &= left - 1u) {
+        float depth = farDepth(findLSB(left));
+        if (depth > nearest) own = findLSB(left);
+        nearest = max(nearest, depth);
+    }
+    if (waiting != 0u) atomicMax(far_seed, floatBitsToUint(nearest));
     barrier();
-    for (int k = 0; k < PIXELS; k++)
-        if ((waiting >> k & 1u) != 0u && floatBitsToUint(farDepth(k)) == far_seed) atomicMin(far_owner, farNumber(k));
+    if (waiting != 0u && floatBitsToUint(nearest) == far_seed) atomicMin(far_owner, farNumber(own));
     barrier();
-    for (int k = 0; k < PIXELS; k++)
-        if (farNumber(k) == far_owner && far_seed != 0u) {
-            far_point = pixels[k].point;
-            far_axis = pixels[k].normal;
-            far_mirror = pixels[k].mirror;
-        }
+    if (waiting != 0u && farNumber(own) == far_owner) {
+        Seen seen = farSeen(own);
+        far_point = seen.point;
+        far_axis = seen.m.normal;
+        far_mirror = surfaceMirror(seen.m);
+    }
     barrier();
     return far_seed != 0u;
 }
 
-// Those that wait and are near the seed, and look in a direction not far from its; in the last round all.
-uint farMembers(uint waiting, Member pixels[PIXELS], bool last)
+// It is near the seed, and looks in a direction not far from its.
+bool farIsAlike(Seen seen)
 {
-    const float reach = 4.0 * float(8 * SPAN), turn = 0.8;
-    uint members = 0u;
-    for (int k = 0; k < PIXELS; k++) {
-        if ((waiting >> k & 1u) == 0u) continue;
-        bool near = distance(pixels[k].point, far_point) <= reach * pixels[k].size;
-        if (last || (near && dot(pixels[k].normal, far_axis) >= turn))
-            members |= 1u << k;
-    }
-    return members;
+    const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8;
+    return distance(seen.point, far_point) <= reach * seen.pixelSize && dot(seen.m.normal, far_axis) >= turn;
 }
 
-// Each invocation puts its pixels together before it tells the others of them.
-void farSpread(uint members, Member pixels[PIXELS])
+// Those that wait and are like the seed; in the last round all. Each invocation puts its pixels together before it tells the others of them.
+uint farSpread(uint waiting, bool last)
 {
     vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
-    float broad = -NEVER, behind = 0.0;
-    for (int k = 0; k < PIXELS; k++) {
-        if ((members >> k & 1u) == 0u) continue;
-        high = max(high, pixels[k].point);
-        low = max(low, -pixels[k].point);
-        even = max(even, pixels[k].even);
-        dim = max(dim, -pixels[k].even);
-        gloss = max(gloss, pixels[k].gloss);
-        broad = max(broad, -pixels[k].exponent);
-        behind = pixels[k].behind ? 1.0 : behind;
+    float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, behind = 0.0;
+    uint members = 0u;
+    for (uint left = waiting; left != 0u; left &= left - 1u) {
+        Seen seen = farSeen(findLSB(left));
+        if (!last && !farIsAlike(seen)) continue;
+        members |= left & ~(left - 1u);
+        vec3 way = seen.point - far_point;
+        high = max(high, way);
+        low = max(low, -way);
+        above = max(above, dot(seen.m.normal, way));
+        below = max(below, -dot(seen.m.normal, way));
+        normal = max(normal, -dot(seen.m.normal, far_axis));
+        mirror = max(mirror, -dot(surfaceMirror(seen.m), far_mirror));
+        even = max(even, surfaceEven(seen.m));
+        dim = max(dim, -surfaceEven(seen.m));
+        gloss = max(gloss, surfaceGloss(seen.m));
+        broad = max(broad, -surfaceExponent(seen.m));
+        behind = surfaceLetsThrough(seen.m) ? 1.0 : behind;
     }
-    if (members == 0u) return;
+    if (members == 0u) return members;
     farRaise3(HIGH, high);
     farRaise3(LOW, low);
     farRaise3(EVEN, even);
     farRaise3(DIM, dim);
     farRaise3(GLOSS, gloss);
-    farRaise(BROAD, broad);
-    farRaise(BEHIND, behind);
-}
-
-// The same, of what is to be known from the centre on.
-void farSpreadAround(vec3 centre, uint members, Member pixels[PIXELS])
-{
-    float radius = -NEVER, normal = -NEVER, above = -NEVER, below = -NEVER, mirror = -NEVER;
-    for (int k = 0; k < PIXELS; k++) {
-        if ((members >> k & 1u) == 0u) continue;
-        float over = dot(pixels[k].normal, pixels[k].point - centre);
-        radius = max(radius, distance(pixels[k].point, centre));
-        normal = max(normal, -dot(pixels[k].normal, far_axis));
-        above = max(above, over);
-        below = max(below, -over);
-        mirror = max(mirror, -dot(pixels[k].mirror, far_mirror));
-    }
-    if (members == 0u) return;
-    farRaise(RADIUS, radius);
     farRaise(NORMAL, normal);
     farRaise(ABOVE, above);
     farRaise(BELOW, below);
     farRaise(MIRROR, mirror);
+    farRaise(BROAD, broad);
+    farRaise(BEHIND, behind);
+    return members;
 }
 
-Group farFindGroup(uint members, Member pixels[PIXELS])
+// The cosines that a direction can have with one that is within an angle of an axis: x the least, y the most.
+vec2 farCosines(float along, float cosine, float sine)
 {
-    Group group;
-    farSpread(members, pixels);
-    barrier();
-    group.centre = 0.5 * (farBound3(HIGH) - farBound3(LOW));
-    farSpreadAround(group.centre, members, pixels);
-    barrier();
+    float aside = sqrt(max(1.0 - along * along, 0.0)) * sine;
+    return vec2(along > -cosine ? along * cosine - aside : -1.0, along < cosine ? along * cosine + aside : 1.0);
+}
+
+// Heights over the seed become heights over the centre, which lies by n.(c - s) higher.
+Group farFindGroup()
+{
     const float rounding = 1e-6;
-    group.radius = farBound(RADIUS) + rounding * length(group.centre);
+    Group group;
+    vec3 high = farBound3(HIGH), low = -farBound3(LOW), way = 0.5 * (high + low);
+    group.centre = far_point + way;
+    float far = rounding * length(group.centre), off = length(way);
+    group.radius = 0.5 * length(high - low) + far;
     group.cosine = clamp(-farBound(NORMAL) - rounding, -1.0, 1.0);
     group.sine = sqrt(1.0 - group.cosine * group.cosine);
-    group.above = farBound(ABOVE) + rounding * length(group.centre);
-    group.below = -farBound(BELOW) - rounding * length(group.centre);
+    vec2 higher = off * farCosines(off > 0.0 ? dot(way, far_axis) / off : 1.0, group.cosine, group.sine);
+    group.above = farBound(ABOVE) - higher.x + far;
+    group.below = -farBound(BELOW) - higher.y - far;
     group.mirror = clamp(-farBound(MIRROR) - rounding, -1.0, 1.0);
     group.even = farBound3(EVEN);
     group.dim = max(-farBound3(DIM), 0.0);

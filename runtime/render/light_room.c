@@ -3,14 +3,15 @@
 #include <limits.h>
 
 /* As far_blocks.glsl has them. */
-enum { GROUPS = 2, TEXELS = 19, MAP = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK / 32 };
+enum { GROUPS = 4, TEXELS = 19, MAP = 64, WORD = 32 };
 
 /* Of a block. */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
 
 static size_t words_bytes(const Render *render)
 {
-    return (MAP + GROUPS * (size_t)light_far_most(render) / 32) * sizeof(GLuint);
+    const size_t bits = (size_t)light_far_most(render) / WORD, tops = (bits + WORD - 1) / WORD;
+    return (MAP + GROUPS * (tops + bits)) * sizeof(GLuint);
 }
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }

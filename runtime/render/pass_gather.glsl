@@ -11,13 +11,6 @@ struct Far {
     bool whole;
 };
 
-// The cosines that a direction can have with one that is within an angle of an axis: x the least, y the most.
-vec2 farCosines(float along, float cosine, float sine)
-{
-    float aside = sqrt(max(1.0 - along * along, 0.0)) * sine;
-    return vec2(along > -cosine ? along * cosine - aside : -1.0, along < cosine ? along * cosine + aside : 1.0);
-}
-
 // What a spot's cone lets through, at least and at most, from the group.
 vec2 farCone(int light, vec3 way, float ratio)
 {
@@ -81,13 +74,13 @@ vec3 farGloss(Far far, Group group)
     return far.power * (nearer * nearer * min(far.most * nearer, 1.0) * pow(max(cosines.y, 1e-30), group.exponent));
 }
 
-// The share of the budgets that it takes if it isn't summed at each pixel; they are 1 over what may be off.
+// The share of what may be off that it takes if it isn't summed at each pixel: `even` and `gloss` are 1 over that.
 float farShare(Far far, Group group, vec3 even, vec3 gloss)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
     vec3 share = farRest(far) * even;
 #ifdef SURFACE_HAS_specular
-    share = max(share, farGloss(far, group) * group.gloss * gloss);
+    share += farGloss(far, group) * gloss;
 #endif
     return max(max(share.x, share.y), share.z);
 }
@@ -130,10 +123,11 @@ vec3 farSureOfAll(Group group)
     return farTotal(0);
 }
 
-// The greatest share that a light may take, so that the sum of all shares up to it is 1 at most. Shares are counted by powers of two, and
-// each counts as the greatest of its kind: 3 of 0.1 and 5 of 0.02 are 3 / 8 + 5 / 32 = 0.53. Each invocation leaves those of its lights in
-// far_parts for itself, DARK where no pixel sees the light.
-const float DARK = -1.0;
+// The greatest share that a light may take, so that the sum of all shares up to it is 1 at most. Shares are summed in units of 2^-19, rounded up, by
+// half octaves: those from 2^(-i/2 - 1/2) to 2^(-i/2), roughly, are the i-th; the last are all that are smaller. Each invocation leaves those of its
+// lights in far_parts for itself, DARK where no pixel sees the light. For example 0.9, 0.3, 0.3, 0.01: the last three, 0.61, are far, and 0.5 is returned.
+const float DARK = -1.0, UNITS = 524288.0;
+const uint HALF_OCTAVE = 22u, ONE = 0x3f800000u >> HALF_OCTAVE; // bits of a float below its exponent and the first of the rest; 1.0 without them
 
 float farThreshold(Group group, vec3 even, vec3 gloss)
 {
@@ -142,14 +136,15 @@ float farThreshold(Group group, vec3 even, vec3 gloss)
         float share = farIsDark(far, group) ? DARK : farShare(far, group, even, gloss);
         far_parts[i] = share;
         if (share < 1.0 && share != DARK)
-            atomicAdd(far_shares[min(126 - int(floatBitsToUint(share) >> 23), 31)], 1u); // by the float's exponent
+            atomicAdd(far_shares[min(ONE - 1u - (floatBitsToUint(share) >> HALF_OCTAVE), 31u)], uint(share * UNITS) + 1u);
     }
     barrier();
-    float sum = 0.0, threshold = 0.0;
+    uint sum = 0u;
+    float threshold = 0.0;
     for (int i = 31; i >= 0; i--) {
-        sum += float(far_shares[i]) * exp2(float(-i));
-        if (sum > 1.0) break;
-        threshold = exp2(float(-i));
+        sum += far_shares[i];
+        if (sum > uint(UNITS)) break;
+        threshold = uintBitsToFloat(ONE - uint(i) << HALF_OCTAVE);
     }
     return threshold;
 }
@@ -164,7 +159,8 @@ void farGather(Group group, float threshold)
         float share = far_parts[i];
         if (share == DARK) continue;
         if (!(share < threshold)) {
-            atomicOr(far_near[i >> 5], 1u << (i & 31));
+            atomicOr(far_near[i >> 10], 1u << (i >> 5 & 31));
+            atomicOr(far_near[FAR_TOPS + (i >> 5)], 1u << (i & 31));
             continue;
         }
         Far far = farLight(i, group);
@@ -195,42 +191,28 @@ void farKeep(Group group, int number)
         far_words[farBlock() * FAR_WORDS + FAR_MAP + number * FAR_NEAR + i] = far_near[i];
 }
 
-void farKeepMap(uint members)
-{
-    for (int k = 0; k < PIXELS; k++)
-        if ((members >> k & 1u) != 0u) atomicOr(far_map[farNumber(k) >> 5], 1u << (farNumber(k) & 31u));
-    barrier();
-    if (gl_LocalInvocationIndex < uint(FAR_MAP))
-        far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = far_map[gl_LocalInvocationIndex];
-}
-
+// A pixel's even light is off by e R, its gloss by g G at most, of sums R and G over all lights that are taken together, and may be by r e E + a. The
+// one over the other is R / (r E + a / e) + G g / (r e E + a) at most, with the greatest e in the one and the least in the other.
 void farLights(Group group)
 {
     vec3 least = far_relative * farSureOfAll(group);
-#ifdef SURFACE_HAS_specular
-    const float part = 0.5;
-#else
-    const float part = 1.0;
-#endif
-    vec3 even = 1.0 / max(part * (least + far_absolute / max(group.even, 1e-20)), 1e-30);
-    vec3 gloss = 1.0 / max(0.5 * (least * group.dim + far_absolute), 1e-30);
+    vec3 even = 1.0 / max(least + far_absolute / max(group.even, 1e-20), 1e-30);
+    vec3 gloss = group.gloss / max(least * group.dim + far_absolute, 1e-30);
     farGather(group, farThreshold(group, even, gloss));
 }
 
 void main()
 {
-    Member pixels[PIXELS];
-    uint waiting = farBegin(), members = 0u;
-    for (int number = 0; number < FAR_GROUPS; number++) {
-        waiting = farLook(waiting, pixels);
-        if (!farFindSeed(waiting, pixels)) break;
-        members = farMembers(waiting, pixels, number == FAR_GROUPS - 1);
-        Group group = farFindGroup(members, pixels);
+    uint waiting = farBegin(), map = 0u;
+    for (int number = 0; number < FAR_GROUPS && farFindSeed(waiting); number++) {
+        uint members = farSpread(waiting, number == FAR_GROUPS - 1);
+        waiting &= ~members;
+        for (; members != 0u; members &= members - 1u) map |= uint(number) << 2 * findLSB(members);
+        barrier();
+        Group group = farFindGroup();
         farLights(group);
         farKeep(group, number);
-        waiting &= ~members;
-        if (number == 0) members = 0u;
         barrier();
     }
-    farKeepMap(members);
+    far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = map;
 }

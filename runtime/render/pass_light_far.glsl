@@ -21,36 +21,43 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
     return max(sum, 0.0);
 }
 
-// The group of its block that a pixel is in. pass_gather.glsl counts pixels in squares of 8 x 8.
+// The group of its block that a pixel is in, as pass_gather.glsl counts pixels: those of an invocation are 8 apart.
 int farGroup(int block, ivec2 pixel)
 {
-    ivec2 p = pixel % FAR_BLOCK;
-    int number = (p.y / 8 * 2 + p.x / 8) * 64 + p.y % 8 * 8 + p.x % 8;
-    return int(far_words[block * FAR_WORDS + number / 32] >> (number % 32) & 1u);
+    ivec2 p = pixel % FAR_BLOCK, q = p / 8, own = p % 8;
+    return int(far_words[block * FAR_WORDS + 8 * own.y + own.x] >> 2 * (q.y * FAR_SPAN + q.x) & 3u);
 }
 
-// Those of a word's near lights whose numbers are from `first` on, and below `end`.
-uint farBits(int at, int word, int first, int end)
+#ifdef FAR_OTHERS
+// The lowest n bits.
+uint farLowest(int n) { return n >= 32 ? 0xffffffffu : (1u << max(n, 0)) - 1u; }
+#endif
+
+// Those of a word's lights that are plain.
+uint farPlain(int word, uint lights)
 {
-    uint bits = far_words[at + word];
-    int low = max(first - 32 * word, 0), high = end - 32 * word;
-    bits = bits >> low << low;
-    return high < 32 ? bits & ((1u << high) - 1u) : bits;
+#ifdef FAR_OTHERS
+    return lights & farLowest(light_plain - 32 * word);
+#else
+    return lights;
+#endif
 }
 
-// Plain ones come first. A loop of its own for each kind: some compilers run both sides of a branch.
+// Of words that are not 0. A loop of its own for each kind: some compilers run both sides of a branch.
 vec3 farNear(int at, Seen seen)
 {
-    int end = light_plain + light_points;
     vec3 sum = vec3(0.0);
-    for (int word = 0; 32 * word < light_plain; word++)
-        for (uint bits = farBits(at, word, 0, light_plain); bits != 0u; bits &= bits - 1u)
-            sum += lightFromPlain(32 * word + findLSB(bits), seen);
+    for (int top = 0; top < FAR_TOPS; top++)
+        for (uint words = far_words[at + top]; words != 0u; words &= words - 1u) {
+            int word = 32 * top + findLSB(words);
+            uint lights = far_words[at + FAR_TOPS + word];
+            for (uint bits = farPlain(word, lights); bits != 0u; bits &= bits - 1u)
+                sum += lightFromPlain(32 * word + findLSB(bits), seen);
 #ifdef FAR_OTHERS
-    for (int word = light_plain / 32; 32 * word < end; word++)
-        for (uint bits = farBits(at, word, light_plain, end); bits != 0u; bits &= bits - 1u)
-            sum += lightFromOther(32 * word + findLSB(bits), seen);
+            for (uint bits = lights & ~farPlain(word, lights); bits != 0u; bits &= bits - 1u)
+                sum += lightFromOther(32 * word + findLSB(bits), seen);
 #endif
+        }
     return sum;
 }
 
