@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+static GlKind kind;
 enum { TRIANGLES = 400, POINTS = 3000, MOST = 1 << 20 /* words */ };
 
 static uint64_t state_of_chance = 1;
@@ -64,7 +65,7 @@ typedef struct {
 
 static Made open_made(size_t most)
 {
-    Made made = {.gl = frame_context()};
+    Made made = {.gl = frame_context_of(kind)};
     made.store = store_new(made.gl);
     assert_true(made.store && exact_cover_open(made.store, most, &made.cover));
     made.gl->GenBuffers(1, &made.corners);
@@ -310,11 +311,12 @@ static void of_nothing(void **state)
     free_things(&nothing);
 }
 
-int main(void)
+int main(int count, char **arguments)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(all_are_listed), cmocka_unit_test(cells),      cmocka_unit_test(many_large),
         cmocka_unit_test(less_room),      cmocka_unit_test(of_nothing),
     };
+    kind = frame_kind(count, arguments);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

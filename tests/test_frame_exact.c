@@ -1,5 +1,5 @@
 /* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are asked again. `build/tests/test_frame_exact
- * 10000000` draws as many pixels at least. */
+ * 10000000` draws as many pixels at least, and `... 10000000 egl` on a GPU. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,6 +15,7 @@
 
 enum { SETS = 3 /* of objects */ };
 static int wide = 72, high = 54; /* pixels of a picture */
+static GlKind kind;
 
 #define HEAD                                                                                                           \
     "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"                         \
@@ -62,7 +63,7 @@ typedef struct {
 
 static Pair open_pair(void)
 {
-    Pair pair = {.gl = frame_context(), .options = frame_exact_options()};
+    Pair pair = {.gl = frame_context_of(kind), .options = frame_exact_options()};
     return pair;
 }
 
@@ -244,7 +245,7 @@ static void changes(void **state)
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     Scene *scene = mixed_scene(&options, ".5", &document);
     Render *render = render_open(gl, &how);
     frame_count_calls(gl);
@@ -274,7 +275,7 @@ static void glass(void **state)
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     MatcDocument *documents[2];
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     float *pictures[2];
     Scene *scenes[2];
     int darker = 0, twice = 0, alike = 0;
@@ -305,7 +306,7 @@ static void no_instances(void **state)
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     Scene *scene = scene_of(&options, &lamps[0], shadow_angles[3], (const char *[2]){GROUND, THINGS}, &document);
     int others = 0, dark = 0;
     float *newest = frame_floats(gl, scene, &how);
@@ -327,7 +328,7 @@ static void older_drivers(void **state)
     (void)state;
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     Scene *scene = mixed_scene(&options, ".5", &document);
     gl->major = gl->minor = 3;
     Render *render = render_open(gl, &(RenderOptions){.compile = &options});
@@ -346,10 +347,11 @@ int main(int count, char **arguments)
         cmocka_unit_test(changes),       cmocka_unit_test(glass),      cmocka_unit_test(no_instances),
         cmocka_unit_test(older_drivers),
     };
-    if (count > 1) {
+    if (count > 1 && atof(arguments[1]) > 0) {
         const double each = atof(arguments[1]) / (SETS * SHADOW_ANGLES);
         high = (int)ceil(sqrt(each * 3 / 4));
         wide = (high * 4 + 2) / 3;
     }
+    kind = frame_kind(count, arguments);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,13 +50,21 @@ Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **
     return scene;
 }
 
-GlContext *frame_context(void)
+GlContext *frame_context_of(GlKind kind)
 {
     char error[512] = "";
-    GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
+    GlContext *gl = gl_open(kind, true, error, sizeof error);
     if (!gl)
         end(error);
     return gl;
+}
+
+GlContext *frame_context(void) { return frame_context_of(GL_KIND_osmesa); }
+
+GlKind frame_kind(int count, char **arguments)
+{
+    GlKind kind;
+    return count > 1 && gl_kind_find(arguments[count - 1], &kind) ? kind : GL_KIND_osmesa;
 }
 
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options)

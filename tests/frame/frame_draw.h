@@ -9,6 +9,9 @@ MatcOptions frame_exact_options(void);
 MatcOptions frame_float_options(MatcLayout **layout);
 Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **document);
 GlContext *frame_context(void);
+GlContext *frame_context_of(GlKind kind);
+/* The kind that a test's last argument names, as in `build/tests/test_x egl`; else OSMesa. */
+GlKind frame_kind(int count, char **arguments);
 /* Floats of a view, from malloc. */
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);
 /* The same of the whole picture, by its tiles, the last column and row first. */
