@@ -102,8 +102,11 @@ static bool measure_times(const Shadows *s)
 static const struct {
     const char *name;
     bool (*measure)(const Shadows *s);
-} tables[] = {
-    {"errors", measure_errors}, {"times", measure_times}, {"paths", shadows_paths}, {"polygons", shadows_polygons}};
+} tables[] = {{"errors", measure_errors},
+              {"steps", shadows_steps},
+              {"times", measure_times},
+              {"paths", shadows_paths},
+              {"polygons", shadows_polygons}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static bool read_argument(const char *text, Arguments *made)
@@ -170,7 +173,7 @@ int bench_shadows(int argc, char **argv)
         return run(&arguments);
     fputs(
         "usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE] [--maps=TEXELS] [errors] "
-        "[times]\n",
+        "[steps] [times] [paths] [polygons]\n",
         stderr);
     return 2;
 }

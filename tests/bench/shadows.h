@@ -30,7 +30,9 @@ typedef struct {
 /* False: said on standard error. */
 bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *times);
 
-/* Tables; false: said. Paths of data by sizes of maps; the thesis' table of polygons and its charts. */
+/* Tables; false: said. Paths of data by sizes of maps; the thesis' table of polygons and its charts; pixels that flicker while
+ * the light moves. */
 bool shadows_paths(const Shadows *s);
 bool shadows_polygons(const Shadows *s);
+bool shadows_steps(const Shadows *s);
 #endif

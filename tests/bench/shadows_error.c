@@ -10,8 +10,8 @@ static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why
 
 /* -- pictures */
 
-static const ShadowsMethod truth = {{"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false,
-                                    WORD_Path_auto};
+const ShadowsMethod shadows_truth = {{"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false,
+                                     WORD_Path_auto};
 static const ShadowsMethod usual = {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false,
                                     WORD_Path_auto};
 
@@ -104,7 +104,7 @@ bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place
 {
     *made = (ShadowsPicture){.target = *target, .scene = place->scene};
     made->light = draw_lane(made, NULL);
-    made->truth = made->light ? draw_shares(made, &truth) : NULL;
+    made->truth = made->light ? draw_shares(made, &shadows_truth) : NULL;
     if (!made->truth || !place_pixels(made))
         return false;
     const Boundary boundary = boundary_of(made);

@@ -3,6 +3,9 @@
 #define SHADOWS_ERROR_H
 #include "shadows_scene.h"
 
+/* Exact shadows, which tests compare with rays. */
+extern const ShadowsMethod shadows_truth;
+
 typedef struct {
     GlContext *gl;
     const MatcOptions *compile;
