@@ -1,4 +1,5 @@
-/* --aa as it is drawn over parallelograms, against means that the C reference makes of points within them; noise by its statistics. */
+/* --aa as it is drawn over parallelograms, against means that the C reference makes of points within them; noise by its statistics.
+ * With MEAN_PLACES=N in the environment at N places each, of which the worst is shown. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -21,6 +22,12 @@ static const char *const filters[] = {"box", "aniso"};
 typedef float Picture[SHEET_PIXELS][4];
 
 static Drawers drawers;
+
+static int places(void)
+{
+    const char *said = getenv("MEAN_PLACES");
+    return said ? atoi(said) : 1;
+}
 
 static int set_up(void **state)
 {
@@ -45,13 +52,13 @@ static void draw(Filtered *f, const Sheet *sheet, Picture rgba)
 }
 
 /* All of the coordinates change both ways, and none as another does. */
-static Sheet turned_sheet(double size)
+static Sheet turned_sheet(double size, double away)
 {
     Sheet sheet;
     sheet_init(&sheet);
-    sheet_set(&sheet, 0, .137, .91 * size, -.19 * size);
-    sheet_set(&sheet, 1, -.291, .33 * size, .47 * size);
-    sheet_set(&sheet, 2, .43, .23 * size, .11 * size);
+    sheet_set(&sheet, 0, .137 + 37.31 * away, .91 * size, -.19 * size);
+    sheet_set(&sheet, 1, -.291 + 41.17 * away, .33 * size, .47 * size);
+    sheet_set(&sheet, 2, .43 - 29.83 * away, .23 * size, .11 * size);
     return sheet;
 }
 
@@ -117,14 +124,25 @@ static void close(Filtered f[FILTERS])
         filtered_close(&f[i]);
 }
 
-static void measure(Filtered f[FILTERS], double period, Errors errors[FILTERS])
+static double far_of(double a, double b) { return fabs(a) > fabs(b) ? a : b; }
+
+/* Each of the three where it is greatest. */
+static void note_errors(const Sums *sums, Errors *worst)
+{
+    const Errors seen = errors_of(sums);
+    worst->square = far_of(worst->square, seen.square);
+    worst->bias = far_of(worst->bias, seen.bias);
+    worst->slope = 1 + far_of(worst->slope - 1, seen.slope - 1);
+}
+
+static void measure(Filtered f[FILTERS], double period, int place, Errors worst[FILTERS])
 {
     static const double sizes[] = {.2, .45, 1.1};
     static Picture rgba[FILTERS];
     Sums sums[FILTERS] = {0};
     Oracle *oracle = filtered_oracle(f);
     for (int size = 0; size < 3; size++) {
-        Sheet sheet = turned_sheet(sizes[size] * period);
+        Sheet sheet = turned_sheet(sizes[size] * period, place * period);
         for (int i = 0; i < FILTERS; i++)
             draw(&f[i], &sheet, rgba[i]);
         for (int pixel = 0; pixel < SHEET_PIXELS; pixel += STEP) {
@@ -135,10 +153,11 @@ static void measure(Filtered f[FILTERS], double period, Errors errors[FILTERS])
     }
     oracle_close(oracle);
     for (int i = 0; i < FILTERS; i++)
-        errors[i] = errors_of(&sums[i]);
+        note_errors(&sums[i], &worst[i]);
 }
 
-/* Of simplex noise the worst of five places and two hashes: a few dozen pixels know no more, and both show the same. */
+/* At one place, what is seen and a few hundredths more. A few dozen pixels know no more of noise: elsewhere they see others, of MEAN_PLACES=64
+ * the worst is up to three times the bias, for every noise alike. Whether places differ as chance has it is test_statistics' to tell. */
 static const struct {
     const char *map, *noise;
     double period;
@@ -164,7 +183,7 @@ static const struct {
     {"{ map: Mandel }", NULL, 1, {{.1368, .0085, .081}, {.1368, .0085, .081}}},
     {"{ map: VolumeTurbulence, octaves: 1 }", "lattice", 1, {{.0939, .0007, .083}, {.0285, .0013, .025}}},
     {"{ map: VolumeTurbulence, octaves: 1 }", "groimp", 1, {{.0910, .0032, .086}, {.0287, .0019, .035}}},
-    {"{ map: VolumeTurbulence, octaves: 1 }", "simplex", .5, {{.0925, .0108, .091}, {.0280, .0020, .028}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }", "simplex", .5, {{.0775, .0085, .070}, {.0232, .0017, .025}}},
     {"{ map: VolumeTurbulence, octaves: 3, noiseRatio: 0.6 }",
      "lattice",
      1,
@@ -177,10 +196,10 @@ static const struct {
     {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
      "simplex",
      .5,
-     {{.0707, .0153, .108}, {.0505, .0137, .055}}},
+     {{.0672, .0105, .067}, {.0521, .0121, .047}}},
     {"{ map: Granite }", "lattice", .25, {{.1132, .0121, .120}, {.0507, .0061, .053}}},
     {"{ map: Granite }", "groimp", .25, {{.0939, .0045, .071}, {.0483, .0019, .029}}},
-    {"{ map: Granite }", "simplex", .125, {{.1112, .0072, .174}, {.0496, .0047, .081}}},
+    {"{ map: Granite }", "simplex", .125, {{.1076, .0015, .112}, {.0492, .0013, .064}}},
     {"{ map: Granite, waveForm: Sqr }", "lattice", .25, {{.0531, .0017, .060}, {.0344, .0090, .054}}},
     {"{ map: Checker, input: { map: Turbulence, noiseRatio: 0.5 } }",
      "lattice",
@@ -203,9 +222,10 @@ static void parallelograms_show_about_their_means(void **state)
     int failures = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Filtered f[FILTERS];
-        Errors seen[FILTERS];
+        Errors seen[FILTERS] = {{.slope = 1}, {.slope = 1}};
         open(f, cases[i].map, cases[i].noise);
-        measure(f, cases[i].period, seen);
+        for (int place = 0; place < places(); place++)
+            measure(f, cases[i].period, place, seen);
         for (int k = 0; k < FILTERS; k++)
             failures += !compare(&f[k], &seen[k], &cases[i].most[k]);
         close(f);
@@ -214,31 +234,31 @@ static void parallelograms_show_about_their_means(void **state)
 }
 
 /* Many periods of noise in every pixel, over which x + y + z stays the same. */
-static Sheet wide_sheet(void)
+static Sheet wide_sheet(int place)
 {
     Sheet sheet;
     sheet_init(&sheet);
-    sheet_set(&sheet, 0, .5, 37, 20.5);
-    sheet_set(&sheet, 1, -.25, -37, 20.5);
-    sheet_set(&sheet, 2, .125, 0, -41);
+    sheet_set(&sheet, 0, .5 + 37.31 * place, 37, 20.5);
+    sheet_set(&sheet, 1, -.25 + 41.17 * place, -37, 20.5);
+    sheet_set(&sheet, 2, .125 - 78.48 * place, 0, -41);
     return sheet;
 }
 
 /* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of what Turbulence moves by. The lanes
- * of GroIMP's vectors are a little alike, by its table of 512 numbers; of simplex noise, again, the worst of five places and two hashes. */
+ * of GroIMP's vectors are a little alike, by its table of 512 numbers. At one place, again: 20,000 points know a mean to .0034 of their own. */
 static const struct {
     const char *map;
     double most[3]; /* by noise */
 } wide_cases[] = {
-    {"{ map: VolumeTurbulence, octaves: 1 }", {.0009, .0039, .0063}},
-    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7 }", {.0009, .0036, .0073}},
+    {"{ map: VolumeTurbulence, octaves: 1 }", {.0009, .0039, .0011}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7 }", {.0009, .0036, .0021}},
     {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0046}},
-    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0097}},
-    {"{ map: Granite }", {.0018, .0079, .0070}},
-    {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0114}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0060}},
+    {"{ map: Granite }", {.0018, .0079, .0055}},
+    {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0057}},
     {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, 1, 1], octaves: 1 } "
      "}",
-     {.0048, .0158, .0081}},
+     {.0048, .0158, .0063}},
 };
 static const char *const noises[] = {"lattice", "groimp", "simplex"};
 
@@ -257,25 +277,43 @@ static double mean_of_points(const Filtered *f, const Sheet *sheet)
     return sum;
 }
 
+/* The greatest difference from `want` over all pixels. */
+static double off_by(Filtered *f, const Sheet *sheet, double want)
+{
+    static Picture rgba;
+    double worst = 0;
+    draw(f, sheet, rgba);
+    for (int pixel = 0; pixel < SHEET_PIXELS; pixel++)
+        note(isnan(rgba[pixel][0]) ? INFINITY : fabs(rgba[pixel][0] - want), &worst);
+    return worst;
+}
+
+static bool compare_wide(Filtered f[FILTERS], double most)
+{
+    double worst[FILTERS] = {0};
+    bool fine = true;
+    for (int place = 0; place < places(); place++) {
+        const Sheet sheet = wide_sheet(place);
+        const double want = mean_of_points(f, &sheet);
+        for (int k = 0; k < FILTERS; k++)
+            note(off_by(&f[k], &sheet, want), &worst[k]);
+    }
+    for (int k = 0; k < FILTERS; k++) {
+        print_message("%-70.70s %-7s %-5s off by %.4f (%.4f)%s\n", f->map, f->noise, f[k].aa, worst[k], most,
+                      worst[k] <= most ? "" : "  TOO MUCH");
+        fine &= worst[k] <= most;
+    }
+    return fine;
+}
+
 static void wide_pixels_show_statistics(void **state)
 {
     (void)state;
-    static Picture rgba;
     int failures = 0;
-    Sheet sheet = wide_sheet();
     for (size_t i = 0; i < sizeof wide_cases / sizeof *wide_cases * 3; i++) {
         Filtered f[FILTERS];
         open(f, wide_cases[i / 3].map, noises[i % 3]);
-        double want = mean_of_points(f, &sheet);
-        for (int k = 0; k < FILTERS; k++) {
-            double worst = 0;
-            draw(&f[k], &sheet, rgba);
-            for (int pixel = 0; pixel < SHEET_PIXELS; pixel++)
-                note(isnan(rgba[pixel][0]) ? INFINITY : fabs(rgba[pixel][0] - want), &worst);
-            print_message("%-70.70s %-7s %-5s %.4f, off by %.4f (%.4f)%s\n", f->map, f->noise, f[k].aa, want, worst,
-                          wide_cases[i / 3].most[i % 3], worst <= wide_cases[i / 3].most[i % 3] ? "" : "  TOO MUCH");
-            failures += !(worst <= wide_cases[i / 3].most[i % 3]);
-        }
+        failures += !compare_wide(f, wide_cases[i / 3].most[i % 3]);
         close(f);
     }
     assert_int_equal(failures, 0);
