@@ -1,4 +1,4 @@
-/* Shapes and matrices of the GL layer: which way they turn, and that derivatives are those of the position. */
+/* Shapes and matrices of the GL layer: which way they turn, that derivatives are those of the position, and which are closed. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -90,11 +90,39 @@ static void matrices_invert(void **state)
     assert_true(normal.m[8] > 0 && normal.m[4] < 0);
 }
 
+static bool same_place(const float a[3], const float b[3]) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
+/* Which shapes enclose something is plain to see; without any one of its triangles none does. */
+static void closed_shapes_are_known(void **state)
+{
+    (void)state;
+    static const bool closed[SHAPE_count] = {[SHAPE_sphere] = true, [SHAPE_cube] = true, [SHAPE_torus] = true};
+    for (int kind = 0; kind < SHAPE_count; kind++) {
+        Shape shape;
+        const int steps[2] = {
+            7, kind == SHAPE_cube ? 7 : 5}; /* faces of a cube meet; a pole has an odd number of triangles */
+        assert_true(shape_make_detailed((ShapeKind)kind, steps, &shape));
+        assert_int_equal(shape_is_closed(&shape), closed[kind]);
+        for (int i = 0; i < shape.index_count; i += 3) {
+            uint32_t *corner = shape.indices + i;
+            const uint32_t kept = corner[2];
+            const float *a = shape.vertices[corner[0]].position, *b = shape.vertices[kept].position;
+            const float *c = shape.vertices[corner[1]].position;
+            const bool flat = same_place(a, b) || same_place(a, c) || same_place(b, c); /* at a pole */
+            corner[2] = corner[1];
+            assert_int_equal(shape_is_closed(&shape), closed[kind] && flat);
+            corner[2] = kept;
+        }
+        shape_free(&shape);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shapes_are_oriented),
         cmocka_unit_test(derivatives_are_those_of_the_position),
+        cmocka_unit_test(closed_shapes_are_known),
         cmocka_unit_test(matrices_invert),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -65,6 +65,7 @@
     F(GETSTRING, GetString)                                                                                            \
     F(GETUNIFORMLOCATION, GetUniformLocation)                                                                          \
     F(LINKPROGRAM, LinkProgram)                                                                                        \
+    F(LOGICOP, LogicOp)                                                                                                \
     F(PIXELSTOREI, PixelStorei)                                                                                        \
     F(POLYGONOFFSET, PolygonOffset)                                                                                    \
     F(READBUFFER, ReadBuffer)                                                                                          \

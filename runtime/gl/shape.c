@@ -13,12 +13,25 @@ typedef void Surface(int patch, double u, double v, ShapeVertex *vertex);
 
 static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
 
+/* Of a number of turns: the same for each, and 0 where it is 0, so that a seam's vertices, and a pole's, have one place. */
+static double sine(double turns)
+{
+    const double part = turns - floor(turns);
+    return part == 0 || part == .5 ? 0 : sin(2 * PI * part);
+}
+
+static double cosine(double turns)
+{
+    const double part = turns - floor(turns);
+    return part == .25 || part == .75 ? 0 : cos(2 * PI * part);
+}
+
 /* P = (cos a cos b, sin a cos b, sin b), a = 2 pi u, b = pi (v - 1/2). */
 static void sphere(int patch, double u, double v, ShapeVertex *vertex)
 {
     (void)patch;
-    double ca = cos(2 * PI * u), sa = sin(2 * PI * u);
-    double sb = -cos(PI * v), cb = sin(PI * v);
+    double ca = cosine(u), sa = sine(u);
+    double sb = -cosine(v / 2), cb = sine(v / 2);
     put(vertex->position, ca * cb, sa * cb, sb);
     put(vertex->normal, ca * cb, sa * cb, sb);
     put(vertex->tangentU, -2 * PI * sa * cb, 2 * PI * ca * cb, 0);
@@ -55,8 +68,8 @@ static void cube(int patch, double u, double v, ShapeVertex *vertex)
 static void torus(int patch, double u, double v, ShapeVertex *vertex)
 {
     (void)patch;
-    double ca = cos(2 * PI * u), sa = sin(2 * PI * u);
-    double cb = cos(2 * PI * v), sb = sin(2 * PI * v);
+    double ca = cosine(u), sa = sine(u);
+    double cb = cosine(v), sb = sine(v);
     double ring = TORUS_RADIUS + TORUS_TUBE * cb, turn = 2 * PI * TORUS_TUBE;
     put(vertex->position, ring * ca, ring * sa, TORUS_TUBE * sb);
     put(vertex->normal, cb * ca, cb * sa, sb);

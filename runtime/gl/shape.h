@@ -40,4 +40,8 @@ bool shape_make(ShapeKind kind, Shape *made);
 /* The same in another number of steps along u and v, each at least 1. */
 bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made);
 void shape_free(Shape *shape);
+
+/* Whether it encloses what lies within: each edge has an even number of triangles, vertices in one place taken together. Of two bodies that touch, or
+ * cross, each does. Wrong about one of 2^64 that do not. shape_closed.c */
+bool shape_is_closed(const Shape *shape);
 #endif

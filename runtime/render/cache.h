@@ -112,9 +112,10 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 typedef struct {
     const double *clip_from_world; /* 16, by columns */
     const CullVolume *volume;
-    bool mirrored;   /* triangles turn the other way round there */
-    Material *solid; /* draws depth alone (shadow_depth.glsl) */
-    int number;      /* of its map: the uniform glass_map of programs that color shadows */
+    bool mirrored;      /* triangles turn the other way round there */
+    Material *solid;    /* draws depth alone (shadow_depth.glsl) */
+    int number;         /* of its map: the uniform glass_map of programs that color shadows */
+    const bool *meshes; /* by mesh: it is drawn; NULL: all are */
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */

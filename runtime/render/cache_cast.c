@@ -44,14 +44,14 @@ bool cache_arrange_casters(GlContext *gl, Cache *cache)
 }
 
 /* Lists the places that the light sees, in the order of drawing. So many. */
-static int list_seen(const CacheSource *source, Cache *cache, const CullVolume *volume, bool transparent)
+static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent)
 {
     uint32_t *list = cache->list + (CACHE_LISTS - 1) * cache->place_count;
     int count = 0;
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
-        if (place->transparent == transparent &&
-            cull_sees(volume, &cache->boxes[place->mesh], &source->scene->objects[place->object].world_from_local))
+        if (place->transparent == transparent && (!light->meshes || light->meshes[place->mesh]) &&
+            cull_sees(light->volume, &cache->boxes[place->mesh], &source->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
     }
     return count;
@@ -112,7 +112,7 @@ static Spaces spaces_of(const CacheSource *source, const CacheLight *light)
 void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent)
 {
     const int start = (CACHE_LISTS - 1) * cache->place_count;
-    const int count = list_seen(source, cache, light->volume, transparent);
+    const int count = list_seen(source, cache, light, transparent);
     const uint32_t *list = cache->list + start;
     const Material *before = NULL;
     Spaces spaces = spaces_of(source, light);

@@ -7,6 +7,8 @@
 #define GBUFFER (1u << FRAME_TARGET_gbuffer)
 #define SHADOW  (1u << FRAME_TARGET_shadow)
 #define FAR     (1u << FRAME_TARGET_far)
+#define VOXELS  (1u << FRAME_TARGET_voxels)
+#define CUBES   (1u << FRAME_TARGET_cubes)
 #define SEEN    (1u << FRAME_TARGET_seen)
 #define LIGHT   (1u << FRAME_TARGET_light)
 #define EDGE    (1u << FRAME_TARGET_edge)
@@ -31,6 +33,13 @@ const FramePass frame_passes[] = {
      pass_shadow_draw,
      "a light's shadows are cast; once, then they are kept",
      NULL},
+    {{"voxels", 0, VOXELS, 0, 0},
+     pass_voxels_needed,
+     pass_voxels_make,
+     pass_voxels_draw,
+     "voxels are looked at; once, then they are kept",
+     NULL},
+    {{"cubes", VOXELS, CUBES, 0, 0}, pass_cubes_needed, pass_cubes_make, pass_cubes_draw, "voxels are looked at", NULL},
     {{"volume", DEPTH | SHADOW, MASK, 0, 0},
      volume_lights_cast,
      pass_volume_make,
@@ -104,6 +113,8 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
+    if (view && pass_cubes_level(view) >= 0)
+        return CUBES;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
         if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&
             !strcmp(view, frame_target_name((FrameTarget)target)))
@@ -187,6 +198,7 @@ static const struct {
 } draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
                              [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
+                             [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
                              [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
                              [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
                              [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
@@ -275,6 +287,7 @@ void frame_place(Render *render)
     pass_edge_place(render);
     pass_tools_place(render);
     pass_tone_place(render);
+    pass_cubes_place(render);
     lighting_place(render, &render->blend);
     lighting_place(render, &render->peel);
 }
@@ -346,6 +359,7 @@ bool frame_change(Render *render, unsigned what)
     ScreenPass *passes[] = {&render->light, &render->far.gather, &render->blend, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     pass_volume_change(render);
+    pass_cubes_place(render);
     fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
         if (fine && passes[i]->material.store)
@@ -377,6 +391,7 @@ void frame_delete(Render *render)
     pass_volume_delete(render);
     pass_shadow_delete(render);
     pass_exact_delete(render);
+    pass_voxels_delete(render);
     light_table_delete(render);
     gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */
     render->sky = (SkyLight){0};

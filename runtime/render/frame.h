@@ -10,11 +10,14 @@
 #include "runtime/render/screen_pass.h"
 #include "runtime/render/shadow.h"
 #include "runtime/render/volume.h"
+#include "runtime/render/voxels.h"
 
 typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
+    FRAME_TARGET_voxels, /* of their own size, too: pass_voxels.c */
+    FRAME_TARGET_cubes,  /* a view of them */
     FRAME_TARGET_seen,   /* numbers of triangles */
     FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
@@ -34,6 +37,7 @@ typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
     FRAME_DRAW_seen,    /* the same and numbers of triangles */
     FRAME_DRAW_sky,     /* light and depth */
+    FRAME_DRAW_cubes,
     FRAME_DRAW_light,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */
@@ -134,6 +138,7 @@ struct Render {
     int light_counts[VIEW_SPACE_SECTIONS];
     ShadowMaps shadows;
     ExactShadows exact;
+    FrameVoxels voxels;
     SkyLight sky;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;

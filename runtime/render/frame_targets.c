@@ -3,8 +3,8 @@
 #include "runtime/render/light_far.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth",   "gbuffer",  "shadow", "seen", "lists",
-                                                      "far",     "light",    "edge",   "mask", "layer",
+static const char *const names[FRAME_TARGET_COUNT] = {"depth",   "gbuffer",  "shadow", "voxels", "cubes", "seen",
+                                                      "lists",   "far",      "light",  "edge",   "mask",  "layer",
                                                       "layer.z", "layer.id", "tools",  "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
@@ -40,6 +40,7 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
                                                  [FRAME_TARGET_layer_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = light,
                                                  [FRAME_TARGET_tools] = light,
+                                                 [FRAME_TARGET_cubes] = "RGBA8",
                                                  [FRAME_TARGET_seen] = "R32UI",
                                                  [FRAME_TARGET_edge] = "R32UI",
                                                  [FRAME_TARGET_shown] = shown_format(render)};

@@ -32,6 +32,8 @@ static bool read_samples(Render *render, float *rgba)
         return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_light], 0, rgba);
     if (!strcmp(view, "depth"))
         return read_depth(render, true, rgba);
+    if (pass_cubes_level(view) >= 0)
+        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_cubes], 0, rgba);
     if (render->has_reader)
         return reader_read(&render->reader, surface, render_find_slot(view), rgba) && read_depth(render, false, rgba);
     memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);

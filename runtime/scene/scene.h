@@ -106,6 +106,7 @@ typedef struct Scene {
     double shadow_offset;   /* texels, of a blurred volume */
     bool shadow_stretched;  /* its outermost texels lie at the map's edge */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
+    int voxel_size;         /* voxels along an edge of the whole: a power of two */
     SceneTools tools;
     MatcDocument **documents; /* further files of materials */
     int document_count;

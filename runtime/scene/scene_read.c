@@ -65,6 +65,21 @@ static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
     return i == r->plane_count;
 }
 
+static void read_voxels(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_voxels, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_voxels, &thing))
+        return;
+    const int size = (int)scene_thing_number(&thing, S_Voxels_size);
+    r->scene->voxel_size = size;
+    if (!(size & (size - 1)))
+        return;
+    diag_add(r->session, scene_thing_span(&thing, S_Voxels_size), DIAG_scene_voxels, size);
+    r->fine = false;
+}
+
 static void read_tools(SceneReader *r, Tree *tree)
 {
     SceneThing thing;
@@ -113,6 +128,7 @@ static void read_scene(SceneReader *r, Tree *document)
         scene_motion_read(r, scene_thing_given(&thing, S_Scene_motion));
     read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
+    read_voxels(r, scene_thing_given(&thing, S_Scene_voxels));
     read_tools(r, scene_thing_given(&thing, S_Scene_tools));
     if (scene_thing_given(&thing, S_Scene_objects))
         scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));

@@ -60,7 +60,7 @@ static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
     const double r = o->foot + (o->top - o->foot) * t, fall = o->foot - o->top;
     const double long_as = fmax(r / o->foot, SHORTEST) / hypot(o->height, fall);
     for (int i = 0; i <= o->steps; i++, next++) {
-        const double s = (double)i / o->steps, c = cos(2 * PI * s), d = sin(2 * PI * s);
+        const double s = (double)i / o->steps, a = 2 * PI * (i % o->steps) / o->steps, c = cos(a), d = sin(a);
         put(next->position, r * c, r * d, o->height * t);
         put(next->normal, o->height * long_as * c, o->height * long_as * d, fall * long_as);
         put(next->tangentU, -2 * PI * r * d, 2 * PI * r * c, 0);
@@ -75,7 +75,7 @@ static ShapeVertex *lid(const Round *o, bool up, ShapeVertex *next)
 {
     const double r = up ? o->top : o->foot, z = up ? o->height : 0, facing = up ? 1 : -1;
     for (int i = -1; i <= o->steps; i++, next++) {
-        const double s = (double)i / o->steps, c = i < 0 ? 0 : cos(2 * PI * s), d = i < 0 ? 0 : sin(2 * PI * s);
+        const double a = 2 * PI * (i % o->steps) / o->steps, c = i < 0 ? 0 : cos(a), d = i < 0 ? 0 : sin(a);
         put(next->position, r * c, r * d, z);
         put(next->normal, 0, 0, facing);
         put(next->tangentU, 2 * r, 0, 0);

@@ -24,7 +24,7 @@ const char command_help[] =
     "proportions\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 2, of a scene 1\n"
     "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
-    "  --view=NAME          shown (default), light, depth, or a slot: what a pass wrote\n"
+    "  --view=NAME          shown (default), light, depth, voxels, or a slot: what a pass wrote\n"
     "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
     "says\n"
     "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; else as FILE ends\n"

@@ -1,0 +1,70 @@
+/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_walk.glsl. */
+#include "runtime/render/frame.h"
+#include <string.h>
+
+extern const char render_text_voxel_walk[], render_text_pass_cubes[];
+
+/* No level has two digits: 512 voxels have ten. */
+int pass_cubes_level(const char *view)
+{
+    static const char name[] = "voxels";
+    const char *digit = view + strlen(name);
+    if (strncmp(view, name, strlen(name)) != 0)
+        return -1;
+    return !*digit ? 0 : *digit >= '0' && *digit <= '9' && !digit[1] ? *digit - '0' : -1;
+}
+
+bool pass_cubes_needed(const Render *render)
+{
+    return render->options.view && pass_cubes_level(render->options.view) >= 0;
+}
+
+bool pass_cubes_make(Render *render)
+{
+    const int level = pass_cubes_level(render->options.view);
+    const ScreenPassText text = {.body = {render_text_voxel_walk, render_text_pass_cubes},
+                                 .format = frame_format(render, FRAME_TARGET_cubes, 0),
+                                 .compute = render->compute};
+    if (level >= render->voxels.levels)
+        return gl_fail(render->gl, "there is no view '%s': of %d voxels the last is voxels%d", render->options.view,
+                       render->voxels.grid.size, render->voxels.levels - 1);
+    if (!screen_pass_make(render->store, &text, &render->voxels.view))
+        return false;
+    screen_pass_sampler(&render->voxels.view, "voxel_map", 0);
+    material_set_number(&render->voxels.view.material, "cubes_level", (float)level);
+    pass_cubes_place(render);
+    return true;
+}
+
+static void set(Render *render, const char *name, const float values[4])
+{
+    material_set(&render->voxels.view.material, &(MaterialValue){name, 4, values});
+}
+
+void pass_cubes_place(Render *render)
+{
+    static const char *const names[4] = {"cubes_right", "cubes_up", "cubes_back", "cubes_eye"};
+    const SceneCamera *camera = &render->scene->camera;
+    const double *const axes[3] = {camera->right, camera->up, camera->back};
+    const VoxelGrid *grid = &render->voxels.grid;
+    if (!render->voxels.view.material.store)
+        return;
+    for (int i = 0; i < 4; i++) {
+        float lanes[4] = {0};
+        for (int k = 0; k < 3; k++)
+            lanes[k] = (float)((i < 3 ? axes[i][k] : camera->position[k] - grid->low[k]) / grid->edge);
+        set(render, names[i], lanes);
+    }
+    set(render, "cubes_ray", render->space.ray);
+    set(render, "cubes_view", render->space.depth);
+}
+
+void pass_cubes_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels.map);
+    screen_pass_run(&render->voxels.view, &render->draws[FRAME_DRAW_cubes], &render->screen);
+}
+
+void pass_cubes_delete(Render *render) { screen_pass_delete(&render->voxels.view); }

@@ -1,0 +1,258 @@
+/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Closed meshes turn bits over by an exclusive
+ * or of the driver's; surfaces of the others set theirs along each axis; both are merged, then the levels above are made. */
+#include "runtime/render/frame.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_text_voxel_touch[],
+    render_text_voxel_merge[], render_text_voxel_above[];
+
+enum { WITHIN_UNIT, SURFACE_UNIT, WORD = 32, LAYER = 128 };
+
+bool pass_voxels_needed(const Render *render) { return pass_cubes_needed(render); }
+
+/* -- what there is */
+
+static bool has(const FrameVoxels *voxels, const Cache *cache, bool closed)
+{
+    bool found = false;
+    for (int i = 0; i < cache->place_count; i++)
+        found |= !cache->places[i].transparent && voxels->closed[cache->places[i].mesh] == closed;
+    return found;
+}
+
+/* Of each mesh by the first object that has it. False: memory ran out. */
+static bool find_closed(const Render *render, FrameVoxels *voxels)
+{
+    const Cache *cache = &render->cache;
+    const size_t count = (size_t)cache->mesh_count + 1;
+    bool *known = calloc(count, sizeof *known), fine = true;
+    voxels->closed = calloc(count, sizeof *voxels->closed);
+    voxels->open = calloc(count, sizeof *voxels->open);
+    fine = known && voxels->closed && voxels->open;
+    for (int i = 0; fine && i < cache->place_count; i++) {
+        const SceneObject *object = &render->scene->objects[cache->places[i].object];
+        const int mesh = cache->places[i].mesh;
+        Shape made = {0};
+        if (known[mesh])
+            continue;
+        known[mesh] = true;
+        fine = object->kind == SCENE_Mesh || scene_solid(object, &made);
+        const Shape *shape = object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made;
+        voxels->closed[mesh] = fine && shape_is_closed(shape);
+        voxels->open[mesh] = !voxels->closed[mesh];
+        shape_free(&made);
+    }
+    free(known);
+    return fine;
+}
+
+/* -- textures and programs */
+
+static GLuint make_texture(Render *render, GLenum format, int layers, int levels)
+{
+    const GlContext *gl = render->gl;
+    const int size = render->voxels.grid.size;
+    const GLenum lanes = format == GL_R32UI ? GL_RED_INTEGER : GL_RGBA_INTEGER;
+    GLuint made = 0;
+    gl->GenTextures(1, &made);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, made);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
+    for (int level = 0; level < levels; level++)
+        gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, size >> level, size >> level, layers, 0, lanes,
+                       GL_UNSIGNED_INT, NULL);
+    return made;
+}
+
+static bool make_textures(Render *render)
+{
+    FrameVoxels *voxels = &render->voxels;
+    const int size = voxels->grid.size;
+    voxels->layers = (size + LAYER - 1) / LAYER;
+    voxels->levels = 1;
+    while (size >> voxels->levels > 0)
+        voxels->levels++;
+    voxels->within = make_texture(render, GL_RGBA32UI, voxels->layers, 1);
+    voxels->surface = make_texture(render, GL_R32UI, size / WORD, 1);
+    voxels->map = make_texture(render, GL_RGBA32UI, voxels->layers, voxels->levels);
+    render->gl->GenFramebuffers(1, &voxels->framebuffer);
+    return gl_check(render->gl, "making room for voxels");
+}
+
+/* `casts`: it is drawn with objects; else over all texels. */
+static bool make_program(Render *render, const char *text, bool casts, Material *made)
+{
+    const char *const version =
+        render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";
+    char defined[64];
+    snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n", render->voxels.grid.size,
+             render->voxels.layers);
+    ProgramText program = {.fragment = {version, defined, text}, .vertex = {version}};
+    program.vertex[1] = !casts ? screen_text : render->cache.instances ? "#define INSTANCES\n" : "";
+    program.vertex[2] = casts ? render_text_shadow_depth : "";
+    return material_make(render->store, NULL, &program, made);
+}
+
+static bool make_programs(Render *render)
+{
+    FrameVoxels *voxels = &render->voxels;
+    if (!make_program(render, render_text_voxel_flip, true, &voxels->flip) ||
+        !make_program(render, render_text_voxel_touch, true, &voxels->touch) ||
+        !make_program(render, render_text_voxel_merge, false, &voxels->merge) ||
+        !make_program(render, render_text_voxel_above, false, &voxels->above))
+        return false;
+    material_set_number(&voxels->merge, "voxel_within", WITHIN_UNIT);
+    material_set_number(&voxels->merge, "voxel_surface", SURFACE_UNIT);
+    return true;
+}
+
+bool pass_voxels_make(Render *render)
+{
+    FrameVoxels *voxels = &render->voxels;
+    if (!transparency_has_lists(render->gl))
+        return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d", render->gl->major,
+                       render->gl->minor);
+    if (!find_closed(render, voxels))
+        return gl_fail(render->gl, "out of memory");
+    voxels->grid = voxel_grid(render->scene, &render->cache);
+    return make_textures(render) && make_programs(render);
+}
+
+/* -- drawing */
+
+/* So many layers of a texture's level are drawn to at once. */
+static void use_layers(const Render *render, GLuint texture, int level, int first, int count)
+{
+    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
+                                     GL_COLOR_ATTACHMENT3};
+    const GlContext *gl = render->gl;
+    const int size = render->voxels.grid.size >> level;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, render->voxels.framebuffer);
+    for (int i = 0; i < VOXELS_LAYERS_MOST; i++)
+        gl->FramebufferTextureLayer(GL_FRAMEBUFFER, buffers[i], i < count ? texture : 0, level,
+                                    i < count ? first + i : 0);
+    gl->DrawBuffers(count, buffers);
+    gl->Viewport(0, 0, size, size);
+}
+
+/* Draws objects whose meshes are marked, seen along an axis. */
+static void cast(Render *render, int axis, const bool *meshes, Material *material)
+{
+    static const CullVolume all = {.count = 0};
+    const CacheSource source = frame_source(render);
+    double clip[16];
+    voxel_grid_clip(&render->voxels.grid, axis, render->zero_to_one, clip);
+    cache_cast(render->gl, &source, &render->cache,
+               &(CacheLight){.clip_from_world = clip, .volume = &all, .solid = material, .meshes = meshes}, false);
+}
+
+static void draw_within(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    use_layers(render, voxels->within, 0, 0, voxels->layers);
+    for (int layer = 0; layer < voxels->layers; layer++)
+        gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
+    if (!has(voxels, &render->cache, true))
+        return;
+    gl->Enable(GL_COLOR_LOGIC_OP);
+    gl->LogicOp(GL_XOR);
+    cast(render, 2, voxels->closed, &voxels->flip);
+    gl->LogicOp(GL_COPY);
+    gl->Disable(GL_COLOR_LOGIC_OP);
+}
+
+static void draw_surface(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    const int words = voxels->grid.size / WORD;
+    for (int first = 0; first < words; first += VOXELS_LAYERS_MOST) {
+        const int count = words - first < VOXELS_LAYERS_MOST ? words - first : VOXELS_LAYERS_MOST;
+        use_layers(render, voxels->surface, 0, first, count);
+        for (int layer = 0; layer < count; layer++)
+            gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
+    }
+    if (!has(voxels, &render->cache, false))
+        return;
+    use_layers(render, voxels->within, 0, 0, 1); /* its size is all that is taken of it */
+    gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
+    gl->BindImageTexture(0, voxels->surface, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
+    for (int axis = 0; axis < 3; axis++) {
+        material_set_number(&voxels->touch, "voxel_axis", (float)axis);
+        cast(render, axis, voxels->open, &voxels->touch);
+    }
+    gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+static void bind(const GlContext *gl, GLuint texture, int unit)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
+}
+
+/* Reads one level of the map while another is drawn to. */
+static void draw_levels(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    use_layers(render, voxels->map, 0, 0, voxels->layers);
+    bind(gl, voxels->within, WITHIN_UNIT);
+    bind(gl, voxels->surface, SURFACE_UNIT);
+    material_use(&voxels->merge);
+    screen_draw(gl, &render->screen);
+    bind(gl, voxels->map, 0);
+    for (int level = 1; level < voxels->levels; level++) {
+        gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, level - 1);
+        gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, level - 1);
+        use_layers(render, voxels->map, level, 0, voxels->layers);
+        material_use(&voxels->above);
+        screen_draw(gl, &render->screen);
+    }
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, 0);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, voxels->levels - 1);
+}
+
+void pass_voxels_draw(Render *render)
+{
+    const GlContext *gl = render->gl;
+    if (render->voxels.drawn)
+        return;
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    draw_within(render);
+    draw_surface(render);
+    if (render->zero_to_one)
+        gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    draw_levels(render);
+    render->voxels.drawn = true;
+}
+
+void pass_voxels_change(Render *render)
+{
+    if (!render->voxels.map)
+        return;
+    render->voxels.grid = voxel_grid(render->scene, &render->cache);
+    render->voxels.drawn = false;
+    pass_cubes_place(render);
+}
+
+void pass_voxels_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->merge, &voxels->above};
+    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
+        if (materials[i]->store)
+            material_delete(materials[i]);
+    gl->DeleteFramebuffers(1, &voxels->framebuffer); /* GL ignores the name 0 */
+    gl->DeleteTextures(1, &voxels->within);
+    gl->DeleteTextures(1, &voxels->surface);
+    gl->DeleteTextures(1, &voxels->map);
+    free(voxels->closed);
+    free(voxels->open);
+    pass_cubes_delete(render);
+    *voxels = (FrameVoxels){.layers = 0};
+}

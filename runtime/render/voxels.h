@@ -1,0 +1,51 @@
+/* Voxels of a scene: cubes that are full or empty, as slice maps. A texel of the map is a column along z; 128 voxels of it are the bits of an RGBA32UI
+ * texel: bit b of lane l in layer k is voxel 128 k + 32 l + b. Of bodies that are closed those are full whose middle lies within; of all else, those in which
+ * a line through voxels' middles, along x, y or z, meets a triangle. No way from middle to middle gets through a surface without meeting a full one.
+ * Private to frame.c, render.c and the passes. */
+#ifndef MATC_RENDER_VOXELS_H
+#define MATC_RENDER_VOXELS_H
+#include "runtime/render/cache.h"
+#include "runtime/render/render.h"
+#include "runtime/render/screen_pass.h"
+
+enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10 };
+
+/* A cube of cubes around all objects, with one empty layer at least on each side. */
+typedef struct {
+    double low[3], edge; /* in the world: its lowest corner; of a voxel */
+    int size;            /* voxels along an edge of the whole */
+} VoxelGrid;
+
+/* Around what is opaque; without any: around the origin. voxel_grid.c, as is what follows. */
+VoxelGrid voxel_grid(const Scene *scene, const Cache *cache);
+/* Clip space from the world: z is depth along an axis (0 to 2, x to z), x and y the axes behind it in turn: 1 has z and x. */
+void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double clip[16]);
+
+typedef struct {
+    VoxelGrid grid;
+    int layers, levels;
+    bool *closed, *open;    /* by mesh of the cache: it is; it is not */
+    GLuint within, surface; /* of closed meshes, in the form of the map; of others: R32UI, a word in each layer */
+    GLuint map;             /* both; a level above has a texel for 2 x 2, where any of them is full */
+    GLuint framebuffer;
+    Material flip, touch, merge, above; /* into within, surface, the map's lowest level, those above */
+    bool drawn;                         /* the map holds the scene */
+    ScreenPass view;
+} FrameVoxels;
+
+bool pass_voxels_needed(const Render *render);
+bool pass_voxels_make(Render *render);
+void pass_voxels_draw(Render *render);
+/* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
+void pass_voxels_change(Render *render);
+void pass_voxels_delete(Render *render);
+
+/* The pass that shows them as cubes. A view "voxels", or "voxels1" and so on, of a level above; -1: it is another. */
+int pass_cubes_level(const char *view);
+bool pass_cubes_needed(const Render *render);
+bool pass_cubes_make(Render *render);
+/* The camera, the tile or the voxels are others. */
+void pass_cubes_place(Render *render);
+void pass_cubes_draw(Render *render);
+void pass_cubes_delete(Render *render);
+#endif

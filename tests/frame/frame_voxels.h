@@ -1,0 +1,40 @@
+/* Scenes as voxels, for tests. */
+#ifndef MATC_FRAME_VOXELS_H
+#define MATC_FRAME_VOXELS_H
+#include "runtime/render/frame.h"
+
+/* Objects, as lines of a document's list: closed, each in its place, one of them mirrored; */
+#define FRAME_VOXELS_BODIES                                                                                            \
+    "- { object: Sphere, detail: 24, material: m, transform: { translation: [0, 0, 1.013] } }\n"                       \
+    "- { object: Box, material: m, size: [1, 1, .5], transform: { translation: [1.3, .8, .25], rotation: [.2, .3, "    \
+    ".4] } }\n"                                                                                                        \
+    "- { object: Box, material: m, size: [.5, .1, .5], transform: { translation: [1.3, -1.2, .4], rotation: [.5, .3, " \
+    ".4], scale: [-1, 1, 1] } }\n"                                                                                     \
+    "- { object: Cone, detail: 17, material: m, transform: { translation: [-1.3, -.6, 0], rotation: [0, .3, 0] } }\n"  \
+    "- { object: Cylinder, detail: 13, material: m, transform: { translation: [-1.1, .9, .3], rotation: [1, .3, 0] } " \
+    "}\n"
+/* and along the axes, and across them all. */
+#define FRAME_VOXELS_SHEETS                                                                                            \
+    "- { object: Parallelogram, material: m, u: [4, 0, 0], v: [0, 4, 0], transform: { translation: [-2, -2, -.0213] "  \
+    "} }\n"                                                                                                            \
+    "- { object: Parallelogram, material: m, u: [0, 1.5, 0], v: [0, 0, 1], transform: { translation: [-1.617, .2, "    \
+    ".1] } }\n"                                                                                                        \
+    "- { object: Parallelogram, material: m, u: [.5, 1.5, .3], v: [.4, -.2, 1], transform: { translation: [.9, -1.4, " \
+    ".3] } }\n"
+
+/* Drawn once by the view voxels. */
+typedef struct {
+    GlContext *gl;
+    MatcDocument *document;
+    Scene *scene;
+    Render *render;
+    uint32_t *words; /* of the lowest level: columns of size / 32 words */
+    int size;
+} FrameVoxelsDrawn;
+
+FrameVoxelsDrawn frame_voxels_drawn(const char *objects, int size);
+void frame_voxels_forget(FrameVoxelsDrawn *drawn);
+/* Of a level of the map: words of its columns. From malloc. */
+uint32_t *frame_voxels_level(const FrameVoxelsDrawn *drawn, int level);
+bool frame_voxels_bit(const FrameVoxelsDrawn *drawn, const int at[3]);
+#endif
