@@ -109,7 +109,7 @@ static void cross(const double a[3], const double b[3], double c[3])
 }
 
 /* Whether a triangle is met by at + t way, 0 < t < most: by volumes. */
-static bool is_met(const float corners[3][3], const double at[3], const double way[3], double most)
+static bool is_met(const ExactCorners corners, const double at[3], const double way[3], double most)
 {
     double from[3][3], sides[3], normal[3], edge[2][3];
     for (int i = 0; i < 3; i++)
@@ -171,7 +171,7 @@ static int count_met(const Things *things, const Made *made, int light, int poin
         }
         const long cell = exact_cell_of(head, at);
         for (int t = 0; cell >= 0 && t < things->triangles.count; t++)
-            if (is_met((const float(*)[3])things->corners[t], at, way, placed ? 1 : INFINITY)) {
+            if (is_met((const float(*)[4])things->corners[t], at, way, placed ? 1 : INFINITY)) {
                 assert_true(is_listed(made, head, cell, (uint32_t)t));
                 met++;
             }

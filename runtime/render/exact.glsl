@@ -13,7 +13,7 @@ const uint EXACT_HEAD = 19u; // words
 const float EXACT_OFF = 9.5367e-7; // 2^-20
 
 layout(std430, binding = 6) readonly buffer ExactTriangles {
-    float exact_corners[];
+    vec4 exact_corners[];
 };
 layout(std430, binding = 7) readonly buffer ExactLists {
     uint exact_words[];
@@ -43,11 +43,7 @@ ExactRay exactRay(vec3 from, vec3 way)
     return ExactRay(from, axis, vec3(turned.xy / turned.z, 1.0 / turned.z));
 }
 
-vec3 exactCorner(uint triangle, int corner)
-{
-    uint at = triangle * 9u + uint(corner) * 3u;
-    return vec3(exact_corners[at], exact_corners[at + 1u], exact_corners[at + 2u]);
-}
+vec3 exactCorner(uint triangle, uint corner) { return exact_corners[triangle * 3u + corner].xyz; }
 
 // From the ray's start, the ray as the axis z, where 1 is the end of its way.
 vec3 exactSeen(ExactRay ray, vec3 corner)
@@ -76,7 +72,7 @@ bool exactOff(vec3 point, vec3 a, vec3 b, vec3 c)
 
 bool exactMeets(ExactRay ray, uint triangle, bool endless)
 {
-    vec3 a = exactCorner(triangle, 0), b = exactCorner(triangle, 1), c = exactCorner(triangle, 2);
+    vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
     vec3 seen[3] = vec3[3](exactSeen(ray, a), exactSeen(ray, b), exactSeen(ray, c));
     vec3 areas = exactAreas(seen[0], seen[1], seen[2]);
     if (min(min(areas.x, areas.y), areas.z) < 0.0 && max(max(areas.x, areas.y), areas.z) > 0.0) return false;

@@ -9,6 +9,7 @@
 typedef struct {
     ExactTriangles triangles;
     ExactCover cover;       /* lists; its programs stay until the renderer goes */
+    bool seen;              /* the target of that name has what the camera sees */
     GLuint corners, firsts; /* buffers: of triangles; of numbers of objects' first ones, counted from 1 */
 } ExactShadows;
 
@@ -17,8 +18,8 @@ bool exact_lights_number(const Render *render);
 bool exact_lights_cast(const Render *render);
 /* Of what is needed, when the cache is there. */
 bool pass_exact_make(Render *render);
-/* The camera is another, or lights are, and lists are made again. */
-bool pass_exact_change(Render *render, bool lights);
+/* The camera is another, or lights are, and lists are made again: a sum of RenderChange. */
+bool pass_exact_change(Render *render, unsigned what);
 /* So many objects from `first` on stand elsewhere. */
 bool pass_exact_move(Render *render, int first, int count);
 /* Makes the lists again; the driver may still be at it. */

@@ -31,7 +31,7 @@ layout(std430, binding = 5) coherent buffer ExactWork {
     uvec2 exact_queue[]; // blocks: the triangle and face; the light and the block's number
 };
 layout(std430, binding = 6) readonly buffer ExactTriangles {
-    float exact_corners[];
+    vec4 exact_corners[];
 };
 layout(std430, binding = 7) buffer ExactLists {
     uint exact_words[];
@@ -78,8 +78,7 @@ struct Facet {
 // A corner by the light's axes.
 dvec3 placeOf(View view, uint triangle, uint corner)
 {
-    uint at = triangle * 9u + corner * 3u;
-    dvec3 from = dvec3(exact_corners[at], exact_corners[at + 1u], exact_corners[at + 2u]) - (view.placed ? view.from : dvec3(0.0lf));
+    dvec3 from = dvec3(exact_corners[triangle * 3u + corner].xyz) - (view.placed ? view.from : dvec3(0.0lf));
     return dvec3(dot(view.rows[0].xyz, from) + view.rows[0].w, dot(view.rows[1].xyz, from) + view.rows[1].w,
                  view.placed ? dot(view.rows[2].xyz, from) + view.rows[2].w : 1.0lf);
 }

@@ -7,7 +7,7 @@ vec3 exact_point; // of the pixel that is lit
 // Where a ray meets a triangle: a mean of the corners, so that it is never off it, however flatly it is seen.
 bool exactOn(uint triangle, ExactRay ray, out vec3 point)
 {
-    vec3 a = exactCorner(triangle, 0), b = exactCorner(triangle, 1), c = exactCorner(triangle, 2);
+    vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
     vec3 areas = exactAreas(exactSeen(ray, a), exactSeen(ray, b), exactSeen(ray, c));
     areas = max(areas.x + areas.y + areas.z < 0.0 ? -areas : areas, 0.0);
     float area = areas.x + areas.y + areas.z;

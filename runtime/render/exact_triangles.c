@@ -134,8 +134,8 @@ static void put_corners(const Shape *shape, const SceneMatrix *matrix, const dou
     double world[3];
     for (int i = 0; i < shape->index_count; i++) {
         to_world(matrix, shape->vertices[shape->indices[i]].position, world);
-        for (int k = 0; k < 3; k++)
-            corners[i / 3][i % 3][k] = (float)(world[k] - origin[k]);
+        for (int k = 0; k < 4; k++)
+            corners[i / 3][i % 3][k] = k < 3 ? (float)(world[k] - origin[k]) : 0;
     }
 }
 

@@ -23,8 +23,8 @@ typedef struct {
     int object_count;
 } ExactTriangles;
 
-/* Along the world's axes; where two triangles meet, bit for bit the same. */
-typedef float ExactCorners[3][3];
+/* Along the world's axes; where two triangles meet, bit for bit the same. The fourth lane is nothing: a corner is read at once. */
+typedef float ExactCorners[3][4];
 
 /* Measures all objects. False: memory ran out, or there are more triangles than an int counts; *made is empty then. */
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made);

@@ -52,7 +52,7 @@ const FramePass frame_passes[] = {
      pass_gather_draw,
      "lights are many, and far ones are taken together",
      NULL},
-    {{"light", DEPTH | GBUFFER | SHADOW | MASK | SEEN | FAR, LIGHT, 0, GBUFFER | SEEN},
+    {{"light", DEPTH | GBUFFER | SHADOW | MASK | SEEN | FAR, LIGHT, 0, GBUFFER},
      pass_light_needed,
      pass_light_make,
      pass_light_draw,
@@ -110,16 +110,18 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 
 /* -- the plan */
 
+/* What triangles are seen is kept for the next frame. */
 static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
+    const unsigned kept = exact_lights_cast(render) ? SEEN : 0;
     if (view && pass_cubes_level(view) >= 0)
         return CUBES;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
         if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&
             !strcmp(view, frame_target_name((FrameTarget)target)))
-            return 1u << target;
-    return view ? GBUFFER : SHOWN;
+            return 1u << target | kept;
+    return view ? GBUFFER : SHOWN | kept;
 }
 
 /* What no pass fills is neither read nor changed. Without exact shadows nobody fills SEEN. */
@@ -191,46 +193,6 @@ static void delete_memory(Render *render)
     memset(render->memory, 0, sizeof render->memory);
 }
 
-/* The targets of each: colours, then the depth that is with them, or -1. */
-static const struct {
-    FrameTarget color;
-    int depth;
-} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
-                             [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
-                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
-                             [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
-                             [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
-                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
-                             [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
-                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
-
-/* Behind those of a target. */
-static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec, FramebufferTextures *textures)
-{
-    const char *format;
-    for (int i = 0; spec->color_count < FRAMEBUFFER_COLORS && (format = frame_format(render, target, i)); i++) {
-        textures->formats[spec->color_count] = format;
-        textures->colors[spec->color_count++] = frame_texture(render, target, i);
-    }
-}
-
-static bool make_draw(Render *render, FrameDraw draw)
-{
-    const FrameTarget color = draws[draw].color;
-    const int depth = draws[draw].depth;
-    const bool deep = depth >= 0;
-    const unsigned there = render->plan.there;
-    FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
-                                    .stencil = draw == FRAME_DRAW_mask};
-    FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
-    if (!(there >> color & 1) || (deep && !(there >> depth & 1)) || (draw == FRAME_DRAW_seen && !(there & SEEN)))
-        return true; /* nobody draws there */
-    add_colors(render, color, &spec, &textures);
-    if (draw == FRAME_DRAW_seen)
-        add_colors(render, FRAME_TARGET_seen, &spec, &textures);
-    return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
-}
-
 static int least(int a, int b) { return a < b ? a : b; }
 
 /* What stays together: blocks of 2 x 2, and the samples of a pixel. */
@@ -281,6 +243,7 @@ static void set_size(Render *render)
 void frame_place(Render *render)
 {
     view_space_place(&render->space, render->whole, render->at);
+    render->exact.seen = false;
     shadow_sheet_place(render);
     lighting_place(render, &render->light);
     lighting_place(render, &render->far.gather);
@@ -347,7 +310,7 @@ bool frame_make(Render *render)
     set_size(render);
     bool fine = make_memory(render);
     for (int draw = 0; fine && draw < FRAME_DRAW_COUNT; draw++)
-        fine = make_draw(render, (FrameDraw)draw);
+        fine = frame_make_draw(render, (FrameDraw)draw);
     for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
         if (render->plan.runs >> i & 1 && frame_passes[i].make)
             fine = frame_passes[i].make(render);

@@ -180,6 +180,8 @@ int frame_all_bytes(const Render *render); /* of a pixel, in all memory there is
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target);
 const char *frame_target_name(FrameTarget target);
 
+/* Makes what draws to targets that are there. */
+bool frame_make_draw(Render *render, FrameDraw draw);
 /* Draws to these targets from now on, by the picture's coordinates. */
 void frame_use(const Render *render, const Framebuffer *framebuffer);
 /* Tells the passes where the tile is. */

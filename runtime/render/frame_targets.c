@@ -142,6 +142,47 @@ GLuint frame_texture(const Render *render, FrameTarget target, int texture)
     return render->textures[target][texture];
 }
 
+/* The targets of each: colours, then the depth that is with them, or -1. */
+static const struct {
+    FrameTarget color;
+    int depth;
+} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
+                             [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
+                             [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
+                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
+                             [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
+                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
+
+/* Behind those of a target. */
+static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec, FramebufferTextures *textures)
+{
+    const char *format;
+    for (int i = 0; spec->color_count < FRAMEBUFFER_COLORS && (format = frame_format(render, target, i)); i++) {
+        textures->formats[spec->color_count] = format;
+        textures->colors[spec->color_count++] = frame_texture(render, target, i);
+    }
+}
+
+bool frame_make_draw(Render *render, FrameDraw draw)
+{
+    const FrameTarget color = draws[draw].color;
+    const int depth = draws[draw].depth;
+    const bool deep = depth >= 0;
+    const unsigned there = render->plan.there;
+    FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
+                                    .stencil = draw == FRAME_DRAW_mask};
+    FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
+    if (!(there >> color & 1) || (deep && !(there >> depth & 1)) ||
+        (draw == FRAME_DRAW_seen && !(there >> FRAME_TARGET_seen & 1)))
+        return true; /* nobody draws there */
+    add_colors(render, color, &spec, &textures);
+    if (draw == FRAME_DRAW_seen)
+        add_colors(render, FRAME_TARGET_seen, &spec, &textures);
+    return framebuffer_make_around(render->gl, &spec, &textures, &render->draws[draw]);
+}
+
 void frame_use(const Render *render, const Framebuffer *framebuffer)
 {
     framebuffer_use(render->gl, framebuffer);

@@ -134,9 +134,10 @@ static void set_all_numbers(Render *render)
             set_numbers(render, passes[i]);
 }
 
-bool pass_exact_change(Render *render, bool lights)
+bool pass_exact_change(Render *render, unsigned what)
 {
-    const bool there = render->exact.corners, needed = exact_lights_cast(render);
+    const bool there = render->exact.corners, needed = exact_lights_cast(render), lights = what & RENDER_LIGHTS;
+    render->exact.seen &= !(what & RENDER_CAMERA);
     if (!there && lights && needed && render->light.material.store)
         return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
     if (there && !needed)
@@ -191,6 +192,7 @@ bool pass_exact_move(Render *render, int first, int count)
     const bool again = is_reordered(render);
     if (!again && range[0] >= range[1])
         return true;
+    render->exact.seen = false;
     if (!(again ? write_triangles(render) : move(render, range)))
         return false;
     set_all_numbers(render);

@@ -37,14 +37,17 @@ void pass_surface_end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
+/* Numbers of triangles stay where they are until something moves. */
 void pass_surface_draw(Render *render)
 {
-    const Framebuffer *framebuffer = &render->draws[exact_lights_cast(render) ? FRAME_DRAW_seen : FRAME_DRAW_surface];
+    const bool numbers = exact_lights_cast(render) && !render->exact.seen;
+    const Framebuffer *framebuffer = &render->draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
     pass_surface_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     pass_exact_begin(render);
     cache_draw(render->gl, &render->cache, false);
     pass_surface_end(render);
+    render->exact.seen |= numbers;
 }
 
 void pass_plane_planes(Render *render, bool transparent)

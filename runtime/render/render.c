@@ -200,7 +200,7 @@ bool render_changed(Render *render, unsigned what)
     render->uncounted |=
         (what & RENDER_CAMERA) != 0 || (what & RENDER_LIGHTS && pass_tone_count(render, FRAME_COUNT_wanted));
     const bool fitted = what & RENDER_CAMERA && render->scene->shadow_cascades > 1;
-    return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what & RENDER_LIGHTS) &&
+    return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what) &&
            frame_change(render, what) && gl_check(render->gl, "changing a scene");
 }
 

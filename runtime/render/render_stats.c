@@ -211,7 +211,7 @@ char *render_diagnostics(const Render *render)
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
-    render->shadows.drawn = false; /* to be timed with the others */
+    render->shadows.drawn = render->exact.seen = false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
         const double start = session_now();
         times[i] = (RenderPassTime){frame_passes[i].plan.name, 0};
