@@ -9,6 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 static char folder[] = "/tmp/matc_modelXXXXXX";
@@ -278,6 +279,34 @@ static void faults_are_told(void **state)
     assert_false(model_read("/dev/null.obj", &shape, error, sizeof error));
 }
 
+/* What a file names is a file, and not too large: nobody writes into a pipe, and a device has no end. A list of materials is not needed. */
+static void named_files_are_files(void **state)
+{
+    (void)state;
+    static const char *const names[] = {"pipe", "folder", "/dev/zero", "large", "nowhere"};
+    char path[128], error[1024], text[2048];
+    Shape shape;
+    assert_int_equal(mkfifo(path_of("pipe", path), 0600), 0);
+    assert_int_equal(mkdir(path_of("folder", path), 0700), 0);
+    write_text("large", "");
+    assert_int_equal(truncate(path_of("large", path), ((off_t)MODEL_FILE_MIB << 20) + 1), 0);
+    alarm(60); /* to wait for ever is a fault */
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        snprintf(text, sizeof text, "mtllib %s\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", names[i]);
+        write_text("names.obj", text);
+        if (!model_read(path_of("names.obj", path), &shape, error, sizeof error))
+            fail_msg("%s as a list of materials: %s", names[i], error);
+        assert_int_equal(shape.index_count, 3);
+        shape_free(&shape);
+        snprintf(text, sizeof text, GLTF_HEAD "\"buffers\":[{\"uri\":\"%s\",\"byteLength\":92}]," GLTF_VIEWS "%s",
+                 names[i], GLTF_TAIL("4", "6"));
+        write_text("names.gltf", text);
+        assert_false(model_read(path_of("names.gltf", path), &shape, error, sizeof error));
+        print_message("%s as a buffer: %s\n", names[i], error);
+    }
+    alarm(0);
+}
+
 /* What came through the pipe is believed no more than the file. */
 static void parts_are_checked(void **state)
 {
@@ -341,6 +370,7 @@ int main(void)
         cmocka_unit_test(normals_may_face_the_other_way),
         cmocka_unit_test(tangents_turn_as_their_triangle),
         cmocka_unit_test(faults_are_told),
+        cmocka_unit_test(named_files_are_files),
         cmocka_unit_test(parts_are_checked),
     };
     return cmocka_run_group_tests(tests, make_folder, remove_folder);

@@ -2,7 +2,9 @@
 #include "runtime/scene/model_import.h"
 #include "runtime/gl/message.h"
 #include "runtime/scene/model.h"
+#include "runtime/scene/model_open.h"
 #include <stdlib.h>
+#include <string.h>
 
 #ifndef MATC_ASSIMP
 bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
@@ -82,12 +84,20 @@ static bool take(const struct aiScene *scene, ModelParts *parts, char *error, si
     return true;
 }
 
+/* What assimp says is wrong; a name of C++ says nothing to who wrote the file. */
+static const char *said(void)
+{
+    const char *text = aiGetErrorString();
+    return strcmp(text, "std::bad_alloc") ? text : "reading it takes too much memory: it is damaged, or too large";
+}
+
 bool model_import(const char *path, ModelParts *parts, char *error, size_t room)
 {
     *parts = (ModelParts){0};
-    const struct aiScene *scene = aiImportFile(path, steps);
+    struct aiFileIO files = model_open_files();
+    const struct aiScene *scene = aiImportFileEx(path, steps, &files);
     if (!scene)
-        return message_fail(error, room, "%s", aiGetErrorString());
+        return message_fail(error, room, "%s", said());
     bool done = take(scene, parts, error, room);
     aiReleaseImport(scene);
     return done;

@@ -1,0 +1,82 @@
+/* The files that assimp opens: that of the mesh, and those that it names. */
+#include "runtime/scene/model_open.h"
+#ifdef MATC_ASSIMP
+#include "runtime/scene/model.h"
+#include <assimp/cfileio.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct {
+    struct aiFile calls; /* first: what assimp holds is the whole */
+    FILE *file;
+    size_t size;
+} ModelFile;
+
+static FILE *file_of(struct aiFile *opened) { return ((ModelFile *)opened)->file; }
+
+static size_t read_some(struct aiFile *opened, char *to, size_t size, size_t count)
+{
+    return fread(to, size, count, file_of(opened));
+}
+
+static size_t write_nothing(struct aiFile *opened, const char *from, size_t size, size_t count)
+{
+    (void)opened, (void)from, (void)size, (void)count;
+    return 0;
+}
+
+static void flush_nothing(struct aiFile *opened) { (void)opened; }
+
+static size_t tell(struct aiFile *opened) { return (size_t)ftello(file_of(opened)); }
+
+static size_t size_of(struct aiFile *opened) { return ((ModelFile *)opened)->size; }
+
+static enum aiReturn seek(struct aiFile *opened, size_t offset, enum aiOrigin origin)
+{
+    static const int whence[] = {[aiOrigin_SET] = SEEK_SET, [aiOrigin_CUR] = SEEK_CUR, [aiOrigin_END] = SEEK_END};
+    return fseeko(file_of(opened), (off_t)offset, whence[origin]) ? aiReturn_FAILURE : aiReturn_SUCCESS;
+}
+
+/* Without waiting for a pipe's other end. NULL: it is no file, or too large. */
+static FILE *open_file(const char *path, size_t *size)
+{
+    struct stat info;
+    const int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY);
+    if (descriptor < 0)
+        return NULL;
+    FILE *file = !fstat(descriptor, &info) && S_ISREG(info.st_mode) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
+                     ? fdopen(descriptor, "rb")
+                     : NULL;
+    if (file)
+        *size = (size_t)info.st_size;
+    else
+        close(descriptor);
+    return file;
+}
+
+static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, const char *mode)
+{
+    (void)files, (void)mode;
+    ModelFile *opened = calloc(1, sizeof *opened);
+    if (!opened)
+        abort();
+    opened->calls = (struct aiFile){read_some, write_nothing, tell, size_of, seek, flush_nothing, NULL};
+    opened->file = open_file(path, &opened->size);
+    if (opened->file)
+        return &opened->calls;
+    free(opened);
+    return NULL;
+}
+
+static void close_model_file(struct aiFileIO *files, struct aiFile *opened)
+{
+    (void)files;
+    fclose(file_of(opened));
+    free(opened);
+}
+
+struct aiFileIO model_open_files(void) { return (struct aiFileIO){open_model_file, close_model_file, NULL}; }
+#endif
