@@ -209,6 +209,7 @@ static void solids(void **state)
         double step;           /* an edge is what the derivatives promise, within that */
     } cases[] = {
         {{.kind = SCENE_Sphere, .numbers = {2, 192}}, 4 / 3. * PI * 8, 2e-3, 1e-3},
+        {{.kind = SCENE_Sphere, .numbers = {2, 33}}, 4 / 3. * PI * 8, 2e-2, 5e-2},
         {{.kind = SCENE_Sphere, .numbers = {2, 32}}, 4 / 3. * PI * 8, 2e-2, 5e-2},
         {{.kind = SCENE_Box, .numbers = {1, 2, 3}}, 6, 1e-6, 1e-3},
         {{.kind = SCENE_Cylinder, .numbers = {.5, 3, 192}}, PI * .25 * 3 * part, 1e-6, 1e-3},
@@ -220,6 +221,7 @@ static void solids(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Shape shape;
         assert_true(scene_solid(&cases[i].object, &shape));
+        assert_int_equal(shape.index_count, 3 * scene_solid_triangles(&cases[i].object));
         assert_true(fabs(volume_of(&shape) - cases[i].volume) <= cases[i].within * cases[i].volume + 1e-12);
         check_triangles(&shape, cases[i].step);
         shape_free(&shape);

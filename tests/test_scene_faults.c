@@ -169,13 +169,31 @@ static void alias_bombs(void **state)
     }
 }
 
+/* Meshes that differ are bounded by their triangles, before one is made: 64 spheres of 1,024 steps are 2^26. */
+static void triangles(void **state)
+{
+    (void)state;
+    enum { STEPS = 1024, SPHERES = (1 << 26) / (STEPS * STEPS) };
+    static char text[1 << 14];
+    MatcDocument *document;
+    for (int more = 0; more < 2; more++) {
+        size_t size = (size_t)snprintf(text, sizeof text, RED "objects:\n");
+        for (int i = 0; i < 2 * SPHERES + more; i++) /* each of them twice */
+            size += (size_t)snprintf(text + size, sizeof text - size,
+                                     "- { object: Sphere, detail: %d, radius: %d, material: red }\n", STEPS,
+                                     i % 2 ? i : i + 1);
+        if (more)
+            assert_fault(text, "131:3: error: more than 67108864 triangles in meshes that differ");
+        else
+            scene_free(read_fine(text, &document)), matc_document_free(document);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults),
-        cmocka_unit_test(several),
-        cmocka_unit_test(materials_alone),
-        cmocka_unit_test(alias_bombs),
+        cmocka_unit_test(faults),      cmocka_unit_test(several),   cmocka_unit_test(materials_alone),
+        cmocka_unit_test(alias_bombs), cmocka_unit_test(triangles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

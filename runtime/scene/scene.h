@@ -7,8 +7,9 @@
 
 enum {
     SCENE_OBJECTS =
-        1 << 20,        /* objects and groups that a scene may have, those that an alias repeats counted each time */
-    SCENE_PLANES = 256, /* infinite planes: each is asked at every pixel */
+        1 << 20, /* objects and groups that a scene may have, those that an alias repeats counted each time */
+    SCENE_TRIANGLES = 1 << 26, /* of meshes that differ: some 40 bytes each, and as much again for the driver */
+    SCENE_PLANES = 256,        /* infinite planes: each is asked at every pixel */
     SCENE_NUMBERS = 6,
     SCENE_PLACE = 1024 /* bytes of a place as text, longer names of files being cut */
 };
@@ -138,4 +139,6 @@ bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera 
 
 /* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has its own. */
 bool scene_solid(const SceneObject *object, Shape *made);
+/* How many they are, without making them. */
+int scene_solid_triangles(const SceneObject *object);
 #endif

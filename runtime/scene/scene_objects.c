@@ -134,6 +134,8 @@ static bool add_object(SceneReader *r, const SceneThing *thing, const Around *ar
     if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object) ||
         !find_mesh(r, thing, &object.mesh))
         return false;
+    if (!scene_triangles_add(r, thing, &object))
+        return false;
     if (object.material < 0)
         return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
     if (thing->kind == SCENE_Plane && !r->aside && !add_plane(r, thing))

@@ -127,6 +127,25 @@ static bool solid_round(const Round *o, Shape *made)
     return true;
 }
 
+int scene_solid_triangles(const SceneObject *object)
+{
+    const double *n = object->numbers;
+    switch (object->kind) {
+    case SCENE_Sphere:
+        return (int)n[1] * (((int)n[1] + 1) / 2) * 2;
+    case SCENE_Box:
+        return 12;
+    case SCENE_Parallelogram:
+        return 2;
+    case SCENE_Cylinder:
+        return 4 * (int)n[2]; /* two a step of the side, one of each lid */
+    case SCENE_Cone:
+        return 3 * (int)n[2];
+    default:
+        return 0;
+    }
+}
+
 bool scene_solid(const SceneObject *object, Shape *made)
 {
     const double *n = object->numbers;

@@ -1,6 +1,7 @@
 /* One thing of a scene, by its rows of scene.def: its kind, and what its keys say. */
 #ifndef MATC_SCENE_THING_H
 #define MATC_SCENE_THING_H
+#include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "compiler/front/resolve.h"
 #include "runtime/scene/scene.h"
@@ -21,8 +22,12 @@ typedef struct {
     size_t plane_count, plane_room;
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */
     bool *instanced;         /* by the place of a definition */
-    bool aside; /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
-    int things; /* objects and groups so far */
+    bool aside;       /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
+    int things;       /* objects and groups so far */
+    HashIndex solids; /* solid_keys, by them: objects with one key are one mesh */
+    Key *solid_keys;
+    size_t solid_count, solid_room;
+    int64_t triangles;         /* of these meshes */
     int64_t surface_triangles; /* of all surfaces that copies stand on */
     bool fine;                 /* no fault yet */
 } SceneReader;
