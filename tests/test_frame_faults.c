@@ -147,9 +147,45 @@ static void meshes_too_large(void **state)
     assert_true(!remove(path) && !rmdir(folder));
 }
 
+/* Shadow maps are counted before they are asked for: in layers of the driver's, and in bytes. */
+static void shadow_maps(void **state)
+{
+    (void)state;
+    static const struct {
+        int lights, size;
+        const char *said; /* NULL: nothing */
+    } cases[] = {{2, 16, NULL},
+                 {350, 16, "2100 shadow maps of 16 x 16 are asked for, the driver has 2048 of 16384 x 16384"},
+                 {3, 8192, "18 shadow maps of 8192 x 8192 take 4608 MiB; at most 4096 are made"},
+                 {171, 1024, "1026 shadow maps of 1024 x 1024 take 4104 MiB; at most 4096 are made"}};
+    MatcOptions options;
+    matc_options_init(&options);
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        static char scene_text[1 << 14];
+        MatcDocument *document;
+        size_t size =
+            (size_t)snprintf(scene_text, sizeof scene_text,
+                             "shadowMaps: { size: %d }\nobjects: [{ object: Box, material: { material: Phong } "
+                             "}]\nlights:\n",
+                             cases[i].size);
+        for (int k = 0; k < cases[i].lights; k++)
+            size += (size_t)snprintf(scene_text + size, sizeof scene_text - size, "- { light: Point }\n");
+        Scene *scene = frame_scene(scene_text, &options, &document);
+        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+        assert_non_null(render);
+        assert_int_equal(render_scene(render, scene), !cases[i].said);
+        if (cases[i].said)
+            assert_string_equal(gl->error, cases[i].said);
+        render_close(render);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_named), cmocka_unit_test(targets_are_named),
-                                       cmocka_unit_test(meshes_too_large)};
+                                       cmocka_unit_test(meshes_too_large), cmocka_unit_test(shadow_maps)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

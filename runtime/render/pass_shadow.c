@@ -4,18 +4,32 @@
 
 extern const char render_text_shadow_depth[];
 
+enum { SHADOW_MAPS_MIB = 4096 };
+
 bool pass_shadow_needed(const Render *render) { return render->shadows.views.count > 0; }
+
+/* Some drivers give memory that they do not have, and end the program when it is written. */
+static bool check_maps(const Render *render)
+{
+    GlContext *gl = render->gl;
+    const int size = render->scene->shadow_size, count = render->shadows.views.count;
+    const int64_t mib = (int64_t)count * size * size * (int64_t)sizeof(float) >> 20;
+    GLint most = 0;
+    gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    if (count > most || size > gl->max_texture_size)
+        return gl_fail(gl, "%d shadow maps of %d x %d are asked for, the driver has %d of %d x %d", count, size, size,
+                       most, gl->max_texture_size, gl->max_texture_size);
+    return mib <= SHADOW_MAPS_MIB || gl_fail(gl, "%d shadow maps of %d x %d take %d MiB; at most %d are made", count,
+                                             size, size, (int)mib, SHADOW_MAPS_MIB);
+}
 
 static bool make_maps(Render *render)
 {
     GlContext *gl = render->gl;
     ShadowMaps *maps = &render->shadows;
     const int size = render->scene->shadow_size, count = maps->views.count;
-    GLint most = 0;
-    gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
-    if (count > most || size > gl->max_texture_size)
-        return gl_fail(gl, "%d shadow maps of %d x %d are asked for, the driver has %d of %d x %d", count, size, size,
-                       most, gl->max_texture_size, gl->max_texture_size);
+    if (!check_maps(render))
+        return false;
     gl->GenTextures(1, &maps->maps);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
