@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PANES = 21, SIDE = 24, LANES = SIDE * SIDE * 4 };
+enum { PANES = 21, LAYERS = 96, SIDE = 24, LANES = SIDE * SIDE * 4 };
 
 /* Panes one above the other in no order, three pairs of them at one height, seen from above; a box among them. */
 static int height_of(int pane) { return pane * 8 % PANES / 2 * 2 - pane * 8 % PANES / 16; }
@@ -91,8 +91,49 @@ static void farthest_first(void **state)
     frame_forget(scene, document);
 }
 
+/* Panes of two sizes, in turns, are two groups: a pixel's list is then two runs of half as many, each in order, in which every fragment of one
+ * stands between two of the other. */
+static void write_turns(char *text, size_t room)
+{
+    size_t size = (size_t)snprintf(
+        text, room,
+        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], up: [0, 1, 0], angle: "
+        "40 }\n"
+        "lights: [{ light: Point, position: [5, 5, 80], intensity: 4000, shadows: false }]\nmaterials:\n"
+        "  blue: { material: Phong, diffuse: [0, .2, .9], transparency: [.9, .93, .96] }\n"
+        "  red: { material: Phong, diffuse: [.9, .1, 0], transparency: [.96, .93, .9] }\nobjects:\n",
+        SIDE, SIDE);
+    for (int i = 0; i < LAYERS; i++)
+        size += (size_t)snprintf(text + size, room - size,
+                                 "- { object: Parallelogram, u: [%d, 0, 0], v: [0, 40, 0], material: %s, "
+                                 "transform: { translation: [-20, -20, %g] } }\n",
+                                 40 + i % 2, i % 2 ? "red" : "blue", i * .25);
+}
+
+/* Lists that take every step of merging are put in the order that peeling finds. */
+static void runs_in_turns(void **state)
+{
+    (void)state;
+    static char text[1 << 15];
+    const MatcOptions options = frame_exact_options();
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    write_turns(text, sizeof text);
+    Scene *scene = frame_scene(text, &options, &document);
+    float *pictures[2];
+    for (int i = 0; i < 2; i++)
+        pictures[i] = frame_floats(
+            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = i ? "peeling" : "lists"});
+    for (int i = 0; i < LANES; i++)
+        assert_true(fabsf(pictures[0][i] - pictures[1][i]) <= 4e-6f * fmaxf(1, fabsf(pictures[1][i])));
+    free(pictures[0]);
+    free(pictures[1]);
+    gl_close(gl);
+    frame_forget(scene, document);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first), cmocka_unit_test(runs_in_turns)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

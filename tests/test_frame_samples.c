@@ -51,7 +51,7 @@ static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *optio
 /* The n x n texels of a large picture that are a pixel's; of a slot, those of a surface. */
 static double mean(const float *large, int n, int pixel, int lane, const char *view)
 {
-    const bool shown = !view, slot = view && !strcmp(view, "diffuse") && lane < 3;
+    const bool shown = !view, slot = view && strcmp(view, "light") && strcmp(view, "depth") && lane < 3;
     double sum = 0, count = 0;
     for (int i = 0; i < n * n; i++) {
         const int x = pixel % WIDTH * n + i % n, y = pixel / WIDTH * n + i / n;
@@ -72,10 +72,12 @@ static void pixels_are_means(void **state)
         int samples, tile;
         RenderEdges edges;
         bool fragment;
+        const char *layout; /* of compact's codes, those of nothing mean something, too */
     } cases[] = {
-        {NULL, 2, 0, RENDER_EDGES_none, false},      {NULL, 3, 12, RENDER_EDGES_coverage, false},
-        {NULL, 4, 16, RENDER_EDGES_none, true},      {"light", 2, 10, RENDER_EDGES_none, false},
-        {"diffuse", 3, 0, RENDER_EDGES_none, false}, {"depth", 2, 0, RENDER_EDGES_none, false},
+        {NULL, 2, 0, RENDER_EDGES_none, false, "integer"},      {NULL, 3, 12, RENDER_EDGES_coverage, false, "integer"},
+        {NULL, 4, 16, RENDER_EDGES_none, true, "integer"},      {"light", 2, 10, RENDER_EDGES_none, false, "integer"},
+        {"diffuse", 3, 0, RENDER_EDGES_none, false, "integer"}, {"depth", 2, 0, RENDER_EDGES_none, false, "integer"},
+        {"normal", 2, 0, RENDER_EDGES_none, false, "compact"},
     };
     MatcDocument *document;
     const MatcOptions options = frame_exact_options();
@@ -83,7 +85,9 @@ static void pixels_are_means(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const int n = cases[i].samples;
-        RenderOptions how = {.compile = &options,
+        MatcOptions compile = options;
+        compile.layout = cases[i].layout;
+        RenderOptions how = {.compile = &compile,
                              .view = cases[i].view,
                              .edges = cases[i].edges,
                              .deep = true,
