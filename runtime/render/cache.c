@@ -230,6 +230,7 @@ static int kind_of(Maker *m, int material)
 static bool add_surface(Maker *m, int number)
 {
     const SceneObject *object = &m->source->scene->objects[number];
+    const SetProgram *surface = set_find(m->source->set, object->material, "gbuffer");
     CachePlace place = {.object = number};
     place.kind = kind_of(m, object->material);
     place.mesh = place.kind < 0 ? -1 : mesh_of(m, object);
@@ -237,6 +238,7 @@ static bool add_surface(Maker *m, int number)
         return false;
     place.row = m->row_of[object->material];
     place.caster = m->caster_of[object->material];
+    place.even = surface->even ? surface->through : NULL;
     place.program = m->cache->kinds[place.kind].material.program->name;
     place.transparent = m->cache->kinds[place.kind].transparent;
     m->cache->triangles += m->cache->meshes[place.mesh].index_count / 3;

@@ -29,6 +29,7 @@ typedef struct {
     int caster; /* in Cache.casters: with what it is drawn into shadow maps; -1: by depth alone, or it casts none */
     GLuint program;
     bool transparent, mirrored;
+    const float *even; /* what it lets through, if that is the same everywhere; else NULL */
 } CachePlace;
 
 typedef struct {
@@ -116,6 +117,7 @@ typedef struct {
     Material *solid;    /* draws depth alone (shadow_depth.glsl) */
     int number;         /* of its map: the uniform glass_map of programs that color shadows */
     const bool *meshes; /* by mesh: it is drawn; NULL: all are */
+    bool varying;       /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */

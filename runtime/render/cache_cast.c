@@ -51,7 +51,9 @@ static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
         if (place->transparent == transparent && (!light->meshes || light->meshes[place->mesh]) &&
-            cull_sees(light->volume, &cache->boxes[place->mesh], &source->scene->objects[place->object].world_from_local))
+            !(light->varying && place->even) &&
+            cull_sees(light->volume, &cache->boxes[place->mesh],
+                      &source->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
     }
     return count;

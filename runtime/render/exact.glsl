@@ -1,4 +1,4 @@
-// Exact shadows: whether a triangle stands between a point and a light. exact_lists.h has what the lists hold; corners and points are counted from
+// Exact shadows: which share of a light reaches a point, by the triangles that stand between. exact_lists.h has what the lists hold; corners and points are counted from
 // the middle of all triangles, along the world's axes.
 //
 // Two triangles that share an edge leave no gap. All corners are taken relative to the point and sheared so that the way to the light is the
@@ -13,7 +13,7 @@ const uint EXACT_HEAD = 19u; // words
 const float EXACT_OFF = 9.5367e-7; // 2^-20
 
 layout(std430, binding = 6) readonly buffer ExactTriangles {
-    vec4 exact_corners[];
+    vec4 exact_corners[]; // three each; w: what the triangle lets through of red, green, blue
 };
 layout(std430, binding = 7) readonly buffer ExactLists {
     uint exact_words[];
@@ -100,8 +100,14 @@ int exactCell(vec3 place, int views, int size, bool placed)
     return (face * size + cell.y) * size + cell.x;
 }
 
-// Whether a light reaches a point; `light` is the number of its head.
-bool exactReaches(int light, vec3 point)
+vec3 exactThrough(uint triangle)
+{
+    uint at = triangle * 3u;
+    return vec3(exact_corners[at].w, exact_corners[at + 1u].w, exact_corners[at + 2u].w);
+}
+
+// The share of a light that reaches a point; `light` is the number of its head.
+vec3 exactShare(int light, vec3 point)
 {
     uint head = uint(light) * EXACT_HEAD;
     vec4 row[4];
@@ -112,12 +118,13 @@ bool exactReaches(int light, vec3 point)
     vec4 from = vec4(placed ? point - row[0].xyz : point, 1.0);
     int cell = exactCell(vec3(dot(row[1], from), dot(row[2], from), dot(row[3], from)), int(exact_words[head + 16u]),
                          int(exact_words[head + 17u]), placed);
-    if (cell < 0) return true;
+    if (cell < 0) return vec3(1.0);
     uint list = exact_words[head + 18u] + 2u * uint(cell);
     ExactRay ray = exactRay(point, placed ? -from.xyz : row[0].xyz);
-    for (uint i = exact_words[list], end = exact_words[list + 1u]; i < end; i++)
-        if (exactMeets(ray, exact_words[i], !placed)) return false;
-    return true;
+    vec3 share = vec3(1.0);
+    for (uint i = exact_words[list], end = exact_words[list + 1u]; i < end && share != vec3(0.0); i++)
+        if (exactMeets(ray, exact_words[i], !placed)) share *= exactThrough(exact_words[i]);
+    return share;
 }
 
 // A direction from the eye's space.

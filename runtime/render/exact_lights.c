@@ -16,8 +16,10 @@ bool exact_lights_number(const Render *render)
     return has_lights(render) && (!view || !strcmp(view, "shown") || !strcmp(view, "light"));
 }
 
-/* Opaque places come first. */
 bool exact_lights_cast(const Render *render)
 {
-    return exact_lights_number(render) && render->cache.place_count > 0 && !render->cache.places[0].transparent;
+    bool casts = false;
+    for (int i = 0; !casts && i < render->cache.place_count; i++)
+        casts = exact_triangles_have(&render->cache.places[i]);
+    return casts && exact_lights_number(render);
 }

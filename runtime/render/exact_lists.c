@@ -78,11 +78,13 @@ static View view_of(const ExactTriangles *triangles, const SceneLight *light)
     return view;
 }
 
-/* As many cells as triangles, or up to four times as many: a triangle is then about a cell wide. */
+/* As many cells as triangles, or up to four times as many: a triangle is then about a cell wide. Of what a light with a place sees, most may be
+ * far away and in few cells: four times as many. */
 static int size_for(const ExactTriangles *triangles, const View *view, int coarser)
 {
+    const double wanted = (view->placed ? 4.0 : 1.0) * triangles->count;
     int size = SIZE_LEAST;
-    while (size < SIZE_MOST && (double)size * size * view->faces < triangles->count)
+    while (size < SIZE_MOST && (double)size * size * view->faces < wanted)
         size *= 2;
     return size >> coarser > 1 ? size >> coarser : 1;
 }
@@ -127,3 +129,11 @@ void exact_lists_free(ExactLists *lists)
 }
 
 bool exact_lists_wanted(const SceneLight *light) { return light->shadows == WORD_Shadows_exact; }
+
+int exact_lists_lack(const Cache *cache)
+{
+    int count = 0;
+    for (int i = 0; i < cache->place_count; i++)
+        count += cache->places[i].caster >= 0 && !cache->places[i].even;
+    return count;
+}

@@ -28,7 +28,7 @@ static void shapes_close(Shapes *shapes)
     free(shapes->made);
 }
 
-/* Of an object that is opaque; NULL: memory ran out. */
+/* Of an object; NULL: memory ran out. */
 static const Shape *shape_of(Shapes *shapes, int number)
 {
     const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];
@@ -93,8 +93,12 @@ static bool measure_all(Shapes *shapes, ExactTriangles *made)
     const Cache *cache = shapes->cache;
     size_t count = 0;
     made->objects = calloc((size_t)cache->place_count + 1, sizeof *made->objects);
-    for (int i = 0; made->objects && i < cache->place_count && !cache->places[i].transparent; i++) {
-        ExactObject *object = &made->objects[made->object_count++];
+    for (int i = 0; made->objects && i < cache->place_count; i++) {
+        ExactObject *object = &made->objects[made->object_count];
+        if (!exact_triangles_have(&cache->places[i]))
+            continue;
+        made->object_count++;
+        made->opaque_count += !cache->places[i].transparent;
         *object = (ExactObject){.object = cache->places[i].object, .first = (int)count};
         count += measure(shapes, object) ? (size_t)object->count : INT_MAX;
         if (count > INT_MAX / sizeof(ExactCorners))
@@ -103,6 +107,8 @@ static bool measure_all(Shapes *shapes, ExactTriangles *made)
     made->count = (int)count;
     return made->objects;
 }
+
+bool exact_triangles_have(const CachePlace *place) { return !place->transparent || place->even; }
 
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made)
 {
@@ -129,13 +135,28 @@ bool exact_triangles_move(const Scene *scene, const Cache *cache, const int rang
     return done;
 }
 
+/* As a cut-out, all or nothing. */
+static float share_of(const Scene *scene, const CachePlace *place, int lane)
+{
+    const float *t = place->even;
+    if (!place->transparent)
+        return 0;
+    return scene->shadow_colored ? fminf(fmaxf(t[lane], 0), 1) : t[0] + t[1] + t[2] > 1.5f;
+}
+
+static void put_shares(const Scene *scene, const CachePlace *place, int count, ExactCorners *corners)
+{
+    for (int i = 0; i < 3 * count; i++)
+        corners[i / 3][i % 3][3] = share_of(scene, place, i % 3);
+}
+
 static void put_corners(const Shape *shape, const SceneMatrix *matrix, const double origin[3], ExactCorners *corners)
 {
     double world[3];
     for (int i = 0; i < shape->index_count; i++) {
         to_world(matrix, shape->vertices[shape->indices[i]].position, world);
-        for (int k = 0; k < 4; k++)
-            corners[i / 3][i % 3][k] = k < 3 ? (float)(world[k] - origin[k]) : 0;
+        for (int k = 0; k < 3; k++)
+            corners[i / 3][i % 3][k] = (float)(world[k] - origin[k]);
     }
 }
 
@@ -147,10 +168,12 @@ bool exact_triangles_corners(const Scene *scene, const Cache *cache, const Exact
     for (int i = range[0]; done && i < range[1]; i++) {
         const ExactObject *object = &triangles->objects[i];
         const Shape *shape = shape_of(&shapes, object->object);
+        ExactCorners *to = corners + object->first - triangles->objects[range[0]].first;
         done = shape != NULL;
-        if (done)
-            put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin,
-                        corners + object->first - triangles->objects[range[0]].first);
+        if (done) {
+            put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin, to);
+            put_shares(scene, &cache->places[cache->place_of[object->object]], object->count, to);
+        }
     }
     shapes_close(&shapes);
     return done;

@@ -1,4 +1,4 @@
-/* The triangles of all that is opaque, as shadows: exact take them: every object's one behind the other, in floats, once rounded. No GL. */
+/* The triangles of all that is opaque, or transparent by the same everywhere, as shadows: exact take them: every object's one behind the other, in floats, once rounded. No GL. */
 #ifndef MATC_RENDER_EXACT_TRIANGLES_H
 #define MATC_RENDER_EXACT_TRIANGLES_H
 #include "runtime/render/cache.h"
@@ -19,13 +19,15 @@ typedef struct {
         [3]; /* what corners are counted from, in the world: near the middle of them all, on a grid, so that it rarely moves */
     double reach; /* the greatest coordinate from there, whatever its sign */
     int count;
-    ExactObject *objects; /* that are opaque, in the order of cache->places */
-    int object_count;
+    ExactObject *objects; /* in the order of cache->places: opaque ones first */
+    int object_count, opaque_count;
 } ExactTriangles;
 
-/* Along the world's axes; where two triangles meet, bit for bit the same. The fourth lane is nothing: a corner is read at once. */
+/* Along the world's axes; where two triangles meet, bit for bit the same. The fourth lanes are what the triangle lets through: red, green, blue. */
 typedef float ExactCorners[3][4];
 
+/* The place's object is one of them. */
+bool exact_triangles_have(const CachePlace *place);
 /* Measures all objects. False: memory ran out, or there are more triangles than an int counts; *made is empty then. */
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made);
 /* Measures some of its objects again, which stand elsewhere. False: memory ran out. */

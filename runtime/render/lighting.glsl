@@ -145,7 +145,8 @@ vec3 lightFromOther(int light, Seen seen)
 #endif
 #ifdef EXACT
     float exact = lightTexel(light, 2).w;
-    if (exact > 0.0 && !exactReaches(int(exact) - 1, exactPoint(seen.point, side, seen.pixelSize))) return vec3(0.0);
+    if (exact > 0.0) sent *= exactShare(int(exact) - 1, exactPoint(seen.point, side, seen.pixelSize));
+    if (sent.x + sent.y + sent.z <= 0.0) return vec3(0.0);
 #endif
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
     sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point, side, seen.pixelSize, seen.pixel);

@@ -52,17 +52,17 @@ static bool write_firsts(Render *render)
 {
     const GlContext *gl = render->gl;
     const ExactTriangles *triangles = &render->exact.triangles;
-    GLuint *firsts = malloc((size_t)triangles->object_count * sizeof *firsts);
+    const size_t bytes = (size_t)triangles->opaque_count * sizeof(GLuint);
+    GLuint *firsts = malloc(bytes + 1);
     if (!firsts)
         return gl_fail(render->gl, "out of memory");
-    for (int i = 0; i < triangles->object_count; i++) {
+    for (int i = 0; i < triangles->opaque_count; i++) {
         firsts[i] = (GLuint)triangles->objects[i].first + 1;
         if (!render->cache.instances)
             material_set_number(&render->cache.kinds[render->cache.places[i].kind].material, "exact_place", (float)i);
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, render->exact.firsts);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)triangles->object_count * sizeof *firsts), firsts,
-                   GL_DYNAMIC_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, firsts, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(firsts);
     return true;
@@ -147,26 +147,25 @@ bool pass_exact_change(Render *render, unsigned what)
     return !there || !lights || pass_exact_list(render);
 }
 
-/* Of the cache's places that are opaque, the first and the one behind the last of these objects. None: range[0] >= range[1]. */
-static void find_range(const Render *render, const int objects[2], int range[2])
+/* Of the triangles' objects, the first and the one behind the last that stand elsewhere. None: range[0] >= range[1]. */
+static void find_range(const ExactTriangles *triangles, const int objects[2], int range[2])
 {
-    range[0] = render->exact.triangles.object_count;
+    range[0] = triangles->object_count;
     range[1] = 0;
-    for (int object = objects[0]; object < objects[1]; object++) {
-        const int place = render->cache.place_of[object];
-        if (place < 0 || place >= render->exact.triangles.object_count)
-            continue;
-        range[0] = place < range[0] ? place : range[0];
-        range[1] = place >= range[1] ? place + 1 : range[1];
-    }
+    for (int i = 0; i < triangles->object_count; i++)
+        if (triangles->objects[i].object >= objects[0] && triangles->objects[i].object < objects[1]) {
+            range[0] = i < range[0] ? i : range[0];
+            range[1] = i + 1;
+        }
 }
 
 /* The cache's order is another, as an object is mirrored now. */
 static bool is_reordered(const Render *render)
 {
     bool is = false;
-    for (int i = 0; i < render->exact.triangles.object_count; i++)
-        is |= render->exact.triangles.objects[i].object != render->cache.places[i].object;
+    for (int i = 0, next = 0; i < render->cache.place_count; i++)
+        if (exact_triangles_have(&render->cache.places[i]))
+            is |= render->exact.triangles.objects[next++].object != render->cache.places[i].object;
     return is;
 }
 
@@ -188,7 +187,7 @@ bool pass_exact_move(Render *render, int first, int count)
     int range[2];
     if (!render->exact.corners)
         return true;
-    find_range(render, (int[]){first, first + count}, range);
+    find_range(&render->exact.triangles, (int[]){first, first + count}, range);
     const bool again = is_reordered(render);
     if (!again && range[0] >= range[1])
         return true;

@@ -79,13 +79,17 @@ static void put_maps(Text *out, const Render *render)
         put_glass(out, render);
 }
 
-static void put_exact(Text *out, const ExactShadows *exact)
+static void put_exact(Text *out, const Render *render)
 {
+    const ExactShadows *exact = &render->exact;
+    const int lack = exact_lists_lack(&render->cache);
     text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangles.count,
                 (unsigned long)exact->triangles.count * sizeof(ExactCorners));
     text_format(out, "exact     lists of triangles for %d lights, %lu bytes; the longest has %d\n",
                 exact->cover.light_count, (unsigned long)(exact->cover.words * sizeof(GLuint)),
                 exact_cover_longest(&exact->cover));
+    if (lack)
+        text_format(out, "exact     %d objects cast shadows by maps, as their transparency varies\n", lack);
 }
 
 /* "16, 8 shared" */
@@ -163,7 +167,7 @@ static void put_memory(Text *out, const Render *render)
         put_maps(out, render);
     put_unshadowed(out, render);
     if (render->exact.corners)
-        put_exact(out, &render->exact);
+        put_exact(out, render);
 }
 
 static void put_tiles(Text *out, const Render *render)

@@ -91,11 +91,12 @@ static bool compile(Maker *m, SetProgram *program, unsigned outputs)
     return set_fail(m->gl, m->scene, program->material);
 }
 
-/* By how much a plane is transparent, if that is a constant. */
+/* By how much a surface or a plane is transparent, if that is a constant. */
 static bool find_through(Maker *m, SetProgram *program)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
-    if (strcmp(program->pass, "plane") != 0 || strcmp(matc_opacity(program->program), "transparent") != 0)
+    const bool drawn = !strcmp(program->pass, "plane") || !strcmp(program->pass, "gbuffer");
+    if (!drawn || strcmp(matc_opacity(program->program), "transparent") != 0)
         return true;
     const MatcNumbers through = matc_eval_slot(of->document, of->index, "", &m->options);
     for (int i = 0; i < through.lanes; i++)
@@ -138,13 +139,22 @@ static bool has_images(const GlContext *gl)
     return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
 }
 
-/* What is opaque casts shadows by depth alone, and a plane that is the same everywhere by numbers. */
+/* What is the same everywhere casts shadows by numbers: a plane, and a surface where all shadows are exact. */
+static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
+{
+    bool exact = surface->even;
+    for (int i = 0; strcmp(surface->pass, "plane") != 0 && i < m->scene->light_count; i++)
+        exact &= m->scene->lights[i].shadows == WORD_Shadows_exact || !scene_light_casts(&m->scene->lights[i]);
+    return exact;
+}
+
+/* What is opaque casts shadows by depth alone. */
 static bool add_caster(Maker *m, int number)
 {
     Set *set = m->set;
     SetProgram *surface = &set->programs[number];
     const bool plane = !strcmp(surface->pass, "plane");
-    if (!set->casts || !surface->transparent || (plane && (surface->even || !has_images(m->gl))))
+    if (!set->casts || !surface->transparent || casts_by_numbers(m, surface) || (plane && !has_images(m->gl)))
         return true;
     surface->caster = set->count;
     if (plane)

@@ -18,7 +18,7 @@ typedef struct {
     int next;             /* that is drawn with it; -1: none */
     int row;              /* among those of that text */
     int other;            /* program of the material, from 1; 0: none */
-    bool even;            /* of a plane that is transparent: by the same everywhere, */
+    bool even;            /* it is transparent by the same everywhere, */
     float through[3];     /* namely by so much */
 } SetProgram;
 

@@ -76,7 +76,8 @@ static void cast(Render *render, const CacheSource *source, int number, bool tra
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
-               &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid, number, NULL}, transparent);
+               &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid, number, NULL, view->transparent},
+               transparent);
 }
 
 static void use_layer(const Render *render, int number)

@@ -20,7 +20,7 @@ typedef struct {
     const int *size;      /* of the picture */
     double (*corners)[3]; /* of boxes around what casts shadows, in the world */
     int count;
-    bool glass; /* something transparent casts shadows */
+    bool varying; /* something casts shadows whose transparency varies */
 } Fit;
 
 static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_from_local)
@@ -240,7 +240,7 @@ static void fit_light(Fit *fit, int number)
     ShadowView *views = fit->made->views + fit->made->count;
     const bool cube = has_cube(light), hybrid = light->shadows == WORD_Shadows_hybrid;
     const bool exact = exact_lists_wanted(light);
-    if (!scene_light_casts(light) || (exact && !fit->glass))
+    if (!scene_light_casts(light) || (exact && !fit->varying))
         return;
     if (cube)
         fit_cube(fit, light, views);
@@ -261,7 +261,7 @@ static void fit_light(Fit *fit, int number)
 
 bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)
 {
-    Fit fit = {.scene = scene, .made = made, .size = size, .glass = cache->caster_count > 0};
+    Fit fit = {.scene = scene, .made = made, .size = size, .varying = exact_lists_lack(cache) > 0};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
     made->views = calloc(lights * SHADOW_VIEWS_CUBE, sizeof *made->views);

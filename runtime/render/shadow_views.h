@@ -15,7 +15,7 @@ typedef struct {
     double texel;      /* its longer edge: where z is 1; directional: everywhere */
     bool hybrid;       /* its depths become a volume: at its border they are 0 */
     bool mirrored;     /* left-handed: triangles turn the other way round */
-    bool transparent;  /* it has what is transparent alone: exact_lists.h has the rest */
+    bool transparent;  /* it has what varies in its transparency alone: exact_lists.h has the rest */
 } ShadowView;
 
 /* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the last of which has all objects; or
