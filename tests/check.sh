@@ -1,6 +1,7 @@
 # What the scripts that run matc share; read by them with `.`, from the project's root. $work is their folder.
 passed=0
 failed=0
+skipped=0 # 77: a part was not tried, which is said
 
 # check NAME COMMAND...: the command must succeed
 check() {
