@@ -9,8 +9,10 @@
 #include <OpenEXR/openexr.h>
 #include <math.h>
 #include <png.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -157,14 +159,43 @@ static void what_fails_leaves_nothing(void **state)
     assert_int_equal(access(path, F_OK), -1);
 }
 
+/* A disk that is full, as far as a limit of files is one: the cause is said, and not what a library makes of it. */
+static void full_disks_are_said(void **state)
+{
+    (void)state;
+    static const PictureSpec specs[] = {{PICTURE_FORMAT_png, 1 << 10, 1 << 10, 4, 16, false},
+                                        {PICTURE_FORMAT_exr, 1 << 10, 1 << 10, 4, 32, false}};
+    static float row[4 << 10];
+    struct rlimit before;
+    unsigned number = 1;
+    assert_int_equal(getrlimit(RLIMIT_FSIZE, &before), 0);
+    signal(SIGXFSZ, SIG_IGN);
+    for (int i = 0; i < 2; i++) {
+        const char *why = NULL;
+        PictureFile *file = picture_file_open(&specs[i], &why);
+        assert_non_null(file);
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &(struct rlimit){1 << 16, before.rlim_max}), 0);
+        for (int y = 0; y < specs[i].height && !why; y++) {
+            for (int k = 0; k < 4 << 10; k++)
+                row[k] = (float)((number = number * 1664525 + 1013904223) >> 8) / (1 << 24);
+            why = picture_file_row(file, row);
+        }
+        assert_int_equal(setrlimit(RLIMIT_FSIZE, &before), 0);
+        assert_non_null(why);
+        assert_string_equal(why, "File too large");
+        picture_file_close(file);
+    }
+    signal(SIGXFSZ, SIG_DFL);
+}
+
 int main(void)
 {
     if (!mkdtemp(folder))
         abort();
     snprintf(path, sizeof path, "%s/picture", folder);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pngs_hold_what_they_are_given),
-                                       cmocka_unit_test(exrs_hold_what_they_are_given),
-                                       cmocka_unit_test(what_fails_leaves_nothing)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pngs_hold_what_they_are_given), cmocka_unit_test(exrs_hold_what_they_are_given),
+        cmocka_unit_test(what_fails_leaves_nothing), cmocka_unit_test(full_disks_are_said)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     rmdir(folder);
     return failed;

@@ -43,10 +43,17 @@ PictureFile *picture_file_open(const PictureSpec *spec, const char **why)
     return NULL;
 }
 
+/* Why the format's library failed: of a file that cannot be written it says no more than that. errno was 0 before. */
+static const char *cause(const PictureFile *file, const char *why)
+{
+    return why && errno && ferror(file->out) ? text_error(errno) : why;
+}
+
 const char *picture_file_row(PictureFile *file, const float *rgba)
 {
     file->missing--;
-    return file->writer->row(file->state, rgba);
+    errno = 0;
+    return cause(file, file->writer->row(file->state, rgba));
 }
 
 /* The pages come from the file as they are read. */
@@ -65,7 +72,8 @@ static const char *put(FILE *out, const char *path)
 
 const char *picture_file_finish(PictureFile *file, const char *path)
 {
-    const char *why = file->missing ? "rows are missing" : file->writer->finish(file->state);
+    errno = 0;
+    const char *why = file->missing ? "rows are missing" : cause(file, file->writer->finish(file->state));
     if (!why && fflush(file->out))
         why = text_error(errno);
     return why ? why : put(file->out, path);
