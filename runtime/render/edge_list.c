@@ -185,11 +185,11 @@ static Key key_of(const SceneObject *object)
     return key_of_bytes(parts, sizeof parts);
 }
 
-static bool make_mesh(const EdgeLister *l, const SceneObject *object, EdgeMesh *made)
+bool edge_list_mesh(const Scene *scene, const SceneObject *object, EdgeMesh *made)
 {
     Shape shape;
     if (object->kind == SCENE_Mesh)
-        return edge_mesh_make(&l->scene->meshes[object->mesh].shape, made);
+        return edge_mesh_make(&scene->meshes[object->mesh].shape, made);
     if (!scene_solid(object, &shape))
         return false;
     const bool done = edge_mesh_make(&shape, made);
@@ -205,7 +205,7 @@ static const EdgeMesh *mesh_of(EdgeLister *l, const SceneObject *object)
     while (hash_probe_next(&probe))
         if (key_equal(l->keys[probe.number], key))
             return &l->meshes[probe.number];
-    if (!make_mesh(l, object, &l->meshes[l->mesh_count]))
+    if (!edge_list_mesh(l->scene, object, &l->meshes[l->mesh_count]))
         return NULL;
     l->keys[l->mesh_count] = key;
     hash_index_add(NULL, &l->solids, (uint32_t)key.low, (uint32_t)l->mesh_count);

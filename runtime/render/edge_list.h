@@ -2,6 +2,7 @@
  * double, on the scene's own numbers; no GL. What hides them is for who draws them to find out. */
 #ifndef MATC_RENDER_EDGE_LIST_H
 #define MATC_RENDER_EDGE_LIST_H
+#include "runtime/render/edge_mesh.h"
 #include "runtime/render/view_space.h"
 
 enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
@@ -17,7 +18,9 @@ typedef struct {
     int count, room;
 } EdgeList;
 
-/* False: out of memory; *made is empty then. */
+/* Edges of an object that is no plane. False: out of memory; *made is empty then. */
+bool edge_list_mesh(const Scene *scene, const SceneObject *object, EdgeMesh *made);
+/* Likewise. */
 bool edge_list_make(const Scene *scene, const ViewSpace *space, const int size[2], EdgeList *made);
 /* Safe on an empty one. */
 void edge_list_free(EdgeList *list);

@@ -90,16 +90,27 @@ static int find_side(const EdgeMaker *m, const int ends[2], uint32_t hash)
     return -1;
 }
 
-static void meet(EdgeMaker *m, int number, const uint32_t vertices[2], const float normal[3])
+/* A face that has a side: its normal, its corner that is off the side. */
+typedef struct {
+    const float *normal, *apex;
+} EdgeFace;
+
+static void set_face(const EdgeFace *face, int number, MeshEdge *edge)
+{
+    memcpy(edge->normals[number], face->normal, sizeof edge->normals[number]);
+    memcpy(edge->apexes[number], face->apex, sizeof edge->apexes[number]);
+}
+
+static void meet(EdgeMaker *m, int number, const uint32_t vertices[2], const EdgeFace *face)
 {
     MeshEdge *edge = &m->made->edges[number];
-    memcpy(edge->normals[1], normal, sizeof edge->normals[1]);
+    set_face(face, 1, edge);
     edge->crease = shade_jumps(m, m->of[number][0], vertices[0]) && shade_jumps(m, m->of[number][1], vertices[1]);
     edge->open = m->faces[number] > 1;
     m->faces[number] = 2;
 }
 
-static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const float normal[3])
+static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const EdgeFace *face)
 {
     const bool ordered = m->place[a] < m->place[b];
     const uint32_t vertices[2] = {ordered ? a : b, ordered ? b : a};
@@ -107,14 +118,14 @@ static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const float normal[3]
     const uint32_t hash = (uint32_t)key_of_bytes(ends, sizeof ends).low;
     const int found = find_side(m, ends, hash);
     if (found >= 0) {
-        meet(m, found, vertices, normal);
+        meet(m, found, vertices, face);
         return;
     }
     const int number = m->made->count++;
     MeshEdge *edge = &m->made->edges[number];
     for (int k = 0; k < 2; k++) {
         memcpy(edge->ends[k], position(m, (int)vertices[k]), sizeof edge->ends[k]);
-        memcpy(edge->normals[k], normal, sizeof edge->normals[k]);
+        set_face(face, k, edge);
     }
     edge->open = true; /* until the other face is met */
     memcpy(m->of[number], vertices, sizeof vertices);
@@ -128,7 +139,7 @@ static void add_sides(EdgeMaker *m)
         const uint32_t *corner = m->shape->indices + i;
         float normal[3];
         for (int k = 0; face_normal(m, corner, normal) && k < 3; k++)
-            add_side(m, corner[k], corner[(k + 1) % 3], normal);
+            add_side(m, corner[k], corner[(k + 1) % 3], &(EdgeFace){normal, position(m, (int)corner[(k + 2) % 3])});
     }
 }
 

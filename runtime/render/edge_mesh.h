@@ -7,6 +7,7 @@
 typedef struct {
     float ends[2][3];
     float normals[2][3]; /* of the faces on both sides, of any length */
+    float apexes[2][3];  /* their third corners */
     bool open;           /* only one face is there, or more than two: it is seen whichever way they face */
     bool crease;         /* the shade jumps all along it */
 } MeshEdge;

@@ -286,7 +286,7 @@ typedef struct {
     bool opaque; /* it lights what is nearest: what hybrid shadows were counted at */
 } LightingText;
 enum {
-    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 9,
+    LIGHTING_UNITS = FRAMEBUFFER_COLORS + 10,
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);

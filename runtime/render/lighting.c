@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
-    render_text_lighting[], render_text_shadow_volume[];
+    render_text_lighting[], render_text_shadow_volume[], render_text_silhouette[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
@@ -81,16 +81,30 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
         return false;
     float hemisphere[VIEW_SPACE_HEMISPHERE][4];
     const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
-    const ScreenPassText text = {
-        .body = {render->set.unpack ? render->set.unpack : no_surface, areas ? render_text_light_area : "",
-                 sky ? render_text_light_sky : "", around ? render_text_light_hemisphere : "", render->surface->text,
-                 exact[0], exact[1], defined, volume_lights_cast(render) ? render_text_shadow_volume : "", shadows,
-                 exact[2], table, backdrop_light_text(render), render_text_lighting, own->body[0], own->body[1],
-                 own->body[2], own->body[3], own->body[4]},
-        .format = frame_format(render, FRAME_TARGET_light, 0),
-        .compute = render->compute,
-        .over = own->over,
-        .block = own->block};
+    const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
+                                          areas ? render_text_light_area : "",
+                                          sky ? render_text_light_sky : "",
+                                          around ? render_text_light_hemisphere : "",
+                                          render->surface->text,
+                                          exact[0],
+                                          exact[1],
+                                          defined,
+                                          volume_lights_cast(render) ? render_text_shadow_volume : "",
+                                          shadows,
+                                          silhouette_layers(render) ? render_text_silhouette : "",
+                                          exact[2],
+                                          table,
+                                          backdrop_light_text(render),
+                                          render_text_lighting,
+                                          own->body[0],
+                                          own->body[1],
+                                          own->body[2],
+                                          own->body[3],
+                                          own->body[4]},
+                                 .format = frame_format(render, FRAME_TARGET_light, 0),
+                                 .compute = render->compute,
+                                 .over = own->over,
+                                 .block = own->block};
     if (!screen_pass_make(render->store, &text, made))
         return fail_model(render);
     set_numbers(render, made);

@@ -53,8 +53,8 @@ static bool make_solid(Render *render)
 
 bool pass_shadow_make(Render *render)
 {
-    return make_maps(render) && make_solid(render) && volume_blur_make(render) && volume_data_make(render) && shadow_parts_make(render) &&
-           pass_shadow_count(render);
+    return make_maps(render) && make_solid(render) && silhouette_make(render) && volume_blur_make(render) &&
+           volume_data_make(render) && shadow_parts_make(render) && pass_shadow_count(render);
 }
 
 void pass_shadow_draw(Render *render)
@@ -89,5 +89,6 @@ void pass_shadow_delete(Render *render)
     shadow_views_free(&maps->views);
     shadow_glass_delete(render);
     shadow_sheet_delete(render);
+    silhouette_delete(render);
     *maps = (ShadowMaps){.solid = maps->solid};
 }

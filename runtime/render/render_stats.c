@@ -66,6 +66,17 @@ static void put_glass(Text *out, const Render *render)
     text_char(out, '\n');
 }
 
+static void put_silhouettes(Text *out, const Render *render)
+{
+    const Silhouettes *silhouettes = &render->shadows.silhouettes;
+    const int size = render->scene->shadow_size, count = silhouette_layers(render);
+    text_format(
+        out,
+        "shadow    %d of them with crossings of silhouettes, RG8, %ld bytes; %ld to find them; %d edges, %lu bytes\n",
+        count, 2L * count * size * size, 2L * size * size * (long)sizeof(GLuint), silhouettes->edge_count,
+        (unsigned long)silhouettes->edge_count * sizeof(SilhouetteEdge));
+}
+
 static void put_maps(Text *out, const Render *render)
 {
     const int size = render->scene->shadow_size, count = render->shadows.views.count;
@@ -75,6 +86,8 @@ static void put_maps(Text *out, const Render *render)
         if (render->shadows.views.views[i].near <= 0)
             put_texel(out, i, render->shadows.views.views[i].texel);
     volume_data_put(out, render);
+    if (silhouette_layers(render))
+        put_silhouettes(out, render);
     if (render->shadows.glass.buffer)
         put_glass(out, render);
 }

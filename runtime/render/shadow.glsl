@@ -128,6 +128,12 @@ SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, float near)
     return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), near / there.z);
 }
 
+// How much of a texel, along an axis, is in a square of SHADOW_FILTER texels that begins within texel 0, `part` of it beyond its edge.
+float shadowWeight(int texel, float part)
+{
+    return texel == 0 ? 1.0 - part : texel == SHADOW_FILTER ? part : 1.0;
+}
+
 // The share of a square of SHADOW_FILTER texels around the point that the light reaches.
 SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 {
@@ -143,8 +149,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     for (int y = 0; y <= SHADOW_FILTER; y++)
         for (int x = 0; x <= SHADOW_FILTER; x++) {
             ivec2 texel = low + ivec2(x, y);
-            float weight = (x == 0 ? 1.0 - part.x : x == SHADOW_FILTER ? part.x : 1.0) *
-                           (y == 0 ? 1.0 - part.y : y == SHADOW_FILTER ? part.y : 1.0);
+            float weight = shadowWeight(x, part.x) * shadowWeight(y, part.y);
             bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(SHADOW_SIZE)));
             sum += weight * (inside ? shadowTexel(first + face, texel, depth)
                              : cube ? shadowBeyond(first, face, turned, texel, how.x)
@@ -153,10 +158,17 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
+#ifdef SHADOW_SILHOUETTES
+SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel);
+#endif
+
 // A view, or those of a cube.
 SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, 3);
+#ifdef SHADOW_SILHOUETTES
+    if (how.z > 0.0) return silhouetteShare(first, count, point, normal, pixel);
+#endif
     vec3 place = shadowPlace(first, vec4(point, 1.0));
     vec3 size = abs(place);
     bool cube = how.x > 0.0 && count > 1;

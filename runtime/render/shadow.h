@@ -6,6 +6,7 @@
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 #include "runtime/render/shadow_views.h"
+#include "runtime/render/silhouette.h"
 
 /* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
 typedef struct {
@@ -34,6 +35,7 @@ typedef struct {
     ShadowViews views;
     ShadowGlass glass;
     ShadowSheets sheets;
+    Silhouettes silhouettes;
     GLuint maps;        /* an array of depths, a layer for each view */
     GLuint table;       /* texels of the views, four each: their rows from the eye's space; near, texel */
     GLuint planes;      /* texels of infinite planes in the eye's space */
@@ -89,7 +91,7 @@ bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
 bool shadow_change(Render *render, bool drawn_again);
 /* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
-enum { SHADOW_DEFINITIONS = 448, SHADOW_UNITS = 5 };
+enum { SHADOW_DEFINITIONS = 512, SHADOW_UNITS = 6 };
 const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS]);
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. Behind its light: 1 + the layer of what

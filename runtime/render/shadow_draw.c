@@ -17,24 +17,6 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
     }
 }
 
-/* Half spaces that the map shows. */
-static CullVolume volume_of(const ShadowView *view)
-{
-    CullVolume volume = {.count = 4};
-    for (int i = 0; i < volume.count; i++) {
-        double *plane = volume.planes[i];
-        for (int k = 0; k < 4; k++) {
-            const double far = view->near > 0 ? view->rows[2][k] : k == 3;
-            plane[k] = far + (i % 2 ? 1 : -1) * view->rows[i / 2][k];
-        }
-        const double length = sqrt(scene_vector_dot(plane, plane));
-        for (int k = 0; k < 4; k++)
-            plane[k] /= length;
-        volume.terms[i] = fabs(plane[3]);
-    }
-    return volume;
-}
-
 /* Slopes push away from the light; so do two steps of depth. shadow.glsl says by how much, and why. */
 static void push(const Render *render)
 {
@@ -72,7 +54,7 @@ static void end(const Render *render)
 static void cast(Render *render, const CacheSource *source, int number, bool transparent)
 {
     const ShadowView *view = &render->shadows.views.views[number];
-    const CullVolume volume = volume_of(view);
+    const CullVolume volume = shadow_views_volume(view);
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
@@ -124,12 +106,16 @@ void shadow_draw_depths(Render *render)
         }
         use_layer(render, i);
         render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+        if (render->shadows.views.views[i].silhouettes)
+            render->gl->PolygonOffset(-1.0f / 64, -2); /* silhouette.glsl compares with planes */
         if (!render->shadows.views.views[i].transparent)
             cast(render, &source, i, false);
+        push(render);
         if (!shadow_glass_needed(render))
             cast(render, &source, i, true);
     }
     end(render);
+    silhouette_find(render);
 }
 
 /* Texels of a part in a map; beyond the map's end there are none to cut off. */

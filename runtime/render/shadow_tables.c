@@ -24,11 +24,12 @@ static void from_eye(const double *eye_from_world, const double row[4], float ou
     out[3] = (float)last;
 }
 
-static void put_view(const Render *render, const ShadowView *view, float (*texels)[4])
+/* `layer` is 1 + that of its crossings, or 0. */
+static void put_view(const Render *render, const ShadowView *view, int layer, float (*texels)[4])
 {
     for (int row = 0; row < 3; row++)
         from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
-    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel}, sizeof texels[3]);
+    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel, (float)layer}, sizeof texels[3]);
 }
 
 /* Its normal, and what makes points of it 0. */
@@ -60,8 +61,10 @@ static bool write_views(Render *render)
     float(*texels)[4] = calloc(((size_t)maps->views.count + ROW) * VIEW_TEXELS, sizeof *texels);
     if (!texels)
         return gl_fail(render->gl, "out of memory");
-    for (int i = 0; i < maps->views.count; i++)
-        put_view(render, &maps->views.views[i], texels + (size_t)i * VIEW_TEXELS);
+    for (int i = 0, layer = 0; i < maps->views.count; i++) {
+        const ShadowView *view = &maps->views.views[i];
+        put_view(render, view, view->silhouettes ? ++layer : 0, texels + (size_t)i * VIEW_TEXELS);
+    }
     const bool done =
         write_table(render->gl, (const float(*)[4])texels, (int[]){maps->views.count, VIEW_TEXELS}, &maps->table);
     free(texels);
@@ -123,7 +126,7 @@ SetCasts shadow_casts(const Render *render)
 {
     bool maps = false;
     for (int i = 0; i < render->scene->light_count; i++)
-        maps |= render->scene->lights[i].shadows == WORD_Shadows_map || exact_lists_wanted(&render->scene->lights[i]);
+        maps |= scene_light_casts(&render->scene->lights[i]) && render->scene->lights[i].shadows != WORD_Shadows_hybrid;
     if (!shadow_is_cast(render) || !maps)
         return SET_CASTS_none;
     return render->scene->shadow_colored && transparency_has_lists(render->gl) ? SET_CASTS_colored : SET_CASTS_cut;
@@ -181,6 +184,8 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
                          "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
                          render->scene->shadow_size, render->scene->shadow_filter);
+    if (silhouette_layers(render))
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SILHOUETTES\n");
     if (volume_lights_cast(render))
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
                          "#define SHADOW_HYBRID\n%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
@@ -226,6 +231,7 @@ void shadow_samplers(ScreenPass *pass, int unit)
     screen_pass_sampler(pass, "shadow_planes", unit + 2);
     screen_pass_sampler(pass, "shadow_sheets", unit + 3);
     screen_pass_sampler(pass, "shadow_mask", unit + 4);
+    screen_pass_sampler(pass, "silhouette_crossings", unit + 5);
 }
 
 void shadow_bind(const Render *render, int unit)
@@ -236,6 +242,10 @@ void shadow_bind(const Render *render, int unit)
         gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
         gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);
         texture_bind(gl, maps->table, unit + 1);
+    }
+    if (maps->silhouettes.crossings) {
+        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 5);
+        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->silhouettes.crossings);
     }
     if (maps->planes)
         texture_bind(gl, maps->planes, unit + 2);

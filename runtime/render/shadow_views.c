@@ -70,16 +70,18 @@ static double near_of(const Fit *fit, const double position[3])
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }
 
-/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow: faces overlap by it. */
-static double face_of(const Scene *scene, bool hybrid)
+/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow, and silhouettes have none beyond a border's centres: faces
+ * overlap by it. */
+static double face_of(const Scene *scene, const SceneLight *light)
 {
     enum { BORDER = 4 }; /* texels, of both sides: the border, and half of one to the centre of the next */
-    return hybrid ? (double)scene->shadow_size / (scene->shadow_size - BORDER) : 1;
+    const bool wide = light->shadows == WORD_Shadows_hybrid || light->shadows == WORD_Shadows_silhouette;
+    return wide ? (double)scene->shadow_size / (scene->shadow_size - BORDER) : 1;
 }
 
 static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[SHADOW_VIEWS_CUBE])
 {
-    const double half = face_of(fit->scene, light->shadows == WORD_Shadows_hybrid);
+    const double half = face_of(fit->scene, light);
     const double near = near_of(fit, light->position) / half;
     for (int face = 0; face < SHADOW_VIEWS_CUBE; face++) {
         const int axis = face / 2;
@@ -252,8 +254,10 @@ static void fit_light(Fit *fit, int number)
         fit_cascades(fit, light, views);
     const int flat = light->kind == SCENE_Spot || hybrid ? 1 : fit->scene->shadow_cascades;
     fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
-    for (int i = 0; i < fit->made->lights[number].count; i++)
+    for (int i = 0; i < fit->made->lights[number].count; i++) {
         views[i].transparent = exact;
+        views[i].silhouettes = light->shadows == WORD_Shadows_silhouette;
+    }
     fit->made->count += fit->made->lights[number].count;
     for (ShadowView *view = views; hybrid && view < fit->made->views + fit->made->count; view++)
         view->hybrid = true;
@@ -284,4 +288,21 @@ void shadow_views_free(ShadowViews *views)
     free(views->views);
     free(views->lights);
     *views = (ShadowViews){0};
+}
+
+CullVolume shadow_views_volume(const ShadowView *view)
+{
+    CullVolume volume = {.count = 4};
+    for (int i = 0; i < volume.count; i++) {
+        double *plane = volume.planes[i];
+        for (int k = 0; k < 4; k++) {
+            const double far = view->near > 0 ? view->rows[2][k] : k == 3;
+            plane[k] = far + (i % 2 ? 1 : -1) * view->rows[i / 2][k];
+        }
+        const double length = sqrt(scene_vector_dot(plane, plane));
+        for (int k = 0; k < 4; k++)
+            plane[k] /= length;
+        volume.terms[i] = fabs(plane[3]);
+    }
+    return volume;
 }

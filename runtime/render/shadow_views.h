@@ -14,13 +14,14 @@ typedef struct {
     double near;       /* 0: directional */
     double texel;      /* its longer edge: where z is 1; directional: everywhere */
     bool hybrid;       /* its depths become a volume: at its border they are 0 */
+    bool silhouettes;  /* with crossings: silhouette.h */
     bool mirrored;     /* left-handed: triangles turn the other way round */
     bool transparent;  /* it has what varies in its transparency alone: exact_lists.h has the rest */
 } ShadowView;
 
 /* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the last of which has all objects; or
  * SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2 k + 1 against it, with the axes k + 1 and
- * k + 2 (modulo 3) as x and y. Those of a hybrid light are as much wider than 90 degrees as their borders take. */
+ * k + 2 (modulo 3) as x and y. Those of a light by hybrid shadows or silhouettes are wider than 90 degrees, by a border of two texels. */
 typedef struct {
     int first, count;
 } ShadowLight;
@@ -33,6 +34,8 @@ typedef struct {
 
 /* Of a picture of that size, which cascades are fitted to. False: memory ran out; *made is empty then. */
 bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made);
+/* Half spaces that a view's map shows. */
+CullVolume shadow_views_volume(const ShadowView *view);
 /* Safe on an empty one, which it leaves behind. */
 void shadow_views_free(ShadowViews *views);
 #endif

@@ -1,0 +1,133 @@
+// Where silhouettes cross the segments between the centres of a shadow map's texels: a thread for an edge of a mesh and an object. An edge is one of the
+// silhouette if both its faces lie to the same side of it, as the light sees them; an edge of one face is given that face twice. It is walked along all
+// rows and columns of texels that it crosses.
+//
+// A crossing counts on a segment whose one centre is nearer to the light than the other, if its edge is no deeper than what lies at the farther one, and
+// its faces are to the nearer one's side. Of several, the one farthest from the nearer centre stays: all between is covered. It is kept as its distance
+// from there.
+//
+//     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25; one at 3.75 of depth .7, too: .75
+//
+// A rasteriser rounds corners to 1/256 of a texel, so that a centre nearer than that to an edge may be on its other side: the segment beyond has the
+// crossing as well.
+layout(local_size_x = 64) in;
+
+struct Instance {
+    mat4 worldFromLocal;
+    mat3 worldNormalFromLocal;
+    uint material;
+};
+layout(std140, binding = 0) readonly buffer Instances {
+    Instance instances[];
+};
+layout(std430, binding = 1) readonly buffer Places {
+    uint places[];
+};
+layout(std430, binding = 2) readonly buffer Edges { // of a mesh: two ends, then the third corners of both faces
+    float edge_lanes[];
+};
+layout(std430, binding = 3) buffer Extents { // of each texel: of the segment to the right, and upwards
+    uint extents[];
+};
+uniform sampler2DArray silhouette_maps;
+uniform mat4 silhouette_view; // three rows from the world; near, edge of the map in texels, its number
+uniform vec3 silhouette_run;  // of a mesh: its first edge, how many; where its objects' numbers begin
+
+const float NEAR_CENTRE = 1.0 / 128.0; // texels
+const float FLAT = 2e-6; // of a face: it is seen from its side
+
+float near, size;
+
+// x, y, depth and 1, times w.
+vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
+{
+    uint at = edge * 12u + corner * 3u;
+    vec4 world = worldFromLocal * vec4(edge_lanes[at], edge_lanes[at + 1u], edge_lanes[at + 2u], 1.0);
+    vec3 place = vec3(dot(silhouette_view[0], world), dot(silhouette_view[1], world), dot(silhouette_view[2], world));
+    return near > 0.0 ? vec4(place.xy, near, place.z) : vec4(place, 1.0);
+}
+
+// To which side of an edge something is, as the light sees it: 1, -1; 0: it is on it.
+float sideOf(vec3 from, vec3 edge, vec3 there)
+{
+    vec3 way = there - from, across = cross(edge, way);
+    float side = dot(from, across);
+    return abs(side) <= FLAT * length(from) * length(edge) * length(way) ? 0.0 : sign(side);
+}
+
+// In texels, and depth.
+vec3 texelOf(vec4 place)
+{
+    return vec3((place.xy / place.w * 0.5 + 0.5) * size - 0.5, place.z / place.w);
+}
+
+float depthAt(ivec2 texel)
+{
+    return texelFetch(silhouette_maps, ivec3(clamp(texel, ivec2(0), ivec2(size) - 1), int(silhouette_view[3].z)), 0).x;
+}
+
+// An edge, as the map has it.
+struct Edge {
+    vec3 ends[2];
+    vec2 faces; // there is one to the side 1; to the side -1
+};
+
+// `along` is 0 on a row of texels, 1 on a column; the segment begins at `texel`, the crossing is at `part` of it.
+void record(Edge edge, int along, ivec2 texel, float part, float depth)
+{
+    ivec2 next = ivec2(along == 0, along == 1);
+    if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel + next, ivec2(size)))) return;
+    float first = depthAt(texel), second = depthAt(texel + next);
+    if (first == second) return;
+    bool nearer = first > second; // the first
+    float deepest = min(first, second), beyond = depthAt(nearer ? texel + 2 * next : texel - next);
+    float left = nearer ? 1.0 - part : part;
+    if (depth < min(deepest, deepest + (deepest - beyond) * left) * (1.0 - 2e-6)) return;
+    vec2 way = edge.ends[1].xy - edge.ends[0].xy, to = vec2(nearer ? texel : texel + next) - edge.ends[0].xy;
+    float side = way.x * to.y - way.y * to.x;
+    bool covers = abs(side) <= NEAR_CENTRE * length(way) || (side > 0.0 ? edge.faces.x : edge.faces.y) > 0.0;
+    if (covers)
+        atomicMax(extents[(texel.y * int(size) + texel.x) * 2 + along], uint((1.0 - left) * 65534.0 + 0.5) + 1u);
+}
+
+// All rows that an edge crosses, or all columns.
+void walk(Edge edge, int along)
+{
+    int across = 1 - along;
+    float from = edge.ends[0][across], to = edge.ends[1][across], far = to - from;
+    int last = int(floor(min(max(from, to) + NEAR_CENTRE, size - 1.0)));
+    for (int line = int(ceil(max(min(from, to) - NEAR_CENTRE, 0.0))); line <= last; line++) {
+        float share = abs(far) > 1e-6 ? clamp((float(line) - from) / far, 0.0, 1.0) : 0.0;
+        float at = mix(edge.ends[0][along], edge.ends[1][along], share), depth = mix(edge.ends[0].z, edge.ends[1].z, share);
+        if (at < -1.0 || at > size) continue;
+        float column = floor(at), part = at - column;
+        ivec2 texel = along == 0 ? ivec2(column, line) : ivec2(line, column), step = ivec2(along == 0, along == 1);
+        record(edge, along, texel, part, depth);
+        if (part < NEAR_CENTRE) record(edge, along, texel - step, 1.0, depth);
+        if (part > 1.0 - NEAR_CENTRE) record(edge, along, texel + step, 0.0, depth);
+    }
+}
+
+void main()
+{
+    uint number = gl_GlobalInvocationID.x;
+    near = silhouette_view[3].x;
+    size = silhouette_view[3].y;
+    if (number >= uint(silhouette_run.y)) return;
+    number += uint(silhouette_run.x);
+    mat4 world = instances[places[uint(silhouette_run.z) + gl_GlobalInvocationID.y]].worldFromLocal;
+    vec4 a = placeOf(number, 0u, world), b = placeOf(number, 1u, world);
+    vec3 way = b.xyw - a.xyw;
+    vec2 sides = vec2(sideOf(a.xyw, way, placeOf(number, 2u, world).xyw), sideOf(a.xyw, way, placeOf(number, 3u, world).xyw));
+    if (sides.x * sides.y < 0.0) return;
+    vec2 faces = vec2(max(sides.x, sides.y) >= 0.0, min(sides.x, sides.y) <= 0.0);
+    float least = near > 0.0 ? near * 0.99 : 0.0; // what is nearer is in no map
+    if (max(a.w, b.w) <= least) return;
+    vec4 first = a.w < least ? mix(a, b, (least - a.w) / (b.w - a.w)) : a;
+    vec4 second = b.w < least ? mix(b, a, (least - b.w) / (a.w - b.w)) : b;
+    Edge edge = Edge(vec3[2](texelOf(first), texelOf(second)), faces);
+    if (any(lessThan(max(edge.ends[0].xy, edge.ends[1].xy), vec2(-1.0)))) return;
+    if (any(greaterThan(min(edge.ends[0].xy, edge.ends[1].xy), vec2(size)))) return;
+    walk(edge, 0);
+    walk(edge, 1);
+}
