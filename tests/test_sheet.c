@@ -114,6 +114,25 @@ static void what_cannot_be_is_told(void **state)
     sheet_free(&sheet);
 }
 
+/* What has no room is known before it is drawn: whatever is still to come, a side is at least the root of the number of pictures. */
+static void room_is_known_before(void **state)
+{
+    (void)state;
+    static const struct {
+        int edge, most;
+    } cases[] = {{16384, 0}, {16372, 1}, {6000, 4}, {4000, 16}, {192, 82 * 82}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Sheet sheet = {.width = cases[i].edge, .height = 1};
+        unsigned char *rgb = calloc((size_t)cases[i].edge, 3);
+        assert_non_null(rgb);
+        for (; sheet_has_room(&sheet); sheet_add(&sheet, "one", rgb))
+            assert_true(sheet.count < cases[i].most);
+        assert_int_equal(sheet.count, cases[i].most);
+        free(rgb);
+        sheet_free(&sheet);
+    }
+}
+
 /* Every letter that a name can have is there, and no two look alike; what is not there is a question mark. */
 static void letters_differ(void **state)
 {
@@ -141,9 +160,8 @@ static void letters_differ(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(columns_fill_rows),
-        cmocka_unit_test(pictures_lie_in_order),
-        cmocka_unit_test(what_cannot_be_is_told),
+        cmocka_unit_test(columns_fill_rows),      cmocka_unit_test(pictures_lie_in_order),
+        cmocka_unit_test(what_cannot_be_is_told), cmocka_unit_test(room_is_known_before),
         cmocka_unit_test(letters_differ),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -62,6 +62,8 @@ objects: [{ object: Plane, material: m }, { object: Sphere, material: m, transfo
 EOF_SCENE
 check "--compare" status 0 "$matview" --compare=shadows "$work/scene.yaml" -o "$work/compared.png"
 check "has a cell for none, map, exact, and three hybrid ones at least" test "$(od -An -tu1 -j20 -N4 "$work/compared.png" | awk '{ print ($3 * 256 + $4 - 6) / 48 }')" -ge 2
+check "of pictures that no file can hold side by side" status 1 timeout 20 "$matview" --compare=shadows --size=16384 "$work/scene.yaml" -o "$work/none.png"
+check "is told before one is drawn" says 'larger than 16384'
 check "of a material" status 2 $draw --compare=shadows $example -o "$work/none.png"
 check "says so" says 'are of scenes'
 for option in --shadows=map --frame=0 --stats --emit=frame --bits=16; do
@@ -191,6 +193,9 @@ printf 'material: Phong\ndiffuse: { map: Cheker }\n' >"$work/faulty.yaml"
 check "with a fault among the documents" status 1 $sheet $example "$work/faulty.yaml"
 check "which is told" says "no map is called"
 check "there is none" test ! -e "$work/sheet.png"
+check "a contact sheet that no file can hold" status 1 timeout 20 "$matview" --size=16384 --contact="$work/large.png" $example $example
+check "is told before it is drawn" says 'larger than 16384'
+check "and is not there" test ! -e "$work/large.png"
 check "--contact and -o" status 2 $sheet -o x.png $example
 check "--contact and -d" status 2 $sheet -d x $example
 

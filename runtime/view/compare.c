@@ -5,6 +5,7 @@
 #include <string.h>
 
 typedef struct {
+    GlContext *gl;
     ScenePictures *pictures;
     Scene scene; /* whose lights are a copy */
     const Scene *given;
@@ -20,6 +21,8 @@ static void use_method(Comparison *c, Word shadows)
 
 static bool add(Comparison *c, const char *name)
 {
+    if (!sheet_has_room(c->sheet))
+        return gl_fail(c->gl, "%s", sheet_too_large);
     if (!scene_pictures_show(c->pictures, &c->scene) || !scene_pictures_pixels(c->pictures, c->rgb))
         return false;
     sheet_add(c->sheet, name, c->rgb);
@@ -56,7 +59,7 @@ static bool add_all(Comparison *c)
 
 bool compare_shadows(GlContext *gl, const Scene *scene, const ScenePictureOptions *options, Sheet *sheet)
 {
-    Comparison c = {.scene = *scene, .given = scene, .sheet = sheet};
+    Comparison c = {.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
     sheet->width = options->render.width;
     sheet->height = options->render.height;
     c.scene.lights = malloc(((size_t)scene->light_count + 1) * sizeof *c.scene.lights);

@@ -126,12 +126,12 @@ static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
     unsigned char *rgb = malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3);
     if (!rgb)
         abort();
-    const bool done = scene_pictures_pixels(pictures, rgb);
+    const bool room = sheet_has_room(run->sheet), done = room && scene_pictures_pixels(pictures, rgb);
     fputs(progress_erase(&run->shown.last), stderr);
     if (done)
         sheet_add(run->sheet, name, rgb);
     free(rgb);
-    return done ? FINE : complain(name, run->gl->error);
+    return done ? FINE : complain(name, room ? run->gl->error : sheet_too_large);
 }
 
 static int draw_material(Run *run, MatcDocument *document, int material, const char *name)

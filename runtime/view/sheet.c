@@ -13,6 +13,14 @@ typedef struct SheetCell {
 
 enum { PAPER = 24, INK = 214, GAP = 6, LARGE = 160 /* a width from which letters are twice as large */ };
 
+const char sheet_too_large[] = "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
+
+/* As sheet_columns() has at least the root of the number side by side. */
+bool sheet_has_room(const Sheet *sheet)
+{
+    return ceil(sqrt(sheet->count + 1)) * (sheet->width + GAP) + GAP <= PNG_SIZE_LIMIT;
+}
+
 void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb)
 {
     const size_t size = (size_t)sheet->width * (size_t)sheet->height * 3;
@@ -87,7 +95,7 @@ const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
     const long across = sheet->width + GAP,
                down = sheet->height + GAP + FONT_HEIGHT * scale_for(sheet->width) + GAP / 2;
     if (columns * across + GAP > PNG_SIZE_LIMIT || rows * down + GAP > PNG_SIZE_LIMIT)
-        return "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
+        return sheet_too_large;
     *picture = (PngPicture){(int)(columns * across + GAP), (int)(rows * down + GAP), 3, NULL};
     const size_t size = (size_t)picture->width * (size_t)picture->height * 3;
     picture->bytes = malloc(size);

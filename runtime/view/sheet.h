@@ -2,6 +2,7 @@
 #ifndef MATC_VIEW_SHEET_H
 #define MATC_VIEW_SHEET_H
 #include "runtime/gl/png_write.h"
+#include <stdbool.h>
 
 enum { SHEET_NAME = 128 };
 
@@ -12,6 +13,9 @@ typedef struct {
     struct SheetCell *cells;
 } Sheet;
 
+/* False: with one more it is too large, and stays so whatever comes behind. It may be too large all the same. */
+bool sheet_has_room(const Sheet *sheet);
+extern const char sheet_too_large[];
 /* Adds a picture: its pixels of RGB, row 0 is the bottom row. Both are copied; a long name is cut. */
 void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb);
 /* How many of so many pictures stand side by side: the sheet is wider than high, with as few empty cells as can be. */
