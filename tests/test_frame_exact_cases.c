@@ -1,0 +1,123 @@
+/* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a light, a camera that moves past what is opaque alone,
+ * copies of which one is mirrored. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { EDGE = 64, PIXELS = EDGE * EDGE };
+
+/* From above: a pixel is 1/32 wide, so that all that follows is exact in floats. */
+#define HEAD                                                                                                           \
+    "image: { width: 64, height: 64 }\n"                                                                               \
+    "camera: { camera: Orthographic, position: [0, 0, 8], target: [0, 0, 0], up: [0, 1, 0], size: 2 }\n"               \
+    "materials: { m: { material: Phong, diffuse: .5 } }\n"
+#define GROUND                                                                                                         \
+    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
+    "-4, 0] } }\n"
+
+static int count_dark(const char *text)
+{
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    Scene *scene = frame_scene(text, &options, &document);
+    float *rgba = frame_floats(gl, scene, &how);
+    int dark = 0;
+    for (int i = 0; i < PIXELS; i++)
+        dark += rgba[4 * i] <= 0;
+    free(rgba);
+    frame_forget(scene, document);
+    gl_close(gl);
+    return dark;
+}
+
+/* A square of two triangles, beside what is seen, and light over it at 45 degrees: rays of pixels on a diagonal go through the edge that the triangles share, and are
+ * stopped, like all others. */
+static void edges(void **state)
+{
+    (void)state;
+    assert_int_equal(count_dark(HEAD "lights: [{ light: Directional, direction: [1, 0, -1], shadows: exact }]\n" GROUND
+                                     "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { "
+                                     "translation: [-3, -1, 2] } }\n"),
+                     PIXELS);
+}
+
+/* A ceiling over a lamp. */
+static void beyond(void **state)
+{
+    (void)state;
+    assert_int_equal(
+        count_dark(
+            HEAD "lights: [{ light: Point, position: [2, 0, 3], intensity: 9, shadows: exact }]\n" GROUND
+                 "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [1.5, "
+                 "-4, 4] } }\n"),
+        0);
+}
+
+/* -- changes, where nothing is transparent */
+
+#define MOVING                                                                                                         \
+    "image: { width: 64, height: 64 }\n"                                                                               \
+    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 32 }\n"                         \
+    "materials: { m: { material: Phong, diffuse: .5 } }\n"                                                             \
+    "lights: [{ light: Point, position: [-3, -3, 4], intensity: 20, shadows: exact }]\n" GROUND                        \
+    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [-1, .5, 0] } }\n"                \
+    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [.8, 0, 0] } }\n"                 \
+    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [0, -1.2, 0] } }\n"
+
+static float *read_frame(Render *render)
+{
+    float *rgba = calloc(PIXELS, 4 * sizeof *rgba);
+    assert_true(rgba && render_frame(render) && render_read(render, rgba));
+    return rgba;
+}
+
+/* The picture is the one that a new renderer draws. */
+static void assert_as_new(GlContext *gl, const RenderOptions *how, Render *changed, const Scene *scene)
+{
+    Render *fresh = render_open(gl, how);
+    assert_true(fresh && render_scene(fresh, scene));
+    float *a = read_frame(changed), *b = read_frame(fresh);
+    assert_memory_equal(a, b, PIXELS * 4 * sizeof *a);
+    render_close(fresh);
+    free(a);
+    free(b);
+}
+
+static void changes(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    Scene *scene = frame_scene(MOVING, &options, &document);
+    Render *render = render_open(gl, &how);
+    assert_true(render && render_scene(render, scene));
+    free(read_frame(render));
+    scene->camera.position[0] += .25;
+    assert_true(render_changed(render, RENDER_CAMERA));
+    assert_as_new(gl, &how, render, scene);
+    scene->objects[1].world_from_local.m[13] += .25; /* within what there is: it alone is written */
+    assert_true(render_changed_objects(render, 1, 1));
+    assert_as_new(gl, &how, render, scene);
+    for (int i = 0; i < 4; i++) /* mirrored, it is drawn after its copies */
+        scene->objects[1].world_from_local.m[i] *= -1;
+    assert_true(render_changed_objects(render, 1, 1));
+    assert_as_new(gl, &how, render, scene);
+    render_close(render);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(edges), cmocka_unit_test(beyond), cmocka_unit_test(changes)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
