@@ -302,7 +302,8 @@ static void named_files_are_files(void **state)
                  names[i], GLTF_TAIL("4", "6"));
         write_text("names.gltf", text);
         assert_false(model_read(path_of("names.gltf", path), &shape, error, sizeof error));
-        print_message("%s as a buffer: %s\n", names[i], error);
+        if (!strstr(error, "could not open")) /* as of what is nowhere */
+            fail_msg("%s as a buffer: %s", names[i], error);
     }
     alarm(0);
 }
