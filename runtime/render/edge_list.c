@@ -178,13 +178,6 @@ static void add_horizon(EdgeLister *l, const SceneObject *object)
     add_line(l, ends[0], ends[1]);
 }
 
-static Key key_of(const SceneObject *object)
-{
-    double parts[SCENE_NUMBERS + 2] = {object->kind, object->mesh};
-    memcpy(parts + 2, object->numbers, sizeof object->numbers);
-    return key_of_bytes(parts, sizeof parts);
-}
-
 bool edge_list_mesh(const Scene *scene, const SceneObject *object, EdgeMesh *made)
 {
     Shape shape;
@@ -200,7 +193,7 @@ bool edge_list_mesh(const Scene *scene, const SceneObject *object, EdgeMesh *mad
 /* NULL: out of memory. */
 static const EdgeMesh *mesh_of(EdgeLister *l, const SceneObject *object)
 {
-    const Key key = key_of(object);
+    const Key key = scene_solid_key(object);
     HashProbe probe = hash_probe(&l->solids, (uint32_t)key.low);
     while (hash_probe_next(&probe))
         if (key_equal(l->keys[probe.number], key))

@@ -1,6 +1,7 @@
 /* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all numbers in double, in the world's space. */
 #ifndef MATC_SCENE_H
 #define MATC_SCENE_H
+#include "compiler/base/hash.h"
 #include "compiler/matc.h"
 #include "grammar/scene_tables.h"
 #include "runtime/gl/shape.h"
@@ -139,6 +140,8 @@ bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera 
 
 /* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has its own. */
 bool scene_solid(const SceneObject *object, Shape *made);
+/* Objects with one key have the same ones, those of a file too. */
+Key scene_solid_key(const SceneObject *object);
 /* How many they are, without making them. */
 int scene_solid_triangles(const SceneObject *object);
 #endif

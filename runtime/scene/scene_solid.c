@@ -127,6 +127,13 @@ static bool solid_round(const Round *o, Shape *made)
     return true;
 }
 
+Key scene_solid_key(const SceneObject *object)
+{
+    double parts[SCENE_NUMBERS + 2] = {object->kind, object->mesh};
+    memcpy(parts + 2, object->numbers, sizeof object->numbers);
+    return key_of_bytes(parts, sizeof parts);
+}
+
 int scene_solid_triangles(const SceneObject *object)
 {
     const double *n = object->numbers;

@@ -1,18 +1,10 @@
 /* How many triangles the meshes of a scene have: equal solids, and objects of one file, are one mesh. */
 #include "runtime/scene/scene_part.h"
-#include <string.h>
 
 static int triangles_of(const Scene *scene, const SceneObject *object)
 {
     return object->kind == SCENE_Mesh ? scene->meshes[object->mesh].shape.index_count / 3
                                       : scene_solid_triangles(object);
-}
-
-static Key key_of(const SceneObject *object)
-{
-    double parts[SCENE_NUMBERS + 2] = {object->kind, object->mesh};
-    memcpy(parts + 2, object->numbers, sizeof object->numbers);
-    return key_of_bytes(parts, sizeof parts);
 }
 
 static bool is_known(const SceneReader *r, Key key)
@@ -27,7 +19,7 @@ static bool is_known(const SceneReader *r, Key key)
 /* Told once. */
 bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
-    const Key key = key_of(object);
+    const Key key = scene_solid_key(object);
     if (r->triangles > SCENE_TRIANGLES)
         return false;
     if (is_known(r, key))
