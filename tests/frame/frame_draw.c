@@ -67,14 +67,20 @@ GlKind frame_kind(int count, char **arguments)
     return count > 1 && gl_kind_find(arguments[count - 1], &kind) ? kind : GL_KIND_osmesa;
 }
 
-float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options)
+float *frame_floats_by(GlContext *gl, Render *render, const Scene *scene)
 {
-    Render *render = render_open(gl, options);
     if (!render || !render_scene(render, scene) || !render_frame(render))
         end(gl->error);
     float *rgba = calloc((size_t)render_tile_width(render) * (size_t)render_tile_height(render), 4 * sizeof *rgba);
     if (!rgba || !render_read(render, rgba))
         end(gl->error);
+    return rgba;
+}
+
+float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options)
+{
+    Render *render = render_open(gl, options);
+    float *rgba = frame_floats_by(gl, render, scene);
     render_close(render);
     return rgba;
 }

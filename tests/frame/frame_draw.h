@@ -12,7 +12,9 @@ GlContext *frame_context(void);
 GlContext *frame_context_of(GlKind kind);
 /* The kind that a test's last argument names, as in `build/tests/test_x egl`; else OSMesa. */
 GlKind frame_kind(int count, char **arguments);
-/* Floats of a view, from malloc. */
+/* Floats of a view, from malloc; by a renderer that has drawn other scenes: what these have in common is not compiled again. */
+float *frame_floats_by(GlContext *gl, Render *render, const Scene *scene);
+/* By one of its own. */
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);
 /* The same of the whole picture, by its tiles, the last column and row first. */
 float *frame_tiles(GlContext *gl, const Scene *scene, const RenderOptions *options);
