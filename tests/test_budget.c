@@ -22,7 +22,9 @@
 
 static const double free_cost = 200, most_growth = 1.1, most_growth_of_plane = 2;
 /* Pictures go through the sampler whatever that costs, and most cost less so than by texels. One in a bump scales its footprint and compares
- * it with a texel: 4 and 6 operations beside the 30 of its texels, in a program that may be nothing else. */
+ * it with a texel: 4 and 6 operations beside the 30 of its texels, in a program that may be nothing else. A program of many bumps comes near to
+ * that: 991 operations for 775 in a Smooth3D, which looks 18 times. To compare once for all of them would spare 100 of these, and none where
+ * one looks but once: 250 for 200, of which 30 are the three reads outside of the branch, faster on a GPU than reads within it. */
 static const double most_growth_of_relief = (30 + 6 + 4) / 30.;
 
 static Job job_of(const char *aa, Pass pass)

@@ -246,8 +246,7 @@ static void none_of_equal_depth_is_lost(void **state)
 
 static const struct {
     const char *name, *text;
-    bool
-        costly; /* an area light's lobes take 20 s to compile, so that it is drawn in two ways, which have no program in common */
+    bool costly; /* lobes of area lights take 20 s to compile: drawn in two ways, without a program in common */
 } pictures[] = {
     {"nested",
      CAMERA LIGHTS SKY "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
