@@ -12,16 +12,19 @@ const int PITCH = GROUP + 1;                        // between rows of parts, so
 const float NEAREST = 0.6; // times a light's distance, the group's radius is less where the light is far
 const float NEVER = 1e30;
 
-shared float far_parts[3 * FAR_TERMS * PITCH]; // shares of lights; then parts of sums, a row for each
-shared float far_sums[3 * FAR_TERMS];
+const int ROWS = FAR_TERMS + FAR_LOBES;
+
+shared float far_parts[3 * ROWS * PITCH]; // shares of lights; then parts of sums, a row for each
+shared float far_sums[3 * ROWS];
 shared uint far_near[FAR_NEAR];   // the lights that each pixel sums by itself, as far_blocks.glsl has them
 shared uint far_shares[32];       // sums of lights' shares of the budget, by their size
 shared uint far_seed, far_owner;  // the depth, and the pixel, that the group is made around
 shared vec3 far_point, far_axis, far_mirror; // its point, normal, and mirrored view
+shared float far_exponent;                   // and of its gloss
 
 // The greatest of what all invocations see of some numbers, as unsigned integers of the same order.
 const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, GLOSS = 16, BROAD = 19,
-          BEHIND = 20, BOUNDS = 21;
+          SHARP = 20, BEHIND = 21, BOUNDS = 22;
 shared uint far_bounds[BOUNDS];
 
 uint farOrdered(float x)
@@ -48,10 +51,12 @@ float farBound(int bound)
 vec3 farBound3(int bound) { return vec3(farBound(bound), farBound(bound + 1), farBound(bound + 2)); }
 
 // The group: the centre of its points' box, and the distance of its corners; the cone of normals around the seed's, n.(p - c) at most and at least; the cone
-// of mirrored views; of its surfaces the most and the least that is even, the most that is not, and the least exponent of that.
+// of mirrored views; of its surfaces the most and the least that is even, the most that is not, and the least exponent of that. What far_lobe.glsl
+// asks: how far mirrored views turn and normals lean from the seed's, and the most by which exponents change a power of a cosine.
 struct Group {
     vec3 centre;
     float radius, cosine, sine, above, below, mirror, exponent;
+    float turn, lean, spread;
     vec3 even, dim, gloss;
     bool behind;
 };
@@ -114,23 +119,27 @@ bool farFindSeed(uint waiting)
         far_point = seen.point;
         far_axis = seen.m.normal;
         far_mirror = surfaceMirror(seen.m);
+        far_exponent = surfaceExponent(seen.m);
     }
     barrier();
     return far_seed != 0u;
 }
 
-// It is near the seed, and looks in a direction not far from its.
+bool farShines(Lit m) { return any(greaterThan(surfaceGloss(m), vec3(0.0))); }
+
+// It is near the seed, looks in a direction not far from its, and shines like it.
 bool farIsAlike(Seen seen)
 {
-    const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8;
-    return distance(seen.point, far_point) <= reach * seen.pixelSize && dot(seen.m.normal, far_axis) >= turn;
+    const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8, sharper = 0.2;
+    return distance(seen.point, far_point) <= reach * seen.pixelSize && dot(seen.m.normal, far_axis) >= turn &&
+           (!farShines(seen.m) || abs(surfaceExponent(seen.m) - far_exponent) <= sharper * far_exponent);
 }
 
 // Those that wait and are like the seed; in the last round all. Each invocation puts its pixels together before it tells the others of them.
 uint farSpread(uint waiting, bool last)
 {
     vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
-    float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, behind = 0.0;
+    float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, sharp = normal, behind = 0.0;
     uint members = 0u;
     for (uint left = waiting; left != 0u; left &= left - 1u) {
         Seen seen = farSeen(findLSB(left));
@@ -142,11 +151,14 @@ uint farSpread(uint waiting, bool last)
         above = max(above, dot(seen.m.normal, way));
         below = max(below, -dot(seen.m.normal, way));
         normal = max(normal, -dot(seen.m.normal, far_axis));
-        mirror = max(mirror, -dot(surfaceMirror(seen.m), far_mirror));
         even = max(even, surfaceEven(seen.m));
         dim = max(dim, -surfaceEven(seen.m));
         gloss = max(gloss, surfaceGloss(seen.m));
-        broad = max(broad, -surfaceExponent(seen.m));
+        if (farShines(seen.m)) {
+            mirror = max(mirror, -dot(surfaceMirror(seen.m), far_mirror));
+            broad = max(broad, -surfaceExponent(seen.m));
+            sharp = max(sharp, surfaceExponent(seen.m));
+        }
         behind = surfaceLetsThrough(seen.m) ? 1.0 : behind;
     }
     if (members == 0u) return members;
@@ -160,6 +172,7 @@ uint farSpread(uint waiting, bool last)
     farRaise(BELOW, below);
     farRaise(MIRROR, mirror);
     farRaise(BROAD, broad);
+    farRaise(SHARP, sharp);
     farRaise(BEHIND, behind);
     return members;
 }
@@ -189,7 +202,10 @@ Group farFindGroup()
     group.even = farBound3(EVEN);
     group.dim = max(-farBound3(DIM), 0.0);
     group.gloss = farBound3(GLOSS);
-    group.exponent = max(-farBound(BROAD), 0.0);
+    group.exponent = clamp(-farBound(BROAD), 0.0, 65504.0);
+    group.turn = sqrt(2.0 - 2.0 * group.mirror);
+    group.lean = sqrt(2.0 - 2.0 * group.cosine);
+    group.spread = max(farBound(SHARP) - group.exponent, 0.0) / (2.718 * max(group.exponent, 1e-3));
     group.behind = farBound(BEHIND) > 0.0;
     return group;
 }

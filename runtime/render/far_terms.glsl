@@ -10,6 +10,7 @@
 #define FAR_EACH(f)                                                                                                    \
     f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15) f(16) f(17) f(18) f(19)      \
         f(20) f(21) f(22) f(23)
+#define FAR_EACH_LOBE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6)
 
 // A lamp that gives `power` at c, from the direction w, where the greatest |u| is `ratio` of its distance.
 void farAdd(vec3 w, float ratio, vec3 power, inout vec3 sums[FAR_TERMS])

@@ -280,7 +280,7 @@ void pass_plane_planes(Render *render, bool transparent);
 
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
 typedef struct {
-    const char *body[5];
+    const char *body[6];
     bool over;   /* it is passOver() */
     int block;   /* of screen_pass.h */
     bool opaque; /* it lights what is nearest: what hybrid shadows were counted at */

@@ -3,7 +3,7 @@
 #include <limits.h>
 
 /* As far_blocks.glsl has them. */
-enum { GROUPS = 4, TEXELS = 19, MAP = 64, WORD = 32 };
+enum { GROUPS = 4, TEXELS = 25, MAP = 64, WORD = 32 };
 
 /* Of a block. */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);

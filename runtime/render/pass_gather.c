@@ -2,7 +2,8 @@
  * says. Its GLSL is pass_gather.glsl; light_room.c has its buffers. */
 #include "runtime/render/light_far.h"
 
-extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_pass_gather[];
+extern const char render_text_far_terms[], render_text_far_blocks[], render_text_far_group[], render_text_far_lobe[],
+    render_text_pass_gather[];
 
 bool pass_gather_needed(const Render *render) { return render->scene && light_far_used(render); }
 
@@ -13,7 +14,8 @@ bool pass_gather_make(Render *render)
         return false;
     light_far_define(render, defined);
     const LightingText text = {
-        {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, render_text_pass_gather},
+        {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, render_text_far_lobe,
+         render_text_pass_gather},
         false,
         LIGHT_FAR_BLOCK,
         true};

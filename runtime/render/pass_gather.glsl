@@ -1,15 +1,7 @@
 // Before the pass light where lights are many: for each group of a block's pixels, what far lights give together, and which are near. light_bound.c says
-// how, and what it is off at most. Before it stands far_group.glsl.
+// how, and what it is off at most. Before it stands far_lobe.glsl.
 
 // -- lights
-
-// A light as the group sees it: the way to the centre, of length 1; the group's radius over its distance, 0 if that is infinite; what arrives at
-// the centre; the least and the most of n.(l - p) over its distance; whether it shines on all of the group alike and without shadows.
-struct Far {
-    vec3 way, power;
-    float ratio, least, most;
-    bool whole;
-};
 
 // What a spot's cone lets through, at least and at most, from the group.
 vec2 farCone(int light, vec3 way, float ratio)
@@ -33,6 +25,8 @@ Far farLight(int light, Group group)
     vec2 cosines = farCosines(dot(far.way, far_axis), group.cosine, group.sine);
     far.least = cosines.x - group.above * finite;
     far.most = cosines.y - group.below * finite;
+    far.high = max(max(cosines.y, far.most), -cosines.x);
+    far.lift = max(group.above, -group.below) * finite;
     far.whole = true;
 #ifdef FAR_OTHERS
     if (light >= light_plain) {
@@ -43,8 +37,6 @@ Far farLight(int light, Group group)
 #endif
     return far;
 }
-
-bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least >= 0.0; }
 
 // No pixel of the group sees it.
 bool farIsDark(Far far, Group group) { return far.power == vec3(0.0) || (far.most <= 0.0 && !group.behind); }
@@ -65,24 +57,19 @@ vec3 farRest(Far far)
     return far.power * (nearer * nearer * min(far.most * nearer, 1.0));
 }
 
-// The most that it gives by gloss, to a surface whose gloss is 1.
-vec3 farGloss(Far far, Group group)
-{
-    float q = far.ratio, nearer = 1.0 / (1.0 - q), beside = sqrt(1.0 - q * q);
-    float mirror = farCosines(group.mirror, beside, q).x; // of the angles' sum
-    vec2 cosines = farCosines(dot(far.way, far_mirror), mirror, sqrt(max(1.0 - mirror * mirror, 0.0)));
-    return far.power * (nearer * nearer * min(far.most * nearer, 1.0) * pow(max(cosines.y, 1e-30), group.exponent));
-}
-
-// The share of what may be off that it takes if it isn't summed at each pixel: `even` and `gloss` are 1 over that.
+// The share of what may be off that it takes if it isn't summed at each pixel: `even` and `gloss` are 1 over that. Its last bit says that gloss is
+// expanded: else it is left out.
 float farShare(Far far, Group group, vec3 even, vec3 gloss)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
     vec3 share = farRest(far) * even;
+    bool expanded = false;
 #ifdef SURFACE_HAS_specular
-    share += farGloss(far, group) * gloss;
+    Lobe lobe = farLobe(far, group);
+    expanded = lobe.rest < lobe.most;
+    share += far.power * min(lobe.most, lobe.rest) * gloss;
 #endif
-    return max(max(share.x, share.y), share.z);
+    return uintBitsToFloat((floatBitsToUint(max(max(share.x, share.y), share.z)) & ~1u) | uint(expanded));
 }
 
 // -- sums over the invocations
@@ -152,9 +139,11 @@ float farThreshold(Group group, vec3 even, vec3 gloss)
 // Sums the series of what is far, and marks what is near.
 void farGather(Group group, float threshold)
 {
-    vec3 sums[FAR_TERMS];
+    vec3 sums[FAR_TERMS], lobes[FAR_LOBES];
 #define FAR_CLEAR(k) sums[k] = vec3(0.0);
+#define FAR_CLEAR_LOBE(k) lobes[k] = vec3(0.0);
     FAR_EACH(FAR_CLEAR)
+    FAR_EACH_LOBE(FAR_CLEAR_LOBE)
     for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
         float share = far_parts[i];
         if (share == DARK) continue;
@@ -165,16 +154,29 @@ void farGather(Group group, float threshold)
         }
         Far far = farLight(i, group);
         if (farExpands(far)) farAdd(far.way, far.ratio, far.power, sums);
+#ifdef SURFACE_HAS_specular
+        if ((floatBitsToUint(share) & 1u) != 0u) farAddLobe(far, group.exponent, lobes);
+#endif
     }
     barrier(); // shares are read
 #define FAR_PART(k) farPart(k, sums[k]);
+#define FAR_PART_LOBE(k) farPart(FAR_TERMS + k, lobes[k]);
     FAR_EACH(FAR_PART)
-    farSum(FAR_TERMS);
+    FAR_EACH_LOBE(FAR_PART_LOBE)
+    farSum(ROWS);
 }
 
 // -- what is kept
 
 int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
+
+// Of the texels of gloss: for each lane its slopes and itself, then its slopes by the view, and a lane of that.
+float farGlossNumber(int i)
+{
+    int lane = i / 4 % 3, kind = i / 12, k = i % 4;
+    if (kind == 1 && k == 3) return far_mirror[lane];
+    return far_sums[3 * (FAR_TERMS + (k == 3 ? 0 : 1 + 3 * kind + k)) + lane];
+}
 
 // The sums lie four terms of a lane in a texel: texels 1 to 6 of red, 7 to 12 of green, 13 to 18 of blue.
 void farKeep(Group group, int number)
@@ -187,6 +189,8 @@ void farKeep(Group group, int number)
     }
     for (int i = self; i < 3 * FAR_TERMS; i += GROUP)
         far_numbers[at + 4 + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
+    for (int i = self; i < 24; i += GROUP)
+        far_numbers[at + 4 * FAR_GLOSS + i] = farGlossNumber(i);
     for (int i = self; i < FAR_NEAR; i += GROUP)
         far_words[farBlock() * FAR_WORDS + FAR_MAP + number * FAR_NEAR + i] = far_near[i];
 }

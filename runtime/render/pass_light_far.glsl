@@ -21,6 +21,18 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
     return max(sum, 0.0);
 }
 
+#ifdef SURFACE_HAS_specular
+// What gloss 1 sends back, of a point and a mirrored view.
+vec3 farGloss(int at, vec3 point, vec3 mirror)
+{
+    vec4 centre = far_texels[at], u = vec4((point - centre.xyz) * centre.w, 1.0);
+    vec4 red = far_texels[at + FAR_GLOSS + 3], green = far_texels[at + FAR_GLOSS + 4], blue = far_texels[at + FAR_GLOSS + 5];
+    vec3 turn = mirror - vec3(red.w, green.w, blue.w);
+    vec3 sum = vec3(dot(far_texels[at + FAR_GLOSS], u), dot(far_texels[at + FAR_GLOSS + 1], u), dot(far_texels[at + FAR_GLOSS + 2], u));
+    return max(sum + vec3(dot(red.xyz, turn), dot(green.xyz, turn), dot(blue.xyz, turn)), 0.0);
+}
+#endif
+
 // The group of its block that a pixel is in, as pass_gather.glsl counts pixels: those of an invocation are 8 apart.
 int farGroup(int block, ivec2 pixel)
 {
@@ -70,7 +82,11 @@ vec4 passPixel(ivec2 pixel)
     if (farReflects(seen.m)) {
         ivec2 blocks = pixel / FAR_BLOCK;
         int block = blocks.y * far_row + blocks.x, group = farGroup(block, pixel);
-        sum += surfaceEven(seen.m) * farIrradiance((block * FAR_GROUPS + group) * FAR_TEXELS, seen.point, seen.m.normal);
+        int at = (block * FAR_GROUPS + group) * FAR_TEXELS;
+        sum += surfaceEven(seen.m) * farIrradiance(at, seen.point, seen.m.normal);
+#ifdef SURFACE_HAS_specular
+        sum += surfaceGloss(seen.m) * farGloss(at, seen.point, surfaceMirror(seen.m));
+#endif
         sum += farNear(block * FAR_WORDS + FAR_MAP + group * FAR_NEAR, seen);
     }
     return vec4(sum, 1.0);
