@@ -72,8 +72,9 @@ static void count_calls(GlContext *gl)
     COUNT(FramebufferTexture2D)
     COUNT(Uniform1fv)
     COUNT(Uniform2fv)
-    COUNT(Uniform3fv) COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv)
-        COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
+    COUNT(Uniform3fv)
+    COUNT(Uniform4fv) COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements)
+        COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a plane of glass. */
@@ -126,7 +127,7 @@ static void a_second_frame_only_draws(void **state)
         int draws;
     } cases[] = {{"lists", "all", OPAQUE + 2 + 1},
                  {"peeling", "all", OPAQUE + LAYERS * (2 + 1)},
-                 {"lists", "bounded", OPAQUE + 2 + 1 + 1 /* what is far is gathered */}};
+                 {"lists", "bounded", OPAQUE + 2 + 1 + 2 /* groups of pixels, and what is far from them */}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(busy, &options, &document);

@@ -137,6 +137,28 @@ static const FrameLamps far_cases[] = {
      "Point", 300, .3, 1.2, 5, 9, 1},
     {"broad gloss", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .5, shininess: .2") "]\n",
      "Point", 120, .3, 1.2, 5, 9, 1},
+    {"gloss of few pixels",
+     FRAME_LAMPS_ZOOM "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .7, shininess: .5") "]\n", "Point", 300,
+     .6, 3, 6, 9, 1},
+    {"sharper", FRAME_LAMPS_ZOOM "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .9, shininess: .8") "]\n",
+     "Point", 300, 2, 6, 9, 30, 1},
+    {"gloss of a ball",
+     FRAME_LAMPS_ZOOM "objects: [{ object: Sphere, radius: 1, material: { material: Phong, diffuse: .2, specular: .7, "
+                      "shininess: .4 } }]\n",
+     "Point", 300, 4, 9, 9, 60, 1},
+    {"parallel rays on gloss",
+     "camera: { camera: Orthographic, position: [.5, -6, 3], size: .5, depth: 40 }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .2, specular: .7, shininess: .5") "]\n",
+     "Point", 300, .6, 3, 6, 9, 1},
+    {"shininess that varies",
+     FRAME_LAMPS_ZOOM "objects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .3, specular: .7, shininess: { map: Checker, color1: .5, color2: .53, input: { map: UVTransform, "
+         "scaleU: 300, scaleV: 300 } }") "]\n",
+     "Point", 300, .6, 3, 6, 9, 1},
+    {"gloss from infinitely far",
+     "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0], angle: 12 }\nobjects: "
+     "[" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .9, shininess: .5") "]\n",
+     "Directional", 100, 1, 2, 1, 1, 1},
     {"borders of cones", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Spot", 200, 3, 6, 4,
      200, 1},
     {"spots among points",

@@ -9,6 +9,8 @@ struct Far {
     bool whole;
 };
 
+const float NEAREST = 0.6; // times a light's distance, the group's radius is less where the light is far
+
 bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least >= 0.0; }
 
 // Gloss 1 sends back F = A B^k of a light's power, where A = n.L d^2 / |l - p|^2, B = max(r.L, 0), L is the direction from p to l, and r the mirrored view.
@@ -29,7 +31,7 @@ Lobe farLobe(Far far, Group group)
 {
     float q = far.ratio, nearer = 1.0 / (1.0 - q), k = group.exponent;
     float mirror = farCosines(group.mirror, sqrt(1.0 - q * q), q).x; // of the angles' sum
-    vec2 cosines = farCosines(dot(far.way, far_mirror), mirror, sqrt(max(1.0 - mirror * mirror, 0.0)));
+    vec2 cosines = farCosines(dot(far.way, group.view), mirror, sqrt(max(1.0 - mirror * mirror, 0.0)));
     if (cosines.y <= 0.0) return Lobe(0.0, 0.0);
     float along = max(cosines.y, 1e-6), power = pow(along, k), square = nearer * nearer;
     float most = square * min(far.most * nearer, 1.0) * power;
@@ -44,11 +46,11 @@ Lobe farLobe(Far far, Group group)
 }
 
 // F(0), its slope along u = (p - c) / radius, and along r - r0.
-void farAddLobe(Far far, float exponent, inout vec3 sums[FAR_LOBES])
+void farAddLobe(Far far, Group group, inout vec3 sums[FAR_LOBES])
 {
-    float height = dot(far_axis, far.way), along = max(dot(far_mirror, far.way), 1e-30);
-    float sharp = pow(along, exponent - 1.0), slope = height * exponent * sharp;
-    vec3 u = far.ratio * ((3.0 * height * far.way - far_axis) * (sharp * along) + slope * (along * far.way - far_mirror));
+    float height = dot(group.axis, far.way), along = max(dot(group.view, far.way), 1e-30);
+    float sharp = pow(along, group.exponent - 1.0), slope = height * group.exponent * sharp;
+    vec3 u = far.ratio * ((3.0 * height * far.way - group.axis) * (sharp * along) + slope * (along * far.way - group.view));
     sums[0] += far.power * (height * sharp * along);
     sums[1] += far.power * u.x;
     sums[2] += far.power * u.y;

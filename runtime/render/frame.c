@@ -246,7 +246,7 @@ void frame_place(Render *render)
     render->exact.seen = false;
     shadow_sheet_place(render);
     lighting_place(render, &render->light);
-    lighting_place(render, &render->far.gather);
+    lighting_place(render, &render->far.groups);
     pass_edge_place(render);
     pass_tools_place(render);
     pass_tone_place(render);
@@ -319,7 +319,7 @@ bool frame_make(Render *render)
 
 bool frame_change(Render *render, unsigned what)
 {
-    ScreenPass *passes[] = {&render->light, &render->far.gather, &render->blend, &render->peel};
+    ScreenPass *passes[] = {&render->light, &render->far.groups, &render->far.gather, &render->blend, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     pass_volume_change(render);
     pass_cubes_place(render);

@@ -67,7 +67,7 @@ typedef struct {
 
 /* Of pass_gather.c, where lights are many. */
 typedef struct {
-    ScreenPass gather;
+    ScreenPass groups, gather; /* one after the other */
     GLuint numbers, words; /* storage buffers of far_blocks.glsl */
 } FrameFar;
 

@@ -1,10 +1,11 @@
 /* Many lights: which are summed at each pixel, and which are taken together, so that the picture as it is shown is within half a step of 8 bits,
- * 1/510, of the sum of all. pass_gather.glsl does it, for each block of 32 x 32 pixels by itself:
+ * 1/510, of the sum of all. pass_groups.glsl and pass_gather.glsl do it, for each block of 32 x 32 pixels by itself:
  *
  *  1. Pixels that lie near each other are a group, with a centre c, a greatest distance from it, a cone of normals. Most blocks have one; a
  *     block that shows a box has one for each side, as a light that one side sees another may not.
  *  2. A light that all of the group sees whole is a series around c (far_terms.glsl), whose rest is bounded; one that no pixel sees is nothing; any
- *     other is bounded by the most that it can give. Gloss of a light that is taken together is left out, and bounded too.
+ *     other is bounded by the most that it can give. Gloss of a light that is taken together is linear around c (far_lobe.glsl) or left out, whichever
+ *     has the lesser bound.
  *  3. E, what all whole lights give at least to each pixel, is a lower bound of the light. The bounds of what is taken together, the smallest first,
  *     may sum up to r E + a; what does not go into that is summed at each pixel.
  *

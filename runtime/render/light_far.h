@@ -13,7 +13,7 @@ int light_far_most(const Render *render);
 /* What light may be off, at exposure 0: times itself, and besides; `linear`: of a picture of light as halves. False: it may not. */
 bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
 /* Blocks in a row of so many pixels. */
-enum { LIGHT_FAR_BLOCK = 32 /* the edge of one, in pixels */ };
+enum { LIGHT_FAR_BLOCK = 32 /* the edge of one, in pixels */, LIGHT_FAR_GROUPS = 4 /* of its pixels, at most */ };
 int light_far_blocks(int pixels);
 /* What the plan's light takes besides, in buffers: bytes of a pixel, rounded up, or 0; the edge of the blocks of pixels that take them, or 1; the most
  * rows of a tile so wide; a line on them, once they are there. */

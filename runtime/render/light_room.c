@@ -3,7 +3,7 @@
 #include <limits.h>
 
 /* As far_blocks.glsl has them. */
-enum { GROUPS = 4, TEXELS = 25, MAP = 64, WORD = 32 };
+enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = 25, MAP = 64, WORD = 32 };
 
 /* Of a block. */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
@@ -72,6 +72,7 @@ bool light_far_make(Render *render)
 
 void light_far_delete(Render *render)
 {
+    screen_pass_delete(&render->far.groups);
     screen_pass_delete(&render->far.gather);
     render->gl->DeleteBuffers(1, &render->far.numbers); /* GL ignores the name 0 */
     render->gl->DeleteBuffers(1, &render->far.words);

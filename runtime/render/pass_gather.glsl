@@ -1,5 +1,12 @@
 // Before the pass light where lights are many: for each group of a block's pixels, what far lights give together, and which are near. light_bound.c says
-// how, and what it is off at most. Before it stands far_lobe.glsl.
+// how, and what it is off at most. Each group has invocations of its own: pass_groups.glsl has found it. Before it stands far_lobe.glsl.
+const int PITCH = GROUP + 1, ROWS = FAR_TERMS + FAR_LOBES; // between rows of parts, so that neighbours in a column are in other banks; rows
+
+shared float far_group[GROUP_NUMBERS];    // as pass_groups.glsl keeps it
+shared float far_parts[3 * ROWS * PITCH]; // shares of lights; then parts of sums, a row for each
+shared float far_sums[3 * ROWS];
+shared uint far_near[FAR_NEAR]; // the lights that each pixel sums by itself, as far_blocks.glsl has them
+shared uint far_shares[32];     // sums of lights' shares of the budget, by their size
 
 // -- lights
 
@@ -22,7 +29,7 @@ Far farLight(int light, Group group)
     far.way = way * over;
     far.ratio = group.radius * finite;
     far.power = lightTexel(light, 1).xyz * (place.w > 0.0 ? over * over : 1.0);
-    vec2 cosines = farCosines(dot(far.way, far_axis), group.cosine, group.sine);
+    vec2 cosines = farCosines(dot(far.way, group.axis), group.cosine, group.sine);
     far.least = cosines.x - group.above * finite;
     far.most = cosines.y - group.below * finite;
     far.high = max(max(cosines.y, far.most), -cosines.x);
@@ -155,7 +162,7 @@ void farGather(Group group, float threshold)
         Far far = farLight(i, group);
         if (farExpands(far)) farAdd(far.way, far.ratio, far.power, sums);
 #ifdef SURFACE_HAS_specular
-        if ((floatBitsToUint(share) & 1u) != 0u) farAddLobe(far, group.exponent, lobes);
+        if ((floatBitsToUint(share) & 1u) != 0u) farAddLobe(far, group, lobes);
 #endif
     }
     barrier(); // shares are read
@@ -168,20 +175,18 @@ void farGather(Group group, float threshold)
 
 // -- what is kept
 
-int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
-
 // Of the texels of gloss: for each lane its slopes and itself, then its slopes by the view, and a lane of that.
-float farGlossNumber(int i)
+float farGlossNumber(Group group, int i)
 {
     int lane = i / 4 % 3, kind = i / 12, k = i % 4;
-    if (kind == 1 && k == 3) return far_mirror[lane];
+    if (kind == 1 && k == 3) return group.view[lane];
     return far_sums[3 * (FAR_TERMS + (k == 3 ? 0 : 1 + 3 * kind + k)) + lane];
 }
 
 // The sums lie four terms of a lane in a texel: texels 1 to 6 of red, 7 to 12 of green, 13 to 18 of blue.
 void farKeep(Group group, int number)
 {
-    int at = (farBlock() * FAR_GROUPS + number) * FAR_TEXELS * 4, self = int(gl_LocalInvocationIndex);
+    int at = farPlace(number), self = int(gl_LocalInvocationIndex);
     if (self == 0) {
         for (int i = 0; i < 3; i++)
             far_numbers[at + i] = group.centre[i];
@@ -190,7 +195,7 @@ void farKeep(Group group, int number)
     for (int i = self; i < 3 * FAR_TERMS; i += GROUP)
         far_numbers[at + 4 + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
     for (int i = self; i < 24; i += GROUP)
-        far_numbers[at + 4 * FAR_GLOSS + i] = farGlossNumber(i);
+        far_numbers[at + 4 * FAR_GLOSS + i] = farGlossNumber(group, i);
     for (int i = self; i < FAR_NEAR; i += GROUP)
         far_words[farBlock() * FAR_WORDS + FAR_MAP + number * FAR_NEAR + i] = far_near[i];
 }
@@ -205,18 +210,28 @@ void farLights(Group group)
     farGather(group, farThreshold(group, even, gloss));
 }
 
+vec3 farTake(int i) { return vec3(far_group[i], far_group[i + 1], far_group[i + 2]); }
+
+// The group's numbers, which give way to its sums.
+Group farLoad(int number)
+{
+    if (gl_LocalInvocationIndex < uint(GROUP_NUMBERS))
+        far_group[gl_LocalInvocationIndex] = far_numbers[farPlace(number) + int(gl_LocalInvocationIndex)];
+    if (gl_LocalInvocationIndex < 32u) far_shares[gl_LocalInvocationIndex] = 0u;
+    for (uint word = gl_LocalInvocationIndex; word < uint(FAR_NEAR); word += uint(GROUP))
+        far_near[word] = 0u;
+    barrier();
+    return Group(farTake(0), farTake(3), farTake(6), far_group[9], far_group[10], far_group[11], far_group[12], far_group[13],
+                 far_group[14], far_group[24], far_group[25], far_group[26], far_group[27], farTake(15), farTake(18),
+                 farTake(21), far_group[28] > 0.0);
+}
+
 void main()
 {
-    uint waiting = farBegin(), map = 0u;
-    for (int number = 0; number < FAR_GROUPS && farFindSeed(waiting); number++) {
-        uint members = farSpread(waiting, number == FAR_GROUPS - 1);
-        waiting &= ~members;
-        for (; members != 0u; members &= members - 1u) map |= uint(number) << 2 * findLSB(members);
-        barrier();
-        Group group = farFindGroup();
+    int number = int(gl_WorkGroupID.z);
+    Group group = farLoad(number);
+    if (group.radius >= 0.0) {
         farLights(group);
         farKeep(group, number);
-        barrier();
     }
-    far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = map;
 }

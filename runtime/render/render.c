@@ -170,9 +170,11 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
 bool render_scene(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
-    ScreenPass passes[] = {render->light, render->far.gather, render->tone, render->blend, render->peel};
+    ScreenPass passes[] = {render->light, render->far.groups, render->far.gather,
+                           render->tone,  render->blend,      render->peel};
     render->cache = (Cache){0};
-    render->light = render->far.gather = render->tone = render->blend = render->peel = (ScreenPass){0};
+    render->light = render->far.groups = render->far.gather = render->tone = render->blend = render->peel =
+        (ScreenPass){0};
     forget_scene(render);
     const bool done = make_next(render, scene, &before);
     cache_delete(render->gl, &before);

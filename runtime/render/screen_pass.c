@@ -56,6 +56,7 @@ bool screen_pass_make(Store *store, const ScreenPassText *text, ScreenPass *made
     *made = (ScreenPass){.compute = text->compute,
                          .over = text->over,
                          .block = text->block ? text->block : GROUP,
+                         .layers = 1,
                          .format = formats[format].format};
     return material_make(store, NULL, &program, &made->material);
 }
@@ -104,7 +105,7 @@ void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *
     gl->BindImageTexture(0, target->colors[0], 0, GL_FALSE, 0, pass->over ? GL_READ_WRITE : GL_WRITE_ONLY,
                          pass->format);
     gl->DispatchCompute(((GLuint)target->spec.width + block - 1) / block,
-                        ((GLuint)target->spec.height + block - 1) / block, 1);
+                        ((GLuint)target->spec.height + block - 1) / block, (GLuint)pass->layers);
     settle(gl);
 }
 

@@ -19,7 +19,8 @@ typedef struct {
 typedef struct {
     Material material;
     bool compute, over;
-    int block; /* the edge, in pixels, of what a group of invocations draws */
+    int block;  /* the edge, in pixels, of what a group of invocations draws */
+    int layers; /* groups of invocations for the same pixels: 1 when it's made */
     GLenum format;
 } ScreenPass;
 

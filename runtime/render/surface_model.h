@@ -12,7 +12,7 @@
  *     vec3 surfaceArea(Lit m, Area light)            of a polygon of radiance 1, by light_area.glsl; under #ifdef LIGHT_HAS_AREAS
  *
  * Where there are many lights, a model with `parts` has those that are far summed for many pixels at once. Its lobe is then, for light from the side of
- * the eye, the cosine times E, and at most times E + G max(w.l, 0)^n; light from the other side is nothing, if it lets none through:
+ * the eye, the cosine times E + G max(w.l, 0)^n; light from the other side is nothing, if it lets none through:
  *
  *     vec3 surfaceEven(Lit m), surfaceGloss(Lit m), surfaceMirror(Lit m)    E, G, and w, of length 1
  *     float surfaceExponent(Lit m)                                          n

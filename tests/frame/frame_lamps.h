@@ -13,6 +13,8 @@ typedef struct {
 } FrameLamps;
 
 #define FRAME_LAMPS_CAMERA "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0] }\n"
+/* The same, of so narrow a view that a block's pixels see a light from nearly the same side. */
+#define FRAME_LAMPS_ZOOM "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0], angle: 4 }\n"
 /* An object 12 by 12 at the height 0. */
 #define FRAME_LAMPS_FLOOR(slots)                                                                                       \
     "{ object: Parallelogram, u: [12, 0, 0], v: [0, 12, 0], transform: { translation: [-6, -6, 0] }, material: { "     \

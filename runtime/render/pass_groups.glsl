@@ -1,0 +1,219 @@
+// Before the pass gather: groups of a block's pixels, and bounds of what they are. Before it stands far_group.glsl.
+uniform sampler2D light_depth;
+
+const int PIXELS = FAR_SPAN * FAR_SPAN; // of an invocation
+
+shared uint far_seed, far_owner; // the depth, and the pixel, that the group is made around
+shared vec3 far_point, far_axis, far_mirror; // its point, normal, and mirrored view
+shared float far_exponent;                   // and of its gloss
+
+// The greatest of what all invocations see of some numbers, as unsigned integers of the same order.
+const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, GLOSS = 16, BROAD = 19,
+          SHARP = 20, BEHIND = 21, BOUNDS = 22;
+shared uint far_bounds[BOUNDS];
+
+uint farOrdered(float x)
+{
+    uint bits = floatBitsToUint(x);
+    return bits >> 31 != 0u ? ~bits : bits | 0x80000000u;
+}
+
+void farRaise(int bound, float x) { atomicMax(far_bounds[bound], farOrdered(x)); }
+
+void farRaise3(int bound, vec3 x)
+{
+    farRaise(bound, x.x);
+    farRaise(bound + 1, x.y);
+    farRaise(bound + 2, x.z);
+}
+
+float farBound(int bound)
+{
+    uint ordered = far_bounds[bound];
+    return uintBitsToFloat(ordered >> 31 != 0u ? ordered & 0x7fffffffu : ~ordered);
+}
+
+vec3 farBound3(int bound) { return vec3(farBound(bound), farBound(bound + 1), farBound(bound + 2)); }
+
+// -- pixels
+
+ivec2 farPixel(int k)
+{
+    return ivec2(gl_WorkGroupID.xy) * FAR_BLOCK + ivec2(gl_LocalInvocationID.xy) + 8 * ivec2(k % FAR_SPAN, k / FAR_SPAN);
+}
+
+float farDepth(int k) { return texelFetch(light_depth, farPixel(k), 0).x; }
+
+Seen farSeen(int k) { return lightSeen(farPixel(k), farDepth(k), unpackSurface(farPixel(k))); }
+
+uint farNumber(int k) { return uint(k) * uint(GROUP) + gl_LocalInvocationIndex; }
+
+// Those of an invocation's pixels at which there is a surface that sends back light of lamps, as bits.
+uint farBegin()
+{
+    uint waiting = 0u;
+    for (int k = 0; k < PIXELS; k++)
+        if (all(lessThan(farPixel(k), textureSize(light_depth, 0))) && farDepth(k) > 0.0 && farReflects(farSeen(k).m))
+            waiting |= 1u << k;
+    return waiting;
+}
+
+// -- the group
+
+void farClear()
+{
+    if (gl_LocalInvocationIndex == 0u) {
+        far_seed = 0u;
+        far_owner = 0xffffffffu;
+    }
+    if (gl_LocalInvocationIndex < uint(BOUNDS)) far_bounds[gl_LocalInvocationIndex] = 0u;
+    barrier();
+}
+
+// The nearest pixel that waits; of those at one depth the first. It tells the others its point. False: none waits.
+bool farFindSeed(uint waiting)
+{
+    float nearest = 0.0;
+    int own = 0;
+    farClear();
+    for (uint left = waiting; left != 0u; left &= left - 1u) {
+        float depth = farDepth(findLSB(left));
+        if (depth > nearest) own = findLSB(left);
+        nearest = max(nearest, depth);
+    }
+    if (waiting != 0u) atomicMax(far_seed, floatBitsToUint(nearest));
+    barrier();
+    if (waiting != 0u && floatBitsToUint(nearest) == far_seed) atomicMin(far_owner, farNumber(own));
+    barrier();
+    if (waiting != 0u && farNumber(own) == far_owner) {
+        Seen seen = farSeen(own);
+        far_point = seen.point;
+        far_axis = seen.m.normal;
+        far_mirror = surfaceMirror(seen.m);
+        far_exponent = surfaceExponent(seen.m);
+    }
+    barrier();
+    return far_seed != 0u;
+}
+
+bool farShines(Lit m) { return any(greaterThan(surfaceGloss(m), vec3(0.0))); }
+
+// It is near the seed, looks in a direction not far from its, and shines like it.
+bool farIsAlike(Seen seen)
+{
+    const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8, sharper = 0.2;
+    return distance(seen.point, far_point) <= reach * seen.pixelSize && dot(seen.m.normal, far_axis) >= turn &&
+           (!farShines(seen.m) || abs(surfaceExponent(seen.m) - far_exponent) <= sharper * far_exponent);
+}
+
+// Those that wait and are like the seed; in the last round all. Each invocation puts its pixels together before it tells the others of them.
+uint farSpread(uint waiting, bool last)
+{
+    vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
+    float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, sharp = normal, behind = 0.0;
+    uint members = 0u;
+    for (uint left = waiting; left != 0u; left &= left - 1u) {
+        Seen seen = farSeen(findLSB(left));
+        if (!last && !farIsAlike(seen)) continue;
+        members |= left & ~(left - 1u);
+        vec3 way = seen.point - far_point;
+        high = max(high, way);
+        low = max(low, -way);
+        above = max(above, dot(seen.m.normal, way));
+        below = max(below, -dot(seen.m.normal, way));
+        normal = max(normal, -dot(seen.m.normal, far_axis));
+        even = max(even, surfaceEven(seen.m));
+        dim = max(dim, -surfaceEven(seen.m));
+        gloss = max(gloss, surfaceGloss(seen.m));
+        if (farShines(seen.m)) {
+            mirror = max(mirror, -dot(surfaceMirror(seen.m), far_mirror));
+            broad = max(broad, -surfaceExponent(seen.m));
+            sharp = max(sharp, surfaceExponent(seen.m));
+        }
+        behind = surfaceLetsThrough(seen.m) ? 1.0 : behind;
+    }
+    if (members == 0u) return members;
+    farRaise3(HIGH, high);
+    farRaise3(LOW, low);
+    farRaise3(EVEN, even);
+    farRaise3(DIM, dim);
+    farRaise3(GLOSS, gloss);
+    farRaise(NORMAL, normal);
+    farRaise(ABOVE, above);
+    farRaise(BELOW, below);
+    farRaise(MIRROR, mirror);
+    farRaise(BROAD, broad);
+    farRaise(SHARP, sharp);
+    farRaise(BEHIND, behind);
+    return members;
+}
+
+// Heights over the seed become heights over the centre, which lies by n.(c - s) higher.
+Group farFindGroup()
+{
+    const float rounding = 1e-6;
+    Group group;
+    vec3 high = farBound3(HIGH), low = -farBound3(LOW), way = 0.5 * (high + low);
+    group.centre = far_point + way;
+    group.axis = far_axis;
+    group.view = far_mirror;
+    float far = rounding * length(group.centre), off = length(way);
+    group.radius = 0.5 * length(high - low) + far;
+    group.cosine = clamp(-farBound(NORMAL) - rounding, -1.0, 1.0);
+    group.sine = sqrt(1.0 - group.cosine * group.cosine);
+    vec2 higher = off * farCosines(off > 0.0 ? dot(way, far_axis) / off : 1.0, group.cosine, group.sine);
+    group.above = farBound(ABOVE) - higher.x + far;
+    group.below = -farBound(BELOW) - higher.y - far;
+    group.mirror = clamp(-farBound(MIRROR) - rounding, -1.0, 1.0);
+    group.even = farBound3(EVEN);
+    group.dim = max(-farBound3(DIM), 0.0);
+    group.gloss = farBound3(GLOSS);
+    group.exponent = clamp(-farBound(BROAD), 0.0, 65504.0);
+    group.turn = sqrt(2.0 - 2.0 * group.mirror);
+    group.lean = sqrt(2.0 - 2.0 * group.cosine);
+    group.spread = max(farBound(SHARP) - group.exponent, 0.0) / (2.718 * max(group.exponent, 1e-3));
+    group.behind = farBound(BEHIND) > 0.0;
+    return group;
+}
+
+// -- what is kept
+
+void farPut(int at, vec3 numbers)
+{
+    far_numbers[at] = numbers.x;
+    far_numbers[at + 1] = numbers.y;
+    far_numbers[at + 2] = numbers.z;
+}
+
+void farKeep(Group group, int number)
+{
+    int at = farPlace(number);
+    farPut(at, group.centre);
+    farPut(at + 3, group.axis);
+    farPut(at + 6, group.view);
+    farPut(at + 9, vec3(group.radius, group.cosine, group.sine));
+    farPut(at + 12, vec3(group.above, group.below, group.mirror));
+    farPut(at + 15, group.even);
+    farPut(at + 18, group.dim);
+    farPut(at + 21, group.gloss);
+    farPut(at + 24, vec3(group.exponent, group.turn, group.lean));
+    far_numbers[at + 27] = group.spread;
+    far_numbers[at + 28] = group.behind ? 1.0 : 0.0;
+}
+
+void main()
+{
+    uint waiting = farBegin(), map = 0u;
+    int number = 0;
+    for (; number < FAR_GROUPS && farFindSeed(waiting); number++) {
+        uint members = farSpread(waiting, number == FAR_GROUPS - 1);
+        waiting &= ~members;
+        for (; members != 0u; members &= members - 1u) map |= uint(number) << 2 * findLSB(members);
+        barrier();
+        if (gl_LocalInvocationIndex == 0u) farKeep(farFindGroup(), number);
+        barrier();
+    }
+    for (; number < FAR_GROUPS; number++)
+        if (gl_LocalInvocationIndex == 0u) far_numbers[farPlace(number) + 9] = -1.0;
+    far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = map;
+}
