@@ -6,7 +6,6 @@
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 typedef struct {
     const Scene *scene;
