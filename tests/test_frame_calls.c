@@ -223,7 +223,7 @@ static void views_need_less(void **state)
         render_close(render);
     }
     assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
-    assert_string_equal(gl->error, "there is no view 'deep': shown, light, depth, voxels, or a slot");
+    assert_string_equal(gl->error, "there is no view 'deep': shown, light, depth, shadow, voxels, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

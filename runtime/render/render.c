@@ -15,13 +15,14 @@ Slot render_find_slot(const char *name)
 
 static bool is_target(const char *view)
 {
-    return !strcmp(view, "shown") || !strcmp(view, "light") || !strcmp(view, "depth") || pass_cubes_level(view) >= 0;
+    return !strcmp(view, "shown") || !strcmp(view, "light") || !strcmp(view, "depth") || !strcmp(view, "shadow") ||
+           pass_cubes_level(view) >= 0;
 }
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
-        return gl_fail(gl, "there is no view '%s': shown, light, depth, voxels, or a slot", options->view), NULL;
+        return gl_fail(gl, "there is no view '%s': shown, light, depth, shadow, voxels, or a slot", options->view), NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
     if (options->samples < 0 || options->samples > RENDER_SAMPLES_MOST)
@@ -257,7 +258,8 @@ int render_lanes(const Render *render)
     const char *view = render->options.view;
     if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || pass_cubes_level(view) >= 0)
         return 4;
-    const int lanes = strcmp(view, "depth") ? type_table[slot_table[render_find_slot(view)].type].lanes : 1;
+    const int lanes =
+        strcmp(view, "depth") && strcmp(view, "shadow") ? type_table[slot_table[render_find_slot(view)].type].lanes : 1;
     return lanes == 2 ? 3 : lanes;
 }
 

@@ -26,7 +26,8 @@ enum {
 typedef struct {
     const MatcOptions *compile; /* how programs compute; layout NULL: the smallest that holds the scene's materials;
                                     normals are kept in the eye's space, whatever is chosen. Copied */
-    const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ... */
+    const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ...;
+                          "shadow": nothing is, but maps (render_read_map) */
     int width, height; /* of the picture; 0: as the scene says */
     int samples;       /* n: a pixel is the mean of n x n samples, as a screen sends light; 0: 1 */
     bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
@@ -82,6 +83,12 @@ int render_lanes(const Render *render);
 /* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. Of depth and of
  * slots the last lane is the share of the pixel where a surface is. */
 bool render_read(Render *render, float *rgba);
+
+/* Maps of depth as lights see them: how many there are, their edge in texels, and what one holds, row 0 at the bottom, as its method left it. 0 is where
+ * nothing is; else near / distance, or, of parallel light, from 1 to 0.5 (shadow_views.h). There is a frame. */
+int render_map_count(const Render *render);
+int render_map_size(const Render *render);
+bool render_read_map(Render *render, int map, float *depths);
 
 /* The view is a slot that the scene's layout does not store: it is read as 0. */
 bool render_lacks_view(const Render *render);

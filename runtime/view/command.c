@@ -24,7 +24,8 @@ const char command_help[] =
     "proportions\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 2, of a scene 1\n"
     "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
-    "  --view=NAME          shown (default), light, depth, voxels, or a slot: what a pass wrote\n"
+    "  --view=NAME          shown (default), light, depth, shadow (maps, side by side), voxels, or a slot: what a pass "
+    "wrote\n"
     "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
     "says\n"
     "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; else as FILE ends\n"
@@ -266,9 +267,11 @@ const char *command_check_scene(const Command *command, const Scene *scene)
                "--param, --camera, --slot, --pass, --contact";
     if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
         return "--size: the picture would be higher than 16384 pixels";
-    if (command->compare && (command->shadows != WORD_COUNT || command->frames.given || command->graph ||
-                             command->stats || command->format == PICTURE_FORMAT_exr || command->bits > 8))
-        return "--compare is one PNG of 8 bits, of all methods: it takes none of --shadows, --frames, --frame, "
+    if (command->compare && ((command->view && !strcmp(command->view, "shadow")) || command->shadows != WORD_COUNT ||
+                             command->frames.given || command->graph || command->stats ||
+                             command->format == PICTURE_FORMAT_exr || command->bits > 8))
+        return "--compare is one PNG of 8 bits, of all methods: it takes none of --view=shadow, --shadows, --frames, "
+               "--frame, "
                "--stats, "
                "--emit, --format=exr, --bits";
     return NULL;

@@ -106,6 +106,47 @@ static bool make_band(ScenePictures *p)
     return p->band || gl_fail(p->gl, "out of memory");
 }
 
+/* All maps beside each other, the first on the left. */
+static bool write_map_rows(ScenePictures *p, PictureFile *file, float *depths, float *rgba)
+{
+    const int count = render_map_count(p->render), size = render_map_size(p->render);
+    const char *why = NULL;
+    for (int map = 0; map < count; map++)
+        if (!render_read_map(p->render, map, depths + (size_t)map * (size_t)size * (size_t)size))
+            return false;
+    for (int row = size - 1; row >= 0 && !why; row--) {
+        for (int i = 0; i < count * size; i++)
+            rgba[4 * i] = depths[((size_t)(i / size) * (size_t)size + (size_t)row) * (size_t)size + (size_t)(i % size)];
+        why = picture_file_row(file, rgba);
+    }
+    return !why || gl_fail(p->gl, "%s", why);
+}
+
+static bool write_maps(ScenePictures *p, const char *path, ScenePicture *picture)
+{
+    const int count = render_map_count(p->render), size = count ? render_map_size(p->render) : 0;
+    const bool exr = p->options.format == PICTURE_FORMAT_exr;
+    const PictureSpec spec = {
+        p->options.format, count * size, size, 1, p->options.bits ? p->options.bits : exr ? 32 : 8, false};
+    const char *why = "no light of the scene casts shadows by a map";
+    PictureFile *file = count ? picture_file_open(&spec, &why) : NULL;
+    if (!file)
+        return gl_fail(p->gl, "%s", why);
+    float *depths = malloc((size_t)count * (size_t)size * ((size_t)size + 4) * sizeof *depths);
+    bool done = depths ? render_frame(p->render) : gl_fail(p->gl, "out of memory");
+    done = done && write_map_rows(p, file, depths, depths + (size_t)count * (size_t)size * (size_t)size);
+    why = done ? picture_file_finish(file, path) : NULL;
+    picture->faulty = why ? path : NULL;
+    picture_file_close(file);
+    free(depths);
+    return done && (!why || gl_fail(p->gl, "%s", why));
+}
+
+static bool is_maps(const ScenePictures *p)
+{
+    return p->options.render.view && !strcmp(p->options.render.view, "shadow");
+}
+
 static bool write_picture(ScenePictures *p, const char *path, ScenePicture *picture)
 {
     const char *why;
@@ -129,7 +170,7 @@ bool scene_pictures_draw(ScenePictures *p, const char *path, ScenePicture *pictu
         picture->words = render_graph(p->render);
         return true;
     }
-    if (!write_picture(p, path, picture))
+    if (!(is_maps(p) ? write_maps : write_picture)(p, path, picture))
         return false;
     picture->words = p->options.stats ? render_stats(p->render) : NULL;
     return true;

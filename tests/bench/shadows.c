@@ -30,8 +30,9 @@ static bool measure_receiver(const Shadows *s, ShadowsScene which, double errors
     bool fine = shadows_open(which, &s->mesh, &s->compile, &place) && shadows_picture_open(&target, &place, &picture);
     bench_show(shadows_receivers[which]);
     for (int i = 1; fine && i < s->method_count; i++) {
-        errors[i] = shadows_picture_error(&picture, &s->methods[i]);
-        fine = !isnan(errors[i]);
+        ShadowsError error = {0};
+        fine = shadows_picture_error(&picture, &s->methods[i], s->map_size, &error);
+        errors[i] = error.distance;
     }
     bench_show("");
     shadows_picture_close(&picture);
@@ -106,7 +107,8 @@ static const struct {
               {"steps", shadows_steps},
               {"times", measure_times},
               {"paths", shadows_paths},
-              {"polygons", shadows_polygons}};
+              {"polygons", shadows_polygons},
+              {"claims", shadows_claims}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static bool read_argument(const char *text, Arguments *made)
@@ -171,9 +173,8 @@ int bench_shadows(int argc, char **argv)
     Arguments arguments;
     if (read_arguments(argc, argv, &arguments))
         return run(&arguments);
-    fputs(
-        "usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE] [--maps=TEXELS] [errors] "
-        "[steps] [times] [paths] [polygons]\n",
-        stderr);
+    fputs("usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE] [--maps=TEXELS] "
+          "[--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims]\n",
+          stderr);
     return 2;
 }

@@ -35,4 +35,6 @@ bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *ti
 bool shadows_paths(const Shadows *s);
 bool shadows_polygons(const Shadows *s);
 bool shadows_steps(const Shadows *s);
+/* What the thesis claims of quality. */
+bool shadows_claims(const Shadows *s);
 #endif

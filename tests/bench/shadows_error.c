@@ -91,13 +91,19 @@ static Boundary boundary_of(const ShadowsPicture *p)
     return (Boundary){p->target.edge, (const double(*)[2])p->places, p->light, p->truth, apart};
 }
 
-double shadows_picture_error(const ShadowsPicture *p, const ShadowsMethod *method)
+bool shadows_picture_error(const ShadowsPicture *p, const ShadowsMethod *method, int map_size, ShadowsError *error)
 {
     const Boundary boundary = boundary_of(p);
-    float *shares = draw_shares(p, method);
-    const double error = shares ? boundary_area(&boundary, shares) / p->length : (double)NAN;
+    ShadowsPicture other = *p; /* of another map; places stay in texels of this one */
+    other.target.map_size = map_size;
+    float *shares = draw_shares(&other, method);
+    if (!shares)
+        return false;
+    Boundary drawn = boundary;
+    drawn.truth = shares;
+    *error = (ShadowsError){boundary_area(&boundary, shares) / p->length, boundary_length(&drawn) / p->length};
     free(shares);
-    return error;
+    return true;
 }
 
 bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place, ShadowsPicture *made)

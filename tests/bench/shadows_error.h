@@ -24,8 +24,13 @@ typedef struct {
 
 /* False: said on standard error. */
 bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place, ShadowsPicture *made);
-/* The area of points that are lit and should not be, or the other way round, over the boundary's length: its mean distance from the true one. A point to
- * which half of the light comes, or more, is lit. NAN: said on standard error. */
-double shadows_picture_error(const ShadowsPicture *picture, const ShadowsMethod *method);
+/* The mean distance of ends from the true ones: the area of points that are lit and should not be, or the other way round, over the true end's length. And
+ * how long they are, over that: stairs are longer than the line they follow. A point to which half of the light comes, or more, is lit. */
+typedef struct {
+    double distance, length;
+} ShadowsError;
+/* By a map of so many texels. False: said on standard error. */
+bool shadows_picture_error(const ShadowsPicture *picture, const ShadowsMethod *method, int map_size,
+                           ShadowsError *error);
 void shadows_picture_close(ShadowsPicture *picture);
 #endif
