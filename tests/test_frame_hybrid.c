@@ -17,9 +17,10 @@
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 
-#define VIEW                                                                                                           \
-    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
-    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
+#define SEEN_BY(camera)                                                                                                \
+    "image: { width: 120, height: 90 }\ncamera: { camera: " camera                                                     \
+    " }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
+#define VIEW SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
 /* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the origin's height. */
 #define THINGS                                                                                                         \
     "objects:\n- { object: Plane, material: m }\n"                                                                     \
@@ -49,6 +50,7 @@ typedef struct {
     double reach; /* directional: of the map, about; else of a map's edge at distance 1 */
     const char *volume;
     double band; /* texels */
+    bool orthographic;
 } Case;
 
 typedef struct {
@@ -95,8 +97,9 @@ static Count compare(GlContext *gl, const Case *c)
     char text[4096];
     Count count = {0};
     snprintf(text, sizeof text,
-             VIEW "shadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS, SIZE,
-             c->volume, c->light);
+             "%sshadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
+             c->orthographic ? SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5") : VIEW,
+             SIZE, c->volume, c->light);
     Scene *scene = frame_scene(text, &options, &document);
     float *shares = shares_of(gl, scene, &options);
     Tracer tracer = reference_open(scene);
@@ -110,10 +113,11 @@ static Count compare(GlContext *gl, const Case *c)
 }
 
 #define LIGHTS(volume, band)                                                                                           \
-    {"Directional, direction: [1, .2, -.15]", 5, volume, band},                                                        \
-        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, volume, band},     \
+    {"Directional, direction: [1, .2, -.15]", 5, volume, band, false},                                                 \
+        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, volume, band,      \
+         false},                                                                                                       \
     {                                                                                                                  \
-        "Point, position: [0, .6, 1.1]", 2, volume, band                                                               \
+        "Point, position: [0, .6, 1.1]", 2, volume, band, false                                                        \
     }
 
 /* The volume's walls stand up to a texel off, and depths of a texel hold half a texel beside its centre; means reach two texels further. */
@@ -124,8 +128,13 @@ static void rays(void **state)
         LIGHTS("plain", 2.5),
         LIGHTS("perfect", 2.5),
         LIGHTS("blurred", 5),
-        {"Directional, direction: [.5, .6, -1]", 4.5, "perfect", 2.5},
-        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5}};
+        {"Directional, direction: [.5, .6, -1]", 4.5, "perfect", 2.5, false},
+        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5, false},
+        /* the camera looks as some of their rays go, or across them */
+        {"Directional, direction: [1, .2, -.15]", 5, "perfect", 2.5, true},
+        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, "perfect", 2.5,
+         true},
+        {"Point, position: [0, .6, 1.1]", 2, "plain", 2.5, true}};
     GlContext *gl = frame_context();
     int wrong = 0, lit = 0, dark = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

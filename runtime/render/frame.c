@@ -117,13 +117,11 @@ static unsigned wanted(const Render *render)
     const unsigned kept = exact_lights_cast(render) ? SEEN : 0;
     if (view && pass_cubes_level(view) >= 0)
         return CUBES;
-    if (view && !strcmp(view, "shadow"))
-        return LIGHT | SHADOW; /* maps may depend on what is lit */
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
         if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&
             !strcmp(view, frame_target_name((FrameTarget)target)))
             return 1u << target | kept;
-    return view ? GBUFFER : SHOWN | kept;
+    return !view ? SHOWN | kept : strcmp(view, "shadow") ? GBUFFER : LIGHT | SHADOW | kept;
 }
 
 /* What no pass fills is neither read nor changed. Without exact shadows nobody fills SEEN. */

@@ -7,6 +7,7 @@
  * there is no shadow. Depth is clamped: nothing is cut off. */
 #include "runtime/render/frame.h"
 #include "runtime/scene/scene_matrix.h"
+#include <math.h>
 #include <stdlib.h>
 
 extern const char render_text_shadow_volume[], render_text_volume_vertex[];
@@ -46,6 +47,27 @@ static void transform(const double m[16], const double v[4], double out[4])
     }
 }
 
+/* How far from the light what is infinitely far away is taken to be, in depths of the map: where the camera is orthographic, which sees as far as it is told
+ * to. A direction has no place in its picture: w is 0. Of parallel light a wall ends in one point then, so it leans by 2^-20 of the map at most. */
+static double far_of(const Render *render, const ShadowView *view, double world[4][4])
+{
+    const double parallel = 1 << 20, others = 1 << 10;
+    const SceneCamera *camera = &render->scene->camera;
+    double away[3], span = camera->depth + 2 * camera->half;
+    for (int i = 0; i < 3; i++)
+        away[i] = camera->position[i] - world[3][i];
+    span += sqrt(scene_vector_dot(away, away));
+    return view->near > 0 ? others * span : parallel * (1 + span / sqrt(scene_vector_dot(world[2], world[2])));
+}
+
+static void set_far(const Render *render, const ShadowView *view, Material *material, double world[4][4])
+{
+    const bool endless = render->scene->camera.kind == SCENE_Perspective;
+    const double far = endless ? 0 : far_of(render, view, world);
+    const float numbers[4] = {endless ? 0 : (float)(view->near / far), (float)far, endless};
+    material_set(material, &(MaterialValue){"volume_far", 4, numbers});
+}
+
 static void set_view(const Render *render, int number, Material *material)
 {
     static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
@@ -63,6 +85,7 @@ static void set_view(const Render *render, int number, Material *material)
         material_set(material, &(MaterialValue){names[i], 4, column});
     }
     material_set(material, &(MaterialValue){"volume_map", 4, map});
+    set_far(render, view, material, world);
 }
 
 static const char *head_of(const Render *render)
