@@ -15,6 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static GlKind kind; /* of the driver that draws: `test_frame_hybrid egl` has a GPU judged */
+
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 
 #define SEEN_BY(camera)                                                                                                \
@@ -135,7 +137,7 @@ static void rays(void **state)
         {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, "perfect", 2.5,
          true},
         {"Point, position: [0, .6, 1.1]", 2, "plain", 2.5, true}};
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     int wrong = 0, lit = 0, dark = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const Count count = compare(gl, &cases[i]);
@@ -201,7 +203,7 @@ static void ends(void **state)
 {
     (void)state;
     const double texel = (1 + 6.0 / SIZE) / SIZE;
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     for (int stretched = 0; stretched < 2; stretched++) {
         end_is_at(gl, "plain", stretched, end_of_shadow(stretched));
         end_is_at(gl, "perfect", stretched, end_of_shadow(stretched));
@@ -242,7 +244,7 @@ static void diagonals(void **state)
     static const char body[] =
         "vec4 passPixel(ivec2 pixel)\n{\n    int number = pixel.y * 64 + pixel.x;\n"
         "    return vec4(volumeTurned(vec4(number & 7, number >> 3 & 7, number >> 6 & 7, number >> 9)));\n}\n";
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     Store *store = store_new(gl);
     ScreenPass pass;
     Screen screen;
@@ -281,7 +283,7 @@ static void changes(void **state)
     static const char *const lights[] = {"Directional, direction: [1, .2, -.6]", "Point, position: [0, .6, 1.1]"};
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     for (int k = 0; k < 2; k++) {
         char text[4096];
         MatcDocument *document;
@@ -337,7 +339,7 @@ static void paths(void **state)
     (void)state;
     static const char *const volumes[] = {"plain", "blurred", "perfect"}, *const ways[] = {"copy", "compute", "auto"};
     const size_t floats = 2 * 4 * PIXELS;
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     frame_count_calls(gl);
     float *fetched = malloc(floats * sizeof *fetched), *others = malloc(floats * sizeof *others);
     assert_true(fetched && others);
@@ -359,7 +361,7 @@ static void many_lights(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    GlContext *gl = frame_context();
+    GlContext *gl = frame_context_of(kind);
     for (int count = 9; count <= 33; count += 24) {
         char text[8192];
         MatcDocument *document;
@@ -390,8 +392,9 @@ static void many_lights(void **state)
     gl_close(gl);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
+    kind = frame_kind(argc, argv);
     const struct CMUnitTest tests[] = {cmocka_unit_test(rays),      cmocka_unit_test(ends),
                                        cmocka_unit_test(diagonals), cmocka_unit_test(changes),
                                        cmocka_unit_test(paths),     cmocka_unit_test(many_lights)};
