@@ -210,6 +210,11 @@ static const Lamp lamps[] = {
     {"wide spot", "Spot, innerAngle: 80, outerAngle: 100", true, true, "filter: 1", 2, 3, false, false},
     {"point", "Point", true, false, "filter: 1", 1, 3, false, false},
     {"OpenGL 3.3", "Directional", false, true, "filter: 0", 2, 4, false, true}};
+static const Lamp hybrids[] = {
+    {"sun, hybrid", "Directional, shadows: hybrid", false, true, "filter: 0", 1, 3, false, false},
+    {"spot, hybrid", "Spot, innerAngle: 30, outerAngle: 45, shadows: hybrid", true, true, "filter: 0, volume: plain", 2,
+     4, false, false},
+    {"point, hybrid", "Point, shadows: hybrid", true, false, "filter: 1", 3, 2, false, false}};
 static const Lamp cascaded = {"cascades", "Directional", false, true, "filter: 0, cascades: 4", 0, 2, true, false};
 static const Lamp exact[] = {{"exact", "Directional, shadows: exact", false, true, "filter: 0", 4, 7, false, false},
                              {"exact", "Point, shadows: exact", true, false, "filter: 0", 4, 7, false, false}};
@@ -277,6 +282,36 @@ static void colors(void **state)
             by_every_angle(&lamps[i], THINGS PANES, true, &(RenderOptions){.fragment = i == 1});
 }
 
+/* What volumes have no place for is looked up in maps, on what is opaque and on what is not. */
+static void colors_beside_volumes(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++)
+        by_every_angle(&hybrids[i], THINGS PANES, true, &(RenderOptions){0});
+}
+
+/* Where there are no lists, volumes have no cut-outs, and the statistics say so. */
+static void cut_outs_beside_volumes(void **state)
+{
+    (void)state;
+    static const char *const words[2] = {"light, as shadows are not colored\n", "light: it takes OpenGL 4.3\n"};
+    static char text[TEXT];
+    for (int old = 0; old < 2; old++) {
+        GlContext *gl = frame_context();
+        MatcDocument *document;
+        const MatcOptions options = frame_exact_options();
+        gl->major = old ? 3 : gl->major;
+        gl->minor = old ? 3 : gl->minor;
+        write_scene(&hybrids[0], shadow_angles[3], THINGS, old, text);
+        Scene *scene = frame_scene(text, &options, &document);
+        char *said = frame_graph_or_fault(gl, scene, &(RenderOptions){.compile = &options});
+        assert_non_null(strstr(said, words[old]));
+        free(said);
+        frame_forget(scene, document);
+        gl_close(gl);
+    }
+}
+
 /* The same, where lists of the maps, of 1 and 25 MB of heads alone, find room only in parts: beside lists of pixels and while peeling. */
 static void colors_in_parts(void **state)
 {
@@ -329,8 +364,14 @@ static void exact_colors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cut_outs), cmocka_unit_test(colors),   cmocka_unit_test(colors_in_parts),
-        cmocka_unit_test(sheets),   cmocka_unit_test(cascades), cmocka_unit_test(exact_colors),
+        cmocka_unit_test(cut_outs),
+        cmocka_unit_test(colors),
+        cmocka_unit_test(colors_in_parts),
+        cmocka_unit_test(colors_beside_volumes),
+        cmocka_unit_test(cut_outs_beside_volumes),
+        cmocka_unit_test(sheets),
+        cmocka_unit_test(cascades),
+        cmocka_unit_test(exact_colors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -47,25 +47,47 @@ static void transform(const double m[16], const double v[4], double out[4])
     }
 }
 
-/* How far from the light what is infinitely far away is taken to be, in depths of the map: where the camera is orthographic, which sees as far as it is told
- * to. A direction has no place in its picture: w is 0. Of parallel light a wall ends in one point then, so it leans by 2^-20 of the map at most. */
-static double far_of(const Render *render, const ShadowView *view, double world[4][4])
+/* A direction that goes across the view has no place in the picture: w is 0 in clip space, which a GPU may not draw. An orthographic camera sees all
+ * directions so. What is infinitely far away is therefore taken to be far away only: of light from a place always, 2^10 times as far as the camera, where a
+ * millionth of the light arrives; of parallel light where it goes across the view. Its walls end in one point then, so they lean by 2^-20 of the way
+ * to that. */
+static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024; /* cosine */
+
+static double distance_to(const Render *render, const double point[4])
 {
-    const double parallel = 1 << 20, others = 1 << 10;
     const SceneCamera *camera = &render->scene->camera;
-    double away[3], span = camera->depth + 2 * camera->half;
+    double away[3];
     for (int i = 0; i < 3; i++)
-        away[i] = camera->position[i] - world[3][i];
-    span += sqrt(scene_vector_dot(away, away));
-    return view->near > 0 ? others * span : parallel * (1 + span / sqrt(scene_vector_dot(world[2], world[2])));
+        away[i] = camera->position[i] - point[i];
+    return sqrt(scene_vector_dot(away, away)) + (camera->kind == SCENE_Orthographic ? camera->depth + camera->half : 0);
 }
 
-static void set_far(const Render *render, const ShadowView *view, Material *material, double world[4][4])
+static bool goes_across(const Render *render, const double along[4])
 {
-    const bool endless = render->scene->camera.kind == SCENE_Perspective;
-    const double far = endless ? 0 : far_of(render, view, world);
-    const float numbers[4] = {endless ? 0 : (float)(view->near / far), (float)far, endless};
-    material_set(material, &(MaterialValue){"volume_far", 4, numbers});
+    const SceneCamera *camera = &render->scene->camera;
+    return camera->kind == SCENE_Orthographic ||
+           fabs(scene_vector_dot(camera->back, along)) < across * sqrt(scene_vector_dot(along, along));
+}
+
+/* In clip space, from the columns for x, y, z and 1: where parallel light goes. Of the map's middle and corners that with the greatest w. */
+static void find_far(const Render *render, double world[4][4], double clip[4][4], float far[4])
+{
+    static const double places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    double best = -1;
+    for (int i = 0; i < 4; i++)
+        far[i] = (float)-clip[2][i];
+    if (!goes_across(render, world[2]))
+        return;
+    const double deep = sqrt(scene_vector_dot(world[2], world[2]));
+    const double depths = far_parallel * (1 + distance_to(render, world[3]) / deep);
+    for (int k = 0; k < 5; k++) {
+        double point[4];
+        for (int i = 0; i < 4; i++)
+            point[i] = places[k][0] * clip[0][i] + places[k][1] * clip[1][i] - depths * clip[2][i] + clip[3][i];
+        for (int i = 0; i < 4 && fabs(point[3]) > 1.5 * best; i++)
+            far[i] = (float)point[i];
+        best = fmax(best, fabs(point[3]));
+    }
 }
 
 static void set_view(const Render *render, int number, Material *material)
@@ -74,18 +96,23 @@ static void set_view(const Render *render, int number, Material *material)
     const ShadowView *view = &render->shadows.views.views[number];
     const Scene *scene = render->scene;
     const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0, scene->shadow_stretched};
-    double world[4][4], eye[4], clip[4], projection[16];
+    double world[4][4], eye[4], clip[4][4], projection[16];
+    float far[4] = {0};
     world_from_place(view, world);
     for (int i = 0; i < 16; i++)
         projection[i] = render->space.spaces.clip_from_eye.m[i];
     for (int i = 0; i < 4; i++) {
         transform(render->space.eye_from_world, world[i], eye);
-        transform(projection, eye, clip);
-        const float column[4] = {(float)clip[0], (float)clip[1], (float)clip[2], (float)clip[3]};
+        transform(projection, eye, clip[i]);
+        const float column[4] = {(float)clip[i][0], (float)clip[i][1], (float)clip[i][2], (float)clip[i][3]};
         material_set(material, &(MaterialValue){names[i], 4, column});
     }
     material_set(material, &(MaterialValue){"volume_map", 4, map});
-    set_far(render, view, material, world);
+    if (view->near > 0)
+        far[0] = (float)(view->near / (far_place * (view->near + distance_to(render, world[3]))));
+    else
+        find_far(render, world, clip, far);
+    material_set(material, &(MaterialValue){"volume_far", 4, far});
 }
 
 static const char *head_of(const Render *render)

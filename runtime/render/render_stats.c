@@ -135,6 +135,14 @@ static bool lacks_sheets(const Render *render)
     return lacks;
 }
 
+static bool is_transparent(const Render *render)
+{
+    bool found = false;
+    for (int i = 0; i < render->cache.place_count; i++)
+        found |= render->cache.places[i].transparent;
+    return found;
+}
+
 /* Shadows that one might look for. */
 static void put_unshadowed(Text *out, const Render *render)
 {
@@ -145,6 +153,9 @@ static void put_unshadowed(Text *out, const Render *render)
         return;
     if (lacks_sheets(render))
         text_put(out, "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
+    if (volume_lights_cast(render) && render->set.casts != SET_CASTS_colored && is_transparent(render))
+        text_format(out, "shadow    what is transparent casts none in hybrid light%s\n",
+                    render->scene->shadow_colored ? ": it takes OpenGL 4.3" : ", as shadows are not colored");
     if (render->cache.caster_count && render->scene->shadow_colored && render->set.casts != SET_CASTS_colored)
         text_put(out, "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
 }

@@ -108,9 +108,15 @@ vec3 shadowThrough(int map, ivec2 texel, float depth)
 }
 #endif
 
+#ifdef SHADOW_HYBRID
+bool shadow_counted = false; // a volume has what is opaque: maps are asked for what is transparent alone
+#else
+const bool shadow_counted = false;
+#endif
+
 SHARE shadowTexel(int map, ivec2 texel, float depth)
 {
-    if (depth < texelFetch(shadow_maps, ivec3(texel, map), 0).x) return SHARE(0.0);
+    if (!shadow_counted && depth < texelFetch(shadow_maps, ivec3(texel, map), 0).x) return SHARE(0.0);
 #ifdef SHADOW_GLASS
     return shadowThrough(map, texel, depth);
 #else
@@ -118,14 +124,17 @@ SHARE shadowTexel(int map, ivec2 texel, float depth)
 #endif
 }
 
+// Half the edge of a face at distance 1: 1, but of a hybrid light, whose faces overlap.
+float shadowWide(vec4 how) { return 0.5 * how.y * float(SHADOW_SIZE); }
+
 // A texel beyond the edge of a face is one of a neighbour's: that which its centre falls into.
-SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, float near)
+SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, vec4 how)
 {
-    vec2 at = (vec2(2 * texel + 1) / float(SHADOW_SIZE) - 1.0) * place.z;
+    vec2 at = (vec2(2 * texel + 1) / float(SHADOW_SIZE) - 1.0) * shadowWide(how) * place.z;
     int other;
     vec3 there = shadowOnFace(shadowOffFace(vec3(at, place.z), face), other);
-    ivec2 found = ivec2((there.xy / there.z * 0.5 + 0.5) * float(SHADOW_SIZE));
-    return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), near / there.z);
+    ivec2 found = ivec2((there.xy / (there.z * shadowWide(how)) * 0.5 + 0.5) * float(SHADOW_SIZE));
+    return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), how.x / there.z);
 }
 
 // How much of a texel, along an axis, is in a square of SHADOW_FILTER texels that begins within texel 0, `part` of it beyond its edge.
@@ -138,9 +147,10 @@ float shadowWeight(int texel, float part)
 SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 {
     int face = 0;
-    vec3 turned = cube ? shadowOnFace(place, face) : place;
+    vec3 turned = cube ? shadowOnFace(vec3(place.xy * shadowWide(how), place.z), face) : place;
     float depth = how.x > 0.0 ? how.x / turned.z : max(turned.z, 0.0);
-    vec2 at = ((how.x > 0.0 ? turned.xy / turned.z : turned.xy) * 0.5 + 0.5) * float(SHADOW_SIZE);
+    float away = how.x <= 0.0 ? 1.0 : cube ? turned.z * shadowWide(how) : turned.z;
+    vec2 at = (turned.xy / away * 0.5 + 0.5) * float(SHADOW_SIZE);
     if (how.x > 0.0 && turned.z <= 0.0) return shadowNone(); // behind a spot
     vec2 corner = clamp(at, -16.0, float(SHADOW_SIZE) + 16.0) - 0.5 * float(SHADOW_FILTER);
     ivec2 low = ivec2(floor(corner));
@@ -152,7 +162,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
             float weight = shadowWeight(x, part.x) * shadowWeight(y, part.y);
             bool inside = all(greaterThanEqual(texel, ivec2(0))) && all(lessThan(texel, ivec2(SHADOW_SIZE)));
             sum += weight * (inside ? shadowTexel(first + face, texel, depth)
-                             : cube ? shadowBeyond(first, face, turned, texel, how.x)
+                             : cube ? shadowBeyond(first, face, turned, texel, how)
                                     : shadowNone());
         }
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
@@ -312,7 +322,16 @@ SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel,
 #endif
 #ifdef SHADOW_MAPS
 #ifdef SHADOW_HYBRID
-    if (views.y < -1) return share * shadowNone() * volumeShare(views.x, -2 - views.y, point, at);
+    shadow_counted = views.y < -1;
+    if (shadow_counted) {
+        int how = -2 - views.y;
+        share *= volumeShare(views.x, how, point, at);
+#ifdef SHADOW_GLASS
+        return share == SHARE(0.0) ? share : share * shadowMapped(views.x, how % 8, point, normal, pixel);
+#else
+        return share * shadowNone();
+#endif
+    }
 #endif
     if (views.y > 0) return share * shadowMapped(views.x, views.y, point, normal, pixel);
 #endif

@@ -137,6 +137,8 @@ void shadow_draw_lists(Render *render, const ShadowPart *part)
     for (GLuint i = part->row / size; i * size < part->row + part->rows; i++) {
         use_layer(render, (int)i);
         cut(render->gl, part, i * size);
+        render->gl->DepthFunc(
+            render->shadows.views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred, it is not where it hides */
         cast(render, &source, (int)i, true);
     }
     shadow_glass_end(render);

@@ -124,12 +124,14 @@ bool shadow_is_cast(const Render *render)
 
 SetCasts shadow_casts(const Render *render)
 {
-    bool maps = false;
+    bool maps = false; /* volumes have no cut-outs */
     for (int i = 0; i < render->scene->light_count; i++)
         maps |= scene_light_casts(&render->scene->lights[i]) && render->scene->lights[i].shadows != WORD_Shadows_hybrid;
-    if (!shadow_is_cast(render) || !maps)
+    if (!shadow_is_cast(render))
         return SET_CASTS_none;
-    return render->scene->shadow_colored && transparency_has_lists(render->gl) ? SET_CASTS_colored : SET_CASTS_cut;
+    if (render->scene->shadow_colored && transparency_has_lists(render->gl))
+        return SET_CASTS_colored;
+    return maps ? SET_CASTS_cut : SET_CASTS_none;
 }
 
 /* Infinite planes need no map. */

@@ -5,7 +5,7 @@ uniform sampler2DArray volume_depths;
 layout(std140) uniform Volume {
     vec4 volume_x, volume_y, volume_z, volume_w; // clip space from a place: columns
     vec4 volume_map;                             // its layer, its size, 1: of parallel light, 1: stretched
-    vec4 volume_far;                             // least depth; of parallel light how many depths away; 1: infinitely far
+    vec4 volume_far;                             // of parallel light, where it goes; else the least depth
 };
 #if defined DEPTHS || defined CORNERS
 layout(location = 0) in float volume_depth;
@@ -14,13 +14,11 @@ invariant gl_Position; // caps and sheets meet
 
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
 
-// Perspective depth is near / z: a homogeneous point, at infinity where it is 0. Of parallel light what has no depth goes with the light. Where the camera
-// sees no direction (pass_volume.c), both are far away instead.
+// Perspective depth is near / z: a homogeneous point. What has no depth is as far away as pass_volume.c says.
 vec4 volumePoint(vec2 place, float depth)
 {
     if (volume_map.z == 0.0) return volume_x * place.x + volume_y * place.y + volume_z + volume_w * max(depth, volume_far.x);
-    if (depth > 0.0) return volume_x * place.x + volume_y * place.y + volume_z * depth + volume_w;
-    return volume_far.z > 0.0 ? -volume_z : volume_w - volume_z * volume_far.y;
+    return depth > 0.0 ? volume_x * place.x + volume_y * place.y + volume_z * depth + volume_w : volume_far;
 }
 
 #ifdef CAP
