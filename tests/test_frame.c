@@ -61,14 +61,15 @@ static const PictureCase pictures[] = {
      "0.3333333333333333, 1], "
      "emissive: [0, .0625, 0] } }, "
      "{ object: Box, material: " GLOSSY ", transform: { translation: [0, 0, .5] } }]\n"},
-    {"area", CAMERA "lights:\n- { light: Area, position: [-2, 1, .5], u: [1, 2, 0], v: [.5, 0, 1.5], color: [3, 2, 1], "
-                    "bothSides: true }\n"
-                    "- { light: Area, position: [.2, -1, 3], u: [0, 1, .2], v: [1, 0, 0], intensity: 4 }\n"
-                    "- { light: Area, position: [1, 0, .05], u: [-.5, 0, 0], v: [0, .5, 0], intensity: 9 }\n"
-                    "objects: [{ object: Plane, material: " MATT " }, { object: Sphere, material: " GLOSSY
-                    ", transform: { translation: [0, 0, .5] } }, { object: Parallelogram, u: [0, 2, 0], v: [2, 0, 1], "
-                    "transform: { translation: [.5, -1, .1] }, material: { material: Phong, diffuse: .3, "
-                    "diffuseTransparency: [1, 0.3333333333333333, 0] } }]\n"},
+    {"area",
+     CAMERA "lights:\n- { light: Area, position: [-2, 1, .5], u: [1, 2, 0], v: [.5, 0, 1.5], color: [3, 2, 1], "
+            "bothSides: true, shadows: none }\n"
+            "- { light: Area, position: [.2, -1, 3], u: [0, 1, .2], v: [1, 0, 0], intensity: 4, shadows: none }\n"
+            "- { light: Area, position: [1, 0, .05], u: [-.5, 0, 0], v: [0, .5, 0], intensity: 9, shadows: none }\n"
+            "objects: [{ object: Plane, material: " MATT " }, { object: Sphere, material: " GLOSSY
+            ", transform: { translation: [0, 0, .5] } }, { object: Parallelogram, u: [0, 2, 0], v: [2, 0, 1], "
+            "transform: { translation: [.5, -1, .1] }, material: { material: Phong, diffuse: .3, "
+            "diffuseTransparency: [1, 0.3333333333333333, 0] } }]\n"},
     {"hemisphere",
      CAMERA "lights:\n- { light: Hemisphere, color: [.5, .7, 1], ground: [.4, .2, .1], intensity: .9 }\n"
             "- { light: Hemisphere, color: [.1, .1, 0] }\n- { light: Point, position: [1, -4, 4], intensity: 3 }\n"

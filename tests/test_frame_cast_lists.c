@@ -140,8 +140,8 @@ static void lacks_are_said(void **state)
 {
     (void)state;
     static const char text[] =
-        "image: { width: 8, height: 8 }\nlights: [{ light: Directional }, { light: Area, u: [1, 0, 0], v: [0, 1, 0] "
-        "}]\n"
+        "image: { width: 8, height: 8 }\nlights: [{ light: Directional }, { light: Area, u: [1, 0, 0], v: [0, 1, 0], "
+        "shadows: none }]\n"
         "objects:\n- { object: Box, material: &glass { material: Phong, transparency: .5 } }\n"
         "- { object: Plane, transform: { translation: [0, 0, -3] }, material: { material: Phong, transparency: { map: "
         "Checker } } }\n";

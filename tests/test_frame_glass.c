@@ -287,11 +287,13 @@ static const struct {
             ".6, .7], transparencyShininess: .3, diffuseTransparency: [.2, .3, .4] } }]\n",
      false},
     {"lamp",
-     SMALL "lights: [{ light: Area, position: [-1, 2, .5], u: [2, 0, 0], v: [0, 0, 1.5], intensity: 4 }, "
-           "{ light: Area, position: [-2, -4, 0], u: [0, 0, 2], v: [2, 0, 0], intensity: 3, bothSides: true }]\n"
-           "objects: [{ object: Parallelogram, u: [3, 0, 0], v: [0, 0, 2], transform: { translation: [-1.5, 0, "
-           "-.5] }, material: { material: Phong, diffuse: .5, specular: .4, shininess: .5, transparency: [.3, .5, "
-           ".7], transparencyShininess: .7, diffuseTransparency: [.2, .1, .3] } }]\n",
+     SMALL
+     "lights: [{ light: Area, position: [-1, 2, .5], u: [2, 0, 0], v: [0, 0, 1.5], intensity: 4, shadows: none }, "
+     "{ light: Area, position: [-2, -4, 0], u: [0, 0, 2], v: [2, 0, 0], intensity: 3, bothSides: true, shadows: none "
+     "}]\n"
+     "objects: [{ object: Parallelogram, u: [3, 0, 0], v: [0, 0, 2], transform: { translation: [-1.5, 0, "
+     "-.5] }, material: { material: Phong, diffuse: .5, specular: .4, shininess: .5, transparency: [.3, .5, "
+     ".7], transparencyShininess: .7, diffuseTransparency: [.2, .1, .3] } }]\n",
      true},
 };
 enum { PICTURES = sizeof pictures / sizeof *pictures };

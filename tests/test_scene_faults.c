@@ -85,6 +85,8 @@ static void faults(void **state)
         {RED "voxels: { size: 1024 }\nobjects: []\n", "2:17: error: size is 1024; it must be from 32 to 512"},
         {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that could shine"},
         {RED "lights: [{ light: Area, u: [1, 1, 0], v: [-2, -2, 0] }]\n", "2:42: error: u and v span nothing"},
+        {RED "lights: [{ light: Area, shadows: exact }]\n",
+         "2:34: error: an Area casts shadows by map, or none, and not by exact"},
         {RED "lights: [{ light: Area, bothSides: 2 }]\n",
          "2:36: error: bothSides wants true or false, not the number 2"},
         {RED "camera: { camera: Perspective, target: [0, -5, 2] }\n",

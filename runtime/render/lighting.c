@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
-    render_text_lighting[], render_text_shadow_volume[], render_text_silhouette[];
+    render_text_lighting[], render_text_shadow_volume[], render_text_silhouette[], render_text_shadow_soft[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
@@ -75,6 +75,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
         return false;
     light_table_define(render, own->block > 0, table);
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
+    const bool soft = shadow_is_soft(render);
     const char *const shadows = shadow_text(render, own->opaque, defined);
     pass_exact_texts(render, own->opaque, exact);
     if (sky && !render->sky.map && !light_sky_make(render))
@@ -96,6 +97,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
                                           table,
                                           backdrop_light_text(render),
                                           render_text_lighting,
+                                          soft ? render_text_shadow_soft : "",
                                           own->body[0],
                                           own->body[1],
                                           own->body[2],

@@ -106,6 +106,11 @@ vec3 lightOver(vec3 through)
     return lightIsFirst() ? through : vec3(1.0);
 }
 
+#ifdef SHADOW_SOFT
+// What it sends of an area light in which something may cast shadows: shadow_soft.glsl.
+vec3 softLight(int light, Seen seen);
+#endif
+
 // What it sends of all light but that of plain lights and of others that shine from one direction.
 vec3 lightEven(Seen seen)
 {
@@ -119,7 +124,11 @@ vec3 lightEven(Seen seen)
 #ifdef LIGHT_HAS_AREAS
     int first = light_plain + light_points;
     for (int i = first; i < first + light_areas; i++)
+#ifdef SHADOW_SOFT
+        sum += lightTexel(i, 1).xyz * softLight(i, seen);
+#else
         sum += lightTexel(i, 1).xyz * surfaceArea(seen.m, areaAt(i, seen.point));
+#endif
 #endif
     return sum;
 }

@@ -2,6 +2,7 @@
 #include "compiler/base/session.h"
 #include "runtime/render/frame.h"
 #include "runtime/render/light_far.h"
+#include "runtime/render/soft_views.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -124,6 +125,16 @@ static int count_kind(const Scene *scene, SceneKind kind)
     return count;
 }
 
+/* Area lights with soft shadows, or without. */
+static int count_areas(const Render *render, bool soft)
+{
+    int count = 0;
+    for (int i = 0; i < render->scene->light_count; i++)
+        count += render->scene->lights[i].kind == SCENE_Area &&
+                 (soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows) == soft;
+    return count;
+}
+
 /* Planes that would cast shadows by a program of their own, if they had one. */
 static bool lacks_sheets(const Render *render)
 {
@@ -146,7 +157,7 @@ static bool is_transparent(const Render *render)
 /* Shadows that one might look for. */
 static void put_unshadowed(Text *out, const Render *render)
 {
-    const int areas = count_kind(render->scene, SCENE_Area), skies = count_kind(render->scene, SCENE_Sky);
+    const int areas = count_areas(render, false), skies = count_kind(render->scene, SCENE_Sky);
     if (areas || skies)
         text_format(out, "shadow    none falls from %d area lights and %d skies\n", areas, skies);
     if (!shadow_is_cast(render))
@@ -158,6 +169,19 @@ static void put_unshadowed(Text *out, const Render *render)
                     render->scene->shadow_colored ? ": it takes OpenGL 4.3" : ", as shadows are not colored");
     if (render->cache.caster_count && render->scene->shadow_colored && render->set.casts != SET_CASTS_colored)
         text_put(out, "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
+}
+
+/* What an area light's points do not see. */
+static void put_soft(Text *out, const Render *render)
+{
+    const int points = render->scene->shadow_points, areas = count_areas(render, true);
+    if (!areas)
+        return;
+    text_format(out, "shadow    soft from %d area lights, by %d points of each\n", areas, points * points);
+    if (shadow_sheet_needed(render) || lacks_sheets(render))
+        text_put(out, "shadow    planes whose transparency varies cast none there\n");
+    if (render->parted)
+        text_put(out, "shadow    what is transparent casts none there: its lists are in parts\n");
 }
 
 static void put_memory(Text *out, const Render *render)
@@ -189,6 +213,7 @@ static void put_memory(Text *out, const Render *render)
                     render->samples);
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
+    put_soft(out, render);
     put_unshadowed(out, render);
     if (render->exact.corners)
         put_exact(out, render);

@@ -88,22 +88,37 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
+// A texel's list: its first fragment, the one behind another, or 0; depth, and what it lets through.
+uint shadowNode(uint number) { return number == 0u ? 0u : glass_heads + (number - 1u) * 4u; }
+
+uint shadowList(uvec2 place) { return shadowNode(glass_words[place.y * glass_part.z + place.x]); }
+
+uint shadowNext(uint node) { return shadowNode(glass_words[node]); }
+
+float shadowListed(uint node) { return uintBitsToFloat(glass_words[node + 1u]); }
+
+vec3 shadowLets(uint node)
+{
+    uint low = glass_words[node + 2u], high = glass_words[node + 3u];
+    return vec3(low & 2097151u, low >> 21 | (high & 1023u) << 11, high >> 10) / 2097151.0;
+}
+
+// Where a part has the list of a map's texel; beyond it, where it has none.
+uvec2 shadowAt(int map, ivec2 texel)
+{
+    return uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
+}
+
 // What all that is transparent and nearer to the light lets through: a product, for which nothing has to be sorted.
 vec3 shadowThrough(int map, ivec2 texel, float depth)
 {
     vec3 through = vec3(1.0);
-    uvec2 place = uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
+    uvec2 place = shadowAt(map, texel);
 #ifdef SHADOW_PARTS
     if (any(greaterThanEqual(place, glass_part.zw))) return vec3(0.0);
 #endif
-    uint number = glass_words[place.y * glass_part.z + place.x];
-    while (number != 0u) {
-        uint node = glass_heads + (number - 1u) * 4u;
-        uint low = glass_words[node + 2u], high = glass_words[node + 3u];
-        if (uintBitsToFloat(glass_words[node + 1u]) > depth)
-            through *= vec3(low & 2097151u, low >> 21 | (high & 1023u) << 11, high >> 10) / 2097151.0;
-        number = glass_words[node];
-    }
+    for (uint node = shadowList(place); node != 0u; node = shadowNext(node))
+        if (shadowListed(node) > depth) through *= shadowLets(node);
     return through;
 }
 #endif

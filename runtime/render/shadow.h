@@ -46,6 +46,8 @@ typedef struct {
 
 /* Some light of the scene casts shadows, which are wanted. */
 bool shadow_is_cast(const Render *render);
+/* Some area light does. */
+bool shadow_is_soft(const Render *render);
 /* How what is transparent does. */
 SetCasts shadow_casts(const Render *render);
 
@@ -73,8 +75,9 @@ bool shadow_parts_fall_back(const Render *render);
 int shadow_parts_number(const Render *render);
 void shadow_parts_load(Render *render, int part);
 
-/* Planes whose transparency varies (shadow_sheet.c): some cast shadows; the choice of transparency can be met with that; bytes of a pixel; a line on
+/* Planes whose transparency varies (shadow_sheet.c): a light has a layer of what they let through; some cast shadows; the choice of transparency can be met with that; bytes of a pixel; a line on
  * them; made; told where the camera, lights and planes are, or where the tile is; a uniform of a material, false: none has it; drawn, of what has these depths; deleted. */
+bool shadow_sheet_reads(const SceneLight *light);
 bool shadow_sheet_needed(const Render *render);
 bool shadow_sheet_check(const Render *render);
 int shadow_sheet_bytes(const Render *render);

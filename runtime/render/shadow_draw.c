@@ -1,5 +1,6 @@
 /* Draws shadow maps: depth as lights see it, and what is transparent into its lists. */
 #include "runtime/render/frame.h"
+#include "runtime/render/soft_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
@@ -50,16 +51,41 @@ static void end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
-/* What a view shows of what is opaque, or of the rest. */
-static void cast(Render *render, const CacheSource *source, int number, bool transparent)
+/* What a view shows of what is opaque, or of the rest, into the layer of that number. */
+static void cast_view(Render *render, const CacheSource *source, const ShadowView *view, int number, bool transparent)
 {
-    const ShadowView *view = &render->shadows.views.views[number];
     const CullVolume volume = shadow_views_volume(view);
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
                &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid, number, NULL, view->transparent},
                transparent);
+}
+
+/* All faces lie in one layer. A texel is asked by a point's own way, so that slopes push by one texel. */
+static void cast_soft(Render *render, const CacheSource *source, int number, bool transparent)
+{
+    const GlContext *gl = render->gl;
+    const int size = render->scene->shadow_size;
+    gl->PolygonOffset(-1.0f - 1.0f / 64, -2);
+    for (int face = 0; face < SOFT_VIEWS_FACES; face++) {
+        ShadowView view;
+        int rect[4];
+        soft_views_face(&render->shadows.views.views[number], size, face, &view, rect);
+        gl->Viewport(rect[0], rect[1], rect[2], rect[3]);
+        cast_view(render, source, &view, number, transparent);
+    }
+    gl->Viewport(0, 0, size, size);
+    push(render);
+}
+
+static void cast(Render *render, const CacheSource *source, int number, bool transparent)
+{
+    const ShadowView *view = &render->shadows.views.views[number];
+    if (view->soft)
+        cast_soft(render, source, number, transparent);
+    else
+        cast_view(render, source, view, number, transparent);
 }
 
 static void use_layer(const Render *render, int number)

@@ -16,10 +16,21 @@ enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 
 static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
 
+/* An area light has many points, and no layer. */
+bool shadow_sheet_reads(const SceneLight *light) { return scene_light_casts(light) && light->kind != SCENE_Area; }
+
+static int count_layers(const Render *render)
+{
+    int count = 0;
+    for (int i = 0; i < render->scene->light_count; i++)
+        count += shadow_sheet_reads(&render->scene->lights[i]);
+    return count;
+}
+
 bool shadow_sheet_needed(const Render *render)
 {
     bool needed = false;
-    for (int i = 0; i < render->set.count; i++)
+    for (int i = 0; i < render->set.count && count_layers(render); i++)
         needed |= render->set.programs[i].caster >= 0 && !strcmp(render->set.programs[i].pass, "plane");
     return needed;
 }
@@ -37,14 +48,6 @@ static int count_sheets(const Render *render)
     int count = 0;
     for (int i = 0; i < render->cache.plane_count; i++)
         count += is_sheet(&render->cache.planes[i]);
-    return count;
-}
-
-static int count_layers(const Render *render)
-{
-    int count = 0;
-    for (int i = 0; i < render->scene->light_count; i++)
-        count += scene_light_casts(&render->scene->lights[i]);
     return count;
 }
 
@@ -213,7 +216,7 @@ void shadow_sheet_change(const Render *render)
     if (!render->shadows.sheets.materials)
         return;
     for (int i = 0, layer = 0; i < render->scene->light_count; i++)
-        if (scene_light_casts(&render->scene->lights[i]))
+        if (shadow_sheet_reads(&render->scene->lights[i]))
             set_numbers(render, layer++, &render->scene->lights[i]);
     shadow_sheet_place(render);
 }

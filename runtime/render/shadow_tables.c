@@ -1,5 +1,6 @@
 /* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
 #include "runtime/render/frame.h"
+#include "runtime/render/soft_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdio.h>
@@ -122,6 +123,14 @@ bool shadow_is_cast(const Render *render)
     return casts && !render->options.no_shadows;
 }
 
+bool shadow_is_soft(const Render *render)
+{
+    bool soft = false;
+    for (int i = 0; i < render->scene->light_count; i++)
+        soft |= soft_views_wanted(&render->scene->lights[i]);
+    return soft && !render->options.no_shadows;
+}
+
 SetCasts shadow_casts(const Render *render)
 {
     bool maps = false; /* volumes have no cut-outs */
@@ -194,6 +203,9 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
                          opaque ? "#define SHADOW_MASK\n" : "",
                          render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
                          render->scene->shadow_stretched ? "true" : "false");
+    if (shadow_is_soft(render))
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
     if (planes)
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
                          render->cache.opaque_plane_count);
@@ -205,13 +217,28 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
     return maps || planes || sheets ? render_text_shadow : "";
 }
 
+/* Of area lights, behind u: 1 + the first of their layers, or 0, if they cast no shadow. */
+static void put_areas(const Render *render, float (*texels)[4])
+{
+    const ShadowViews *views = &render->shadows.views;
+    float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_AREAS);
+    for (int i = 0; i < render->scene->light_count; i++) {
+        if (render->scene->lights[i].kind != SCENE_Area)
+            continue;
+        const bool casts = soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows;
+        next[2][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[i].first) : 1;
+        next += VIEW_SPACE_LIGHT_TEXELS;
+    }
+}
+
 void shadow_put_lights(const Render *render, float (*texels)[4])
 {
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
     float(*next)[4] = texels + view_space_texels(render->light_counts, VIEW_SPACE_POINTS);
+    put_areas(render, texels);
     for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
-        layer += scene_light_casts(&scene->lights[i]);
+        layer += shadow_sheet_reads(&scene->lights[i]);
         if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
             continue;
         const bool casts = scene_light_casts(&scene->lights[i]) && shadows;

@@ -1,6 +1,6 @@
 /* Fits views to lights and to the boxes around what casts shadows. */
 #include "runtime/render/exact_lists.h"
-#include "runtime/render/shadow_views.h"
+#include "runtime/render/soft_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>
@@ -229,6 +229,24 @@ static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *vi
     fit_box(fit, light, NULL, &views[seen]);
 }
 
+/* -- area */
+
+/* The points' depths begin at the same distance. */
+static void fit_area(Fit *fit, int number)
+{
+    const SceneLight *light = &fit->scene->lights[number];
+    const int first = fit->made->count, count = soft_views_count(fit->scene, light);
+    double near = INFINITY, position[3];
+    for (int i = 0; i < count; i++) {
+        soft_views_place(fit->scene, light, i, position);
+        near = fmin(near, near_of(fit, position));
+    }
+    for (int i = 0; i < count; i++)
+        soft_views_make(fit->scene, light, i, near, &fit->made->views[first + i]);
+    fit->made->lights[number] = (ShadowLight){first, count};
+    fit->made->count += count;
+}
+
 /* -- */
 
 static bool has_cube(const SceneLight *light)
@@ -244,6 +262,10 @@ static void fit_light(Fit *fit, int number)
     const bool exact = exact_lists_wanted(light);
     if (!scene_light_casts(light) || (exact && !fit->varying))
         return;
+    if (light->kind == SCENE_Area) {
+        fit_area(fit, number);
+        return;
+    }
     if (cube)
         fit_cube(fit, light, views);
     else if (light->kind == SCENE_Spot)
@@ -263,12 +285,21 @@ static void fit_light(Fit *fit, int number)
         view->hybrid = true;
 }
 
+/* Views that there may be, at most. */
+static size_t room_for(const Scene *scene)
+{
+    size_t room = 1;
+    for (int i = 0; i < scene->light_count; i++)
+        room += (size_t)soft_views_count(scene, &scene->lights[i]) + SHADOW_VIEWS_CUBE;
+    return room;
+}
+
 bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)
 {
     Fit fit = {.scene = scene, .made = made, .size = size, .varying = exact_lists_lack(cache) > 0};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
-    made->views = calloc(lights * SHADOW_VIEWS_CUBE, sizeof *made->views);
+    made->views = calloc(room_for(scene), sizeof *made->views);
     made->lights = calloc(lights, sizeof *made->lights);
     fit.corners = calloc((size_t)cache->place_count * CORNERS + 1, sizeof *fit.corners);
     const bool done = made->views && made->lights && fit.corners;

@@ -16,12 +16,14 @@ typedef struct {
     bool hybrid;       /* its depths become a volume: at its border they are 0 */
     bool silhouettes;  /* with crossings: silhouette.h */
     bool mirrored;     /* left-handed: triangles turn the other way round */
+    bool soft;         /* of an area light's point: soft_views.h */
     bool transparent;  /* it has what varies in its transparency alone: exact_lists.h has the rest */
 } ShadowView;
 
 /* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the last of which has all objects; or
  * SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2 k + 1 against it, with the axes k + 1 and
- * k + 2 (modulo 3) as x and y. Those of a light by hybrid shadows or silhouettes are wider than 90 degrees, by a border of two texels. */
+ * k + 2 (modulo 3) as x and y. Those of a light by hybrid shadows or silhouettes are wider than 90 degrees, by a border of two texels. An area
+ * light has as many as points, twice that where it shines to both sides. */
 typedef struct {
     int first, count;
 } ShadowLight;

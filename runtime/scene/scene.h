@@ -103,6 +103,7 @@ typedef struct Scene {
     int shadow_size;        /* texels of a shadow map's edge */
     int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
     int shadow_cascades;    /* maps of a directional light */
+    int shadow_points;      /* of an Area, along each edge: each has a map */
     Word shadow_volume;     /* of hybrid shadows: WORD_Volume_plain, ... */
     Word shadow_path;       /* how its vertices come to their depths: WORD_Path_auto, ... */
     double shadow_offset;   /* texels, of a blurred volume */
@@ -125,7 +126,7 @@ bool scene_shadows_find(const char *name, Word *method);
 const char *scene_shadows_name(Word word);
 /* The same of the list Volume. */
 const char *scene_volume_name(Word word);
-/* All lights that cast shadows do so by this method. */
+/* All lights that cast shadows do so by this method; an Area by map, unless that is none. */
 void scene_lights_shadow(Scene *scene, Word method);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */

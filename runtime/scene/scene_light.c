@@ -16,7 +16,7 @@ static const LightRow rows[SCENE_KIND_COUNT] = {
     [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity, S_Spot_shadows},
     [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity,
                            S_Directional_shadows},
-    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, -1},
+    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, S_Area_shadows},
     [SCENE_Sky] = {-1, -1, S_Sky_color, S_Sky_intensity, -1},
     [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1},
     [SCENE_Hemisphere] = {-1, -1, S_Hemisphere_color, S_Hemisphere_intensity, -1},
@@ -34,11 +34,22 @@ static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light
     r->fine = false;
 }
 
+/* Shadows of an Area are soft, which maps alone can be. */
+static bool takes_method(const SceneLight *light, Word method)
+{
+    return light->kind != SCENE_Area || method == WORD_Shadows_none || method == WORD_Shadows_map;
+}
+
 static void read_area(SceneReader *r, const SceneThing *thing, SceneLight *light)
 {
     scene_thing_vector(thing, S_Area_u, light->edges[0]);
     scene_thing_vector(thing, S_Area_v, light->edges[1]);
     light->both_sides = scene_thing_number(thing, S_Area_bothSides) != 0;
+    if (!takes_method(light, light->shadows)) {
+        diag_add(r->session, scene_thing_span(thing, S_Area_shadows), DIAG_scene_soft,
+                 scene_shadows_name(light->shadows));
+        r->fine = false;
+    }
     if (scene_vector_span(light->edges[0], light->edges[1]))
         return;
     diag_add(r->session, scene_thing_span(thing, S_Area_v), DIAG_scene_flat, "u and v span nothing");
@@ -128,6 +139,6 @@ bool scene_shadows_find(const char *name, Word *method)
 void scene_lights_shadow(Scene *scene, Word method)
 {
     for (int i = 0; i < scene->light_count; i++)
-        if (scene_light_casts(&scene->lights[i]))
+        if (scene_light_casts(&scene->lights[i]) && takes_method(&scene->lights[i], method))
             scene->lights[i].shadows = method;
 }

@@ -49,6 +49,7 @@ static void read_shadow_maps(SceneReader *r, Tree *tree)
     r->scene->shadow_size = (int)scene_thing_number(&thing, S_ShadowMaps_size);
     r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
     r->scene->shadow_cascades = (int)scene_thing_number(&thing, S_ShadowMaps_cascades);
+    r->scene->shadow_points = (int)scene_thing_number(&thing, S_ShadowMaps_areaPoints);
     r->scene->shadow_colored = scene_thing_number(&thing, S_ShadowMaps_colored) != 0;
     r->scene->shadow_volume = (Word)scene_thing_number(&thing, S_ShadowMaps_volume);
     r->scene->shadow_path = (Word)scene_thing_number(&thing, S_ShadowMaps_path);
