@@ -43,6 +43,77 @@ static void nothing_in_view_is_left_out(void **unused)
     gl_close(gl);
 }
 
+/* Pixels whose normal is turned against that of one beside them. */
+static int count_turned(const float *normals, int width, int height)
+{
+    int turned = 0;
+    for (int i = width; i < width * (height - 1); i++)
+        for (int side = 0; side < 4 && normals[4 * i + 3] > 0; side++) {
+            const float *n = normals + 4 * i, *beside = n + 4 * (int[]){1, -1, width, -width}[side];
+            turned += beside[3] > 0 && n[0] * beside[0] + n[1] * beside[1] + n[2] * beside[2] < -.5f;
+        }
+    return turned;
+}
+
+/* A sphere from four places. A rasteriser, which rounds corners, shows its inside at a pixel of its rim now and then; the first place is one of these. */
+static void no_inside_at_a_rim(void **unused)
+{
+    (void)unused;
+    enum { WIDTH = 300, HEIGHT = 225 };
+    static const double places[][3] = {{2, -5, 3}, {3, 4, 3.3}, {-5, 1, 2}, {-2, -4, -1}};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+        MatcDocument *document;
+        char text[512];
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [%g, %g, %g], target: [0, "
+                 "0, .6] }\n"
+                 "materials: { m: { material: Phong } }\nobjects:\n"
+                 "- { object: Sphere, material: m, transform: { translation: [0, 0, 1] } }\n",
+                 WIDTH, HEIGHT, places[i][0], places[i][1], places[i][2]);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *normals = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
+        assert_true(normals[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + 3] > 0);
+        assert_int_equal(count_turned(normals, WIDTH, HEIGHT), 0);
+        free(normals);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+/* From within a body, and where the nearest that is seen cuts into one, insides are there; from outside all is as without culling. */
+static void insides_are_seen_from_within(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *camera;
+        bool all; /* pixels show something */
+    } cases[] = {{"camera: Perspective, position: [.2, .1, .3], target: [1, 0, 0], near: .01", true},
+                 {"camera: Perspective, position: [0, -1.2, 0], target: [0, 0, 0], near: .5, angle: 30", true},
+                 {"camera: Orthographic, position: [0, -.2, 0], target: [0, 1, 0], size: 1, depth: 9", true},
+                 {"camera: Perspective, position: [0, -5, 1], target: [0, 0, 0]", false}};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        MatcDocument *document;
+        char text[512];
+        snprintf(text, sizeof text,
+                 "image: { width: 48, height: 36 }\ncamera: { %s }\nmaterials: { m: { material: Phong } }\nobjects:\n"
+                 "- { object: Sphere, material: m, transform: { scale: [-1, 1, 1] } }\n",
+                 cases[i].camera);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *depth = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+        int seen = 0;
+        for (int k = 0; k < 48 * 36; k++)
+            seen += depth[4 * k + 3] > 0;
+        assert_true(cases[i].all ? seen == 48 * 36 : seen > 100 && seen < 48 * 36 / 2);
+        free(depth);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
 /* Unit boxes beside the view, a little out of it and a little in it; angles by closed forms. */
 static void boxes_at_the_planes(void **unused)
 {
@@ -194,9 +265,10 @@ static void calls_do_not_grow(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_in_view_is_left_out), cmocka_unit_test(boxes_at_the_planes),
-        cmocka_unit_test(boxes_around_meshes),         cmocka_unit_test(instances_or_not),
-        cmocka_unit_test(instances_are_valid),         cmocka_unit_test(calls_do_not_grow),
+        cmocka_unit_test(nothing_in_view_is_left_out),  cmocka_unit_test(no_inside_at_a_rim),
+        cmocka_unit_test(insides_are_seen_from_within), cmocka_unit_test(boxes_at_the_planes),
+        cmocka_unit_test(boxes_around_meshes),          cmocka_unit_test(instances_or_not),
+        cmocka_unit_test(instances_are_valid),          cmocka_unit_test(calls_do_not_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,6 +20,7 @@ typedef struct {
     bool mirrored;        /* its triangles turn the other way round */
     int first, count;     /* in Cache.places, and in the first half of Cache.list */
     int first_seen, seen; /* of these, those in view: in the second half */
+    bool solid;           /* none of those shows its inside: back faces are not drawn */
 } Drawable;
 
 /* Where an object is among those that are drawn. */
@@ -86,6 +87,7 @@ typedef struct {
     const Set *set;
     const ViewSpace *space;
     const CullVolume *volume; /* what is seen; NULL: all */
+    const CullVolume *view;   /* the camera's, also where all is drawn */
     const int *size;          /* of the picture, in pixels */
     Transparency transparency;
     bool numbered; /* what is opaque writes numbers of triangles, too: exact_number.h */

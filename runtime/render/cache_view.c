@@ -33,7 +33,8 @@ static void find_groups(Cache *cache)
         const CachePlace *place = &cache->places[i];
         Drawable *last = &cache->surfaces[cache->surface_count - (cache->surface_count > 0)];
         if (!i || last->kind != place->kind || last->mesh != place->mesh || last->mirrored != place->mirrored)
-            cache->surfaces[cache->surface_count++] = (Drawable){place->kind, place->mesh, place->mirrored, i, 1, 0, 0};
+            cache->surfaces[cache->surface_count++] =
+                (Drawable){place->kind, place->mesh, place->mirrored, i, 1, 0, 0, false};
         else
             last->count++;
         if (!place->transparent)
@@ -127,10 +128,12 @@ static bool list_seen(const CacheSource *source, Cache *cache)
         Drawable *drawable = &cache->surfaces[i];
         const int first = next;
         drawable->first_seen = cache->place_count + first;
+        drawable->solid = scene_solid_is_closed(&source->scene->objects[cache->places[drawable->first].object]);
         for (int k = drawable->first; k < drawable->first + drawable->count; k++) {
             const SceneMatrix *matrix = &source->scene->objects[cache->places[k].object].world_from_local;
             if (source->volume && !cull_sees(source->volume, &cache->boxes[drawable->mesh], matrix))
                 continue;
+            drawable->solid = drawable->solid && cull_is_beyond(source->view, &cache->boxes[drawable->mesh], matrix);
             list[next++] = (uint32_t)k;
         }
         drawable->seen = next - first;
@@ -215,7 +218,7 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
     const int first = transparent ? cache->opaque_count : 0;
     const int end = transparent ? cache->surface_count : cache->opaque_count;
     const Material *before = NULL;
-    bool mirrored = false;
+    bool mirrored = false, solid = false;
     if (cache->instances) {
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, cache->matrices);
         gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, cache->views[0]);
@@ -227,6 +230,8 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
             continue;
         if (drawable->mirrored != mirrored)
             gl->FrontFace((mirrored = drawable->mirrored) ? GL_CW : GL_CCW);
+        if ((drawable->solid && !transparent) != solid)
+            ((solid = !solid) ? gl->Enable : gl->Disable)(GL_CULL_FACE);
         if (&kind->material != before)
             material_use_after(&kind->material, before);
         if (&kind->material != before && kind->numbers)
@@ -239,4 +244,6 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
     }
     if (mirrored)
         gl->FrontFace(GL_CCW);
+    if (solid)
+        gl->Disable(GL_CULL_FACE);
 }

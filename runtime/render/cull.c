@@ -10,6 +10,7 @@
 
 /* Vertices go through two matrices in floats, with roundings of 6e-8 of the greatest term: 1e-5 of the terms' sum is far more. */
 static const double slack = 1e-5;
+enum { NEAREST = 4 /* behind the four sides */ };
 
 /* x right + y up + z back, seen from the camera, plus `distance` where the plane does not go through its position. */
 static void add_plane(const SceneCamera *c, const double eye[3], double distance, CullVolume *made)
@@ -95,4 +96,16 @@ bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *
         if (!is_inside(volume->planes[i], volume->terms[i], &image))
             return false;
     return true;
+}
+
+bool cull_is_beyond(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local)
+{
+    const BoxImage image = image_of(box, world_from_local->m);
+    const double *plane = volume->planes[NEAREST];
+    double reach = scene_vector_dot(plane, image.center) + plane[3], terms = volume->terms[NEAREST];
+    for (int i = 0; i < 3; i++) {
+        reach -= fabs(scene_vector_dot(plane, image.edges[i]));
+        terms += fabs(plane[i]) * image.terms[i];
+    }
+    return reach > slack * terms;
 }

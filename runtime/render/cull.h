@@ -22,4 +22,6 @@ void cull_volume(const SceneCamera *camera, const int size[2], CullVolume *made)
 CullBox cull_box(const Shape *shape);
 /* False: nothing of the box, which stands where the matrix says, is seen. */
 bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local);
+/* All of it is beyond the nearest that a camera sees: it looks at it from outside. */
+bool cull_is_beyond(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local);
 #endif

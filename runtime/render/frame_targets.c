@@ -195,6 +195,7 @@ CacheSource frame_source(const Render *render)
                          &render->set,
                          &render->space,
                          render->options.unculled ? NULL : &render->volume,
+                         &render->volume,
                          render->whole,
                          render->transparency,
                          exact_lights_number(render)};
