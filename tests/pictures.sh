@@ -64,6 +64,10 @@ done
 cd ../.. || exit 1
 check "their picture is in docs" test -s docs/materials.png
 
+[ -z "$update" ] || "$matview" docs/shadows.yaml --compare=shadows -o docs/shadows.png
+check "shadows by all methods are drawn" "$matview" docs/shadows.yaml --compare=shadows -o "$work/shadows.png"
+check "and are in docs" test -s docs/shadows.png
+
 for scene in examples/scenes/*.yaml; do
     shown=$(basename "$scene" .yaml)
     [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/gallery/$shown.png"

@@ -157,7 +157,7 @@ static void json_is_read_too(void **state)
 static void another_constant_is_told(void **state)
 {
     (void)state;
-    static const char same[] = "material: RGBA\n", other[] = "material: Phong\nshininess: 0.9\n";
+    static const char same[] = "material: RGBA\n", other[] = "material: Phong\nspecular: 0.5\nshininess: 0.9\n";
     MatcLayout *layout = read_text("layout: k\ntargets: [R32UI]\nfields: [{ slot: diffuse, encoding: root, bits: 8 }]\n"
                                    "constants: { shininess: 4 }\n");
     MatcOptions options;

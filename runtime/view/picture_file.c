@@ -5,7 +5,6 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/mman.h>
 
 struct PictureFile {
@@ -20,7 +19,7 @@ bool picture_file_ending(const char *path, PictureFormat *format)
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     if (!dot || dot == name)
         return true;
-    const bool png = !strcasecmp(dot, ".png"), exr = !strcasecmp(dot, ".exr");
+    const bool png = text_same(dot, ".png"), exr = text_same(dot, ".exr");
     if (png || exr)
         *format = exr ? PICTURE_FORMAT_exr : PICTURE_FORMAT_png;
     return png || exr;
