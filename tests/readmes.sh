@@ -1,6 +1,6 @@
 #!/bin/sh
 # A folder's README.md is a page that is true: it names every .c and .def of the folder, names no file that is not there, and the
-# README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. Run from the project's root.
+# README.md of the folder above leads to it. Names stand in backquotes; `lower_*.c` names them all. And no file is a link. Run from the project's root.
 set -eu
 all=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -print)
 end='
@@ -23,5 +23,6 @@ said=$(
         done
     done
 )
-[ -z "$said" ] || echo "$said"
-[ -z "$said" ]
+links=$(find . \( -path './build*' -o -path './.*' \) -prune -o -type l -print | sed 's/$/ is a link: nothing here leads elsewhere/')
+[ -z "$said$links" ] || printf '%s\n' "$said" "$links"
+[ -z "$said$links" ]

@@ -1,5 +1,5 @@
 /* --aa as it is drawn over parallelograms, against means that the C reference makes of points within them; noise by its statistics.
- * With MEAN_PLACES=N in the environment at N places each, of which the worst is shown. */
+ * MEAN_PLACES=N in the environment tries N places for each, and shows the worst. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
