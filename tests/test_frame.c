@@ -169,7 +169,7 @@ static void every_way(void **state)
 
 /* -- the depth of planes */
 
-/* near / distance, of a plane 1 below the eye: 4 ULP of what the ray in double says, to the horizon. */
+/* near / distance, of a plane 1 below the eye: 4 ULP of what the ray in double says, to the horizon, by drivers of both depth ranges. */
 static void planes_are_deep(void **state)
 {
     (void)state;
@@ -181,16 +181,58 @@ static void planes_are_deep(void **state)
         "angle: 90, near: .25 }\nobjects: [{ object: Plane, material: { material: Phong } }]\n",
         &options, &document);
     GlContext *gl = frame_context();
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
-    for (int y = 0; y < SIZE; y++)
-        for (int x = 0; x < SIZE; x++) {
-            const double down = -(2 * y + 1 - SIZE) / (double)SIZE; /* of the ray whose length along the view is 1 */
+    for (int old = 0; old < 2; old++) {
+        if (old)
+            gl->ClipControl = NULL;
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const double down =
+                -(2 * (i / SIZE) + 1 - SIZE) / (double)SIZE; /* of the ray whose length along the view is 1 */
             const double expected = down > 0 ? .25 * down : 0;
-            assert_true(fabs(rgba[4 * (y * SIZE + x)] - expected) <= 4 * 6e-8 * expected);
+            assert_true(fabs(rgba[4 * i] - expected) <= 4 * 6e-8 * expected);
         }
-    free(rgba);
+        free(rgba);
+    }
     gl_close(gl);
     frame_forget(scene, document);
+}
+
+/* A plane throws no shadow on itself, however far away it is seen, by drivers of both depth ranges. One camera stands a thousand units from the
+ * world's origin, where floats are 6e-5 apart, and sees from a near plane at 0.1. */
+static void planes_are_lit(void **state)
+{
+    (void)state;
+    static const char *const cameras[] = {"position: [0, 0, 1], target: [0, 1, 1], near: .25",
+                                          "position: [1000, -800, 300], target: [3, 9, 220], near: .1"};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (int k = 0; k < 4; k++) {
+        char text[1024];
+        MatcDocument *document;
+        float *lit[2];
+        size_t seen = 0;
+        if (k == 2)
+            gl->ClipControl = NULL;
+        for (int shadows = 0; shadows < 2; shadows++) {
+            snprintf(
+                text, sizeof text,
+                "image: { width: 64, height: 64 }\ncamera: { camera: Perspective, angle: 90, %s }\nlights: [{ light: "
+                "Directional, direction: [.3, .4, -1], shadows: %s }]\nobjects: [{ object: Plane, material: { "
+                "material: Phong } }]\n",
+                cameras[k % 2], shadows ? "true" : "false");
+            Scene *scene = frame_scene(text, &options, &document);
+            lit[shadows] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            frame_forget(scene, document);
+        }
+        for (int i = 0; i < 4 * 64 * 64; i++) {
+            seen += lit[0][i] > 0;
+            assert_true(fabsf(lit[0][i] - lit[1][i]) <= 1e-6f);
+        }
+        assert_true(seen >= 4 * 64 * 32);
+        free(lit[0]);
+        free(lit[1]);
+    }
+    gl_close(gl);
 }
 
 /* -- tones and faults */
@@ -259,8 +301,13 @@ static void faults(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(against_the_reference), cmocka_unit_test(in_floats), cmocka_unit_test(every_way),
-        cmocka_unit_test(planes_are_deep),       cmocka_unit_test(tones),     cmocka_unit_test(faults),
+        cmocka_unit_test(against_the_reference),
+        cmocka_unit_test(in_floats),
+        cmocka_unit_test(every_way),
+        cmocka_unit_test(planes_are_deep),
+        cmocka_unit_test(planes_are_lit),
+        cmocka_unit_test(tones),
+        cmocka_unit_test(faults),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
