@@ -1,8 +1,8 @@
-/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_walk.glsl. */
+/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and voxel_walk.glsl. */
 #include "runtime/render/frame.h"
 #include <string.h>
 
-extern const char render_text_voxel_walk[], render_text_pass_cubes[];
+extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_pass_cubes[];
 
 /* No level has two digits: 512 voxels have ten. */
 int pass_cubes_level(const char *view)
@@ -22,7 +22,7 @@ bool pass_cubes_needed(const Render *render)
 bool pass_cubes_make(Render *render)
 {
     const int level = pass_cubes_level(render->options.view);
-    const ScreenPassText text = {.body = {render_text_voxel_walk, render_text_pass_cubes},
+    const ScreenPassText text = {.body = {render_text_voxel_map, render_text_voxel_walk, render_text_pass_cubes},
                                  .format = frame_format(render, FRAME_TARGET_cubes, 0),
                                  .compute = render->compute};
     if (level >= render->voxels.levels)

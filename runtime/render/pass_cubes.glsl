@@ -16,7 +16,6 @@ vec4 passPixel(ivec2 pixel)
     vec2 place = (vec2(2 * pixel + 1) - cubes_ray.zw) * cubes_ray.xy;
     vec3 from = cubes_eye.xyz + cubesDirection(orthographic ? vec3(place, 0.0) : vec3(0.0));
     vec3 along = normalize(cubesDirection(vec3(orthographic ? vec2(0.0) : place, -1.0)));
-    along = mix(along, vec3(1e-6), lessThan(abs(along), vec3(1e-6)));
-    VoxelHit hit = voxelWalk(from, along, 1e9, cubes_level);
+    VoxelHit hit = voxelWalk(from, along, 1e9, cubes_level, false);
     return hit.way < 0.0 ? vec4(0.0) : vec4(colors[hit.at.z >> 5 & 3] * shades[hit.axis], 1.0);
 }

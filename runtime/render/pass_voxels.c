@@ -230,6 +230,23 @@ void pass_voxels_draw(Render *render)
     render->voxels.drawn = true;
 }
 
+void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
+{
+    const SceneCamera *camera = &render->scene->camera;
+    const double *const axes[3] = {camera->right, camera->up, camera->back};
+    const VoxelGrid *grid = &render->voxels.grid;
+    float matrix[16] = {0};
+    for (int column = 0; column < 4; column++)
+        for (int k = 0; k < 3; k++)
+            matrix[4 * column + k] =
+                (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) / grid->edge);
+    matrix[15] = 1;
+    screen_pass_sampler(pass, "voxel_map", unit);
+    material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
+}
+
+void pass_voxels_bind(const Render *render, int unit) { bind(render->gl, render->voxels.map, unit); }
+
 void pass_voxels_change(Render *render)
 {
     if (!render->voxels.map)

@@ -38,6 +38,10 @@ bool pass_voxels_make(Render *render);
 void pass_voxels_draw(Render *render);
 /* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
 void pass_voxels_change(Render *render);
+/* Tells a pass that has voxel_map.glsl in its text which unit the map is bound to, and where the eye is in it: when it is made, and when the camera or objects
+ * have moved. Binds the map to that unit: before each run. */
+void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
+void pass_voxels_bind(const Render *render, int unit);
 void pass_voxels_delete(Render *render);
 
 /* The pass that shows them as cubes. A view "voxels", or "voxels1" and so on, of a level above; -1: it is another. */

@@ -1,0 +1,31 @@
+/* Rays through voxels in double, from the definition: every plane that a ray crosses, one after the other. */
+#ifndef MATC_VOXEL_WALK_H
+#define MATC_VOXEL_WALK_H
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Voxels as a slice map has them: columns of size / 32 words, those along x first. */
+typedef struct {
+    int size;
+    uint32_t *words;
+} VoxelWords;
+
+VoxelWords voxel_words(int size); /* all empty; the words from malloc */
+bool voxel_words_at(const VoxelWords *words, const int at[3]);
+void voxel_words_set(VoxelWords *words, const int at[3]);
+/* As texels of RGBA32UI, a layer for 128 voxels. From malloc. */
+uint32_t *voxel_words_texels(const VoxelWords *words);
+
+typedef struct {
+    double from[3], way[3], far;
+} VoxelLine;
+
+typedef struct {
+    bool met;
+    int at[3];
+    double t;
+} VoxelMet;
+
+/* The first full voxel at 0 <= t <= far; full ones that the ray begins in do not count, up to the first empty one. */
+VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line);
+#endif

@@ -1,0 +1,303 @@
+/* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both against a walk in double. Grids at random and hostile
+ * ones; rays along axes, faces and edges, from outside, of any length, with lanes that are 0 or no numbers. Prints the steps of a ray. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/voxel_walk.h"
+#include "runtime/render/screen_pass.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_voxel_ray[];
+
+enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
+
+/* What it meets: t, or -1; the voxel, in two floats; words that were read. */
+static const char head[] =
+    "uniform sampler2D rays;\n"
+    "vec4 rayTexel(ivec2 pixel, int i) { return texelFetch(rays, ivec2(2 * pixel.x + i, pixel.y), 0); }\n"
+    "vec4 said(bool met, float t, ivec3 at, int steps)\n{\n"
+    "    return met ? vec4(t, at.x + 1024 * at.y, at.z, steps) : vec4(-1.0, 0.0, 0.0, steps);\n}\n";
+static const char by_levels[] =
+    "vec4 passPixel(ivec2 pixel)\n{\n"
+    "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
+    "    VoxelMeeting meeting;\n    float t;\n"
+    "    bool met = voxelMeets(from.xyz, way.xyz, from.w, meeting);\n"
+    "    if (met != voxelRay(from.xyz, way.xyz, from.w, t) || met && (t != meeting.t || !voxelIsFull(meeting.at, 0))) "
+    "return vec4(-9.0);\n"
+    "    return said(met, meeting.t, meeting.at, meeting.steps);\n}\n";
+static const char by_voxels[] = "vec4 passPixel(ivec2 pixel)\n{\n"
+                                "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
+                                "    VoxelHit hit = voxelWalk(from.xyz, way.xyz, from.w, 0, true);\n"
+                                "    return said(hit.way >= 0.0, hit.way, hit.at, 0);\n}\n";
+
+/* Texels of a ray: from and far, way. */
+typedef float Ray[2][4];
+static Ray rays[RAYS];
+static float said[2][RAYS][4];
+
+static uint32_t random_state;
+static double random_unit(void)
+{
+    random_state = random_state * 1664525u + 1013904223u;
+    return (random_state >> 8) / 16777216.;
+}
+
+/* -- grids */
+
+typedef enum { EMPTY, FULL, SPARSE, DENSE, SINGLES, BALL, SLABS, KINDS } Filling;
+static const char *const kinds[KINDS] = {"empty", "full", "sparse", "dense", "singles", "ball", "slabs"};
+
+static bool is_full(Filling kind, int size, const int at[3])
+{
+    double far = 0;
+    for (int k = 0; k < 3; k++)
+        far += pow(at[k] + .5 - size / 2., 2);
+    switch (kind) {
+    case EMPTY:
+        return false;
+    case FULL:
+        return true;
+    case SPARSE:
+        return random_unit() < .002;
+    case DENSE:
+        return random_unit() < .5;
+    case SINGLES:
+        return false;
+    case BALL:
+        return far < size * size / 9.;
+    default:
+        return at[0] % 32 == 7 || at[1] % 32 == 3 || at[2] < 3;
+    }
+}
+
+static VoxelWords make_grid(Filling kind, int size)
+{
+    VoxelWords words = voxel_words(size);
+    for (int i = 0; i < size * size * size; i++) {
+        const int at[3] = {i % size, i / size % size, i / size / size};
+        if (is_full(kind, size, at))
+            voxel_words_set(&words, at);
+    }
+    for (int i = 0; kind == SINGLES && i < 8; i++)
+        voxel_words_set(&words, (int[]){i & 1 ? size - 1 : 0, i & 2 ? size / 2 : 31, i & 4 ? size - 1 : size / 2 - 1});
+    return words;
+}
+
+static GLuint make_map(const GlContext *gl, const VoxelWords *words)
+{
+    const int layers = (words->size / 32 + LANES - 1) / LANES;
+    uint32_t *texels = voxel_words_texels(words);
+    GLuint map = 0;
+    gl->GenTextures(1, &map);
+    gl->ActiveTexture(GL_TEXTURE0 + 1);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, map);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    for (int level = 0; words->size >> level; level++) {
+        const int edge = words->size >> level;
+        gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_RGBA32UI, edge, edge, layers, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                       texels);
+        for (int i = 0; i < edge * edge / 4 * layers * LANES; i++) { /* the next, in the same place: it is behind */
+            const int lane = i % LANES, x = i / LANES % (edge / 2), y = i / LANES / (edge / 2) % (edge / 2),
+                      layer = i / LANES / (edge / 2) / (edge / 2);
+            uint32_t any = 0;
+            for (int k = 0; k < 4; k++)
+                any |= texels[((layer * edge + 2 * y + k / 2) * edge + 2 * x + k % 2) * LANES + lane];
+            texels[i] = any;
+        }
+    }
+    free(texels);
+    return map;
+}
+
+/* -- rays */
+
+static void random_ray(int size, bool outside, Ray ray)
+{
+    double length = 0;
+    for (int k = 0; k < 3; k++) {
+        ray[0][k] = (float)(outside ? size * (3 * random_unit() - 1) : size * random_unit());
+        ray[1][k] = (float)(2 * random_unit() - 1);
+        if (outside && random_unit() < .9) /* most go towards the map */
+            ray[1][k] = (float)(size * random_unit() - ray[0][k]) / (float)size;
+        length += ray[1][k] * ray[1][k];
+    }
+    ray[0][3] = (float)(size * (random_unit() < .5 ? .25 : 4) / sqrt(length));
+}
+
+/* Along axes, faces and edges; from corners; with lanes of 0 or nearly; lengths and lanes that no ray has. */
+static void hostile_ray(int number, int size, Ray ray)
+{
+    static const float lanes[] = {0, -0.f, 1e-30f, -1e-30f, 1e-42f, 1, -1, 1, -1, .5f, 1e-4f, 3};
+    static const float never[] = {INFINITY, -INFINITY, NAN, 3e38f, -3e38f, 1e30f};
+    random_ray(size, number % 4 == 3, ray);
+    for (int k = 0; k < 3; k++) {
+        const int corner = (int)(random_unit() * (size + 1));
+        if (number % 8 < 5)
+            ray[1][k] = lanes[(int)(random_unit() * (sizeof lanes / sizeof *lanes))];
+        if (number % 3)
+            ray[0][k] = (float)corner + (number % 3 == 2 && random_unit() < .5 ? .5f : 0);
+        ray[1][k] *= number % 11 == 4 ? 1e25f : number % 11 == 5 ? 1e-25f : 1;
+    }
+    if (number % 11 == 4 || number % 11 == 5)
+        ray[0][3] *= number % 11 == 4 ? 1e-25f : 1e25f;
+    if (number % 13 == 0)
+        ray[0][3] = INFINITY;
+    if (number % 13 == 1)
+        ray[0][3] = 0;
+    if (number % 32 == 9)
+        ray[random_unit() < .5][(int)(random_unit() * 4)] = never[(int)(random_unit() * 6)];
+}
+
+/* -- the GLSL */
+
+static void run(GlContext *gl, const char *text, const char *body, float (*result)[4])
+{
+    Store *store = store_new(gl);
+    Screen screen;
+    ScreenPass pass;
+    Framebuffer target;
+    const bool compute = !strcmp(body, by_levels);
+    const FramebufferSpec spec = {.width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
+    const TextureSpec texture = {.width = 2 * WIDE, .height = HIGH, .lanes = 4, .floats = rays[0][0]};
+    const ScreenPassText made = {
+        .body = {render_text_voxel_map, text, head, body}, .format = "RGBA32F", .compute = compute};
+    gl->ActiveTexture(GL_TEXTURE0);
+    const GLuint name = texture_make(gl, &texture);
+    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !name ||
+        !screen_pass_make(store, &made, &pass))
+        fail_msg("%s", gl->error);
+    screen_pass_sampler(&pass, "rays", 0);
+    screen_pass_sampler(&pass, "voxel_map", 1);
+    texture_bind(gl, name, 0);
+    screen_pass_run(&pass, &target, &screen);
+    assert_true(framebuffer_read(gl, &target, 0, result[0]));
+    screen_pass_delete(&pass);
+    framebuffer_delete(gl, &target);
+    screen_delete(gl, &screen);
+    gl->DeleteTextures(1, &name);
+    store_free(store);
+}
+
+/* -- what is compared */
+
+typedef struct {
+    int met, apart, unlike, wrong;
+    double steps;
+} Count;
+
+/* The same in double, also of rays beside it; whether all meet one voxel, or none. */
+static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
+{
+    static const double beside[][3] = {{0, 0, 0}, {1, .4, -.7}, {-.6, 1, .3}, {.5, -.8, 1}, {-1, -.5, -.4}};
+    double longest = 0;
+    for (int k = 0; k < 3; k++)
+        longest = fmax(longest, fabs(ray[1][k]));
+    for (int i = 0; i < 5; i++) {
+        VoxelLine line = {.far = ray[0][3] * (1 + (i - 2) * 1e-5)};
+        for (int k = 0; k < 3; k++) {
+            line.from[k] = ray[0][k] + 5e-4 * beside[i][k];
+            line.way[k] = fabs(ray[1][k]) < 1e-20 * longest ? 0 : ray[1][k];
+        }
+        const VoxelMet now = voxel_walk(words, &line);
+        if (i && (now.met != met->met || (now.met && memcmp(now.at, met->at, sizeof now.at))))
+            return false;
+        *met = i ? *met : now;
+    }
+    return true;
+}
+
+/* Of such a length, and in such a place, that what floats round off is as little as what rays are moved by. */
+static bool is_plain(const Ray ray)
+{
+    const double most = 1e4;
+    double length = 0;
+    for (int k = 0; k < 3; k++) {
+        if (!(fabs(ray[0][k]) < most) || !(fabs(ray[1][k]) < most))
+            return false;
+        length = fmax(length, fabs(ray[1][k]));
+    }
+    return length > 1 / most && ray[0][3] >= 0;
+}
+
+/* With a lane that is no number, or infinite, no ray meets anything; a far end may be infinite. */
+static bool is_none(const Ray ray)
+{
+    bool none = isnan(ray[0][3]);
+    for (int k = 0; k < 3; k++)
+        none |= !isfinite(ray[0][k]) || !isfinite(ray[1][k]);
+    return none;
+}
+
+static Count compare(const VoxelWords *words)
+{
+    Count count = {0};
+    for (int i = 0; i < RAYS; i++) {
+        const float *fast = said[0][i], *slow = said[1][i];
+        const int at[3] = {(int)fast[1] % 1024, (int)fast[1] / 1024, (int)fast[2]};
+        VoxelMet met;
+        count.met += fast[0] >= 0;
+        count.steps += fast[3] / RAYS;
+        count.apart += memcmp(fast, slow, 3 * sizeof *fast) != 0;
+        count.wrong += is_none((const float(*)[4])rays[i]) && fast[0] >= 0;
+        if (!is_plain((const float(*)[4])rays[i]))
+            continue;
+        if (!truth_of(words, (const float(*)[4])rays[i], &met))
+            count.unlike++;
+        else if (met.met != (fast[0] >= 0) || (met.met && memcmp(at, met.at, sizeof at)) ||
+                 (met.met && !(fabs(fast[0] - met.t) <= 2e-3 + 1e-5 * met.t)))
+            count.wrong++;
+    }
+    return count;
+}
+
+static void try_grid(GlContext *gl, Filling kind, int size, bool hostile)
+{
+    VoxelWords words = make_grid(kind, size);
+    const GLuint map = make_map(gl, &words);
+    random_state = (uint32_t)(size + kind);
+    for (int i = 0; i < RAYS; i++)
+        if (hostile)
+            hostile_ray(i, size, rays[i]);
+        else
+            random_ray(size, i % 4 == 0, rays[i]);
+    run(gl, render_text_voxel_ray, by_levels, said[0]);
+    run(gl, render_text_voxel_walk, by_voxels, said[1]);
+    const Count count = compare(&words);
+    print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f steps a ray\n", size,
+                  kinds[kind], hostile ? "hostile" : "random ", count.met, RAYS, count.apart, count.wrong, count.unlike,
+                  count.steps);
+    assert_int_equal(count.apart, 0);
+    assert_int_equal(count.wrong, 0);
+    if (!hostile)
+        assert_true(count.unlike < RAYS / 20);
+    gl->DeleteTextures(1, &map);
+    free(words.words);
+}
+
+static void rays_meet_what_a_walk_meets(void **state)
+{
+    (void)state;
+    static const int sizes[] = {32, 64, 128, 256, 512};
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (Filling kind = 0; kind < KINDS; kind++)
+            for (int hostile = 0; hostile < 2 && (sizes[i] == 32 || sizes[i] == 128 || kind == BALL || kind == SPARSE);
+                 hostile++)
+                try_grid(gl, kind, sizes[i], hostile);
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_meet_what_a_walk_meets),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
