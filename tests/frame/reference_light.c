@@ -171,6 +171,24 @@ static void reference_layer(const Tracer *tracer, const Hit *hit, const Ray *ray
     memcpy(layer[1], slots.lane[SLOT_transparency], sizeof layer[1]);
 }
 
+void reference_surface_light(const Tracer *tracer, const Hit *hit, const Ray *ray, const MatcOptions *options,
+                             double light[3])
+{
+    double layer[2][3];
+    reference_layer(tracer, hit, ray, options, layer);
+    memcpy(light, layer[0], sizeof layer[0]);
+}
+
+void reference_surface_diffuse(const Tracer *tracer, const Hit *hit, const MatcOptions *options, double diffuse[3])
+{
+    SlotValues slots;
+    const SceneMaterial *material = &tracer->scene->materials[tracer->scene->objects[hit->object].material];
+    const Surface surface = reference_surface(hit);
+    evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1}, &slots);
+    for (int i = 0; i < 3; i++)
+        diffuse[i] = reference_kept(&slots, i) * slots.lane[SLOT_diffuse][i];
+}
+
 int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],
                     Hit hits[REFERENCE_LAYERS])
 {
