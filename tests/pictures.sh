@@ -67,6 +67,12 @@ check "their picture is in docs" test -s docs/materials.png
 [ -z "$update" ] || "$matview" docs/shadows.yaml --compare=shadows -o docs/shadows.png
 check "shadows by all methods are drawn" "$matview" docs/shadows.yaml --compare=shadows -o "$work/shadows.png"
 check "and are in docs" test -s docs/shadows.png
+for view in volume:volume volumeWireframeAlone:volume-lines; do
+    drawn=${view#*:}.png
+    [ -z "$update" ] || "$matview" docs/volume.yaml --view="${view%:*}" -o "docs/$drawn"
+    check "the view ${view%:*} is drawn" "$matview" docs/volume.yaml --view="${view%:*}" -o "$work/$drawn"
+    check "and is in docs" test -s "docs/$drawn"
+done
 
 for scene in examples/scenes/*.yaml; do
     shown=$(basename "$scene" .yaml)

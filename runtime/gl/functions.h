@@ -67,6 +67,7 @@
     F(LINKPROGRAM, LinkProgram)                                                                                        \
     F(LOGICOP, LogicOp)                                                                                                \
     F(PIXELSTOREI, PixelStorei)                                                                                        \
+    F(POLYGONMODE, PolygonMode)                                                                                        \
     F(POLYGONOFFSET, PolygonOffset)                                                                                    \
     F(READBUFFER, ReadBuffer)                                                                                          \
     F(READPIXELS, ReadPixels)                                                                                          \

@@ -65,11 +65,11 @@ const FramePass frame_passes[] = {
      pass_edge_draw,
      "edges are blended by coverage",
      NULL},
-    {{"tools", 0, TOOLS, DEPTH | LIGHT, 0},
+    {{"tools", SHADOW, TOOLS, DEPTH | LIGHT, 0},
      pass_tools_needed,
      pass_tools_make,
      pass_tools_draw,
-     "tools are asked for",
+     "tools are asked for, or a view of shadow volumes",
      NULL},
     {{"lists", DEPTH, LISTS, 0, 0},
      pass_lists_needed,
@@ -249,6 +249,7 @@ void frame_place(Render *render)
     lighting_place(render, &render->far.groups);
     pass_edge_place(render);
     pass_tools_place(render);
+    volume_shown_place(render);
     pass_tone_place(render);
     pass_cubes_place(render);
     lighting_place(render, &render->blend);
@@ -322,6 +323,7 @@ bool frame_change(Render *render, unsigned what)
     ScreenPass *passes[] = {&render->light, &render->far.groups, &render->far.gather, &render->blend, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     pass_volume_change(render);
+    volume_shown_place(render);
     pass_cubes_place(render);
     fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)

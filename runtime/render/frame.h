@@ -102,6 +102,7 @@ struct Render {
     MatcOptions compile;
     RenderOptions options;
     const SurfaceModel *surface;
+    const VolumeView *look; /* the view, if it is one of these; or NULL */
     const Scene *scene;
     int samples;  /* of a pixel, across and down: what follows counts these */
     int size[2];  /* of the targets: of a tile */

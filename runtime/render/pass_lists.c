@@ -49,7 +49,7 @@ static void end(const Render *render)
 static void draw_surfaces(Render *render)
 {
     begin(render, FRAME_DRAW_surface);
-    cache_draw(render->gl, &render->cache, true);
+    volume_view_draw_surfaces(render, true);
     end(render);
 }
 

@@ -62,7 +62,7 @@ static void draw_layer(Render *render, int number)
     gl->ClearBufferfv(GL_DEPTH, 0, nearest);
     texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), render->peel_units[0]);
     texture_bind(gl, behind, render->peel_units[1]);
-    cache_draw(render->gl, &render->cache, true);
+    volume_view_draw_surfaces(render, true);
     pass_plane_planes(render, true);
     pass_surface_end(render);
 }

@@ -3,8 +3,8 @@
 #include "runtime/render/frame.h"
 
 bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
-bool pass_plane_needed(const Render *render) { return render->cache.opaque_plane_count > 0; }
-bool pass_sky_needed(const Render *render) { return render->cache.has_sky; }
+bool pass_plane_needed(const Render *render) { return render->cache.opaque_plane_count > 0 && volume_view_has_scene(render); }
+bool pass_sky_needed(const Render *render) { return render->cache.has_sky && volume_view_has_scene(render); }
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
 {
@@ -45,7 +45,7 @@ void pass_surface_draw(Render *render)
     pass_surface_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     pass_exact_begin(render);
-    cache_draw(render->gl, &render->cache, false);
+    volume_view_draw_surfaces(render, false);
     pass_surface_end(render);
     render->exact.seen |= numbers;
 }

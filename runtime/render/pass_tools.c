@@ -12,6 +12,8 @@ bool pass_tools_needed(const Render *render)
 {
     const char *view = render->options.view;
     const SceneTools *tools = render->scene ? &render->scene->tools : NULL;
+    if (render->scene && volume_view_has_volume(render))
+        return true;
     return tools && (tools->grid || tools->axes || tools->lights) && !render->options.linear &&
            (!view || !strcmp(view, "shown"));
 }
@@ -99,7 +101,7 @@ bool pass_tools_make(Render *render)
     const ProgramText text = {.vertex = {head, render_text_tools_vertex},
                               .fragment = {head, render_text_tools_fragment}};
     return make_targets(render) && material_make(render->store, NULL, &text, &render->tools.material) &&
-           pass_tools_change(render);
+           pass_tools_change(render) && volume_shown_make(render);
 }
 
 void pass_tools_draw(Render *render)
@@ -112,6 +114,7 @@ void pass_tools_draw(Render *render)
     gl->BindVertexArray(render->tools.array);
     gl->DrawArrays(GL_LINES, 0, render->tools.count);
     gl->BindVertexArray(0);
+    volume_shown_draw(render);
     pass_surface_end(render);
 }
 

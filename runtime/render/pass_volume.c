@@ -90,7 +90,7 @@ static void find_far(const Render *render, double world[4][4], double clip[4][4]
     }
 }
 
-static void set_view(const Render *render, int number, Material *material)
+void pass_volume_place(const Render *render, int number, Material *material)
 {
     static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
     const ShadowView *view = &render->shadows.views.views[number];
@@ -115,7 +115,7 @@ static void set_view(const Render *render, int number, Material *material)
     material_set(material, &(MaterialValue){"volume_far", 4, far});
 }
 
-static const char *head_of(const Render *render)
+const char *pass_volume_head(const Render *render)
 {
     return render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 330 core\n";
 }
@@ -123,7 +123,7 @@ static const char *head_of(const Render *render)
 static bool make_view(Render *render, int number)
 {
     FrameVolumes *volumes = &render->volumes;
-    const char *const head = head_of(render);
+    const char *const head = pass_volume_head(render);
     const ProgramText sheet = {
         .vertex = {head, volume_data_text(render), render_text_shadow_volume, render_text_volume_vertex},
         .fragment = {head, "void main() {}\n"}};
@@ -131,12 +131,12 @@ static bool make_view(Render *render, int number)
                              .fragment = {head, "void main() {}\n"}};
     if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
         return false;
-    set_view(render, number, &volumes->sheets[number]);
+    pass_volume_place(render, number, &volumes->sheets[number]);
     if (render->shadows.views.views[number].near <= 0)
         return true;
     if (!material_make(render->store, NULL, &cap, &volumes->caps[number]))
         return false;
-    set_view(render, number, &volumes->caps[number]);
+    pass_volume_place(render, number, &volumes->caps[number]);
     return true;
 }
 
@@ -145,7 +145,7 @@ static bool make_mark(Render *render, int number)
 {
     static const char text[] = "layout(std140) uniform Mark { vec4 mark_bit; };\nlayout(location = 0) out vec4 bits;\n"
                                "void main() { bits = mark_bit; }\n";
-    const char *const head = head_of(render);
+    const char *const head = pass_volume_head(render);
     const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
     float bit[4] = {0};
     bit[number / BITS] = (float)(1 << number % BITS) / 255;
@@ -187,9 +187,9 @@ void pass_volume_change(Render *render)
 {
     for (int i = 0; i < render->volumes.view_count; i++) {
         if (render->volumes.sheets[i].store)
-            set_view(render, i, &render->volumes.sheets[i]);
+            pass_volume_place(render, i, &render->volumes.sheets[i]);
         if (render->volumes.caps[i].store)
-            set_view(render, i, &render->volumes.caps[i]);
+            pass_volume_place(render, i, &render->volumes.caps[i]);
     }
 }
 
@@ -284,6 +284,7 @@ void pass_volume_delete(Render *render)
     delete_all(volumes->sheets, volumes->view_count);
     delete_all(volumes->caps, volumes->view_count);
     delete_all(volumes->marks, volumes->light_count);
+    delete_all(volumes->shown, volumes->view_count);
     gl->DeleteVertexArrays(1, &volumes->array); /* GL ignores the name 0 */
     volume_data_delete(render);
     volume_blur_delete(render);

@@ -13,16 +13,20 @@ Slot render_find_slot(const char *name)
     return (Slot)slot;
 }
 
+bool render_view_is_picture(const char *view) { return !strcmp(view, "shown") || volume_view_find(view) != NULL; }
+
 static bool is_target(const char *view)
 {
-    return !strcmp(view, "shown") || !strcmp(view, "light") || !strcmp(view, "depth") || !strcmp(view, "shadow") ||
-           pass_cubes_level(view) >= 0;
+    return render_view_is_picture(view) || !strcmp(view, "light") || !strcmp(view, "depth") ||
+           !strcmp(view, "shadow") || pass_cubes_level(view) >= 0;
 }
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
-        return gl_fail(gl, "there is no view '%s': shown, light, depth, shadow, voxels, or a slot", options->view), NULL;
+        return gl_fail(gl, "there is no view '%s': shown, wireframe, volume, light, depth, shadow, voxels, or a slot",
+                       options->view),
+               NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
     if (options->samples < 0 || options->samples > RENDER_SAMPLES_MOST)
@@ -32,6 +36,9 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
         return gl_fail(gl, "out of memory"), NULL;
     render->gl = gl;
     render->options = *options;
+    render->look = volume_view_find(options->view);
+    if (render->look)
+        render->options.view = NULL; /* it is the picture */
     render->samples = options->samples ? options->samples : 1;
     render->surface = options->surface ? options->surface : &surface_model_phong;
     render->compile = *options->compile;

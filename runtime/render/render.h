@@ -27,7 +27,9 @@ typedef struct {
     const MatcOptions *compile; /* how programs compute; layout NULL: the smallest that holds the scene's materials;
                                     normals are kept in the eye's space, whatever is chosen. Copied */
     const char *view;  /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ...;
-                          "shadow": nothing is, but maps (render_read_map) */
+                          "shadow": nothing is, but maps (render_read_map). The picture with objects as lines: "wireframe"; with the volumes of
+                          hybrid shadows: "volume", "volumeWireframe", "wireframes", both as lines; these alone: "volumeAlone",
+                          "volumeWireframeAlone" */
     int width, height; /* of the picture; 0: as the scene says */
     int samples;       /* n: a pixel is the mean of n x n samples, as a screen sends light; 0: 1 */
     bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
@@ -47,6 +49,8 @@ typedef struct {
     bool unculled;               /* what is out of view is drawn, too: for tests */
 } RenderOptions;
 
+/* The view is "shown", or the picture with lines for surfaces, or with shadow volumes. */
+bool render_view_is_picture(const char *view);
 /* Opens a renderer. NULL: see gl->error. */
 Render *render_open(GlContext *gl, const RenderOptions *options);
 /* With all that it made. NULL is nothing. */

@@ -12,7 +12,7 @@ static bool is_there(const Cache *cache)
 
 bool transparency_is(const Render *render, Transparency way)
 {
-    return is_there(&render->cache) && render->transparency == way;
+    return is_there(&render->cache) && render->transparency == way && volume_view_has_scene(render);
 }
 
 void transparency_set(Render *render, const char *name, float number)

@@ -15,6 +15,7 @@ enum {
 typedef struct {
     Material *sheets, *caps; /* by view, of those that are hybrid; caps of those that are perspective */
     Material *marks;         /* of each hybrid light */
+    Material *shown;         /* as sheets, to be looked at; NULL: they are not */
     int view_count, light_count;
     GLuint array; /* of caps, whose vertices have no numbers but their own */
     Word path;    /* of volume_data.c, as is what follows; never auto */
@@ -48,6 +49,26 @@ void volume_data_draw(const Render *render, int number);
 void volume_data_put(Text *out, const Render *render);
 void volume_data_delete(Render *render);
 
+/* A view of the picture in which the volumes are seen, or objects are lines. */
+typedef enum { VOLUME_VIEW_none, VOLUME_VIEW_faces, VOLUME_VIEW_lines } VolumeViewHow;
+typedef struct {
+    const char *name;
+    VolumeViewHow scene, volume;
+} VolumeView;
+/* NULL: it is another view. */
+const VolumeView *volume_view_find(const char *name);
+/* What the view shows. The cache's objects, as the view has them. volume_view.c */
+bool volume_view_has_volume(const Render *render);
+bool volume_view_has_scene(const Render *render);
+void volume_view_draw_surfaces(Render *render, bool transparent);
+/* What the pass tools takes for volumes, once maps are made; the view is another; drawn, to light and tools with depth. volume_shown.c */
+bool volume_shown_make(Render *render);
+void volume_shown_place(const Render *render);
+void volume_shown_draw(Render *render);
+
+/* Sets the uniforms of volume_vertex.glsl for a view of a light; begins its text. */
+void pass_volume_place(const Render *render, int number, Material *material);
+const char *pass_volume_head(const Render *render);
 bool pass_volume_make(Render *render);
 /* The view is another, or those of lights. */
 void pass_volume_change(Render *render);

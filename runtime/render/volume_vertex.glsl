@@ -11,12 +11,18 @@ layout(std140) uniform Volume {
 layout(location = 0) in float volume_depth;
 #endif
 invariant gl_Position; // caps and sheets meet
+#ifdef VIEWED
+out float volume_away; // 1 where there is no depth (volume_shown.glsl)
+#endif
 
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
 
 // Perspective depth is near / z: a homogeneous point. What has no depth is as far away as pass_volume.c says.
 vec4 volumePoint(vec2 place, float depth)
 {
+#ifdef VIEWED
+    volume_away = depth > 0.0 ? 0.0 : 1.0;
+#endif
     if (volume_map.z == 0.0) return volume_x * place.x + volume_y * place.y + volume_z + volume_w * max(depth, volume_far.x);
     return depth > 0.0 ? volume_x * place.x + volume_y * place.y + volume_z * depth + volume_w : volume_far;
 }

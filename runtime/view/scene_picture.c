@@ -14,7 +14,7 @@ struct ScenePictures {
 
 static int least(int a, int b) { return a < b ? a : b; }
 
-static bool is_picture(const char *view) { return !view || !strcmp(view, "shown"); }
+static bool is_picture(const char *view) { return !view || render_view_is_picture(view); }
 
 /* Where a picture goes: a file, from the top row on, or bytes of RGB, whose row 0 is the bottom row. */
 typedef struct {
