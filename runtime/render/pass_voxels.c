@@ -7,6 +7,9 @@
 extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_text_voxel_touch[],
     render_text_voxel_merge[], render_text_voxel_above[];
 
+/* Where rays begin, voxel_map.glsl: by the table of tests/test_frame_voxel_open.c. */
+#define OFF_BODIES   .5f
+#define OFF_SURFACES .9f
 enum { WITHIN_UNIT, SURFACE_UNIT, WORD = 32, LAYER = 128 };
 
 bool pass_voxels_needed(const Render *render) { return pass_cubes_needed(render); }
@@ -241,6 +244,8 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
             matrix[4 * column + k] =
                 (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) / grid->edge);
     matrix[15] = 1;
+    material_set_number(&pass->material, "voxel_off",
+                        has(&render->voxels, &render->cache, false) ? OFF_SURFACES : OFF_BODIES);
     screen_pass_sampler(pass, "voxel_map", unit);
     material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
 }

@@ -13,6 +13,8 @@
 uniform usampler2DArray voxel_map;
 uniform mat4 voxel_from_eye; // the grid's units from the eye's space
 
+uniform float voxel_off;     // how far off a surface rays begin, in widths of a voxel
+
 // A place, and a direction, of the eye's space. A ray's t is the same in both.
 vec3 voxelPlace(vec3 eye)
 {
@@ -22,6 +24,13 @@ vec3 voxelPlace(vec3 eye)
 vec3 voxelDirection(vec3 eye)
 {
     return mat3(voxel_from_eye) * eye;
+}
+
+// Where a ray from a surface begins whose unit normal that is: half of what a voxel is wide along the normal above it, so that no voxel of a flat surface of bodies,
+// whose middles lie below it, is before the ray; where open meshes are full voxels as well, whose middles lie beside it, a little more.
+vec3 voxelStart(vec3 place, vec3 normal)
+{
+    return place + voxel_off * dot(abs(normal), vec3(1.0)) * normal;
 }
 
 bool voxelIsFull(ivec3 at, int level)
