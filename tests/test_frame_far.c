@@ -113,7 +113,7 @@ static void get_less(GLenum name, GLint *value)
         *value = least;
 }
 
-/* Where a program may have too few storage buffers, all lights are summed; where a buffer may be too short, tiles are lower. */
+/* Where a program may have too few storage buffers, or textures, all lights are summed; where a buffer may be too short, tiles are lower. */
 static void drivers_with_less(void **state)
 {
     (void)state;
@@ -121,10 +121,9 @@ static void drivers_with_less(void **state)
         GLenum name;
         GLint most;
         bool enough;
-    } cases[] = {{GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 2, false},
-                 {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 3, true},
-                 {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 5, false},
-                 {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 6, true}};
+    } cases[] = {{GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 2, false},  {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 3, true},
+                 {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 5, false}, {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 6, true},
+                 {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 17, false},   {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 18, true}};
     Hall h = open_hall();
     RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
     float *all = frame_floats(h.gl, h.scene, &options);
@@ -142,6 +141,12 @@ static void drivers_with_less(void **state)
     least =
         3 * 3 * 1600 - 1; /* numbers of a block are 4 * 25 * 4 floats; three blocks are across, not quite three along */
     Render *render = open_render(&h, &options);
+    assert_int_equal(render_tile_height(render), 2 * 32);
+    render_close(render);
+    scarce = GL_MAX_TEXTURE_BUFFER_SIZE;
+    least = 3 * 3 * (64 + 4 * 17) -
+            1; /* words of a block, more than its 100 texels */
+    render = open_render(&h, &options);
     assert_int_equal(render_tile_height(render), 2 * 32);
     render_close(render);
     free(all);
@@ -239,21 +244,27 @@ static void tiles(void **state)
     close_hall(&h);
 }
 
-/* Other layouts than floats, of which test_frame_lights.c is: what is read there is the same for both sums. */
+/* Other layouts than floats, of which test_frame_lights.c is: what is read there is the same for both sums. And groups that have as many invocations as
+ * a GPU gives them. */
 static void layouts(void **state)
 {
     (void)state;
-    static const char *const names[] = {NULL, "integer", "compact"};
+    static const struct {
+        const char *layout;
+        bool hardware;
+    } cases[] = {{NULL, false}, {"integer", false}, {"compact", false}, {"integer", true}};
     Hall h = open_hall();
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int differ;
-        h.compile.layout = names[i];
+        h.compile.layout = cases[i].layout;
+        h.gl->hardware = cases[i].hardware;
         RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
         float *all = frame_floats(h.gl, h.scene, &options);
         options.lights = "bounded";
         float *drawn = frame_floats(h.gl, h.scene, &options);
         const double most = most_apart(all, drawn, &differ);
-        print_message("%-8s %4.2f of half a step, %d lanes differ\n", names[i] ? names[i] : "default", most, differ);
+        print_message("%-8s %4.2f of half a step, %d lanes differ\n", cases[i].layout ? cases[i].layout : "default",
+                      most, differ);
         assert_true(most <= 1 && differ > 20); /* light as halves rounds most of it off */
         free(all);
         free(drawn);

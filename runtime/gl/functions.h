@@ -76,6 +76,7 @@
     F(STENCILFUNC, StencilFunc)                                                                                        \
     F(STENCILOP, StencilOp)                                                                                            \
     F(STENCILOPSEPARATE, StencilOpSeparate)                                                                            \
+    F(TEXBUFFER, TexBuffer)                                                                                            \
     F(TEXIMAGE2D, TexImage2D)                                                                                          \
     F(TEXIMAGE3D, TexImage3D)                                                                                          \
     F(TEXPARAMETERI, TexParameteri)                                                                                    \

@@ -16,10 +16,6 @@ layout(std140) uniform FarBudget {
     int far_row;        // blocks
 };
 
-layout(std430, binding = 4) buffer FarWords {
-    uint far_words[];
-};
-
 // It sends back light of lamps.
 bool farReflects(Lit m)
 {

@@ -1,12 +1,14 @@
 // A group of pixels of a block: those that lie near each other and are alike, as pass_groups.glsl leaves them where pass_gather.glsl puts sums. Before it
-// stand lighting.glsl, far_terms.glsl and far_blocks.glsl.
-layout(local_size_x = 8, local_size_y = 8) in;
+// stand lighting.glsl, far_terms.glsl and far_blocks.glsl, and FAR_GATHERERS, the invocations that both passes have for a group: some software renderers
+// go through what invocations share for one after the other, so that few are faster there.
+layout(std430, binding = 4) buffer FarWords {
+    uint far_words[];
+};
 
 layout(std430, binding = 5) buffer FarNumbers {
     float far_numbers[];
 };
 
-const int GROUP = 64; // invocations
 const float NEVER = 1e30;
 
 // The centre of its points' box, and the distance of its corners, less than 0: there is none; the seed's normal, and the cone of all around it, n.(p - c)

@@ -69,6 +69,7 @@ typedef struct {
 typedef struct {
     ScreenPass groups, gather; /* one after the other */
     GLuint numbers, words; /* storage buffers of far_blocks.glsl */
+    GLuint texels, bits;   /* the same as textures, which the pass light reads */
 } FrameFar;
 
 /* Of the pass edge. */

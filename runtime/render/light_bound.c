@@ -33,9 +33,10 @@
 enum {
     LEAST_HARDWARE = 128, /* lights from which on it takes less time */
     LEAST_SOFTWARE = 256,
-    MOST = 4096,       /* whose bits an invocation group has room for */
-    BINDINGS = 6,      /* points at which storage buffers are bound: 4 and 5 */
-    STORAGE_BLOCKS = 3 /* of a program: two, and lists of what is transparent in shadow maps */
+    MOST = 4096,        /* whose bits an invocation group has room for */
+    BINDINGS = 6,       /* points at which storage buffers are bound: 4 and 5 */
+    STORAGE_BLOCKS = 3, /* of a program: two, and lists of what is transparent in shadow maps */
+    TEXTURES = 18       /* of a program: six of a G-buffer, depth, lights, a sky, shadows, and the two buffers */
 };
 
 /* Clamp's, with exposure 0, and which part of them another takes. */
@@ -97,10 +98,11 @@ static bool is_shown(const RenderOptions *options)
 
 static bool has_buffers(const GlContext *gl)
 {
-    GLint blocks = 0, bindings = 0;
+    GLint blocks = 0, bindings = 0, textures = 0;
     gl->GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
-    return blocks >= STORAGE_BLOCKS && bindings >= BINDINGS;
+    gl->GetIntegerv(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, &textures);
+    return blocks >= STORAGE_BLOCKS && bindings >= BINDINGS && textures >= TEXTURES;
 }
 
 /* What hinders it, also where it is insisted on. */
@@ -121,7 +123,8 @@ static const char *find_lack(const Render *render, int count)
         return "shadows are made in parts";
     if (shadow_sheet_needed(render))
         return "a plane's shadows are known pixel by pixel";
-    return render->compute && has_buffers(render->gl) ? NULL : "it takes compute with three storage buffers";
+    return render->compute && has_buffers(render->gl) ? NULL
+                                                      : "it takes compute with three storage buffers and 18 textures";
 }
 
 const char *light_far_lacks(const Render *render)

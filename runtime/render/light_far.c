@@ -1,13 +1,16 @@
-/* What the pass gather and the pass light both go by where lights are many: the GLSL's constants, what may be left out, the buffers of light_room.c. */
+/* What the passes gather and light both go by where lights are many: the GLSL's constants, what may be left out, the buffers of light_room.c. */
 #include "runtime/render/light_far.h"
 #include <stdio.h>
 
 /* As far_blocks.glsl has them. */
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
+enum { GATHERERS_HARDWARE = 64, GATHERERS_SOFTWARE = 8 /* as many as llvmpipe has lanes */ };
+enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 
 void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
 {
-    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n%s", light_far_most(render),
+    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n#define FAR_GATHERERS %d\n%s",
+             light_far_most(render), render->gl->hardware ? GATHERERS_HARDWARE : GATHERERS_SOFTWARE,
              render->light_counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
 }
 
@@ -19,6 +22,8 @@ void light_far_set(const Render *render, ScreenPass *pass)
     light_far_budget(render->scene->tone, render->options.linear, budget);
     material_set_number(&pass->material, "far_relative", (float)budget[0]);
     material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
+    screen_pass_sampler(pass, "far_texels", TEXELS_UNIT);
+    screen_pass_sampler(pass, "far_bits", BITS_UNIT);
     material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));
 }
 
@@ -26,4 +31,13 @@ void light_far_bind(const Render *render)
 {
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->far.numbers);
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->far.words);
+}
+
+void light_far_bind_read(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    gl->ActiveTexture(GL_TEXTURE0 + TEXELS_UNIT);
+    gl->BindTexture(GL_TEXTURE_BUFFER, render->far.texels);
+    gl->ActiveTexture(GL_TEXTURE0 + BITS_UNIT);
+    gl->BindTexture(GL_TEXTURE_BUFFER, render->far.bits);
 }

@@ -23,9 +23,10 @@ int light_far_rows(const Render *render, int width);
 void light_far_put(Text *out, const Render *render);
 bool light_far_make(Render *render);
 void light_far_delete(Render *render);
-/* What the GLSL of both passes goes by; told to one; bound for it. */
-enum { LIGHT_FAR_DEFINITIONS = 64 };
+/* What the GLSL of both passes goes by; told to one; bound for the pass gather, and for the pass light. */
+enum { LIGHT_FAR_DEFINITIONS = 128 };
 void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS]);
 void light_far_set(const Render *render, ScreenPass *pass);
 void light_far_bind(const Render *render);
+void light_far_bind_read(const Render *render);
 #endif

@@ -28,12 +28,15 @@ int light_far_block(const Render *render) { return is_there(render) ? LIGHT_FAR_
 
 int light_far_rows(const Render *render, int width)
 {
-    GLint most = 0;
+    GLint storage = 0, texels = 0;
     if (!is_there(render))
         return INT_MAX;
-    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
+    render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
     const size_t words = words_bytes(render), bytes = words > numbers_bytes ? words : numbers_bytes;
-    const size_t rows = (size_t)most / (bytes * (size_t)light_far_blocks(width));
+    const size_t count = words / sizeof(GLuint), most = count > GROUPS * TEXELS ? count : GROUPS * TEXELS;
+    const size_t by_storage = (size_t)storage / bytes, by_texels = (size_t)texels / most;
+    const size_t rows = (by_storage < by_texels ? by_storage : by_texels) / (size_t)light_far_blocks(width);
     return rows < INT_MAX / LIGHT_FAR_BLOCK ? (int)rows * LIGHT_FAR_BLOCK : INT_MAX;
 }
 
@@ -63,10 +66,23 @@ static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
+/* A buffer as a texture. */
+static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint *view)
+{
+    const GlContext *gl = render->gl;
+    gl->GenTextures(1, view);
+    gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_BUFFER, *view);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, format, buffer);
+    gl->BindTexture(GL_TEXTURE_BUFFER, 0);
+}
+
 bool light_far_make(Render *render)
 {
     make_buffer(render, numbers_bytes, &render->far.numbers);
     make_buffer(render, words_bytes(render), &render->far.words);
+    make_view(render, GL_RGBA32F, render->far.numbers, &render->far.texels);
+    make_view(render, GL_R32UI, render->far.words, &render->far.bits);
     return gl_check(render->gl, "making room for many lights");
 }
 
@@ -74,7 +90,9 @@ void light_far_delete(Render *render)
 {
     screen_pass_delete(&render->far.groups);
     screen_pass_delete(&render->far.gather);
-    render->gl->DeleteBuffers(1, &render->far.numbers); /* GL ignores the name 0 */
+    render->gl->DeleteTextures(1, &render->far.texels); /* GL ignores the name 0 */
+    render->gl->DeleteTextures(1, &render->far.bits);
+    render->gl->DeleteBuffers(1, &render->far.numbers);
     render->gl->DeleteBuffers(1, &render->far.words);
     render->far = (FrameFar){0};
 }

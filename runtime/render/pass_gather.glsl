@@ -1,9 +1,12 @@
 // Before the pass light where lights are many: for each group of a block's pixels, what far lights give together, and which are near. light_bound.c says
 // how, and what it is off at most. Each group has invocations of its own: pass_groups.glsl has found it. Before it stands far_lobe.glsl.
+layout(local_size_x = FAR_GATHERERS) in;
+const int GROUP = FAR_GATHERERS; // invocations
 const int PITCH = GROUP + 1, ROWS = FAR_TERMS + FAR_LOBES; // between rows of parts, so that neighbours in a column are in other banks; rows
+const int PARTS = max(3 * ROWS * PITCH, FAR_LIGHTS);
 
 shared float far_group[GROUP_NUMBERS];    // as pass_groups.glsl keeps it
-shared float far_parts[3 * ROWS * PITCH]; // shares of lights; then parts of sums, a row for each
+shared float far_parts[PARTS]; // shares of lights; then parts of sums, a row for each
 shared float far_sums[3 * ROWS];
 shared uint far_near[FAR_NEAR]; // the lights that each pixel sums by itself, as far_blocks.glsl has them
 shared uint far_shares[32];     // sums of lights' shares of the budget, by their size
@@ -215,11 +218,13 @@ vec3 farTake(int i) { return vec3(far_group[i], far_group[i + 1], far_group[i + 
 // The group's numbers, which give way to its sums.
 Group farLoad(int number)
 {
-    if (gl_LocalInvocationIndex < uint(GROUP_NUMBERS))
-        far_group[gl_LocalInvocationIndex] = far_numbers[farPlace(number) + int(gl_LocalInvocationIndex)];
-    if (gl_LocalInvocationIndex < 32u) far_shares[gl_LocalInvocationIndex] = 0u;
-    for (uint word = gl_LocalInvocationIndex; word < uint(FAR_NEAR); word += uint(GROUP))
-        far_near[word] = 0u;
+    int self = int(gl_LocalInvocationIndex);
+    for (int i = self; i < GROUP_NUMBERS; i += GROUP)
+        far_group[i] = far_numbers[farPlace(number) + i];
+    for (int i = self; i < 32; i += GROUP)
+        far_shares[i] = 0u;
+    for (int i = self; i < FAR_NEAR; i += GROUP)
+        far_near[i] = 0u;
     barrier();
     return Group(farTake(0), farTake(3), farTake(6), far_group[9], far_group[10], far_group[11], far_group[12], far_group[13],
                  far_group[14], far_group[24], far_group[25], far_group[26], far_group[27], farTake(15), farTake(18),

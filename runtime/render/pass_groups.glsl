@@ -1,11 +1,18 @@
 // Before the pass gather: groups of a block's pixels, and bounds of what they are. Before it stands far_group.glsl.
+layout(local_size_x = FAR_GATHERERS) in;
 uniform sampler2D light_depth;
 
-const int PIXELS = FAR_SPAN * FAR_SPAN; // of an invocation
+const int GROUP = FAR_GATHERERS, SETS = FAR_MAP / GROUP; // invocations; sets of pixels that one goes through
+const int PIXELS = FAR_SPAN * FAR_SPAN;                  // of a set: 8 apart, so that neighbours are of neighbouring invocations
 
-shared uint far_seed, far_owner; // the depth, and the pixel, that the group is made around
-shared vec3 far_point, far_axis, far_mirror; // its point, normal, and mirrored view
-shared float far_exponent;                   // and of its gloss
+// The pixel that a group is made around: its point, normal and mirrored view, and the exponent of its gloss.
+struct Seed {
+    vec3 point, axis, mirror;
+    float exponent;
+};
+
+shared uint far_nearest, far_owner; // its depth, and its number
+shared Seed far_seed;
 
 // The greatest of what all invocations see of some numbers, as unsigned integers of the same order.
 const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, GLOSS = 16, BROAD = 19,
@@ -37,23 +44,30 @@ vec3 farBound3(int bound) { return vec3(farBound(bound), farBound(bound + 1), fa
 
 // -- pixels
 
-ivec2 farPixel(int k)
+// The set that is this invocation's i-th.
+int farSet(int i) { return i * GROUP + int(gl_LocalInvocationIndex); }
+
+ivec2 farPixel(int set, int k)
 {
-    return ivec2(gl_WorkGroupID.xy) * FAR_BLOCK + ivec2(gl_LocalInvocationID.xy) + 8 * ivec2(k % FAR_SPAN, k / FAR_SPAN);
+    return ivec2(gl_WorkGroupID.xy) * FAR_BLOCK + ivec2(set & 7, set >> 3) + 8 * ivec2(k % FAR_SPAN, k / FAR_SPAN);
 }
 
-float farDepth(int k) { return texelFetch(light_depth, farPixel(k), 0).x; }
+float farDepth(int set, int k) { return texelFetch(light_depth, farPixel(set, k), 0).x; }
 
-Seen farSeen(int k) { return lightSeen(farPixel(k), farDepth(k), unpackSurface(farPixel(k))); }
+Seen farSeen(int set, int k)
+{
+    ivec2 pixel = farPixel(set, k);
+    return lightSeen(pixel, farDepth(set, k), unpackSurface(pixel));
+}
 
-uint farNumber(int k) { return uint(k) * uint(GROUP) + gl_LocalInvocationIndex; }
+uint farNumber(int set, int k) { return uint(k * FAR_MAP + set); }
 
-// Those of an invocation's pixels at which there is a surface that sends back light of lamps, as bits.
-uint farBegin()
+// Those of a set's pixels at which there is a surface that sends back light of lamps, as bits.
+uint farBegin(int set)
 {
     uint waiting = 0u;
     for (int k = 0; k < PIXELS; k++)
-        if (all(lessThan(farPixel(k), textureSize(light_depth, 0))) && farDepth(k) > 0.0 && farReflects(farSeen(k).m))
+        if (all(lessThan(farPixel(set, k), textureSize(light_depth, 0))) && farDepth(set, k) > 0.0 && farReflects(farSeen(set, k).m))
             waiting |= 1u << k;
     return waiting;
 }
@@ -63,76 +77,81 @@ uint farBegin()
 void farClear()
 {
     if (gl_LocalInvocationIndex == 0u) {
-        far_seed = 0u;
+        far_nearest = 0u;
         far_owner = 0xffffffffu;
     }
-    if (gl_LocalInvocationIndex < uint(BOUNDS)) far_bounds[gl_LocalInvocationIndex] = 0u;
+    for (int i = int(gl_LocalInvocationIndex); i < BOUNDS; i += GROUP)
+        far_bounds[i] = 0u;
     barrier();
 }
 
 // The nearest pixel that waits; of those at one depth the first. It tells the others its point. False: none waits.
-bool farFindSeed(uint waiting)
+bool farFindSeed(uint waiting[SETS])
 {
     float nearest = 0.0;
-    int own = 0;
+    uint first = 0u;
     farClear();
-    for (uint left = waiting; left != 0u; left &= left - 1u) {
-        float depth = farDepth(findLSB(left));
-        if (depth > nearest) own = findLSB(left);
-        nearest = max(nearest, depth);
+    for (int i = 0; i < SETS; i++)
+        for (uint left = waiting[i]; left != 0u; left &= left - 1u) {
+            float depth = farDepth(farSet(i), findLSB(left));
+            uint number = farNumber(farSet(i), findLSB(left));
+            if (depth > nearest || (depth == nearest && number < first)) first = number;
+            nearest = max(nearest, depth);
+        }
+    if (nearest > 0.0) atomicMax(far_nearest, floatBitsToUint(nearest));
+    barrier();
+    if (nearest > 0.0 && floatBitsToUint(nearest) == far_nearest) atomicMin(far_owner, first);
+    barrier();
+    if (nearest > 0.0 && first == far_owner) {
+        Seen seen = farSeen(int(first) % FAR_MAP, int(first) / FAR_MAP);
+        far_seed = Seed(seen.point, seen.m.normal, surfaceMirror(seen.m), surfaceExponent(seen.m));
     }
-    if (waiting != 0u) atomicMax(far_seed, floatBitsToUint(nearest));
     barrier();
-    if (waiting != 0u && floatBitsToUint(nearest) == far_seed) atomicMin(far_owner, farNumber(own));
-    barrier();
-    if (waiting != 0u && farNumber(own) == far_owner) {
-        Seen seen = farSeen(own);
-        far_point = seen.point;
-        far_axis = seen.m.normal;
-        far_mirror = surfaceMirror(seen.m);
-        far_exponent = surfaceExponent(seen.m);
-    }
-    barrier();
-    return far_seed != 0u;
+    return far_nearest != 0u;
 }
 
 bool farShines(Lit m) { return any(greaterThan(surfaceGloss(m), vec3(0.0))); }
 
 // It is near the seed, looks in a direction not far from its, and shines like it.
-bool farIsAlike(Seen seen)
+bool farIsAlike(Seen seen, Seed seed)
 {
     const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8, sharper = 0.2;
-    return distance(seen.point, far_point) <= reach * seen.pixelSize && dot(seen.m.normal, far_axis) >= turn &&
-           (!farShines(seen.m) || abs(surfaceExponent(seen.m) - far_exponent) <= sharper * far_exponent);
+    return distance(seen.point, seed.point) <= reach * seen.pixelSize && dot(seen.m.normal, seed.axis) >= turn &&
+           (!farShines(seen.m) || abs(surfaceExponent(seen.m) - seed.exponent) <= sharper * seed.exponent);
 }
 
-// Those that wait and are like the seed; in the last round all. Each invocation puts its pixels together before it tells the others of them.
-uint farSpread(uint waiting, bool last)
+// Takes those that wait and are like the seed into the group of that number, the last of which takes all. Each invocation puts its pixels together
+// before it tells the others of them.
+void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
 {
+    bool last = group == FAR_GROUPS - 1, some = false;
+    Seed seed = far_seed; // read once: some drivers read what is shared one invocation after the other
     vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
     float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, sharp = normal, behind = 0.0;
-    uint members = 0u;
-    for (uint left = waiting; left != 0u; left &= left - 1u) {
-        Seen seen = farSeen(findLSB(left));
-        if (!last && !farIsAlike(seen)) continue;
-        members |= left & ~(left - 1u);
-        vec3 way = seen.point - far_point;
-        high = max(high, way);
-        low = max(low, -way);
-        above = max(above, dot(seen.m.normal, way));
-        below = max(below, -dot(seen.m.normal, way));
-        normal = max(normal, -dot(seen.m.normal, far_axis));
-        even = max(even, surfaceEven(seen.m));
-        dim = max(dim, -surfaceEven(seen.m));
-        gloss = max(gloss, surfaceGloss(seen.m));
-        if (farShines(seen.m)) {
-            mirror = max(mirror, -dot(surfaceMirror(seen.m), far_mirror));
-            broad = max(broad, -surfaceExponent(seen.m));
-            sharp = max(sharp, surfaceExponent(seen.m));
+    for (int i = 0; i < SETS; i++)
+        for (uint left = waiting[i]; left != 0u; left &= left - 1u) {
+            Seen seen = farSeen(farSet(i), findLSB(left));
+            if (!last && !farIsAlike(seen, seed)) continue;
+            some = true;
+            waiting[i] &= ~(left & ~(left - 1u));
+            map[i] |= uint(group) << 2 * findLSB(left);
+            vec3 way = seen.point - seed.point;
+            high = max(high, way);
+            low = max(low, -way);
+            above = max(above, dot(seen.m.normal, way));
+            below = max(below, -dot(seen.m.normal, way));
+            normal = max(normal, -dot(seen.m.normal, seed.axis));
+            even = max(even, surfaceEven(seen.m));
+            dim = max(dim, -surfaceEven(seen.m));
+            gloss = max(gloss, surfaceGloss(seen.m));
+            if (farShines(seen.m)) {
+                mirror = max(mirror, -dot(surfaceMirror(seen.m), seed.mirror));
+                broad = max(broad, -surfaceExponent(seen.m));
+                sharp = max(sharp, surfaceExponent(seen.m));
+            }
+            behind = surfaceLetsThrough(seen.m) ? 1.0 : behind;
         }
-        behind = surfaceLetsThrough(seen.m) ? 1.0 : behind;
-    }
-    if (members == 0u) return members;
+    if (!some) return;
     farRaise3(HIGH, high);
     farRaise3(LOW, low);
     farRaise3(EVEN, even);
@@ -145,7 +164,6 @@ uint farSpread(uint waiting, bool last)
     farRaise(BROAD, broad);
     farRaise(SHARP, sharp);
     farRaise(BEHIND, behind);
-    return members;
 }
 
 // Heights over the seed become heights over the centre, which lies by n.(c - s) higher.
@@ -154,14 +172,14 @@ Group farFindGroup()
     const float rounding = 1e-6;
     Group group;
     vec3 high = farBound3(HIGH), low = -farBound3(LOW), way = 0.5 * (high + low);
-    group.centre = far_point + way;
-    group.axis = far_axis;
-    group.view = far_mirror;
+    group.centre = far_seed.point + way;
+    group.axis = far_seed.axis;
+    group.view = far_seed.mirror;
     float far = rounding * length(group.centre), off = length(way);
     group.radius = 0.5 * length(high - low) + far;
     group.cosine = clamp(-farBound(NORMAL) - rounding, -1.0, 1.0);
     group.sine = sqrt(1.0 - group.cosine * group.cosine);
-    vec2 higher = off * farCosines(off > 0.0 ? dot(way, far_axis) / off : 1.0, group.cosine, group.sine);
+    vec2 higher = off * farCosines(off > 0.0 ? dot(way, group.axis) / off : 1.0, group.cosine, group.sine);
     group.above = farBound(ABOVE) - higher.x + far;
     group.below = -farBound(BELOW) - higher.y - far;
     group.mirror = clamp(-farBound(MIRROR) - rounding, -1.0, 1.0);
@@ -203,17 +221,20 @@ void farKeep(Group group, int number)
 
 void main()
 {
-    uint waiting = farBegin(), map = 0u;
+    uint waiting[SETS], map[SETS];
+    for (int i = 0; i < SETS; i++) {
+        waiting[i] = farBegin(farSet(i));
+        map[i] = 0u;
+    }
     int number = 0;
     for (; number < FAR_GROUPS && farFindSeed(waiting); number++) {
-        uint members = farSpread(waiting, number == FAR_GROUPS - 1);
-        waiting &= ~members;
-        for (; members != 0u; members &= members - 1u) map |= uint(number) << 2 * findLSB(members);
+        farSpread(number, waiting, map);
         barrier();
         if (gl_LocalInvocationIndex == 0u) farKeep(farFindGroup(), number);
         barrier();
     }
     for (; number < FAR_GROUPS; number++)
         if (gl_LocalInvocationIndex == 0u) far_numbers[farPlace(number) + 9] = -1.0;
-    far_words[farBlock() * FAR_WORDS + int(gl_LocalInvocationIndex)] = map;
+    for (int i = 0; i < SETS; i++)
+        far_words[farBlock() * FAR_WORDS + farSet(i)] = map[i];
 }

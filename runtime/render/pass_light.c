@@ -31,7 +31,7 @@ void pass_light_draw(Render *render)
 {
     const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
     if (render->far.numbers)
-        light_far_bind(render);
+        light_far_bind_read(render);
     if (render->parted) { /* parts add up */
         framebuffer_use(render->gl, &render->draws[FRAME_DRAW_light]);
         render->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});

@@ -2,21 +2,24 @@
 // lighting.glsl, far_terms.glsl and far_blocks.glsl.
 uniform sampler2D light_depth;
 
-layout(std430, binding = 5) readonly buffer FarTexels {
-    vec4 far_texels[];
-};
+uniform samplerBuffer far_texels; // the buffers as textures: some software renderers read a storage buffer for one pixel after the other
+uniform usamplerBuffer far_bits;
+
+vec4 farTexel(int i) { return texelFetch(far_texels, i); }
+
+uint farWord(int i) { return texelFetch(far_bits, i).x; }
 
 // Light that falls on a surface, at a point and with a normal.
 vec3 farIrradiance(int at, vec3 point, vec3 normal)
 {
-    vec4 centre = far_texels[at];
+    vec4 centre = farTexel(at);
     float s[FAR_TERMS];
     farSlopes((point - centre.xyz) * centre.w, normal, s);
     vec3 sum = vec3(0.0);
 #define FAR_FOUR(k)                                                                                                    \
-    sum += vec3(dot(far_texels[at + 1 + k], vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])),                 \
-                dot(far_texels[at + 7 + k], vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])),                 \
-                dot(far_texels[at + 13 + k], vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])));
+    sum += vec3(dot(farTexel(at + 1 + k), vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])),                 \
+                dot(farTexel(at + 7 + k), vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])),                 \
+                dot(farTexel(at + 13 + k), vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])));
     FAR_FOUR(0) FAR_FOUR(1) FAR_FOUR(2) FAR_FOUR(3) FAR_FOUR(4) FAR_FOUR(5)
     return max(sum, 0.0);
 }
@@ -25,10 +28,10 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 // What gloss 1 sends back, of a point and a mirrored view.
 vec3 farGloss(int at, vec3 point, vec3 mirror)
 {
-    vec4 centre = far_texels[at], u = vec4((point - centre.xyz) * centre.w, 1.0);
-    vec4 red = far_texels[at + FAR_GLOSS + 3], green = far_texels[at + FAR_GLOSS + 4], blue = far_texels[at + FAR_GLOSS + 5];
+    vec4 centre = farTexel(at), u = vec4((point - centre.xyz) * centre.w, 1.0);
+    vec4 red = farTexel(at + FAR_GLOSS + 3), green = farTexel(at + FAR_GLOSS + 4), blue = farTexel(at + FAR_GLOSS + 5);
     vec3 turn = mirror - vec3(red.w, green.w, blue.w);
-    vec3 sum = vec3(dot(far_texels[at + FAR_GLOSS], u), dot(far_texels[at + FAR_GLOSS + 1], u), dot(far_texels[at + FAR_GLOSS + 2], u));
+    vec3 sum = vec3(dot(farTexel(at + FAR_GLOSS), u), dot(farTexel(at + FAR_GLOSS + 1), u), dot(farTexel(at + FAR_GLOSS + 2), u));
     return max(sum + vec3(dot(red.xyz, turn), dot(green.xyz, turn), dot(blue.xyz, turn)), 0.0);
 }
 #endif
@@ -37,7 +40,7 @@ vec3 farGloss(int at, vec3 point, vec3 mirror)
 int farGroup(int block, ivec2 pixel)
 {
     ivec2 p = pixel % FAR_BLOCK, q = p / 8, own = p % 8;
-    return int(far_words[block * FAR_WORDS + 8 * own.y + own.x] >> 2 * (q.y * FAR_SPAN + q.x) & 3u);
+    return int(farWord(block * FAR_WORDS + 8 * own.y + own.x) >> 2 * (q.y * FAR_SPAN + q.x) & 3u);
 }
 
 #ifdef FAR_OTHERS
@@ -60,9 +63,9 @@ vec3 farNear(int at, Seen seen)
 {
     vec3 sum = vec3(0.0);
     for (int top = 0; top < FAR_TOPS; top++)
-        for (uint words = far_words[at + top]; words != 0u; words &= words - 1u) {
+        for (uint words = farWord(at + top); words != 0u; words &= words - 1u) {
             int word = 32 * top + findLSB(words);
-            uint lights = far_words[at + FAR_TOPS + word];
+            uint lights = farWord(at + FAR_TOPS + word);
             for (uint bits = farPlain(word, lights); bits != 0u; bits &= bits - 1u)
                 sum += lightFromPlain(32 * word + findLSB(bits), seen);
 #ifdef FAR_OTHERS
