@@ -5,6 +5,12 @@
 #include "compiler/ir/key.h"
 #include "compiler/lower/lower.h"
 #include "compiler/opt/opt.h"
+#include "compiler/ir/range.h"
+#include "grammar/layout_tables.h"
+#include <math.h>
+
+/* What rounding may add to a bound that intervals prove: range.h. */
+#define DISPLACEMENT_SLACK 1e-5
 
 Graph *compile_front(Session *session, uint32_t source, Tree **tree)
 {
@@ -46,6 +52,45 @@ static Ir *place_members(Session *session, Ir *ir, const Job *job)
     return fault ? diag_add(session, NO_SPAN, DIAG_broken_ir, "constants", fault) : ir;
 }
 
+static const IrOutput *displacement_of(const Ir *ir)
+{
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind == OUT_displacement)
+            return &ir->outputs[i];
+    return NULL;
+}
+
+double compile_displacement_bound(const Ir *ir)
+{
+    const IrOutput *output = displacement_of(ir);
+    Arena arena = {0};
+    double given[4], size = 0;
+    if (!output)
+        return 0;
+    const Ranges ranges = range_find(ir, &arena, FIELD_LANES);
+    for (int lane = 0; lane < ir_lanes(ir, output->value); lane++) {
+        const Interval x = range_of(&ranges, ir, output->value, lane);
+        size = hypot(size, fmax(fabs(x.low), fabs(x.high)));
+    }
+    arena_free(&arena);
+    const Value *bound = graph_displacement(ir->displaced).bound;
+    if (bound->kind == VALUE_number) {
+        value_number(bound, TYPE_float, given);
+        size = fmin(size, given[0]);
+    }
+    return size * (1 + DISPLACEMENT_SLACK);
+}
+
+/* Who draws it has to know what it may reach. */
+static void doubt_bound(Session *session, const Ir *ir)
+{
+    if (!ir->displaced || isfinite(compile_displacement_bound(ir)))
+        return;
+    const Displacement d = graph_displacement(ir->displaced);
+    const Node *map = d.height->kind == VALUE_node ? d.height->node : d.vector->node;
+    diag_add(session, map->span, DIAG_unbounded_displacement);
+}
+
 /* Lowered and optimised; NULL: see the diagnostics. */
 Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const Job *job)
 {
@@ -65,6 +110,7 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
     if (job->choice[AXIS_trigonometry] == CHOICE_trigonometry_bounded)
         opt_trigonometry(ir);
     drop_moot(ir);
+    doubt_bound(session, ir);
     constants_hoist(ir);
     opt_dead(ir);
     if (ir->function_count && ir_written(ir, LIMIT_IR_NODES) > LIMIT_IR_NODES) {

@@ -48,7 +48,7 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 typedef struct {
     size_t size;              /* in bytes, of the struct that the caller was compiled with */
     const char *target;       /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
-    const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value" */
+    const char *pass;         /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value", "displacement" */
     const char *slot;         /* for the pass "value": "diffuse" (default), "normal", ... */
     const char *layout;       /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
     const char *precision;    /* "fast" (default), "balanced", "exact": sets those below that are NULL */
@@ -133,6 +133,10 @@ MATC_API void matc_program_free(MatcProgram *program);
 MATC_API const char *matc_pass(const MatcProgram *program);
 /* "opaque" or "transparent" everywhere, or "varying". */
 MATC_API const char *matc_opacity(MatcProgram *program);
+
+/* The vertex program moves no point farther, in units of the world: `displacementBound`, or what matc proves of the maps. 0: it moves none,
+ * INFINITY: neither is known. */
+MATC_API double matc_displacement_bound(const MatcProgram *program);
 
 /* Programs with one key are one program: a hash, as 32 hexadecimal digits, of all that its text depends on but for names of
  * materials and of temporaries. Numbers that come from a buffer do not count. */

@@ -128,7 +128,7 @@ static void keep_reflection(MatcProgram *p)
     GraphSky sky;
     const bool lights = p->job.pass == PASS_sky && graph_sky(named->node, &sky);
     const Reflected reflected = {&p->products.interface, named->name, matc_opacity(p), p->products.fragment,
-                                 lights ? &sky : NULL};
+                                 lights ? &sky : NULL, matc_displacement_bound(p)};
     keep_text(p, MATC_REFLECT, emit_reflection(&p->session, p->ir, &p->job, &reflected));
 }
 
@@ -211,13 +211,21 @@ static void list_constants(MatcProgram *p)
     }
 }
 
+/* Discards count, displacement does not. */
+static bool writes_pixels(const Ir *ir)
+{
+    return ir->output_count > (ir->displaced != NULL);
+}
+
+double matc_displacement_bound(const MatcProgram *p) { return p->ir ? compile_displacement_bound(p->ir) : 0; }
+
 static bool compile_program(MatcProgram *p)
 {
     const Graph *graph = p->document->graph;
     p->ir = compile_ir(&p->session, graph, material_of(p), &p->job);
     if (!p->ir)
         return false;
-    if (p->job.pass == PASS_shadow && !p->ir->output_count)
+    if (p->job.pass == PASS_shadow && !writes_pixels(p->ir))
         p->job.pass = PASS_depth; /* nothing is discarded */
     if (p->job.pass == PASS_gbuffer || p->job.pass == PASS_plane)
         p->layout = p->job.layout;

@@ -58,11 +58,11 @@ static void fault(Test *t, int material, Slot slot, const char *format, ...)
     print_error("\n");
 }
 
-static bool has_bump(const Test *t, int material)
+static bool has_slopes(const Test *t, int material, Choice derivatives)
 {
     Subjects subjects;
     subjects_of(t->document.graph->materials[material].node, SLOT_normal, &subjects);
-    return subjects.has[KIND_BumpMap];
+    return subjects_slopes(&subjects, derivatives);
 }
 
 /* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200 radians a unit, (200 h)^2 / 6 is 1e-8. */
@@ -71,7 +71,7 @@ static const float far = 100;
 /* One slot at one level: every point and both sides. */
 static void check_values(Test *t, int material, Slot slot, int level, const Ir *ir)
 {
-    const bool differs = slot == SLOT_normal && has_bump(t, material) && t->derivatives != CHOICE_derivatives_finite;
+    const bool differs = slot == SLOT_normal && has_slopes(t, material, t->derivatives);
     const double most = differs ? slope_bound : bound;
     Arena arena = {0};
     ReferenceTexture textures[EVALUATE_TEXTURES];
@@ -175,7 +175,7 @@ static void ir_means_what_the_oracle_says(void **state)
             fail_msg("%s: %s", list.paths[i], document_fault(&test.document));
         for (int material = 0; good && material < test.document.graph->material_count; material++) {
             check_material(&test, material, CHOICE_derivatives_auto);
-            if (has_bump(&test, material))
+            if (has_slopes(&test, material, CHOICE_derivatives_auto))
                 check_material(&test, material, CHOICE_derivatives_finite);
         }
         document_close(&test.document);

@@ -147,7 +147,7 @@ static double miss_of(const Case *c, const DrawnNumber *drawn, int *excused)
 {
     MatcOptions options = c->subject->document->options;
     double miss = hull_miss(drawn->hull, c->slot, drawn->lane, drawn->number);
-    const bool is_bump = c->slot == SLOT_normal && c->subjects->has[KIND_BumpMap];
+    const bool is_bump = c->slot == SLOT_normal && (c->subjects->has[KIND_BumpMap] || c->subjects->displaced);
     if (miss <= c->bound || !isfinite(drawn->number) || !is_bump || *excused == ROUNDING_NUMBERS)
         return miss;
     ++*excused;

@@ -65,6 +65,14 @@ static const Chunk *variant(const char *name, int length, const Job *job)
     return chunk ? chunk : find(&variants, "", "");
 }
 
+void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk)
+{
+    for (size_t i = 0; i < chunks->count; i++)
+        if (chunks->at[i] == chunk)
+            return;
+    ARENA_PUSH(session->arena, chunks->at, chunks->count, chunks->room, chunk);
+}
+
 static bool add(Session *session, Chunks *chunks, const char *name, int length, const Job *job)
 {
     const Chunk *chunk = variant(name, length, job);
@@ -80,7 +88,7 @@ static bool add(Session *session, Chunks *chunks, const char *name, int length, 
         need += size;
         need += strspn(need, " ");
     }
-    ARENA_PUSH(session->arena, chunks->at, chunks->count, chunks->room, chunk);
+    chunks_add_found(session, chunks, chunk);
     return true;
 }
 

@@ -10,6 +10,8 @@ typedef struct {
     size_t count, room;
 } Chunks;
 
+/* Adds one behind those that it needs. */
+void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk);
 /* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False if there is none. */
 bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job);
 #endif

@@ -13,9 +13,20 @@ typedef struct {
     bool *textures;      /* by index in the Ir */
     size_t declarations; /* bytes of them, at the beginning of the fragment program */
     Chunks chunks;       /* library functions, and the uniforms they declare */
+    bool members;        /* it reads numbers from the buffer */
+    const struct VertexMove *move; /* NULL: the vertex stages move no point */
+    const bool *fragment_textures; /* of `textures`, those of the fragment program; where a vertex stage has others */
 } Interface;
 
-/* The fragment program. */
+/* What the vertex stages have for a material that displaces its surface, all but attributes and main(). */
+typedef struct VertexMove {
+    bool inputs[INPUT_COUNT];      /* that main() sets: those of the source `vertex` */
+    bool along_tangents;           /* the function gives a vec3, along dP/du, dP/dv and the normal; else a float along the normal */
+    const char *declarations;      /* uniforms and textures, shared with the fragment program */
+    const char *text;              /* variables that main() sets, library functions, matc_displacement() */
+} VertexMove;
+
+/* The fragment program. The interface is that of all stages together, but for inputs that are varyings or system's. */
 const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size);
 /* The vertex program that feeds it: only the varyings in use. */
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
@@ -27,6 +38,7 @@ typedef struct {
     const char *material, *opacity; /* its name, and the class of its opacity */
     const char *fragment;           /* the text, for its hash */
     const GraphSky *sky;            /* the light that it is; NULL: it is none */
+    double bound;                   /* of what its vertices move; INFINITY: it is not known */
 } Reflected;
 
 /* JSON: inputs, uniforms with defaults, textures, outputs, opacity class, source files, content hash. */

@@ -3,7 +3,13 @@
 #define MATC_EMIT_DECLARE_H
 #include "compiler/emit/emit.h"
 
-void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface);
+/* What a stage declares, and what all do together: blocks, and numbers of bindings, are those of all. */
+typedef struct {
+    const Interface *own, *all;
+} Declared;
+void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, Declared declared);
+/* Uniforms and textures that a vertex stage needs to displace. */
+void emit_move_declarations(Session *session, Text *out, const Ir *ir, const Job *job, Declared declared);
 /* Bindings of targets that have them: one block of plain uniforms for each program, and the textures where no block is. */
 enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_BLOCK = 17 };
 /* Storage buffers of programs that draw instances: matrices, and the numbers of all materials that share the program. */

@@ -76,6 +76,7 @@ static void put_uniform(Scope *e, Text *out, Ref ref)
 
 static void put_member(Scope *e, Text *out, Ref ref)
 {
+    e->interface->members = true;
     text_put(out, e->job->instances ? "matc_numbers[matc_material]." : "");
     text_put(out, e->ir->constants[ir_at(e->ir, ref)->payload].name);
 }

@@ -37,6 +37,15 @@ typedef struct {
     Lines *lines;               /* by source */
 } Scope;
 
+/* A scope to be opened; the arrays by Ref are those of all that are, one after the other. */
+Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface, Arena *scratch);
+/* Begins a function, or main (NULL), with nothing written yet. */
+void emit_scope_open(Scope *e, const IrFunction *function, const Ref *roots, int count);
+/* Spaces before a statement. */
+void emit_indent(Text *out, int depth);
+/* The statements of a block; those of the scope's own block that `root` needs and that are not written yet. */
+void emit_block(Scope *e, Text *out, int block, int depth);
+void emit_needed(Scope *e, Text *out, Ref root, int depth);
 /* emit_name.c: begins a scope, which is scheduled, with no names. */
 void emit_forget_names(Scope *e);
 /* A name for the node's temporary: "clay" for a map's value, "clay_1" for a step on its way, "diffuse_bits" for what is stored. */

@@ -68,8 +68,7 @@ static void put_members(Text *out, const Ir *ir, const char *prefix)
 /* The numbers of all materials that share the program; which is an instance's own, its vertices say. */
 static void put_numbers(Text *out, const Ir *ir)
 {
-    text_format(out, "layout(location = %d) flat in uint matc_material;\nstruct Numbers {\n",
-                emit_input_location(INPUT_COUNT));
+    text_put(out, "struct Numbers {\n");
     put_members(out, ir, "    ");
     text_format(out, "};\nlayout(std140, binding = %d) readonly buffer " CONSTANT_BLOCK_NAME " {\n", NUMBER_BUFFER);
     text_put(out, "    Numbers matc_numbers[];\n};\n");
@@ -118,26 +117,63 @@ static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, con
     return count;
 }
 
-static void put_sampler(Text *out, Target target, int *index, const char *type, const char *name)
+static void put_sampler(Text *out, Target target, int index, const char *type, const char *name)
 {
     if (target_table[target].locations)
-        text_format(out, "layout(binding = %d) ", emit_texture_binding((*index)++));
+        text_format(out, "layout(binding = %d) ", emit_texture_binding(index));
     text_format(out, "uniform %s %s;\n", type, name);
 }
 
-static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+static bool has_chunk(const Chunks *chunks, const Chunk *chunk)
 {
-    int index = 0;
-    for (size_t i = 0; i < ir->texture_count; i++)
-        if (interface->textures[i])
-            put_sampler(out, job->target, &index, "sampler2D", emit_texture_name(session, ir, (int)i));
-    for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++)
-            if (uniform->sampler)
-                put_sampler(out, job->target, &index, uniform->type, uniform->name);
+    for (size_t i = 0; i < chunks->count; i++)
+        if (chunks->at[i] == chunk)
+            return true;
+    return false;
 }
 
-void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+/* A texture's number is that among all stages'. */
+static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
+{
+    int index = 0;
+    for (size_t i = 0; i < ir->texture_count; i++) {
+        if (d.own->textures[i])
+            put_sampler(out, job->target, index, "sampler2D", emit_texture_name(session, ir, (int)i));
+        index += d.all->textures[i];
+    }
+    for (size_t i = 0; i < d.all->chunks.count; i++)
+        for (const ChunkUniform *uniform = d.all->chunks.at[i]->uniforms; uniform->name; uniform++) {
+            if (uniform->sampler && has_chunk(&d.own->chunks, d.all->chunks.at[i]))
+                put_sampler(out, job->target, index, uniform->type, uniform->name);
+            index += uniform->sampler;
+        }
+}
+
+/* A block is declared whole, by every stage that has it. */
+static void put_plain(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
+{
+    Text uniforms = text_new(session->arena);
+    bool block = target_table[job->target].locations;
+    if (!put_uniforms(&uniforms, ir, d.own, "uniform "))
+        return;
+    if (block) {
+        uniforms = text_new(session->arena);
+        put_uniforms(&uniforms, ir, d.all, "    ");
+        text_format(out, "layout(std140, binding = %d) uniform Material {\n", MATERIAL_BLOCK);
+    }
+    text_put(out, uniforms.at);
+    text_put(out, block ? "};\n" : "");
+}
+
+void emit_move_declarations(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
+{
+    put_plain(session, out, ir, job, d);
+    if (d.own->members)
+        put_constants(out, ir, job);
+    put_samplers(session, out, ir, job, d);
+}
+
+void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
 {
     emit_version(out, job->target);
     text_format(out, "// matc " MATC_VERSION ": pass %s", pass_table[job->pass].name);
@@ -151,18 +187,13 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
     text_put(out, "\n");
     size_t before = out->size;
     for (int i = 0; i < INPUT_COUNT; i++)
-        if (interface->inputs[i] && input_table[i].source == SOURCE_varying)
+        if (d.own->inputs[i] && input_table[i].source == SOURCE_varying)
             emit_varying(out, job->target, (Input)i, "in");
-    Text uniforms = text_new(session->arena);
-    bool block = target_table[job->target].locations;
-    if (put_uniforms(&uniforms, ir, interface, block ? "    " : "uniform ")) {
-        if (block)
-            text_format(out, "layout(std140, binding = %d) uniform Material {\n", MATERIAL_BLOCK);
-        text_put(out, uniforms.at);
-        text_put(out, block ? "};\n" : "");
-    }
+    put_plain(session, out, ir, job, d);
+    if (ir->constant_count && job->instances)
+        text_format(out, "layout(location = %d) flat in uint matc_material;\n", emit_input_location(INPUT_COUNT));
     put_constants(out, ir, job);
-    put_samplers(session, out, ir, job, interface);
+    put_samplers(session, out, ir, job, d);
     for (int i = 0; i < ir->output_count; i++)
         if (ir->outputs[i].kind == OUT_color && target_table[job->target].in_out)
             text_format(out, "layout(location = %d) out %s fragment%d;\n", ir->outputs[i].index,

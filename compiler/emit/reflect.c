@@ -5,11 +5,12 @@
 #include "compiler/base/json_write.h"
 #include "compiler/emit/texture.h"
 #include "compiler/ir/std140.h"
+#include <math.h>
 #include <string.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-static const char *const sources[] = {"varying", "system", "draw", "change"};
+static const char *const sources[] = {"varying", "system", "draw", "change", "vertex"};
 
 typedef struct {
     Text *out;
@@ -160,6 +161,8 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
         if (target_table[job->target].locations)
             text_format(out, "\"binding\": %d, ",
                         made_by[i] >= 0 ? emit_texture_binding(i) : emit_table_binding(ir, interface, t->name));
+        if (made_by[i] >= 0 && interface->fragment_textures && !interface->fragment_textures[made_by[i]])
+            text_put(out, "\"stage\": \"vertex\", ");
         if (t->path)
             json_member(out, "file", t->path);
         text_put(out, t->path ? "}" : "\"baked\": true}");
@@ -174,6 +177,8 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
     for (int i = 0; i < ir->output_count; i++) {
         const IrOutput *output = &ir->outputs[i];
         bool color = output->kind == OUT_color;
+        if (output->kind == OUT_displacement)
+            continue;
         next(&list);
         text_put(out, "{");
         json_member(out, "kind", color ? "color" : output->kind == OUT_depth ? "depth" : "discard");
@@ -208,6 +213,17 @@ static void put_sky(Text *out, const GraphSky *sky)
     text_char(out, '}');
 }
 
+static void put_displacement(Text *out, const VertexMove *move, double bound)
+{
+    text_put(out, ",\n  \"displacement\": {");
+    json_member(out, "along", move->along_tangents ? "tangents" : "normal");
+    if (isfinite(bound)) {
+        text_put(out, ", \"bound\": ");
+        text_double(out, bound);
+    }
+    text_char(out, '}');
+}
+
 const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Reflected *program)
 {
     const Interface *interface = program->interface;
@@ -236,6 +252,8 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job, cons
     put_constants(out, ir, job);
     put_textures(session, out, ir, job, interface);
     put_outputs(out, ir, job);
+    if (interface->move)
+        put_displacement(out, interface->move, program->bound);
     emit_describe_vertex(out, job, interface);
     List files = open_list(out, "sources");
     for (size_t i = 0; i < session->depends.count; i++) {

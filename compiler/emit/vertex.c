@@ -61,10 +61,72 @@ static void mark(const char *const *list, int count, const char *name, bool *use
         used[i] |= !strcmp(list[i], name);
 }
 
+/* What a vertex that is displaced is, before it is: by attributes of its own, which are the same for all vertices of one position, whatever
+ * they have to shade with: at a hard edge, at a seam of texture coordinates. */
+typedef struct {
+    Input input;
+    int attribute; /* of displacement_attributes; -1: the position */
+    const char *expression;
+} MoveFeed;
+static const char *const displacement_attributes[] = {"vec3 displacementNormal", "vec2 displacementTexcoord",
+                                                      "vec3 displacementTangentU", "vec3 displacementTangentV"};
+enum { MOVE_NORMAL, MOVE_TEXCOORD, MOVE_TANGENT_U, MOVE_TANGENT_V, MOVE_ATTRIBUTES, FIRST_MOVE_LOCATION = ATTRIBUTE_COUNT + 1 };
+static const MoveFeed move_feeds[] = {
+    {INPUT_vertexP, -1, "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
+    {INPUT_vertexN, MOVE_NORMAL, "matc_worldNormalFromLocal * displacementNormal"},
+    {INPUT_vertexDU, MOVE_TANGENT_U, "(matc_worldFromLocal * vec4(displacementTangentU, 0.0)).xyz"},
+    {INPUT_vertexDV, MOVE_TANGENT_V, "(matc_worldFromLocal * vec4(displacementTangentV, 0.0)).xyz"},
+    {INPUT_vertexU, MOVE_TEXCOORD, "displacementTexcoord"},
+    {INPUT_vertexX, -1, "position"},
+    {INPUT_vertexXU, MOVE_TANGENT_U, "displacementTangentU"},
+    {INPUT_vertexXV, MOVE_TANGENT_V, "displacementTangentV"},
+};
+enum { MOVE_FEEDS = sizeof move_feeds / sizeof *move_feeds };
+
+static void mark_move(const VertexMove *move, bool attribute[MOVE_ATTRIBUTES])
+{
+    attribute[MOVE_NORMAL] = true;
+    attribute[MOVE_TANGENT_U] = attribute[MOVE_TANGENT_V] = move->along_tangents;
+    for (int i = 0; i < MOVE_FEEDS; i++)
+        if (move->inputs[move_feeds[i].input] && move_feeds[i].attribute >= 0)
+            attribute[move_feeds[i].attribute] = true;
+}
+
+static void put_move_attributes(Text *out, Target target, const VertexMove *move)
+{
+    bool used[MOVE_ATTRIBUTES] = {0};
+    mark_move(move, used);
+    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
+        if (used[i] && !target_table[target].in_out)
+            text_format(out, "attribute %s;\n", displacement_attributes[i]);
+        else if (used[i])
+            text_format(out, "layout(location = %d) in %s;\n", FIRST_MOVE_LOCATION + i, displacement_attributes[i]);
+}
+
+/* The displaced position in the world, as matc_worldPosition. */
+static void put_move(Text *out, const VertexMove *move)
+{
+    for (int i = 0; i < MOVE_FEEDS; i++)
+        if (move->inputs[move_feeds[i].input] || move_feeds[i].input == INPUT_vertexP)
+            text_format(out, "    %s = %s;\n", input_table[move_feeds[i].input].glsl, move_feeds[i].expression);
+    text_put(out, "    vec3 matc_up = matc_worldNormalFromLocal * displacementNormal;\n");
+    if (!move->along_tangents) {
+        text_put(out, "    matc_worldPosition += matc_displacement() * matc_up / max(length(matc_up), 1e-30);\n");
+        return;
+    }
+    text_put(out, "    vec3 matc_move = matc_displacement();\n"
+                  "    vec3 matc_alongU = (matc_worldFromLocal * vec4(displacementTangentU, 0.0)).xyz;\n"
+                  "    vec3 matc_alongV = (matc_worldFromLocal * vec4(displacementTangentV, 0.0)).xyz;\n"
+                  "    matc_worldPosition += matc_move.x * matc_alongU / max(length(matc_alongU), 1e-30)\n"
+                  "        + matc_move.y * matc_alongV / max(length(matc_alongV), 1e-30)\n"
+                  "        + matc_move.z * matc_up / max(length(matc_up), 1e-30);\n");
+}
+
 /* Which attributes and uniforms the varyings in use read; the position is always one. */
 static void mark_used(const Interface *interface, bool *attribute, bool *uniform)
 {
     attribute[0] = uniform[0] = uniform[1] = true;
+    uniform[UNIFORM_normal] = interface->move != NULL;
     for (int i = 0; i < FEED_COUNT; i++) {
         if (!interface->inputs[feeds[i].input])
             continue;
@@ -108,6 +170,8 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
     mark_used(interface, attribute, uniform);
     put_attributes(out, job->target, attribute);
+    if (interface->move)
+        put_move_attributes(out, job->target, interface->move);
     if (job->instances)
         put_instances(out);
     else
@@ -115,13 +179,19 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             emit_varying(out, job->target, feeds[i].input, "out");
-    text_put(out, "\nvoid main() {\n");
+    if (interface->move)
+        text_format(out, "%s\n%s", interface->move->declarations, interface->move->text);
+    text_put(out, interface->move ? "void main() {\n" : "\nvoid main() {\n");
     if (job->instances)
         put_own(out, uniform);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
             text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(&feeds[i], job));
-    text_put(out, "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
+    if (interface->move)
+        put_move(out, interface->move);
+    text_put(out, interface->move
+                      ? "    gl_Position = matc_clipFromWorld * vec4(matc_worldPosition, 1.0);\n}\n"
+                      : "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
 }
 
 /* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes
@@ -191,6 +261,14 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
             text_put(out, first ? "" : ", ");
             describe(out, attributes[i], "location", target->in_out ? i : -1);
             first = 0;
+        }
+    bool moves[MOVE_ATTRIBUTES] = {0};
+    if (interface->move && !screen)
+        mark_move(interface->move, moves);
+    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
+        if (moves[i]) {
+            text_put(out, ", ");
+            describe(out, displacement_attributes[i], "location", target->in_out ? FIRST_MOVE_LOCATION + i : -1);
         }
     text_put(out, "], \"uniforms\": [");
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)

@@ -23,3 +23,22 @@ void value_number(const Value *value, Type want, double result[4])
     const double *from = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
     graph_convert(type_table[value->type].lanes, from, type_table[want].lanes, result);
 }
+
+/* The first parameter of DISPLACEMENT_PARAMS. */
+static const int displacement_param[KIND_COUNT] = {
+#define MATERIAL(name, sort, doc) [KIND_##name] = P_##name##_displacement,
+#include "grammar/materials.def"
+#include "grammar/maps.def"
+};
+
+Displacement graph_displacement(const Node *material)
+{
+    const Value *first = node_param(material, displacement_param[material->kind]);
+    return (Displacement){first, first + 1, first + 2, first + 3};
+}
+
+bool graph_displaces(const Node *material)
+{
+    const Displacement d = graph_displacement(material);
+    return d.height->kind == VALUE_node || d.vector->kind == VALUE_node;
+}

@@ -129,6 +129,14 @@ static inline const float *image_floats(const Image *image)
     return image->bits == 32 ? (const float *)image->texels : NULL;
 }
 
+/* What a material says of the geometry of its surface: the parameters of DISPLACEMENT_PARAMS. */
+typedef struct {
+    const Value *height, *vector, *scale, *bound;
+} Displacement;
+Displacement graph_displacement(const Node *material);
+/* It has a map that moves the surface. */
+bool graph_displaces(const Node *material);
+
 /* The parameter that P_<kind>_<name> of tables.h names. */
 static inline const Value *node_param(const Node *node, int param)
 {

@@ -64,7 +64,8 @@ typedef struct {
     int next;        /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
 } IrFunction;
 
-typedef enum { OUT_discard, OUT_depth, OUT_color } OutputKind;
+/* OUT_displacement: how far the vertex stages move the point, a float along the normal, or a vec3 along dP/du, dP/dv and the normal. */
+typedef enum { OUT_discard, OUT_depth, OUT_color, OUT_displacement } OutputKind;
 typedef struct {
     OutputKind kind;
     int index; /* of a colour output */
@@ -128,6 +129,7 @@ typedef struct Ir {
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
     Opacity opacity;
+    const Node *displaced; /* the material that says how; NULL: the surface is as its mesh is */
     unsigned slots;       /* where all slots are outputs: those that a layout has to store, 1 << slot */
     bool keep_pow;        /* powers stay calls of pow */
     ReferenceNoise noise; /* which the folder computes with */

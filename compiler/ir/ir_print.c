@@ -102,7 +102,7 @@ static void print_functions(Text *out, const Ir *ir, const Completed *by, Ref re
     }
 }
 
-static const char *const output_names[] = {"discard", "depth", "color"};
+static const char *const output_names[] = {"discard", "depth", "color", "displacement"};
 
 void ir_print(Text *out, const Ir *ir)
 {

@@ -172,9 +172,10 @@ static bool read_output(Scanner *s)
         return fail(s, "an output is not `out kind index = %node`");
     Ref ref = operand(s, value);
     ir_output(s->ir,
-              !strcmp(kind, "color")   ? OUT_color
-              : !strcmp(kind, "depth") ? OUT_depth
-                                       : OUT_discard,
+              !strcmp(kind, "color")          ? OUT_color
+              : !strcmp(kind, "depth")        ? OUT_depth
+              : !strcmp(kind, "displacement") ? OUT_displacement
+                                              : OUT_discard,
               atoi(index), ref);
     return ref != 0;
 }

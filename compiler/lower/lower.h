@@ -126,6 +126,26 @@ void lower_reject_uniform(Lower *l, const Value *value, const char *name, const 
 int lower_cost_below(const Ir *ir, Ref ref, int limit);
 /* One material slot, by its name. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
+/* The material whose parameters displace a surface: itself, or through its switches that which stands for it, of a SideSwitch in front; NULL:
+ * none. lower_material.c */
+const Node *lower_displaced(const Node *material);
+/* What that moves a point by (lower_displacement.c): a float along the normal, or a vec3 along dP/du, dP/dv and the normal. */
+Ref lower_displacement(Lower *l, const Node *displaced, const Env *env);
+/* The surface after it was displaced: its normal and tangents, by the slopes of what displaces it; the rest of `env` as it was. */
+Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env);
+/* Writes displacement and slopes as colours; or for the vertex stages, where there are no derivatives on the screen. `displaced` may be NULL. */
+void lower_write_displacement(Lower *l, const Node *displaced, const Env *env);
+void lower_displace_vertices(Lower *l, const Node *displaced);
+/* The normal of a surface with these tangents that rose by slopes along `unit`, on the side of tangents as the mesh has them. lower_normal.c */
+typedef struct {
+    Ref tu, tv; /* tangents, before they rise */
+    Ref unit;   /* n / |n|; 0 where that has no length */
+    Ref flat;   /* the cross product whose side counts; 0: that of tu and tv */
+} Frame;
+Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2]);
+/* n / |n|; 0 where that has no length. */
+Ref lower_unit(Lower *l, Ref n);
+
 /* The shading normal as a G-buffer holds it, of eye space or the world, unit length, turned to the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, by that case of it. lower_layout.c */

@@ -196,6 +196,13 @@ const Node *lower_choose_AlgorithmSwitch(const Node *m, bool front)
     return gui ? gui : ray ? ray : lower_param_node(m, P_AlgorithmSwitch_radiationShader);
 }
 
+const Node *lower_displaced(const Node *m)
+{
+    while (m && !graph_displaces(m))
+        m = switches[m->kind] ? switches[m->kind](m, true) : NULL;
+    return m;
+}
+
 /* The material that is seen of one side, through any number of switches: within one of them the side is known. */
 static const Node *seen_from(const Node *m, bool front)
 {
@@ -237,8 +244,10 @@ static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
     return eye ? in_eye_space(l, normal, env) : normal;
 }
 
-static Ref normal_of(Lower *l, const Node *m, const Env *env, bool eye)
+static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
 {
+    const Node *displaced = lower_displaced(m);
+    const Env moved = displaced ? lower_displaced_env(l, displaced, mesh) : *mesh, *env = &moved;
     const Node *front = seen_from(m, true), *back = seen_from(m, false);
     if (front == back)
         return side_normal(l, front, env, eye);

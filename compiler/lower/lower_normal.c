@@ -1,20 +1,20 @@
 /* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
 #include "compiler/lower/relief.h"
 
-typedef struct {
-    Ref tu, tv; /* of the input */
-    Ref unit;   /* its n / |n|; 0 where that has no length */
-} Frame;
-
-static Frame input_frame(Lower *l, const Node *input, const Env *env)
+Ref lower_unit(Lower *l, Ref n)
 {
     Ir *ir = l->ir;
     const double least = 1e-30;
+    Ref size = build_max(ir, build_length(ir, n), build_float(ir, least));
+    return build_mul(ir, n, build_div(ir, build_float(ir, 1), size));
+}
+
+static Frame input_frame(Lower *l, const Node *input, const Env *env)
+{
     Ref n = lower_ask(l, input, GROUP_N, env);
     Frame f = {.tu = lower_ask(l, input, GROUP_DU, env)};
     f.tv = lower_ask(l, input, GROUP_DV, env);
-    Ref size = build_max(ir, build_length(ir, n), build_float(ir, least));
-    f.unit = build_mul(ir, n, build_div(ir, build_float(ir, 1), size));
+    f.unit = lower_unit(l, n);
     return f;
 }
 
@@ -22,13 +22,13 @@ static Frame input_frame(Lower *l, const Node *input, const Env *env)
  * Tangents that turn left around n, as mirrored texture coordinates and transforms make them, would have it point to the other side:
  *   n = (0, 0, 1), Tu = (-1, 0, 0), Tv = (0, 1, 0), du = 0.1, dv = 0: a rise towards -x, so the normal leans to x
  *   Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n < 0, so n' = (0.1, 0, 1) */
-static Ref tilted_normal(Lower *l, const Frame *f, const Ref slope[2])
+Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2])
 {
     Ir *ir = l->ir;
     Ref flat = build_cross(ir, f->tu, f->tv);
     Ref across = build_sub(ir, build_mul(ir, f->tv, slope[0]), build_mul(ir, f->tu, slope[1]));
     Ref normal = build_add(ir, flat, build_cross(ir, f->unit, across));
-    Ref turns_left = build_lt(ir, build_dot(ir, flat, f->unit), build_float(ir, 0));
+    Ref turns_left = build_lt(ir, build_dot(ir, f->flat ? f->flat : flat, f->unit), build_float(ir, 0));
     return build_select(ir, turns_left, build_neg(ir, normal), normal);
 }
 
@@ -37,7 +37,7 @@ static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 {
     Ir *ir = l->ir;
     if (group == GROUP_N)
-        return tilted_normal(l, f, slope);
+        return lower_raised_normal(l, f, slope);
     const bool by_v = group == GROUP_DV;
     return build_add(ir, by_v ? f->tv : f->tu, build_mul(ir, f->unit, slope[by_v]));
 }

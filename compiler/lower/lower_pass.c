@@ -190,10 +190,16 @@ static void write_pass(Lower *l, const Node *material)
         else
             ir_output(ir, OUT_color, 0, build_convert(ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
         break;
+    case PASS_displacement:
+        lower_write_displacement(l, lower_displaced(material), &env);
+        break;
     case PASS_depth:
     case PASS_COUNT:
         break;
     }
+    if (job->pass == PASS_gbuffer || job->pass == PASS_shadow || job->pass == PASS_depth ||
+        (job->pass == PASS_value && !job->all_slots))
+        lower_displace_vertices(l, lower_displaced(material));
 }
 
 typedef struct {

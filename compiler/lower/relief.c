@@ -61,11 +61,16 @@ void relief_step(Lower *l, Ref value, const Stepped *map)
     relief_rise(l, value, map->q.value, rate);
 }
 
-/* Of its red, in that environment. */
-static Slopes computed(Lower *l, const Node *displacement, const Env *env)
+/* A map's red. */
+static Ref red(Lower *l, const Node *map, const Env *env)
 {
-    Ref height = build_swizzle(l->ir, lower_ask(l, displacement, GROUP_R, env), "x");
-    Ref by_u = slope_of(l, height, DIRECTION_u), by_v = slope_of(l, height, DIRECTION_v);
+    return build_swizzle(l->ir, lower_ask(l, map, GROUP_R, env), "x");
+}
+
+static Slopes computed(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+{
+    Ref value = make(l, what, env);
+    Ref by_u = slope_of(l, value, DIRECTION_u), by_v = slope_of(l, value, DIRECTION_v);
     return (Slopes){by_u, by_v};
 }
 
@@ -88,12 +93,12 @@ Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env)
     return answer;
 }
 
-static Slopes stepped(Lower *l, const Node *displacement, const Env *env)
+static Slopes stepped(Lower *l, ReliefValue *make, const Node *what, const Env *env)
 {
     Env inside = *env;
     inside.relief = true;
     l->outside = manner(l, true, (Manner){false, NULL});
-    Slopes slopes = computed(l, displacement, &inside);
+    Slopes slopes = computed(l, make, what, &inside);
     manner(l, false, l->outside);
     return slopes;
 }
@@ -112,14 +117,20 @@ static Slopes channels(Lower *l, const Node *displacement, const Env *env)
     return (Slopes){by_u, by_v};
 }
 
+Slopes relief_slopes_of(Lower *l, ReliefValue *make, const Node *what, const Env *env)
+{
+    return l->job->choice[AXIS_derivatives] == CHOICE_derivatives_analytic ? computed(l, make, what, env)
+                                                                           : stepped(l, make, what, env);
+}
+
 Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
 {
     Ir *ir = l->ir;
     const Node *displacement = lower_param_node(bump, P_BumpMap_displacement);
     const Choice how = (Choice)l->job->choice[AXIS_derivatives];
     Slopes slopes = how == CHOICE_derivatives_finite     ? channels(l, displacement, env)
-                    : how == CHOICE_derivatives_analytic ? computed(l, displacement, env)
-                                                         : stepped(l, displacement, env);
+                    : how == CHOICE_derivatives_analytic ? computed(l, red, displacement, env)
+                                                         : stepped(l, red, displacement, env);
     lower_note_relief(l, displacement, slopes.u, slopes.v);
     slopes.u = build_or_zero(ir, slopes.u, TYPE_float);
     slopes.v = build_or_zero(ir, slopes.v, TYPE_float);

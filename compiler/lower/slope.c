@@ -235,7 +235,9 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     const Input input = (Input)ir_at(ir, ref)->payload;
     static const struct {
         Input of, by[2];
-    } tangents[] = {{INPUT_X, {INPUT_XU, INPUT_XV}}, {INPUT_P, {INPUT_DU, INPUT_DV}}};
+    } tangents[] = {{INPUT_X, {INPUT_XU, INPUT_XV}}, {INPUT_P, {INPUT_DU, INPUT_DV}},
+                    {INPUT_vertexX, {INPUT_vertexXU, INPUT_vertexXV}},
+                    {INPUT_vertexP, {INPUT_vertexDU, INPUT_vertexDV}}};
     if (direction == DIRECTION_right || direction == DIRECTION_up) {
         for (int i = 0; i < change_count; i++)
             if (change_table[i].of == input && (direction == DIRECTION_right) == !strcmp(change_table[i].by, "dFdx"))
@@ -243,7 +245,7 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
         return 0;
     }
     bool by_v = direction == DIRECTION_v;
-    if (input == INPUT_U)
+    if (input == INPUT_U || input == INPUT_vertexU)
         return ir_const(ir, TYPE_vec2, (double[]){!by_v, by_v});
     for (size_t i = 0; i < sizeof tangents / sizeof *tangents; i++)
         if (tangents[i].of == input)

@@ -47,6 +47,11 @@ void oracle_close(Oracle *oracle);
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result);
 /* What the last point took, in steps of some 5 ns. */
 double oracle_work(const Oracle *oracle);
+/* How far the material moves the point: along dP/du, dP/dv and the normal, before the slopes of these by u and by v. All 0: it is not displaced. */
+typedef struct {
+    double by[3], by_u[3], by_v[3];
+} OracleDisplacement;
+bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result);
 /* One channel of one map at a point. A NULL map is the surface. */
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface);
 #endif

@@ -58,6 +58,7 @@ typedef struct Environment {
     int depth;
     struct Environment
         *centre; /* with --derivatives=auto: the point that this one is beside; NULL: it is beside none */
+    const Surface *mesh; /* the surface before it was displaced; NULL: it was not */
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 
@@ -78,6 +79,20 @@ double oracle_float(const Value *value);
 void oracle_vec3(const Value *value, double result[3]);
 double oracle_number(const Node *node, int param);
 void oracle_number3(const Node *node, int param, double result[3]);
+
+/* A number that varies over the surface. */
+typedef struct {
+    double (*at)(Environment *environment, const Node *node, int lane);
+    const Node *node;
+    int lane;
+} Height;
+/* Its derivatives by u and v. oracle_normal.c */
+void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
+/* The material that displaces a surface; NULL: none does. oracle_material.c */
+const Node *oracle_displaced(const Node *material);
+/* How such a material moves the point; the surface's frame after it was displaced, as its normal and tangents. oracle_displacement.c */
+void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *result);
+void oracle_displace(Environment *environment, const Node *displaced, Surface *surface);
 
 /* Work of the oracle, in steps of some 5 ns. oracle_work.c */
 enum {

@@ -177,6 +177,13 @@ static const Node *chosen(const Node *material, bool front)
     return material;
 }
 
+const Node *oracle_displaced(const Node *material)
+{
+    while (material && !graph_displaces(material))
+        material = switches[material->kind] ? switches[material->kind](material, true) : NULL;
+    return material;
+}
+
 static void answer(Environment *environment, const Node *material, SlotValues *result)
 {
     set_neutral(environment, result);
@@ -185,6 +192,22 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         shaders[shader->kind](environment, shader, result);
     else
         missing(result);
+}
+
+/* Maps read the mesh; the normal alone, and what `input` makes of it, is that of the surface after it was displaced. */
+static void answer_displaced(Environment *environment, const Node *material, SlotValues *result)
+{
+    const Node *displaced = oracle_displaced(material);
+    answer(environment, material, result);
+    if (!displaced)
+        return;
+    SlotValues moved;
+    Surface surface = *environment->surface;
+    oracle_displace(environment, displaced, &surface);
+    Environment there = environment_open(environment->oracle, &surface, environment->depth + 1);
+    there.mesh = environment->surface;
+    answer(&there, material, &moved);
+    memcpy(result->lane[SLOT_normal], moved.lane[SLOT_normal], sizeof result->lane[SLOT_normal]);
 }
 
 typedef struct {
@@ -196,7 +219,7 @@ typedef struct {
 static void answer_on_stack(void *user)
 {
     Question *question = user;
-    answer(&question->environment, question->material, question->result);
+    answer_displaced(&question->environment, question->material, question->result);
 }
 
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
@@ -204,5 +227,27 @@ bool oracle_material(Oracle *oracle, const Node *material, const Surface *surfac
     Question question = {environment_open(oracle, surface, 0), material, result};
     oracle->work = 0;
     stack_run(material ? material->depth : 0, answer_on_stack, &question);
+    return !oracle_spent(oracle);
+}
+
+typedef struct {
+    Environment environment;
+    const Node *displaced;
+    OracleDisplacement *result;
+} MoveQuestion;
+
+static void move_on_stack(void *user)
+{
+    MoveQuestion *question = user;
+    oracle_move(&question->environment, question->displaced, question->result);
+}
+
+bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result)
+{
+    const Node *displaced = oracle_displaced(material);
+    *result = (OracleDisplacement){.by = {0}};
+    oracle->work = 0;
+    if (displaced)
+        stack_run(displaced->depth, move_on_stack, &(MoveQuestion){environment_open(oracle, surface, 0), displaced, result});
     return !oracle_spent(oracle);
 }

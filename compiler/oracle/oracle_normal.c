@@ -50,20 +50,21 @@ static bool in_frame(int channel)
 }
 
 /* The height beside the point: (u, v) moved by `du` and `dv`, and with them the positions on the surface. */
-static double height_at(Environment *environment, const Node *height, double du, double dv)
+static double height_at(Environment *environment, const Height *height, double du, double dv)
 {
     Surface surface = *environment->surface;
+    const double *root = environment->mesh ? environment->mesh->root : surface.root;
     surface.root[channel_id(GROUP_U, 0)] += du;
     surface.root[channel_id(GROUP_U, 1)] += dv;
     for (int i = 0; i < 3; i++) {
         surface.root[channel_id(GROUP_P, i)] +=
-            du * surface.root[channel_id(GROUP_DU, i)] + dv * surface.root[channel_id(GROUP_DV, i)];
+            du * root[channel_id(GROUP_DU, i)] + dv * root[channel_id(GROUP_DV, i)];
         surface.root[channel_id(GROUP_X, i)] += du * surface.local_u[i] + dv * surface.local_v[i];
     }
     Environment beside = environment_open(environment->oracle, &surface, environment->depth + 1);
-    if (environment->oracle->derivatives == CHOICE_derivatives_auto)
+    if (environment->oracle->derivatives != CHOICE_derivatives_analytic)
         beside.centre = environment;
-    return oracle_ask(&beside, height, channel_id(GROUP_R, 0));
+    return height->at(&beside, height->node, height->lane);
 }
 
 /* A step that is small beside a float's rounding, so that either side of a crease can be told, and not beside a double's. */
@@ -85,7 +86,7 @@ typedef struct {
 
 /* `here` is the height at the point. The sides are not equally far: from the middle of a stair's step as many steps go up as down.
  * Rounding is that of the height, and that of the point, whose coordinates are up to 2^26 / part of what it moves by. */
-static Bend bend_at(Environment *environment, const Node *height, const double move[2], double part, double here)
+static Bend bend_at(Environment *environment, const Height *height, const double move[2], double part, double here)
 {
     const double ulp = ldexp(1, -52), back = 0.618, du = part * move[0], dv = part * move[1];
     double ahead = height_at(environment, height, du, dv);
@@ -98,7 +99,7 @@ static Bend bend_at(Environment *environment, const Node *height, const double m
  * step or by none, over whatever part.
  *   sin(x) at 1, 2^-26 to either side: bends by 2e-16; over a tenth of that by 2e-18
  *   ceil(1e9 x) there: by -1, 0 or 1 of 30 steps; over a tenth of that by -1, 0 or 1 of 3 */
-static bool is_smooth(Environment *environment, const Node *height, const double move[2])
+static bool is_smooth(Environment *environment, const Height *height, const double move[2])
 {
     enum { PARTS = 8 };
     const double shrink = 0.41, widest = ldexp(1, -10); /* of maps whose periods are 1 and less, more tells nothing */
@@ -118,7 +119,7 @@ static bool is_smooth(Environment *environment, const Node *height, const double
 
 /* The derivative along a direction (1 or 0 of u and of v) from a difference; from one side by the parabola through three points, since a
  * straight line would be off by a part of how the slope itself changes there: noise has other curvatures to either side of a lattice point. */
-static double slope_along(Environment *environment, const Node *height, const double along[2], double h)
+static double slope_along(Environment *environment, const Height *height, const double along[2], double h)
 {
     double ahead = environment->oracle->ahead * h, behind = environment->oracle->behind * h;
     double far = ahead != 0 ? ahead : behind, half = far / 2;
@@ -130,8 +131,7 @@ static double slope_along(Environment *environment, const Node *height, const do
     return (4 * (at_half - here) - (at_far - here)) / far;
 }
 
-/* Derivatives of the height by u and v. */
-static void slopes_of(Environment *environment, const Node *height, double slope[2])
+void oracle_slopes(Environment *environment, const Height *height, double slope[2])
 {
     const double h = slope_step(environment->surface);
     slope[0] = slope_along(environment, height, (double[]){1, 0}, h);
@@ -153,6 +153,11 @@ static double raised_frame(Environment *environment, const Node *node, const Fra
     return raised(frame, slope[0], slope[1], channel);
 }
 
+static double red(Environment *environment, const Node *map, int lane)
+{
+    return oracle_ask(environment, map, channel_id(GROUP_R, lane));
+}
+
 double oracle_BumpMap(Environment *environment, const Node *node, int channel)
 {
     bool flat = node_param(node, P_BumpMap_displacement)->kind == VALUE_none;
@@ -163,7 +168,7 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
     double slope[2];
     if (environment->oracle->derivatives != CHOICE_derivatives_finite) {
-        slopes_of(environment, node_param(node, P_BumpMap_displacement)->node, slope);
+        oracle_slopes(environment, &(Height){red, node_param(node, P_BumpMap_displacement)->node, 0}, slope);
         /* the tangents that they are raised along are those of the input: where it turned them, so are the slopes */
         const Value *input = node_param(node, P_BumpMap_input);
         oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL, slope);

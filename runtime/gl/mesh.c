@@ -11,13 +11,29 @@ const char *const mesh_attribute_names[MESH_ATTRIBUTE_count] = {
 static const struct {
     GLint lanes;
     size_t offset; /* in ShapeVertex */
-} attributes[MESH_ATTRIBUTE_count] = {
+} attributes[MESH_ATTRIBUTE_end] = {
     [MESH_ATTRIBUTE_position] = {3, offsetof(ShapeVertex, position)},
     [MESH_ATTRIBUTE_normal] = {3, offsetof(ShapeVertex, normal)},
     [MESH_ATTRIBUTE_texcoord] = {2, offsetof(ShapeVertex, uv)},
     [MESH_ATTRIBUTE_tangentU] = {3, offsetof(ShapeVertex, tangentU)},
     [MESH_ATTRIBUTE_tangentV] = {3, offsetof(ShapeVertex, tangentV)},
+    [MESH_ATTRIBUTE_displacementNormal] = {3, offsetof(ShapeVertex, normal)},
+    [MESH_ATTRIBUTE_displacementTexcoord] = {2, offsetof(ShapeVertex, uv)},
+    [MESH_ATTRIBUTE_displacementTangentU] = {3, offsetof(ShapeVertex, tangentU)},
+    [MESH_ATTRIBUTE_displacementTangentV] = {3, offsetof(ShapeVertex, tangentV)},
 };
+
+void mesh_point_attributes(const GlContext *gl, size_t moves)
+{
+    for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
+        if (!attributes[i].lanes)
+            continue; /* an instance's number: mesh_attach */
+        const size_t offset = attributes[i].offset + (i > MESH_ATTRIBUTE_instance ? moves : 0);
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
+                                (const void *)(uintptr_t)offset); /* an offset, by GL's habit */
+    }
+}
 
 static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
 {
@@ -28,11 +44,7 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->buffers[1]);
     gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)shape->index_count * (GLsizeiptr)sizeof *shape->indices,
                    shape->indices, GL_STATIC_DRAW);
-    for (GLuint i = 0; i < MESH_ATTRIBUTE_count; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                (const void *)(uintptr_t)attributes[i].offset); /* an offset, by GL's habit */
-    }
+    mesh_point_attributes(gl, 0);
     gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }

@@ -12,7 +12,12 @@ enum {
     MESH_ATTRIBUTE_tangentU,
     MESH_ATTRIBUTE_tangentV,
     MESH_ATTRIBUTE_count,
-    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count /* a whole number, one for each instance */
+    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* a whole number, one for each instance */
+    MESH_ATTRIBUTE_displacementNormal,              /* what a vertex is displaced by: as the four above, but the same for all vertices */
+    MESH_ATTRIBUTE_displacementTexcoord,            /* of one position */
+    MESH_ATTRIBUTE_displacementTangentU,
+    MESH_ATTRIBUTE_displacementTangentV,
+    MESH_ATTRIBUTE_end
 };
 
 /* "position", "normal", "texcoord", "tangentU", "tangentV": for programs that declare no locations. */
@@ -28,6 +33,10 @@ typedef struct {
 bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
 /* Of any shape, which is not kept. */
 bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
+
+/* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those that shade, from its beginning on; those of
+ * displacement `moves` bytes behind it. */
+void mesh_point_attributes(const GlContext *gl, size_t moves);
 
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);

@@ -91,11 +91,17 @@ static void walk_phong(const Node *phong, Slot slot, Subjects *subjects)
 static void walk_material(const Node *material, Slot slot, Subjects *subjects)
 {
     subjects->has[SUBJECT_KINDS + (int)material->kind] = true;
+    if (slot == SLOT_normal && graph_displaces(material)) {
+        const Displacement d = graph_displacement(material);
+        subjects->displaced = true;
+        walk_value(d.height, subjects);
+        walk_value(d.vector, subjects);
+    }
     if (material->kind == KIND_Phong)
         walk_phong(material, slot, subjects);
     else
         for (int i = 0; i < kind_table[material->kind].count; i++)
-            if (material->params[i].kind == VALUE_node)
+            if (param_table[kind_table[material->kind].first + i].type == PARAM_Material && material->params[i].kind == VALUE_node)
                 walk_material(material->params[i].node, slot, subjects);
 }
 
@@ -114,6 +120,11 @@ int subject_governing(const Subjects *subjects, Choice trigonometry)
         if (subjects->has[i] && !(own && bound_table[i].drivers) && bound_table[i].bound > bound_table[best].bound)
             best = i;
     return best;
+}
+
+bool subjects_slopes(const Subjects *subjects, Choice derivatives)
+{
+    return subjects->displaced || (subjects->has[KIND_BumpMap] && derivatives != CHOICE_derivatives_finite);
 }
 
 bool subjects_noise(const Subjects *subjects)

@@ -22,6 +22,7 @@ extern const Bound bound_table[SUBJECT_COUNT]; /* bound 0: no row */
 
 typedef struct {
     bool has[SUBJECT_COUNT];
+    bool displaced; /* the normal is that of a surface after it was displaced */
 } Subjects;
 
 const char *subject_name(int subject);
@@ -29,6 +30,8 @@ const char *subject_name(int subject);
 void subjects_of(const Node *material, Slot slot, Subjects *subjects);
 /* The subject whose bound counts with that choice of functions: the one with the greatest. */
 int subject_governing(const Subjects *subjects, Choice trigonometry);
+/* Whether slopes of a displacement are, of which the oracle has differences. */
+bool subjects_slopes(const Subjects *subjects, Choice derivatives);
 /* Whether lattice noise is among them. */
 bool subjects_noise(const Subjects *subjects);
 #endif

@@ -111,7 +111,10 @@ bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex)
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "inputs")) take_input(fragment, row);
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "uniforms")) take_uniform(fragment, row, "Material");
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "textures"))
-        snprintf(take(fragment, FACT_texture, row, "binding")->type, FACT_TEXT, "sampler2D");
+    {
+        Facts *stage = cJSON_GetObjectItem(row, "stage") ? vertex : fragment;
+        snprintf(take(stage, FACT_texture, row, "binding")->type, FACT_TEXT, "sampler2D");
+    }
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "outputs")) take_output(fragment, row);
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "attributes")) take(vertex, FACT_attribute, row, "location");
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "uniforms")) take_uniform(vertex, row, "Draw");

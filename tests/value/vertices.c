@@ -1,7 +1,6 @@
 /* Attributes, and their transforms by the definitions. */
 #include "vertices.h"
 #include <math.h>
-#include <stddef.h>
 
 float spread(int index) { return (float)(4 * fmod((index + 1) * 0.6180339887498949, 1) - 2); }
 
@@ -59,19 +58,12 @@ void vertices_make(Vertices *vertices, const Space *space, int side)
 
 void vertices_upload(Vertices *vertices, const GlContext *gl)
 {
-    static const size_t offsets[] = {offsetof(ShapeVertex, position), offsetof(ShapeVertex, normal),
-                                     offsetof(ShapeVertex, uv), offsetof(ShapeVertex, tangentU),
-                                     offsetof(ShapeVertex, tangentV)};
     gl->GenVertexArrays(1, &vertices->array);
     gl->GenBuffers(1, &vertices->buffer);
     gl->BindVertexArray(vertices->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, vertices->buffer);
     gl->BufferData(GL_ARRAY_BUFFER, sizeof vertices->vertex, vertices->vertex, GL_STATIC_DRAW);
-    for (GLuint i = 0; i < MESH_ATTRIBUTE_count; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribPointer(i, i == MESH_ATTRIBUTE_texcoord ? 2 : 3, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                (const void *)(uintptr_t)offsets[i]);
-    }
+    mesh_point_attributes(gl, 0);
 }
 
 void vertices_draw(const Vertices *vertices, const GlContext *gl)

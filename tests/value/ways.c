@@ -60,7 +60,7 @@ bool way_matters(const Way *way, const Subjects *subjects)
         return true;
     if (choice_table[choice].axis == AXIS_noise)
         return subjects_noise(subjects);
-    return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap];
+    return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap] || subjects->displaced;
 }
 
 bool way_samples(const Way *way, const Subjects *subjects)
@@ -103,14 +103,13 @@ static bool point_on_edges(const Point *point)
 /* Whether the values are made of slopes that the oracle has from differences. */
 static bool has_slopes(const Way *way, const Subjects *subjects)
 {
-    return way->choice != CHOICE_derivatives_finite && subjects->has[KIND_BumpMap] &&
-           subjects->has[SUBJECT_SLOTS + (int)SLOT_normal];
+    return subjects_slopes(subjects, way->choice) && subjects->has[SUBJECT_SLOTS + (int)SLOT_normal];
 }
 
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
 {
     const bool sampled = way_samples(way, subjects);
-    const bool by_slopes_of_samplers = subjects->has[KIND_BumpMap] && !target_table[way->target].words;
+    const bool by_slopes_of_samplers = (subjects->has[KIND_BumpMap] || subjects->displaced) && !target_table[way->target].words;
     const bool filters = subjects->has[KIND_Laplace3D] || subjects->has[KIND_Smooth3D];
     return !point_is_extreme(point) && !(has_slopes(way, subjects) && point_is_far(point, far_for_slopes)) &&
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&

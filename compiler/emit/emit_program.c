@@ -1,0 +1,274 @@
+/* Programs: functions and main() of a stage, and around them the declarations. */
+#include "compiler/emit/emit_scope.h"
+#include "compiler/emit/emit_declare.h"
+#include <string.h>
+
+/* Which functions a loop sums. */
+static bool *kernels(const Ir *ir, Arena *scratch)
+{
+    bool *summed = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
+    for (Ref ref = 1; ref < ir->count; ref++)
+        if (ir_is(ir, ref, OP_kernel))
+            summed[ir_at(ir, ref)->payload] = true;
+    return summed;
+}
+
+static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
+{
+    for (int i = 0; i < function->count; i++) {
+        Type type = ir_type(ir, function->arguments[i]);
+        text_put(out, i ? ", " : "");
+        text_format(out, "%s %s", type_table[type].name, type == TYPE_vec3 ? "p" : "st");
+    }
+}
+
+/* The sum over the neighbourhood, as a loop that a driver need not unroll. */
+static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
+{
+    const IrFunction *function = &ir->functions[number];
+    const char *type = type_table[ir_type(ir, function->result)].name, *name = emit_function_name(session, ir, number);
+    text_format(out, "%s %sSum(", type, name);
+    put_parameters(out, ir, function);
+    bool scalar = ir_type(ir, function->result) == TYPE_float;
+    text_format(out, ", vec3 size) {\n    %s sum = ", type);
+    text_format(out, scalar ? "0.0;\n" : "%s(0.0);\n", type);
+    for (int axis = 0; axis < 3; axis++) {
+        emit_indent(out, axis + 1);
+        text_format(out, "for (float %c = -0.5; %c < 1.0; %c += 0.5)\n", "ijk"[axis], "ijk"[axis], "ijk"[axis]);
+    }
+    emit_indent(out, 4);
+    text_format(out, "sum += %s(", name);
+    for (int i = 0; i < function->count; i++) {
+        bool position = ir_type(ir, function->arguments[i]) == TYPE_vec3;
+        text_put(out, i ? ", " : "");
+        text_put(out, position ? "p + vec3(i, j, k) * size" : "st + vec2(i, j) * size.xy");
+    }
+    text_put(out, ");\n    return sum;\n}\n\n");
+}
+
+/* The body of a function whose scope is open. */
+static void put_result(Scope *e, Text *out, Ref result)
+{
+    emit_block(e, out, 0, 1);
+    text_put(out, "    return ");
+    emit_expression(e, out, result, PRECEDENCE_any);
+    text_put(out, ";\n}\n\n");
+}
+
+static void put_function(Scope *e, Text *out, int number)
+{
+    const Ir *ir = e->ir;
+    const IrFunction *function = &ir->functions[number];
+    emit_scope_open(e, function, &function->result, 1);
+    text_format(out, "%s %s(", type_table[ir_type(ir, function->result)].name,
+                emit_function_name(e->session, ir, number));
+    put_parameters(out, ir, function);
+    text_put(out, ") {\n");
+    put_result(e, out, function->result);
+}
+
+/* What fragments write: all but the displacement. */
+static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
+{
+    int count = 0;
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind != OUT_displacement)
+            roots[count++] = ir->outputs[i].value;
+    return count;
+}
+
+/* Those that some values run, and that these run in turn: who runs a function comes behind it. */
+static bool *functions_of(const Ir *ir, const Ref *roots, int count, Arena *scratch)
+{
+    bool *run = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
+    IrReach reach = ir_reach_new(ir, scratch);
+    ir_reach(ir, roots, count, &reach);
+    for (size_t f = ir->function_count;; f--) {
+        for (size_t i = 0; i < reach.count; i++)
+            if (ir_applies(ir, reach.at[i]))
+                run[ir_at(ir, reach.at[i])->payload] = true;
+        if (!f)
+            return run;
+        ir_reach(ir, &ir->functions[f - 1].result, run[f - 1], &reach);
+    }
+}
+
+static void put_functions(Scope *e, Text *out, const bool *run)
+{
+    const bool *summed = kernels(e->ir, e->scratch);
+    for (int f = 0; f < (int)e->ir->function_count; f++) {
+        if (!run[f])
+            continue;
+        put_function(e, out, f);
+        if (summed[f])
+            put_kernel(e->session, out, e->ir, f);
+    }
+}
+
+static void put_output(Scope *e, Text *out, const IrOutput *output)
+{
+    bool named = target_table[e->job->target].in_out;
+    emit_needed(e, out, output->value, 1);
+    if (output->kind == OUT_discard) {
+        text_put(out, "    if (");
+        emit_expression(e, out, output->value, PRECEDENCE_any);
+        text_put(out, ") discard;\n");
+        return;
+    }
+    if (output->kind == OUT_depth)
+        text_put(out, "    gl_FragDepth = ");
+    else
+        text_format(out, named ? "    fragment%d = " : "    gl_FragData[%d] = ", output->index);
+    emit_expression(e, out, output->value, PRECEDENCE_any);
+    text_put(out, ";\n");
+}
+
+/* How inputs change over the screen is computed before any branch, as dFdx must be; functions read it from globals. */
+static void put_changes(Text *out, const Interface *interface, bool shared)
+{
+    for (int i = 0; i < change_count; i++) {
+        const InputRow *row = &input_table[change_table[i].input];
+        if (shared && interface->inputs[change_table[i].input])
+            text_format(out, "    %s = %s(%s);\n", row->glsl, change_table[i].by, input_table[change_table[i].of].glsl);
+        else if (interface->inputs[change_table[i].input])
+            text_format(out, "    %s %s = %s(%s);\n", type_table[row->type].name, row->glsl, change_table[i].by,
+                        input_table[change_table[i].of].glsl);
+    }
+}
+
+static void declare_changes(Text *out, const Interface *interface)
+{
+    size_t before = out->size;
+    for (int i = 0; i < change_count; i++) {
+        const InputRow *row = &input_table[change_table[i].input];
+        if (interface->inputs[change_table[i].input])
+            text_format(out, "%s %s;\n", type_table[row->type].name, row->glsl);
+    }
+    if (out->size > before)
+        text_char(out, '\n');
+}
+
+static void put_main(Scope *e, Text *out)
+{
+    const Ir *ir = e->ir;
+    Ref roots[MOST_OUTPUTS];
+    Text body = text_new(e->session->arena);
+    emit_scope_open(e, NULL, roots, roots_of(ir, roots));
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind != OUT_displacement)
+            put_output(e, &body, &ir->outputs[i]);
+    text_put(out, "void main() {\n");
+    put_changes(out, e->interface, ir->function_count > 0);
+    text_add(out, body.at, body.size);
+    text_put(out, "}\n");
+}
+
+static Interface new_interface(Session *session, const Ir *ir)
+{
+    return (Interface){.uniforms = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
+                       .counts = ARENA_ARRAY(session->arena, bool, ir->graph->uniform_count),
+                       .textures = ARENA_ARRAY(session->arena, bool, ir->texture_count)};
+}
+
+/* What a stage declares, as well as what another does; of inputs those that are uniforms. */
+static Interface joined(Session *session, const Ir *ir, const Interface *a, const Interface *b)
+{
+    Interface all = new_interface(session, ir);
+    const Interface *const both[] = {a, b};
+    memcpy(all.inputs, a->inputs, sizeof all.inputs);
+    all.members = a->members || b->members;
+    for (int i = 0; i < INPUT_COUNT; i++)
+        all.inputs[i] |= b->inputs[i] && input_table[i].source == SOURCE_draw;
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < ir->graph->uniform_count; i++) {
+            all.uniforms[i] |= both[k]->uniforms[i];
+            all.counts[i] |= both[k]->counts[i];
+        }
+        for (size_t i = 0; i < ir->texture_count; i++)
+            all.textures[i] |= both[k]->textures[i];
+        for (size_t i = 0; i < both[k]->chunks.count; i++)
+            chunks_add_found(session, &all.chunks, both[k]->chunks.at[i]);
+    }
+    return all;
+}
+
+static void put_chunks(Text *out, const Chunks *chunks)
+{
+    for (size_t i = 0; i < chunks->count; i++) {
+        text_put(out, chunks->at[i]->body);
+        text_char(out, '\n');
+    }
+}
+
+static const IrOutput *displacement_of(const Ir *ir)
+{
+    for (int i = 0; i < ir->output_count; i++)
+        if (ir->outputs[i].kind == OUT_displacement)
+            return &ir->outputs[i];
+    return NULL;
+}
+
+/* The text of a VertexMove: its inputs are variables, since functions of filters read them too. */
+static const char *move_text(Session *session, const Ir *ir, const Job *job, Interface *own)
+{
+    Arena scratch = {0};
+    const Ref root = displacement_of(ir)->value;
+    Text functions = text_new(session->arena), out = text_new(session->arena);
+    Scope e = emit_scope_new(session, ir, job, own, &scratch);
+    put_functions(&e, &functions, functions_of(ir, &root, 1, &scratch));
+    emit_scope_open(&e, NULL, &root, 1);
+    text_format(&functions, "// How far the point moves: %s.\n%s matc_displacement() {\n",
+                ir_type(ir, root) == TYPE_float ? "along its normal" : "along dP/du, dP/dv and its normal",
+                type_table[ir_type(ir, root)].name);
+    put_result(&e, &functions, root);
+    for (int i = 0; i < INPUT_COUNT; i++)
+        if (input_table[i].source == SOURCE_vertex && (own->inputs[i] || i == INPUT_vertexP))
+            text_format(&out, "%s %s;\n", type_table[input_table[i].type].name, input_table[i].glsl);
+    text_char(&out, '\n');
+    put_chunks(&out, &own->chunks);
+    text_add(&out, functions.at, functions.size);
+    arena_free(&scratch);
+    return out.at;
+}
+
+/* The interface of all stages, of that of the fragment program. */
+static Interface with_move(Session *session, const Ir *ir, const Job *job, const Interface *fragment)
+{
+    const IrOutput *displacement = displacement_of(ir);
+    if (!displacement)
+        return *fragment;
+    Interface own = new_interface(session, ir);
+    VertexMove *move = ARENA_NEW(session->arena, VertexMove);
+    Text declarations = text_new(session->arena);
+    move->text = move_text(session, ir, job, &own);
+    move->along_tangents = ir_type(ir, displacement->value) != TYPE_float;
+    memcpy(move->inputs, own.inputs, sizeof move->inputs);
+    Interface all = joined(session, ir, fragment, &own);
+    emit_move_declarations(session, &declarations, ir, job, (Declared){&own, &all});
+    move->declarations = declarations.size ? declarations.at : "";
+    all.move = move;
+    all.fragment_textures = fragment->textures;
+    return all;
+}
+
+const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size)
+{
+    Arena scratch = {0};
+    Ref roots[MOST_OUTPUTS];
+    Interface own = new_interface(session, ir);
+    Text functions = text_new(session->arena), body = text_new(session->arena), out = text_new(session->arena);
+    Scope e = emit_scope_new(session, ir, job, &own, &scratch);
+    put_functions(&e, &functions, functions_of(ir, roots, roots_of(ir, roots), &scratch));
+    put_main(&e, &body);
+    arena_free(&scratch);
+    *interface = with_move(session, ir, job, &own);
+    emit_declarations(session, &out, ir, job, (Declared){&own, interface});
+    interface->declarations = out.size;
+    put_chunks(&out, &own.chunks);
+    if (functions.size)
+        declare_changes(&out, &own);
+    text_add(&out, functions.at, functions.size);
+    text_add(&out, body.at, body.size);
+    *size = out.size;
+    return out.at;
+}

@@ -1,0 +1,163 @@
+/* True displacement: the vertex stages move a point, and the normal that is shaded is that of the surface which they approach.
+ *
+ *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red of `displacement`, both times the scale
+ *     N' = dP'/du x dP'/dv, with Tu, Tv and n taken to stay as they are around the point
+ *
+ * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones move the surface and never the shading.
+ * A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0: dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1).
+ * Maps read the surface as its mesh has it: a colour stays where it is, however far that moves. */
+#include "compiler/lower/relief.h"
+
+/* Environments of their own in the memo: beyond all that filters make of others. */
+enum { ENV_DISPLACED = 16, ENV_VERTEX = 32 };
+
+static Ref height(Lower *l, const Displacement *d, const Env *env)
+{
+    return build_swizzle(l->ir, lower_ask(l, d->height->node, GROUP_R, env), "x");
+}
+
+static Ref vector(Lower *l, const Displacement *d, const Env *env)
+{
+    return build_convert(l->ir, lower_ask(l, d->vector->node, GROUP_R, env), TYPE_vec3);
+}
+
+/* Both, where both are there. */
+static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
+{
+    Ir *ir = l->ir;
+    if (d->vector->kind != VALUE_node)
+        return height(l, d, env);
+    Ref v = vector(l, d, env);
+    if (d->height->kind != VALUE_node)
+        return v;
+    Ref zero = build_float(ir, 0);
+    return build_add(ir, v, build_vec(ir, TYPE_vec3, zero, zero, height(l, d, env)));
+}
+
+/* At most `bound` long. */
+static Ref within(Lower *l, Ref value, double bound)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-30;
+    if (ir_type(ir, value) == TYPE_float)
+        return build_clamp(ir, value, build_float(ir, -bound), build_float(ir, bound));
+    Ref size = build_max(ir, build_length(ir, value), build_float(ir, least));
+    return build_mul(ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
+}
+
+Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
+{
+    const Displacement d = graph_displacement(displaced);
+    double bound[4];
+    Ref value = build_mul(l->ir, moved_by(l, &d, env), lower_param(l, d.scale, TYPE_float));
+    lower_reject_uniform(l, d.bound, "displacementBound", "volumes around objects are made before it is set");
+    if (d.bound->kind != VALUE_number)
+        return value;
+    value_number(d.bound, TYPE_float, bound);
+    return within(l, value, bound[0]);
+}
+
+static Ref tangent(const Env *env, bool by_v) { return env->root[by_v ? GROUP_DV : GROUP_DU]; }
+
+/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv|: what of the tangent does not rise. */
+static Ref slid(Lower *l, const Env *env, Ref slope, bool by_v)
+{
+    Ir *ir = l->ir;
+    if (ir_type(ir, slope) == TYPE_float)
+        return tangent(env, by_v);
+    Ref along_u = build_mul(ir, lower_unit(l, tangent(env, false)), build_swizzle(ir, slope, "x"));
+    Ref along_v = build_mul(ir, lower_unit(l, tangent(env, true)), build_swizzle(ir, slope, "y"));
+    return build_add(ir, build_add(ir, tangent(env, by_v), along_u), along_v);
+}
+
+static Ref rise(Lower *l, Ref slope)
+{
+    return ir_type(l->ir, slope) == TYPE_float ? slope : build_swizzle(l->ir, slope, "z");
+}
+
+static Slopes slopes_of(Lower *l, const Node *displaced, const Env *env)
+{
+    const Displacement d = graph_displacement(displaced);
+    const Type type = d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
+    Slopes s = relief_slopes_of(l, lower_displacement, displaced, env);
+    s.u = build_or_zero(l->ir, s.u, type);
+    s.v = build_or_zero(l->ir, s.v, type);
+    return s;
+}
+
+Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
+{
+    Ir *ir = l->ir;
+    const Slopes s = slopes_of(l, displaced, env);
+    const Ref up_u = rise(l, s.u), up_v = rise(l, s.v), up[2] = {up_u, up_v};
+    Frame f = {.tu = slid(l, env, s.u, false)};
+    Env moved = *env;
+    f.tv = slid(l, env, s.v, true);
+    f.unit = lower_unit(l, env->root[GROUP_N]);
+    f.flat = build_cross(ir, tangent(env, false), tangent(env, true));
+    moved.number += ENV_DISPLACED;
+    moved.root[GROUP_N] = lower_raised_normal(l, &f, up);
+    moved.root[GROUP_DU] = build_add(ir, f.tu, build_mul(ir, f.unit, up[0]));
+    moved.root[GROUP_DV] = build_add(ir, f.tv, build_mul(ir, f.unit, up[1]));
+    moved.eye_n = 0;
+    return moved;
+}
+
+/* Three lanes, of a height the last. */
+static Ref as_vector(Lower *l, Ref value)
+{
+    Ir *ir = l->ir;
+    Ref zero = build_float(ir, 0);
+    return ir_type(ir, value) == TYPE_float ? build_vec(ir, TYPE_vec3, zero, zero, value) : value;
+}
+
+static void put(Lower *l, int target, Ref value)
+{
+    ir_output(l->ir, OUT_color, target, build_convert(l->ir, as_vector(l, value), TYPE_vec4));
+}
+
+void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
+{
+    Ref none = build_float(l->ir, 0);
+    Slopes s = {none, none};
+    if (displaced)
+        s = slopes_of(l, displaced, env);
+    put(l, 0, displaced ? lower_displacement(l, displaced, env) : none);
+    put(l, 1, s.u);
+    put(l, 2, s.v);
+}
+
+/* A vertex, before it is displaced. Its inputs are no fragment's: nothing that is computed for either is shared. */
+static Env vertex_env(Lower *l)
+{
+    Ir *ir = l->ir;
+    Env env = {.front = build_truth(ir, true), .number = ENV_VERTEX};
+    env.root[GROUP_P] = build_input(ir, INPUT_vertexP);
+    env.root[GROUP_N] = build_input(ir, INPUT_vertexN);
+    env.root[GROUP_DU] = build_input(ir, INPUT_vertexDU);
+    env.root[GROUP_DV] = build_input(ir, INPUT_vertexDV);
+    env.root[GROUP_U] = build_vec(ir, TYPE_vec3, build_input(ir, INPUT_vertexU), build_float(ir, 0));
+    env.root[GROUP_X] = build_input(ir, INPUT_vertexX);
+    env.root[GROUP_R] = build_all(ir, TYPE_vec4, 0);
+    env.root[GROUP_IOR] = build_input(ir, INPUT_IOR);
+    return env;
+}
+
+/* Pictures are taken from their texels, at the full resolution: the height of a point depends on no triangle, so that those on either side of
+ * an edge cannot differ. */
+void lower_displace_vertices(Lower *l, const Node *displaced)
+{
+    const Job *whole = l->job;
+    Job job = *whole;
+    if (!displaced)
+        return;
+    const Env env = vertex_env(l);
+    job.choice[AXIS_aa] = CHOICE_aa_none;
+    l->job = &job;
+    Ref value = lower_displacement(l, displaced, &env);
+    l->job = whole;
+    if (ir_is_number(l->ir, value, 0))
+        return;
+    l->ir->displaced = displaced;
+    ir_output(l->ir, OUT_displacement, 0, value);
+}

@@ -1,0 +1,78 @@
+/* True displacement (semantics.md 4.6): how far a point moves, the slopes of that, and the frame of the surface there. */
+#include "compiler/oracle/oracle_maps.h"
+#include <math.h>
+
+enum { ALONG_N = 2 };
+
+/* How far along dP/du, dP/dv and the normal. */
+static void move_of(Environment *environment, const Node *displaced, double move[3])
+{
+    const Displacement d = graph_displacement(displaced);
+    const double scale = oracle_float(d.scale);
+    double size = 0, bound = d.bound->kind == VALUE_none ? INFINITY : oracle_float(d.bound);
+    for (int lane = 0; lane < 3; lane++)
+        move[lane] = d.vector->kind == VALUE_node
+                         ? scale * oracle_ask(environment, d.vector->node, channel_id(GROUP_R, lane))
+                         : 0;
+    if (d.height->kind == VALUE_node)
+        move[ALONG_N] += scale * oracle_ask(environment, d.height->node, channel_id(GROUP_R, 0));
+    for (int lane = 0; lane < 3; lane++)
+        size = hypot(size, move[lane]);
+    for (int lane = 0; lane < 3 && size > bound; lane++)
+        move[lane] *= bound / size;
+}
+
+static double lane_of_move(Environment *environment, const Node *displaced, int lane)
+{
+    double move[3];
+    move_of(environment, displaced, move);
+    return move[lane];
+}
+
+void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
+{
+    move_of(environment, displaced, d->by);
+    for (int lane = 0; lane < 3; lane++) {
+        double slope[2];
+        oracle_slopes(environment, &(Height){lane_of_move, displaced, lane}, slope);
+        d->by_u[lane] = slope[0];
+        d->by_v[lane] = slope[1];
+    }
+}
+
+static double length(const double v[3]) { return fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), 1e-30); }
+
+/* a x b, but for the part along the normal times itself, which is 0: of steep slopes it would be noise. */
+static void cross(const double a[3], const double b[3], double result[3])
+{
+    for (int i = 0; i < 3; i++)
+        result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+}
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+void oracle_displace(Environment *environment, const Node *displaced, Surface *surface)
+{
+    OracleDisplacement d;
+    oracle_move(environment, displaced, &d);
+    double *n = &surface->root[channel_id(GROUP_N, 0)], *tu = &surface->root[channel_id(GROUP_DU, 0)],
+           *tv = &surface->root[channel_id(GROUP_DV, 0)];
+    double slid_u[3], slid_v[3], flat[3], across[3], lifted[3], mesh[3];
+    const double size_n = length(n), size_u = length(tu), size_v = length(tv);
+    cross(tu, tv, mesh);
+    const double side = dot(mesh, n) < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++) {
+        slid_u[i] = tu[i] + d.by_u[0] * tu[i] / size_u + d.by_u[1] * tv[i] / size_v;
+        slid_v[i] = tv[i] + d.by_v[0] * tu[i] / size_u + d.by_v[1] * tv[i] / size_v;
+    }
+    for (int i = 0; i < 3; i++) {
+        const double unit = n[i] / size_n;
+        across[i] = d.by_u[ALONG_N] * slid_v[i] - d.by_v[ALONG_N] * slid_u[i];
+        tu[i] = slid_u[i] + d.by_u[ALONG_N] * unit;
+        tv[i] = slid_v[i] + d.by_v[ALONG_N] * unit;
+    }
+    cross(slid_u, slid_v, flat);
+    cross(n, across, lifted);
+    for (int i = 0; i < 3; i++)
+        n[i] = side * (flat[i] + lifted[i] / size_n);
+}

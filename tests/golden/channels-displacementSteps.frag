@@ -1,0 +1,83 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
+in vec2 uv;
+in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
+uniform mat3 matc_eyeFromWorld;
+layout(location = 0) out uvec4 fragment0;
+
+// Gradient of wood, then its value; on the axis the gradient is 0. Error 3e-7, of the value relative.
+vec4 woodGradient(vec3 p) {
+    vec2 a = clamp(p.xy, -1.0e37, 1.0e37);
+    float greater = max(max(abs(a.x), abs(a.y)), 1.0e-37);
+    vec2 unit = a / greater;
+    float size = length(unit);
+    return vec4(unit / max(size, 1.0), 0.0, greater * size);
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+void main() {
+    // displacementSteps.yaml:5 Wood
+    vec4 wood2_1 = woodGradient(localPosition);
+    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    vec3 normal_2 = cross(worldTangentU, worldTangentV);
+    float wood2_2 = fract(wood2_1.w * 3.0) * 6.2831855;
+    float wood2_3 = cos(wood2_2);
+    // displacementSteps.yaml:6 Checker
+    vec2 checker = fract(uv * vec2(4.0));
+    bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
+    vec2 checker_3 = fract(checker + vec2(0.05, 0.0));
+    float checker_4 = checker_2 ? 1.0 : 0.0;
+    vec2 checker_5 = fract(checker + vec2(0.0, 0.05));
+    float checker_6 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
+    float checker_7 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
+    // displacementSteps.yaml:4 Blend
+    float blend = sin(wood2_2) - 0.1;
+    float blend_2 = blend * checker_6 + (checker_2 ? dot(wood2_1.xyz, localTangentU) * 3.0 * 6.2831855 * wood2_3 : 0.0);
+    float blend_3 = blend * checker_7 + (checker_2 ? dot(wood2_1.xyz, localTangentV) * 3.0 * 6.2831855 * wood2_3 : 0.0);
+    vec3 normal_3 = cross(normal_1, blend_2 * 0.2 * worldTangentV - blend_3 * 0.2 * worldTangentU) + normal_2;
+    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_3 : normal_3)) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
+}

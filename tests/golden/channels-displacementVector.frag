@@ -1,0 +1,90 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
+in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
+uniform mat3 matc_eyeFromWorld;
+layout(location = 0) out uvec4 fragment0;
+
+// Gradient of leopard, then its value. Error 4.3e-7 where sin and cos have 1e-7.
+vec4 leopardGradient(vec3 p) {
+    float mean = dot(sin(p), vec3(1.0 / 3.0));
+    return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
+}
+
+// sin(x / 2) / (x / 2), x not negative: what is left of a sine over a box of edge x. Error 2e-7.
+float sincMean(float x) {
+    float h = 0.5 * x;
+    return h < 1.0e-2 ? 1.0 - h * h * (1.0 / 6.0) : sin(h) / max(h, 1.0e-2);
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+void main() {
+    vec3 localPositionByX = dFdx(localPosition);
+    vec3 localPositionByY = dFdy(localPosition);
+    // displacementVector.yaml:7 Gradient
+    float gradient_1 = dot(localPosition, vec3(2.0, 1.0, 0.0));
+    float gradient_2 = dot(localPositionByX, vec3(2.0, 1.0, 0.0));
+    float gradient_3 = dot(localPositionByY, vec3(2.0, 1.0, 0.0));
+    float gradient_4 = cos(gradient_1);
+    // displacementVector.yaml:8 Leopard
+    vec3 leopard2 = leopardGradient(localPosition * 3.0).xyz;
+    vec3 normal_1 = 1.0 / max(length(worldTangentU), 1e-30) * worldTangentU;
+    vec3 normal_2 = 1.0 / max(length(worldTangentV), 1e-30) * worldTangentV;
+    vec3 normal_3 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    float gradient_5 = sincMean(sqrt(gradient_3 * gradient_3 + gradient_2 * gradient_2));
+    float gradient = gradient_5 * sin(gradient_1);
+    // displacementVector.yaml:5 Blend
+    vec3 blend = step(gradient, 1.0) * step(-1.0, gradient) * vec3(0.4, -0.1, 0.25);
+    vec3 normal_4 = blend * (gradient_5 * (gradient_4 * dot(localTangentU, vec3(2.0, 1.0, 0.0)))) + vec3(0.0, 0.0, dot(leopard2, localTangentU * 3.0));
+    vec3 normal_5 = normal_4 * 0.25;
+    vec3 normal_6 = dot(localTangentV, vec3(2.0, 1.0, 0.0)) * gradient_4 * gradient_5 * blend + vec3(0.0, 0.0, dot(leopard2, localTangentV * 3.0));
+    vec3 normal_7 = normal_6 * 0.25;
+    vec3 normal_8 = normal_5.x * normal_1 + worldTangentU + normal_5.y * normal_2;
+    vec3 normal_9 = normal_7.x * normal_1 + worldTangentV + normal_7.y * normal_2;
+    vec3 normal_10 = cross(normal_3, normal_9 * normal_5.z - normal_8 * normal_7.z) + cross(normal_8, normal_9);
+    vec3 normal_11 = safeNormalize(eyeFromWorld(dot(cross(worldTangentU, worldTangentV), normal_3) < 0.0 ? -normal_10 : normal_10));
+    vec3 normal = normal_11 * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11837810u, 645922816u);
+}
