@@ -4,6 +4,7 @@
 #include "shadows.h"
 #include "shadows_error.h"
 #include "runtime/scene/model.h"
+#include "tests/meshes/meshes.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,7 +13,7 @@
 typedef struct {
     const char *plot; /* or NULL */
     GlKind kind;
-    const char *mesh; /* a file, or NULL */
+    const char *mesh; /* a file, or a name of tests/meshes; or NULL */
     int triangles;    /* else, of a ball with bumps, about */
     int map_size;
     bool timed;
@@ -103,12 +104,8 @@ static bool measure_times(const Shadows *s)
 static const struct {
     const char *name;
     bool (*measure)(const Shadows *s);
-} tables[] = {{"errors", measure_errors},
-              {"steps", shadows_steps},
-              {"times", measure_times},
-              {"paths", shadows_paths},
-              {"polygons", shadows_polygons},
-              {"claims", shadows_claims}};
+} tables[] = {{"errors", measure_errors}, {"steps", shadows_steps},       {"times", measure_times},
+              {"paths", shadows_paths},   {"polygons", shadows_polygons}, {"claims", shadows_claims}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static bool read_argument(const char *text, Arguments *made)
@@ -143,7 +140,14 @@ static bool open_mesh(const Arguments *arguments, Shape *made)
     char error[4096];
     if (!arguments->mesh)
         return shadows_ball(arguments->triangles, made) || fputs("matbench: out of memory\n", stderr) < 0;
-    return model_read(arguments->mesh, made, error, sizeof error) || fprintf(stderr, "matbench: %s\n", error) < 0;
+    char *known = meshes_path(arguments->mesh);
+    const bool fine = model_read(known ? known : arguments->mesh, made, error, sizeof error);
+    if (!fine)
+        fprintf(stderr, "matbench: %s%s\n", error,
+                strpbrk(arguments->mesh, "./") ? ""
+                                               : "; sh tests/meshes/fetch.sh BUILD_FOLDER fetches those with a name");
+    free(known);
+    return fine;
 }
 
 static int run(const Arguments *arguments)
@@ -173,7 +177,7 @@ int bench_shadows(int argc, char **argv)
     Arguments arguments;
     if (read_arguments(argc, argv, &arguments))
         return run(&arguments);
-    fputs("usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE] [--maps=TEXELS] "
+    fputs("usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE|NAME] [--maps=TEXELS] "
           "[--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims]\n",
           stderr);
     return 2;
