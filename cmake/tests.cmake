@@ -101,7 +101,8 @@ target_link_libraries(tree_json PRIVATE libmatc)
 set_target_properties(tree_json PROPERTIES LINKER_LANGUAGE CXX)
 matc_test(suites sh tests/suites/run.sh $<TARGET_FILE:tree_json> ${PROJECT_BINARY_DIR})
 matc_test(functions matbench functions)
-matc_test(meshes sh tests/meshes/fetch.sh ${PROJECT_BINARY_DIR}) # before those that draw them
+matc_test(meshes sh tests/meshes/fetch.sh ${PROJECT_BINARY_DIR})
+set_tests_properties(test_frame_meshes PROPERTIES DEPENDS meshes)
 
 # The libraries and packages
 set(LIBRARIES ${MATC_KINDS})

@@ -8,6 +8,7 @@
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_judge.h"
+#include "tests/frame/shadow_pair.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -53,52 +54,15 @@ typedef struct {
     int counts[SHADOW_VERDICTS], dark;
 } Count;
 
-/* Two renderers, for all pictures: with shadows, and without. */
-typedef struct {
-    GlContext *gl;
-    MatcOptions options;
-    RenderOptions how[2];
-    Render *renders[2];
-} Pair;
-
-static Pair open_pair(void)
-{
-    Pair pair = {.gl = frame_context_of(kind), .options = frame_exact_options()};
-    return pair;
-}
-
-static void start(Pair *pair)
-{
-    for (int i = 0; i < 2; i++) {
-        pair->how[i] = (RenderOptions){.compile = &pair->options, .view = "light", .no_shadows = i > 0};
-        pair->renders[i] = render_open(pair->gl, &pair->how[i]);
-        assert_non_null(pair->renders[i]);
-    }
-}
-
-static void close_pair(Pair *pair)
-{
-    for (int i = 0; i < 2; i++)
-        render_close(pair->renders[i]);
-    gl_close(pair->gl);
-}
-
-static float *draw(Render *render, const Scene *scene)
-{
-    float *rgba = calloc((size_t)wide * (size_t)high, 4 * sizeof *rgba);
-    assert_true(rgba && render_scene(render, scene) && render_frame(render) && render_read(render, rgba));
-    return rgba;
-}
-
 static void put_wrong(const char *name, int pixel, bool lit)
 {
     print_message("%s: pixel %d, %d is %s\n", name, pixel % wide, pixel / wide, lit ? "lit" : "dark");
 }
 
 /* Judges a picture of one light. */
-static void compare(const Pair *pair, const char *name, const Scene *scene, Count *count)
+static void compare(const ShadowPair *pair, const char *name, const Scene *scene, Count *count)
 {
-    float *with = draw(pair->renders[0], scene), *without = draw(pair->renders[1], scene);
+    float *with = shadow_pair_draw(pair, 0, scene), *without = shadow_pair_draw(pair, 1, scene);
     Tracer tracer = reference_open(scene);
     const ShadowJudge judge = shadow_judge(&tracer);
     for (int i = 0; i < wide * high; i++) {
@@ -152,16 +116,16 @@ static Scene *scene_of(const MatcOptions *options, const Lamp *lamp, const doubl
 
 static Count by_every_lamp(const char *name, const char *objects[2])
 {
-    Pair pair = open_pair();
+    ShadowPair pair;
     Count count = {.dark = 0};
-    start(&pair);
+    shadow_pair_open(kind, &pair);
     for (int i = 0; i < SHADOW_ANGLES; i++) {
         MatcDocument *document;
         Scene *scene = scene_of(&pair.options, &lamps[i % LAMPS], shadow_angles[i], objects, &document);
         compare(&pair, name, scene, &count);
         frame_forget(scene, document);
     }
-    close_pair(&pair);
+    shadow_pair_close(&pair);
     print_message("%s: %d right, %d dark, %d ties, %d of what is seen, %d wrong\n", name, count.counts[SHADOW_right],
                   count.dark, count.counts[SHADOW_tie], count.counts[SHADOW_seen_tie], count.counts[SHADOW_wrong]);
     return count;

@@ -5,57 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/frame.h"
-#include "tests/frame/boundary.h"
-#include "tests/frame/frame_draw.h"
+#include "tests/frame/shadow_ends.h"
 #include "tests/frame/shadow_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Two renderers, for all pictures: with shadows, and without. */
-typedef struct {
-    GlContext *gl;
-    MatcOptions options;
-    RenderOptions how[2];
-    Render *renders[2];
-} Pair;
-
-static void open_pair(Pair *pair)
-{
-    pair->gl = frame_context();
-    pair->options = frame_exact_options();
-    for (int i = 0; i < 2; i++) {
-        pair->how[i] = (RenderOptions){.compile = &pair->options, .view = "light", .no_shadows = i > 0};
-        pair->renders[i] = render_open(pair->gl, &pair->how[i]);
-        assert_non_null(pair->renders[i]);
-    }
-}
-
-static void close_pair(Pair *pair)
-{
-    for (int i = 0; i < 2; i++)
-        render_close(pair->renders[i]);
-    gl_close(pair->gl);
-}
-
-static float *draw(Render *render, const Scene *scene)
-{
-    float *rgba = calloc((size_t)scene->width * (size_t)scene->height, 4 * sizeof *rgba);
-    assert_true(rgba && render_scene(render, scene) && render_frame(render) && render_read(render, rgba));
-    return rgba;
-}
-
-/* Light that arrives at each pixel, as a share of all of it; -1 where none would. From malloc. */
-static float *shares_of(const Pair *pair, const Scene *scene)
-{
-    float *with = draw(pair->renders[0], scene), *without = draw(pair->renders[1], scene);
-    for (int i = 0; i < scene->width * scene->height; i++)
-        with[i] = without[4 * i] > 1e-7f ? with[4 * i] / without[4 * i] : -1;
-    free(without);
-    return with;
-}
 
 /* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */
 static bool sides_agree(const SceneLight *light, const Hit *hit)
@@ -113,107 +68,19 @@ static Shape knot(void)
     return shape;
 }
 
-/* Light goes along (0.6, 0.25, -1); it is looked along it, from behind the casters. */
-#define ENDS                                                                                                           \
-    "image: { width: 320, height: 320 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"                         \
-    "shadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: [.6, .25, -1], shadows: silhouette }]\n"
-#define KNOT(place) "- { object: Sphere, material: m, transform: { translation: [" place "] } }\n"
-
-typedef struct {
-    const char *name, *text;
-    int casters; /* the first objects, spheres that become the mesh */
-    double most; /* texels */
-} Ends;
-
-static const Ends ends[] = {
-    {"plane",
-     ENDS "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: 2.6 }\n"
-          "objects:\n" KNOT("0, 0, 3") PLANE,
-     1, .01},
-    {"itself",
-     ENDS
-     "camera: { camera: Orthographic, position: [-2, 2, 4], target: [0, 0, 0], size: 2.4 }\nobjects:\n" KNOT("0, 0, 0"),
-     1, .01},
-    {"second",
-     ENDS "camera: { camera: Orthographic, position: [.9, .375, -1.5], target: [1.8, .75, -3], size: 2.4 }\n"
-          "objects:\n" KNOT("0, 0, 0") "- { object: Sphere, radius: 1.3, material: m, transform: { translation: [1.8, "
-                                       ".75, -3] } }\n",
-     1, .01},
-    {"overlapping",
-     ENDS "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: 3.4 }\n"
-          "objects:\n" KNOT("-.5, -.4, 3") KNOT("-1, 0, 5") PLANE,
-     2, .01},
-};
-
-/* Of a picture: where the light has what is seen, in texels; whether it reaches that; 0 where that is not asked. */
-typedef struct {
-    double (*places)[2];
-    float *light, *truth;
-} Seen;
-
-static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, Seen *seen)
-{
-    const int wide = tracer->scene->width;
-    const Ray ray = reference_ray(tracer->scene, pixel % wide + .5, pixel / wide + .5);
-    const Hit hit = reference_hit(tracer, &ray, 0);
-    seen->light[pixel] = hit.object >= 0 && sides_agree(&tracer->scene->lights[0], &hit);
-    if (seen->light[pixel] <= 0)
-        return;
-    for (int i = 0; i < 2; i++)
-        seen->places[pixel][i] =
-            (reference_dot(view->rows[i], hit.world) + view->rows[i][3]) * tracer->scene->shadow_size / 2;
-    seen->truth[pixel] = shadow_is_lit(tracer, &tracer->scene->lights[0], hit.world, hit.facet);
-}
-
-/* The mean distance of ends from those by rays, in texels. */
-static double distance_of(const Scene *scene, const ShadowView *view, const float *shares)
-{
-    const size_t count = (size_t)scene->width * (size_t)scene->height;
-    Seen seen = {calloc(count, sizeof *seen.places), calloc(count, sizeof *seen.light),
-                 calloc(count, sizeof *seen.truth)};
-    Tracer tracer = reference_open(scene);
-    assert_true(seen.places && seen.truth && seen.light);
-    for (size_t i = 0; i < count; i++)
-        if (shares[i] >= 0)
-            see_pixel(&tracer, view, (int)i, &seen);
-    const Boundary boundary = {scene->width, (const double(*)[2])seen.places, seen.light, seen.truth, 8};
-    const double length = boundary_length(&boundary), area = boundary_area(&boundary, shares);
-    reference_close(&tracer);
-    free(seen.places);
-    free(seen.truth);
-    free(seen.light);
-    assert_true(length > 100);
-    return area / length;
-}
-
-static void ends_of(const Pair *pair, const Ends *row, const Shape *shape)
-{
-    MatcDocument *document;
-    SceneMesh mesh = {.shape = *shape};
-    Scene *scene = frame_scene(row->text, &pair->options, &document);
-    scene->meshes = &mesh;
-    scene->mesh_count = 1;
-    for (int i = 0; i < row->casters; i++) {
-        scene->objects[i].kind = SCENE_Mesh;
-        scene->objects[i].mesh = 0;
-    }
-    float *shares = shares_of(pair, scene);
-    const double distance = distance_of(scene, &pair->renders[0]->shadows.views.views[0], shares);
-    print_message("ends on %s: %.4f texels off\n", row->name, distance);
-    free(shares);
-    scene->mesh_count = 0; /* it is not the scene's */
-    frame_forget(scene, document);
-}
-
 static void ends_are_true(void **state)
 {
     (void)state;
-    Pair pair;
+    ShadowPair pair;
     Shape shape = knot();
-    open_pair(&pair);
-    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
-        ends_of(&pair, &ends[i], &shape);
-    close_pair(&pair);
+    shadow_pair_open(GL_KIND_osmesa, &pair);
+    for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
+        const double distance =
+            shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", (ShadowEndsReceiver)i, false});
+        print_message("ends on %s: %.4f texels off\n", shadow_ends_receivers[i], distance);
+        assert_true(distance <= .01);
+    }
+    shadow_pair_close(&pair);
     shape_free(&shape);
 }
 
@@ -305,7 +172,7 @@ static const Lamp lamps[] = {
 };
 enum { LAMPS = sizeof lamps / sizeof *lamps };
 
-static Count by_lamp(const Pair *pair, const Lamp *lamp, const double angle[2], const char *objects[2])
+static Count by_lamp(const ShadowPair *pair, const Lamp *lamp, const double angle[2], const char *objects[2])
 {
     char text[6144], place_text[128] = "", direction_text[128] = "";
     double at[3];
@@ -320,7 +187,7 @@ static Count by_lamp(const Pair *pair, const Lamp *lamp, const double angle[2], 
              VIEW "shadowMaps: { size: 256 }\nlights: [{ light: %s%s%s, shadows: silhouette }]\n%s%s", lamp->kind,
              place_text, direction_text, objects[0], objects[1]);
     Scene *scene = frame_scene(text, &pair->options, &document);
-    float *shares = shares_of(pair, scene);
+    float *shares = shadow_pair_shares(pair, scene);
     Tracer tracer = reference_open(scene);
     for (int i = 0; i < scene->width * scene->height; i++)
         if (shares[i] >= 0)
@@ -332,7 +199,7 @@ static Count by_lamp(const Pair *pair, const Lamp *lamp, const double angle[2], 
 }
 
 /* `most` leaks may be found. */
-static void by_every_lamp(const Pair *pair, const char *name, const char *objects[2], int most)
+static void by_every_lamp(const ShadowPair *pair, const char *name, const char *objects[2], int most)
 {
     Count all = {0};
     for (int i = 0; i < SHADOW_ANGLES * LAMPS; i++) {
@@ -356,12 +223,12 @@ static void by_every_lamp(const Pair *pair, const char *name, const char *object
 static void away_from_ends(void **state)
 {
     (void)state;
-    Pair pair;
-    open_pair(&pair);
+    ShadowPair pair;
+    shadow_pair_open(GL_KIND_osmesa, &pair);
     by_every_lamp(&pair, "on a mesh", (const char *[2]){GROUND, THINGS}, 0);
     by_every_lamp(&pair, "on a plane", (const char *[2]){ON_PLANE, THINGS}, 0);
     by_every_lamp(&pair, "nasty", (const char *[2]){GROUND, NASTY}, all_of_them ? 3 : 0);
-    close_pair(&pair);
+    shadow_pair_close(&pair);
 }
 
 int main(int count, char **arguments)
