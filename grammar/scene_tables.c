@@ -12,6 +12,12 @@
 #define VALUE_Shadows         PLAIN(Shadows)
 #define VALUE_Volume          PLAIN(Volume)
 #define VALUE_Path            PLAIN(Path)
+#define VALUE_Indirect        PLAIN(Indirect)
+#define VALUE_Weight          PLAIN(Weight)
+#define VALUE_Distribution    PLAIN(Distribution)
+#define VALUE_Sequence        PLAIN(Sequence)
+#define VALUE_Rotation        PLAIN(Rotation)
+#define VALUE_March           PLAIN(March)
 #define VALUE_Transform       PLAIN(Transform)
 #define VALUE_Material        .value = SCENE_VALUE_material, .param.type = PARAM_Material
 #define VALUE_File            .value = SCENE_VALUE_file, .param.type = PARAM_Image

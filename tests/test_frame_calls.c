@@ -74,8 +74,9 @@ static void count_calls(GlContext *gl)
     COUNT(Uniform2fv)
     COUNT(Uniform3fv)
     COUNT(Uniform4fv)
-    COUNT(Uniform1iv) COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays)
-        COUNT(DispatchCompute) calls = draws = 0;
+    COUNT(Uniform1iv)
+    COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls =
+        draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a plane of glass. */
@@ -224,8 +225,8 @@ static void views_need_less(void **state)
         render_close(render);
     }
     assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
-    assert_string_equal(gl->error,
-                        "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, voxels, or a slot");
+    assert_string_equal(gl->error, "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, voxels, "
+                                   "open, indirect, bent, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

@@ -17,14 +17,16 @@
 
 static const SurfaceModel lambert = {
     "Lambert",
-    LIT "vec3 surfaceOwn(Lit m, vec3 ambient) { return vec3(0.0); }\n"
+    LIT "vec3 surfaceOwn(Lit m) { return vec3(0.0); }\n"
+        "vec3 surfaceAmbient(Lit m, vec3 ambient) { return vec3(0.0); }\n"
         "vec3 surfaceLobe(Lit m, vec3 l) { return m.color * max(dot(m.normal, l), 0.0); }\n"
         "#ifdef LIGHT_HAS_AREAS\n"
         "vec3 surfaceArea(Lit m, Area a) { return m.color * areaCosine(areaClip(a, m.normal), m.normal); }\n"
         "#endif\n",
     false};
 static const SurfaceModel flat = {"Flat",
-                                  LIT "vec3 surfaceOwn(Lit m, vec3 ambient) { return m.color; }\n"
+                                  LIT "vec3 surfaceOwn(Lit m) { return m.color; }\n"
+                                      "vec3 surfaceAmbient(Lit m, vec3 ambient) { return vec3(0.0); }\n"
                                       "vec3 surfaceLobe(Lit m, vec3 l) { return vec3(0.0); }\n"
                                       "#ifdef LIGHT_HAS_AREAS\n"
                                       "vec3 surfaceArea(Lit m, Area a) { return vec3(0.0); }\n"

@@ -155,10 +155,19 @@ static void try_numeric(const ParamRow *row)
     assert_false(tries(row, "{ map: Wood }"));
 }
 
+/* Lists may have words of one name. */
+static bool has_word(int list, const char *name)
+{
+    bool found = false;
+    for (int i = 0; i < WORD_COUNT; i++)
+        found |= (int)word_table[i].list == list && !strcmp(word_table[i].name, name);
+    return found;
+}
+
 static void try_words(const ParamRow *row)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        assert_int_equal(tries(row, word_table[i].name), word_table[i].list == row->type);
+        assert_int_equal(tries(row, word_table[i].name), has_word((int)row->type, word_table[i].name));
     assert_false(tries(row, "other"));
     assert_false(tries(row, "0"));
 }
@@ -211,14 +220,10 @@ static void every_alias_and_preset_is_known(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_are_documented),
-        cmocka_unit_test(parameters_stand_under_their_kind),
-        cmocka_unit_test(defaults_are_in_range),
-        cmocka_unit_test(scenes_are_sound),
-        cmocka_unit_test(maps_have_their_files),
-        cmocka_unit_test(every_parameter_is_tried),
-        cmocka_unit_test(every_wave_is_known),
-        cmocka_unit_test(every_alias_and_preset_is_known),
+        cmocka_unit_test(rows_are_documented),   cmocka_unit_test(parameters_stand_under_their_kind),
+        cmocka_unit_test(defaults_are_in_range), cmocka_unit_test(scenes_are_sound),
+        cmocka_unit_test(maps_have_their_files), cmocka_unit_test(every_parameter_is_tried),
+        cmocka_unit_test(every_wave_is_known),   cmocka_unit_test(every_alias_and_preset_is_known),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

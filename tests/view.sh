@@ -30,7 +30,7 @@ for option in --shape=teapot --camera=behind --camera=0,0,5 --camera=1,2 --slot=
 done
 check "a value that no option has" status 2 $draw --aa=sharp $example -o "$work/none.png"
 check "is told from those that are" says "^matview: --aa: there is no 'sharp', but auto, none, box, aniso; see"
-for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=covrage coverage" "--format=pgn png" "--shadows=maps map" \
+for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=covrage coverage" "--format=pgn png" "--shadows=maps map" "--indirect=marsh march" \
     "--tools=grid,axis axes" "--emit=fram frame" "--transparency=list lists" "--lights=al all" "--shap=plane --shape"; do
     check "a misspelt word: ${wrong% *}" status 2 $draw "${wrong% *}" $example -o "$work/none.png"
     check "is quoted, and the right one guessed" says "there is no .*'.*; did you mean '${wrong#* }'"
@@ -62,11 +62,12 @@ objects: [{ object: Plane, material: m }, { object: Sphere, material: m, transfo
 EOF_SCENE
 check "--compare" status 0 "$matview" --compare=shadows "$work/scene.yaml" -o "$work/compared.png"
 check "has a cell for none, map, exact, and three hybrid ones at least" test "$(od -An -tu1 -j20 -N4 "$work/compared.png" | awk '{ print ($3 * 256 + $4 - 6) / 48 }')" -ge 2
+check "--compare=indirect" status 0 "$matview" --compare=indirect "$work/scene.yaml" -o "$work/compared.png"
 check "of pictures that no file can hold side by side" status 1 timeout 20 "$matview" --compare=shadows --size=16384 "$work/scene.yaml" -o "$work/none.png"
 check "is told before one is drawn" says 'larger than 16384'
 check "of a material" status 2 $draw --compare=shadows $example -o "$work/none.png"
 check "says so" says 'are of scenes'
-for option in --shadows=map --frame=0 --stats --emit=frame --bits=16; do
+for option in --shadows=map --indirect=none --frame=0 --stats --emit=frame --bits=16; do
     check "--compare with $option" status 2 "$matview" --compare=shadows $option "$work/scene.yaml" -o "$work/none.png"
     check "says so" says 'it takes none of'
 done
@@ -78,7 +79,7 @@ sed -n 's/^\.It//p' docs/matview.1 | grep -oE '\\-[a-z]+' | sed 's/^../--/' | so
 check "docs/matview.1 has all options" diff "$work/help.txt" "$work/manual.txt"
 # words OPTION: those behind it, up to the next space that follows no comma; (default) and what is explained left out
 words() { "$matview" --help | sed -n "s/^  $1=[A-Z]*  *//p" | grep -oE '^([a-z]+( \(default\))?, )*[a-z]+' | tr -d ' ' | sed 's/(default)//g' | tr , '\n'; }
-for option in --shape --shadows --transparency --lights --format --pass --gl --view; do
+for option in --shape --shadows --indirect --transparency --lights --format --pass --gl --view; do
     for word in $(words "$option"); do
         check "docs/matview.1 has $option=$word" eval "sed -n '/^.It Fl .-${option#--} /,/^.[IE][tl]/p' docs/matview.1 | grep -qwE '$word'"
     done

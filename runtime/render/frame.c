@@ -11,6 +11,7 @@
 #define CUBES   (1u << FRAME_TARGET_cubes)
 #define SEEN    (1u << FRAME_TARGET_seen)
 #define LIGHT   (1u << FRAME_TARGET_light)
+#define OPEN    (1u << FRAME_TARGET_open)
 #define EDGE    (1u << FRAME_TARGET_edge)
 #define MASK    (1u << FRAME_TARGET_mask)
 #define LISTS   (1u << FRAME_TARGET_lists)
@@ -57,6 +58,18 @@ const FramePass frame_passes[] = {
      pass_light_make,
      pass_light_draw,
      "always: what is not lit is black",
+     NULL},
+    {{"rays", DEPTH | GBUFFER | LIGHT, OPEN, 0, 0},
+     pass_rays_needed,
+     pass_rays_make,
+     pass_rays_draw,
+     "light is indirect",
+     NULL},
+    {{"combine", DEPTH | GBUFFER | OPEN, 0, LIGHT, 0},
+     pass_combine_needed,
+     pass_combine_make,
+     pass_combine_draw,
+     "light is indirect",
      NULL},
     {{"sky", DEPTH, 0, LIGHT, 0}, pass_sky_needed, NULL, pass_sky_draw, "the scene has a sky", NULL},
     {{"edge", DEPTH, EDGE, 0, 0},
@@ -117,6 +130,8 @@ static unsigned wanted(const Render *render)
     const unsigned kept = exact_lights_cast(render) ? SEEN : 0;
     if (view && pass_cubes_level(view) >= 0)
         return CUBES;
+    if (view && indirect_view_lanes(view))
+        return OPEN | kept;
     for (int target = 0; view && target < FRAME_TARGET_COUNT; target++)
         if (target != FRAME_TARGET_gbuffer && target != FRAME_TARGET_shadow &&
             !strcmp(view, frame_target_name((FrameTarget)target)))
@@ -217,7 +232,8 @@ static void find_tile(const Render *render, int margin, int tile[2])
     const int step = step_of(render), most = render->gl->max_texture_size / step * step - 2 * margin;
     const int width = least(render->whole[0], most), beside = width + 2 * margin;
     const int height = least(least(render->whole[1], most), light_far_rows(render, beside) - 2 * margin);
-    const size_t rows = rows_in_memory(render, beside);
+    const size_t rows =
+        render->plan.there & OPEN ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
     const int fewest = RENDER_TILE_LEAST * render->samples;
     tile[0] = least(width, options->tile[0] ? options->tile[0] * render->samples : width);
@@ -252,6 +268,8 @@ void frame_place(Render *render)
     volume_shown_place(render);
     pass_tone_place(render);
     pass_cubes_place(render);
+    pass_rays_place(render);
+    lighting_place(render, &render->indirect.combine);
     lighting_place(render, &render->blend);
     lighting_place(render, &render->peel);
 }
@@ -320,11 +338,13 @@ bool frame_make(Render *render)
 
 bool frame_change(Render *render, unsigned what)
 {
-    ScreenPass *passes[] = {&render->light, &render->far.groups, &render->far.gather, &render->blend, &render->peel};
+    ScreenPass *passes[] = {&render->light, &render->far.groups,       &render->far.gather,
+                            &render->blend, &render->indirect.combine, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     pass_volume_change(render);
     volume_shown_place(render);
     pass_cubes_place(render);
+    pass_rays_place(render);
     fine = fine && (!(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render));
     for (size_t i = 0; what & (RENDER_CAMERA | RENDER_LIGHTS) && i < sizeof passes / sizeof *passes; i++)
         if (fine && passes[i]->material.store)
@@ -344,6 +364,7 @@ void frame_delete(Render *render)
     GlContext *gl = render->gl;
     screen_pass_delete(&render->light);
     pass_tone_delete(render);
+    indirect_delete(render);
     light_far_delete(render);
     pass_edge_delete(render);
     pass_tools_delete(render);

@@ -4,6 +4,7 @@
 #include "runtime/render/cache.h"
 #include "runtime/render/exact.h"
 #include "runtime/render/frame_plan.h"
+#include "runtime/render/indirect.h"
 #include "runtime/render/measure.h"
 #include "runtime/render/reader.h"
 #include "runtime/render/render.h"
@@ -22,6 +23,7 @@ typedef enum {
     FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
+    FRAME_TARGET_open, /* openness and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit for each light with hybrid shadows: something keeps it off */
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
@@ -39,6 +41,7 @@ typedef enum {
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_light,
+    FRAME_DRAW_open,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */
     FRAME_DRAW_shown,
@@ -141,6 +144,7 @@ struct Render {
     ShadowMaps shadows;
     ExactShadows exact;
     FrameVoxels voxels;
+    FrameIndirect indirect;
     SkyLight sky;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
@@ -280,12 +284,16 @@ void pass_surface_end(const Render *render);
 /* Draws the planes that are opaque, or the others. */
 void pass_plane_planes(Render *render, bool transparent);
 
+/* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, at which hybrid shadows were counted, by all lights but
+ * those that indirect light dims; or that by light from all around alone, without any that has a place, and without shadows. */
+typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around } LightingOf;
+
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
 typedef struct {
     const char *body[6];
-    bool over;   /* it is passOver() */
-    int block;   /* of screen_pass.h */
-    bool opaque; /* it lights what is nearest: what hybrid shadows were counted at */
+    bool over; /* it is passOver() */
+    int block; /* of screen_pass.h */
+    LightingOf of;
 } LightingText;
 enum {
     LIGHTING_UNITS = FRAMEBUFFER_COLORS + 10,

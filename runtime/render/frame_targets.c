@@ -3,9 +3,9 @@
 #include "runtime/render/light_far.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth",   "gbuffer",  "shadow", "voxels", "cubes", "seen",
-                                                      "lists",   "far",      "light",  "edge",   "mask",  "layer",
-                                                      "layer.z", "layer.id", "tools",  "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",   "voxels", "cubes", "seen",
+                                                      "lists", "far",     "light",    "open",   "edge",  "mask",
+                                                      "layer", "layer.z", "layer.id", "tools",  "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -39,6 +39,7 @@ const char *frame_format(const Render *render, FrameTarget target, int texture)
                                                  [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
                                                  [FRAME_TARGET_layer_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = light,
+                                                 [FRAME_TARGET_open] = render->options.deep ? "RGBA32F" : "RGBA16F",
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_cubes] = "RGBA8",
                                                  [FRAME_TARGET_seen] = "R32UI",
@@ -151,6 +152,7 @@ static const struct {
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
                              [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
                              [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
+                             [FRAME_DRAW_open] = {FRAME_TARGET_open, -1},
                              [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
                              [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
                              [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
@@ -191,12 +193,7 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
 
 CacheSource frame_source(const Render *render)
 {
-    return (CacheSource){render->scene,
-                         &render->set,
-                         &render->space,
-                         render->options.unculled ? NULL : &render->volume,
-                         &render->volume,
-                         render->whole,
-                         render->transparency,
-                         exact_lights_number(render)};
+    return (CacheSource){
+        render->scene,   &render->set,  &render->space,       render->options.unculled ? NULL : &render->volume,
+        &render->volume, render->whole, render->transparency, exact_lights_number(render)};
 }

@@ -73,41 +73,49 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const char *exact[EXACT_TEXTS];
     if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
         return false;
+    const bool around_only = own->of == LIGHTING_around;
     light_table_define(render, own->block > 0, table);
-    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0, sky = light_sky_shines(render->scene);
-    const bool soft = shadow_is_soft(render);
-    const char *const shadows = shadow_text(render, own->opaque, defined);
-    pass_exact_texts(render, own->opaque, exact);
+    const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0 && !around_only,
+               sky = light_sky_shines(render->scene);
+    const bool soft = shadow_is_soft(render) && !around_only;
+    const char *shadows = shadow_text(render, own->of == LIGHTING_nearest, defined);
+    pass_exact_texts(render, own->of == LIGHTING_nearest, exact);
+    if (around_only) {
+        *defined = 0;
+        shadows = exact[0] = exact[1] = exact[2] = "";
+    }
     if (sky && !render->sky.map && !light_sky_make(render))
         return false;
     float hemisphere[VIEW_SPACE_HEMISPHERE][4];
     const bool around = view_space_hemisphere(&render->space, render->scene, hemisphere);
-    const ScreenPassText text = {.body = {render->set.unpack ? render->set.unpack : no_surface,
-                                          areas ? render_text_light_area : "",
-                                          sky ? render_text_light_sky : "",
-                                          around ? render_text_light_hemisphere : "",
-                                          render->surface->text,
-                                          exact[0],
-                                          exact[1],
-                                          defined,
-                                          volume_lights_cast(render) ? render_text_shadow_volume : "",
-                                          shadows,
-                                          silhouette_layers(render) ? render_text_silhouette : "",
-                                          exact[2],
-                                          table,
-                                          backdrop_light_text(render),
-                                          render_text_lighting,
-                                          soft ? render_text_shadow_soft : "",
-                                          own->body[0],
-                                          own->body[1],
-                                          own->body[2],
-                                          own->body[3],
-                                          own->body[4],
-                                          own->body[5]},
-                                 .format = frame_format(render, FRAME_TARGET_light, 0),
-                                 .compute = render->compute,
-                                 .over = own->over,
-                                 .block = own->block};
+    const ScreenPassText text = {
+        .body = {render->set.unpack ? render->set.unpack : no_surface,
+                 areas ? render_text_light_area : "",
+                 sky ? render_text_light_sky : "",
+                 around ? render_text_light_hemisphere : "",
+                 render->surface->text,
+                 exact[0],
+                 exact[1],
+                 defined,
+                 volume_lights_cast(render) && !around_only ? render_text_shadow_volume : "",
+                 shadows,
+                 silhouette_layers(render) && !around_only ? render_text_silhouette : "",
+                 exact[2],
+                 table,
+                 own->of == LIGHTING_nearest && indirect_is(render) ? "#define LIGHT_AROUND_LATER\n" : "",
+                 backdrop_light_text(render),
+                 render_text_lighting,
+                 soft ? render_text_shadow_soft : "",
+                 own->body[0],
+                 own->body[1],
+                 own->body[2],
+                 own->body[3],
+                 own->body[4],
+                 own->body[5]},
+        .format = frame_format(render, FRAME_TARGET_light, 0),
+        .compute = render->compute,
+        .over = own->over,
+        .block = own->block};
     if (!screen_pass_make(render->store, &text, made))
         return fail_model(render);
     set_numbers(render, made);

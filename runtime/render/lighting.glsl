@@ -111,15 +111,26 @@ vec3 lightOver(vec3 through)
 vec3 softLight(int light, Seen seen);
 #endif
 
-// What it sends of all light but that of plain lights and of others that shine from one direction.
-vec3 lightEven(Seen seen)
+// What it sends of light from all around, unshadowed.
+vec3 lightAround(Seen seen)
 {
-    vec3 sum = surfaceOwn(seen.m, light_ambient.xyz);
+    vec3 sum = surfaceAmbient(seen.m, light_ambient.xyz);
 #ifdef LIGHT_HAS_SKY
     sum += surfaceSky(seen.m);
 #endif
 #ifdef LIGHT_HAS_HEMISPHERE
     sum += surfaceHemisphere(seen.m);
+#endif
+    return sum;
+}
+
+// What it sends of all light but that of plain lights and of others that shine from one direction. What indirect light dims is added later.
+vec3 lightEven(Seen seen)
+{
+#ifdef LIGHT_AROUND_LATER
+    vec3 sum = surfaceOwn(seen.m);
+#else
+    vec3 sum = surfaceOwn(seen.m) + lightAround(seen);
 #endif
 #ifdef LIGHT_HAS_AREAS
     int first = light_plain + light_points;

@@ -26,7 +26,7 @@ bool pass_gather_make(Render *render)
         {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, render_text_pass_groups},
         false,
         LIGHT_FAR_BLOCK,
-        true};
+        LIGHTING_nearest};
     if (!make(render, &text, &render->far.groups))
         return false;
     text.body[4] = render_text_far_lobe;

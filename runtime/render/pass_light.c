@@ -12,7 +12,7 @@ static bool make_far(Render *render)
     char defined[LIGHT_FAR_DEFINITIONS];
     light_far_define(render, defined);
     const LightingText text = {
-        {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far}, false, 0, true};
+        {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far}, false, 0, LIGHTING_nearest};
     if (!lighting_make(render, &text, &render->light))
         return false;
     light_far_set(render, &render->light);
@@ -23,7 +23,7 @@ bool pass_light_make(Render *render)
 {
     return light_far_used(render)
                ? make_far(render)
-               : lighting_make(render, &(LightingText){{render_text_pass_light}, render->parted, 0, true},
+               : lighting_make(render, &(LightingText){{render_text_pass_light}, render->parted, 0, LIGHTING_nearest},
                                &render->light);
 }
 

@@ -127,8 +127,9 @@ bool pass_blend_make(Render *render)
     char reader[TRANSPARENCY_TEXT], veil[TRANSPARENCY_TEXT + sizeof "#define VEIL\n"];
     transparency_reader(&render->set, reader);
     snprintf(veil, sizeof veil, "#define VEIL\n%s", reader);
-    return lighting_make(render, &(LightingText){{reader, render_text_pass_blend}, true, 0, false}, &render->blend) &&
-           pass_tools_make_veil(render, &(LightingText){{veil, render_text_pass_blend}, true, 0, false});
+    return lighting_make(render, &(LightingText){{reader, render_text_pass_blend}, true, 0, LIGHTING_layers},
+                         &render->blend) &&
+           pass_tools_make_veil(render, &(LightingText){{veil, render_text_pass_blend}, true, 0, LIGHTING_layers});
 }
 
 /* Lists are sorted where they lie, so that the veil finds them so. */

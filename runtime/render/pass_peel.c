@@ -107,8 +107,8 @@ bool pass_peel_count(Render *render, FrameCount step)
 
 bool pass_peel_make(Render *render)
 {
-    const LightingText text = {{render_text_pass_peel}, true, 0, false},
-                       veil = {{"#define VEIL\n", render_text_pass_peel}, true, 0, false};
+    const LightingText text = {{render_text_pass_peel}, true, 0, LIGHTING_layers},
+                       veil = {{"#define VEIL\n", render_text_pass_peel}, true, 0, LIGHTING_layers};
     if (!make_layer(render, 0) || !make_layer(render, 1) || !lighting_make(render, &text, &render->peel) ||
         !pass_tools_make_veil(render, &veil) || !transparency_units(render, render->peel_units) ||
         !number_objects(render))

@@ -18,13 +18,15 @@ bool render_view_is_picture(const char *view) { return !strcmp(view, "shown") ||
 static bool is_target(const char *view)
 {
     return render_view_is_picture(view) || !strcmp(view, "light") || !strcmp(view, "depth") ||
-           !strcmp(view, "shadow") || pass_cubes_level(view) >= 0;
+           !strcmp(view, "shadow") || pass_cubes_level(view) >= 0 || indirect_view_lanes(view);
 }
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
-        return gl_fail(gl, "there is no view '%s': shown, wireframe, volume, light, depth, shadow, voxels, or a slot",
+        return gl_fail(gl,
+                       "there is no view '%s': shown, wireframe, volume, light, depth, shadow, voxels, open, indirect, "
+                       "bent, or a slot",
                        options->view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
@@ -140,6 +142,9 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
     render->scene = scene;
     set_size(render, scene);
     look(render);
+    if (indirect_lacks_view(render))
+        return gl_fail(render->gl, "there is nothing to see of view '%s': %s", render->options.view,
+                       indirect_lacks_view(render));
     if (!make_set(render, scene) || !shadow_sheet_check(render))
         return false;
     if (shadow_sheet_needed(render))
@@ -226,6 +231,7 @@ bool render_changed_objects(Render *render, int first, int count)
         return false;
     pass_volume_change(render); /* maps are fitted to what has moved */
     pass_voxels_change(render);
+    pass_rays_place(render);
     return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
@@ -263,6 +269,8 @@ bool render_frame(Render *render)
 int render_lanes(const Render *render)
 {
     const char *view = render->options.view;
+    if (view && indirect_view_lanes(view))
+        return indirect_view_lanes(view);
     if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || pass_cubes_level(view) >= 0)
         return 4;
     const int lanes =

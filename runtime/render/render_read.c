@@ -24,6 +24,14 @@ static bool read_depth(Render *render, bool shown, float *rgba)
     return gl_check(gl, "reading the depth");
 }
 
+/* The last lane takes the first one's place. */
+static bool show_last(const Render *render, float *rgba)
+{
+    for (size_t i = 0; i < (size_t)render->size[0] * (size_t)render->size[1]; i++)
+        rgba[4 * i] = rgba[4 * i + 3];
+    return true;
+}
+
 static bool read_samples(Render *render, float *rgba)
 {
     const char *view = view_of(render);
@@ -32,6 +40,9 @@ static bool read_samples(Render *render, float *rgba)
         return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_light], 0, rgba);
     if (!strcmp(view, "depth"))
         return read_depth(render, true, rgba);
+    if (indirect_view_lanes(view))
+        return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_open], 0, rgba) &&
+               (indirect_view_lanes(view) > 1 || show_last(render, rgba));
     if (pass_cubes_level(view) >= 0)
         return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_cubes], 0, rgba);
     if (render->has_reader)

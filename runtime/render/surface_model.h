@@ -4,7 +4,9 @@
  *
  *     struct Lit { vec3 normal; ... };               what it makes of a Surface, once for all lights; a Surface may lack any slot
  *     Lit surfaceLit(Surface s, vec3 toEye)
- *     vec3 surfaceOwn(Lit m, vec3 ambient)           what it sends without a light that has a place: emissive, and of ambient light
+ *     vec3 surfaceOwn(Lit m)                         what it sends without any light: emissive
+ *     vec3 surfaceAmbient(Lit m, vec3 ambient)       what it sends of ambient light
+ *     vec3 surfaceEven(Lit m)                        the share of light from the surfaces around it that it sends evenly; for indirect light
  *     vec3 surfaceLobe(Lit m, vec3 l)                the share of light from the direction l, the cosine counted in
  *     vec3 surfaceThrough(Surface s)                 the share of the light behind it that passes
  *     vec3 surfaceSky(Lit m)                         of the sky all around, by light_sky.glsl; under #ifdef LIGHT_HAS_SKY
@@ -14,7 +16,7 @@
  * Where there are many lights, a model with `parts` has those that are far summed for many pixels at once. Its lobe is then, for light from the side of
  * the eye, the cosine times E + G max(w.l, 0)^n; light from the other side is nothing, if it lets none through:
  *
- *     vec3 surfaceEven(Lit m), surfaceGloss(Lit m), surfaceMirror(Lit m)    E, G, and w, of length 1
+ *     vec3 surfaceEven(Lit m), surfaceGloss(Lit m), surfaceMirror(Lit m)    E as above, G, and w, of length 1
  *     float surfaceExponent(Lit m)                                          n
  *     bool surfaceLetsThrough(Lit m)
  *

@@ -56,10 +56,8 @@ Lit surfaceLit(Surface s, vec3 toEye)
     return m;
 }
 
-vec3 surfaceOwn(Lit m, vec3 ambient)
-{
-    return m.emissive + m.ambient * ambient;
-}
+vec3 surfaceOwn(Lit m) { return m.emissive; }
+vec3 surfaceAmbient(Lit m, vec3 ambient) { return m.ambient * ambient; }
 
 bool surfaceLetsThrough(Lit m) { return any(greaterThan(m.behind + m.through, vec3(0.0))); }
 vec3 surfaceEven(Lit m) { return m.diffuse; }

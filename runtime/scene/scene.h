@@ -82,6 +82,18 @@ typedef struct {
     double grid_step, axes_length, light_size;
 } SceneTools;
 
+/* Of `indirect:`, as scene.def says. */
+typedef struct {
+    Word method;     /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
+    int rays, steps; /* no rays: the scene was not read, and has no indirect light */
+    double radius, offset; /* 0: to be found */
+    double contrast;
+    Word weight, distribution, sequence, rotation, march;
+    bool jitter, checked, dims_direct;
+    int bounces;
+    double gain;
+} SceneIndirect;
+
 typedef struct Scene {
     int width, height; /* pixels */
     SceneCamera camera;
@@ -110,6 +122,7 @@ typedef struct Scene {
     bool shadow_stretched;  /* its outermost texels lie at the map's edge */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
     int voxel_size;         /* voxels along an edge of the whole: a power of two */
+    SceneIndirect indirect;
     SceneTools tools;
     MatcDocument **documents; /* further files of materials */
     int document_count;
@@ -128,6 +141,9 @@ const char *scene_shadows_name(Word word);
 const char *scene_volume_name(Word word);
 /* All lights that cast shadows do so by this method; an Area by map, unless that is none. */
 void scene_lights_shadow(Scene *scene, Word method);
+/* The same as of Shadows, of the list Indirect. */
+bool scene_indirect_find(const char *name, Word *method);
+const char *scene_indirect_name(Word word);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);

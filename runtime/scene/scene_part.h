@@ -26,6 +26,9 @@ bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera, cons
 /* After the camera. scene_motion.c */
 void scene_motion_read(SceneReader *r, Tree *tree);
 
+/* NULL: there is none. scene_indirect.c */
+void scene_indirect_read(SceneReader *r, Tree *tree);
+
 /* Counts the triangles of an object whose mesh no object before it has. False: they are too many, which is told. scene_triangles.c */
 bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object);
 

@@ -130,6 +130,7 @@ static void read_scene(SceneReader *r, Tree *document)
     read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
     read_voxels(r, scene_thing_given(&thing, S_Scene_voxels));
+    scene_indirect_read(r, scene_thing_given(&thing, S_Scene_indirect));
     read_tools(r, scene_thing_given(&thing, S_Scene_tools));
     if (scene_thing_given(&thing, S_Scene_objects))
         scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));

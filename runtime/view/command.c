@@ -24,8 +24,9 @@ const char command_help[] =
     "proportions\n"
     "  --samples=N          N x N samples a pixel, 1 to 8: 2, of a scene 1\n"
     "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
-    "  --view=NAME          shown (default), light, depth, shadow (maps, side by side), voxels, or a slot: what a pass "
-    "wrote; wireframe; volume, volumeWireframe, wireframes, volumeAlone, volumeWireframeAlone: with "
+    "  --view=NAME          shown (default), light, depth, shadow (maps, side by side), voxels, open, indirect, "
+    "bent, or a slot: what a pass wrote; wireframe; volume, volumeWireframe, wireframes, volumeAlone, "
+    "volumeWireframeAlone: with "
     "hybrid shadows' volumes\n"
     "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
     "says\n"
@@ -62,7 +63,8 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of scenes\n"
     "  --shadows=METHOD     map, hybrid, exact, none: how all lights cast shadows that do, else as the scene says\n"
-    "  --compare=shadows    one picture, with names: all methods side by side, and what hybrid ones choose from\n"
+    "  --indirect=METHOD    auto, march, none: how indirect light is found, else as the scene says\n"
+    "  --compare=WHAT       one picture, with names: all methods of shadows, or of indirect, side by side\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
     "                       K-th; the first is 0. -o names them, out-%04d.png\n"
@@ -142,7 +144,9 @@ static const char *set_scene(Command *command, const char *name, const char *val
     } else if (!strcmp(name, "--shadows")) {
         scene_shadows_find(value, &command->shadows);
     } else if (!strcmp(name, "--compare")) {
-        command->compare = true;
+        command->compare = value;
+    } else if (!strcmp(name, "--indirect")) {
+        scene_indirect_find(value, &command->indirect);
     } else if (!strcmp(name, "--emit")) {
         command->graph = true;
     } else {
@@ -250,13 +254,15 @@ const char *command_read(Command *command, int argc, char **argv)
     return fault;
 }
 
-void command_set_tools(const Command *command, SceneTools *tools)
+void command_set_scene(const Command *command, Scene *scene)
 {
+    if (command->indirect != WORD_COUNT)
+        scene->indirect.method = command->indirect;
     if (!command->has_tools)
         return;
-    tools->grid = command->tools.grid;
-    tools->axes = command->tools.axes;
-    tools->lights = command->tools.lights;
+    scene->tools.grid = command->tools.grid;
+    scene->tools.axes = command->tools.axes;
+    scene->tools.lights = command->tools.lights;
 }
 
 /* NULL, or the option that a scene has no use for. */
@@ -269,9 +275,10 @@ const char *command_check_scene(const Command *command, const Scene *scene)
     if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
         return "--size: the picture would be higher than 16384 pixels";
     if (command->compare && ((command->view && !strcmp(command->view, "shadow")) || command->shadows != WORD_COUNT ||
-                             command->frames.given || command->graph || command->stats ||
-                             command->format == PICTURE_FORMAT_exr || command->bits > 8))
-        return "--compare is one PNG of 8 bits, of all methods: it takes none of --view=shadow, --shadows, --frames, "
+                             command->indirect != WORD_COUNT || command->frames.given || command->graph ||
+                             command->stats || command->format == PICTURE_FORMAT_exr || command->bits > 8))
+        return "--compare is one PNG of 8 bits, of all methods: it takes none of --view=shadow, --shadows, --indirect, "
+               "--frames, "
                "--frame, "
                "--stats, "
                "--emit, --format=exr, --bits";
@@ -280,8 +287,9 @@ const char *command_check_scene(const Command *command, const Scene *scene)
 
 const char *command_check_material(const Command *command)
 {
-    return command->shadows != WORD_COUNT || command->frames.given || command->compare
-               ? "--shadows, --compare and --frames are of scenes: a material has none"
+    return command->shadows != WORD_COUNT || command->indirect != WORD_COUNT || command->frames.given ||
+                   command->compare
+               ? "--shadows, --indirect, --compare and --frames are of scenes: a material has none"
                : NULL;
 }
 

@@ -33,8 +33,9 @@ typedef struct {
     bool shaped; /* --shape was given */
     /* of scenes alone */
     Frames frames;
-    bool compare; /* all methods of shadows in one picture */
-    Word shadows; /* how lights cast them, a word of the list Shadows; WORD_COUNT: as the scene says */
+    const char *compare; /* all methods of these in one picture: "shadows" or "indirect"; or NULL */
+    Word shadows,
+        indirect; /* how lights cast them, how indirect light is found: words of these lists; WORD_COUNT: as the scene says */
 
     char message[PARAM_ROOM];  /* room for what is wrong */
     struct WatchList *watched; /* files that were met; or NULL */
@@ -51,7 +52,7 @@ const char *command_check_scene(const Command *command, const Scene *scene);
 const char *command_check_material(const Command *command);
 /* How pictures are drawn that have so many samples unless the command says else; their size is left out. */
 ScenePictureOptions command_pictures(const Command *command, int samples);
-/* Those that are drawn, if the command says so; their sizes stay. */
-void command_set_tools(const Command *command, SceneTools *tools);
+/* What the command says of a scene's tools, whose sizes stay, and of indirect light. */
+void command_set_scene(const Command *command, Scene *scene);
 void command_free(Command *command);
 #endif

@@ -44,7 +44,19 @@ static bool add_volumes(Comparison *c, const char *method)
     return true;
 }
 
-static bool add_all(Comparison *c)
+static bool add_indirect(Comparison *c)
+{
+    memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
+    for (int i = 0; i < WORD_COUNT; i++) {
+        const char *name = scene_indirect_name((Word)i);
+        c->scene.indirect.method = (Word)i;
+        if (name && i != WORD_Indirect_auto && !add(c, name))
+            return false;
+    }
+    return true;
+}
+
+static bool add_shadows(Comparison *c)
 {
     for (int i = 0; i < WORD_COUNT; i++) {
         const char *name = scene_shadows_name((Word)i);
@@ -57,7 +69,8 @@ static bool add_all(Comparison *c)
     return true;
 }
 
-bool compare_shadows(GlContext *gl, const Scene *scene, const ScenePictureOptions *options, Sheet *sheet)
+bool compare_methods(GlContext *gl, const Scene *scene, const char *list, const ScenePictureOptions *options,
+                     Sheet *sheet)
 {
     Comparison c = {.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
     sheet->width = options->render.width;
@@ -66,7 +79,9 @@ bool compare_shadows(GlContext *gl, const Scene *scene, const ScenePictureOption
     c.rgb = malloc(3 * (size_t)sheet->width * (size_t)sheet->height);
     c.pictures = scene_pictures_open(gl, options);
     const bool room = c.scene.lights && c.rgb;
-    const bool done = room ? c.pictures && add_all(&c) : gl_fail(gl, "out of memory");
+    const bool shadows = !strcmp(list, "shadows");
+    const bool done =
+        room ? c.pictures && (shadows ? add_shadows(&c) : add_indirect(&c)) : gl_fail(gl, "out of memory");
     scene_pictures_close(c.pictures);
     free(c.scene.lights);
     free(c.rgb);

@@ -250,7 +250,7 @@ static int draw_comparison(Run *run, const Scene *scene, const char *input)
     Sheet sheet = {0};
     options.progress = NULL; /* its rows are not the sheet's */
     picture_name_frame(run->command, input, 0, path);
-    const bool drawn = compare_shadows(run->gl, scene, &options, &sheet);
+    const bool drawn = compare_methods(run->gl, scene, run->command->compare, &options, &sheet);
     const int status = drawn ? write_sheet(&sheet, path) : complain(input, run->gl->error);
     sheet_free(&sheet);
     return status;
@@ -261,7 +261,7 @@ static int draw_scene(Run *run, const Scene *scene, const char *input)
     Drawing d = {.run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
     char room[FRAMES_ROOM];
     const char *fault = command_check_scene(run->command, scene);
-    command_set_tools(run->command, &d.seen.tools);
+    command_set_scene(run->command, &d.seen);
     if (!fault)
         fault = frames_check(scene, &d.frames, room);
     if (fault)
@@ -382,7 +382,7 @@ static int run(Command *command)
 
 int main(int argc, char **argv)
 {
-    Command command = {.edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT};
+    Command command = {.edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT, .indirect = WORD_COUNT};
     matc_options_init(&command.compile);
     command.compile.pixels = true;
     const char *fault = command_read(&command, argc, argv);

@@ -32,6 +32,12 @@ static const char *shadows_word(const void *user, int i)
     return scene_shadows_name((Word)i);
 }
 
+static const char *indirect_word(const void *user, int i)
+{
+    (void)user;
+    return scene_indirect_name((Word)i);
+}
+
 static const char *list_word(const void *user, int i) { return ((const char *const *)user)[i]; }
 
 #define WORDS(...)                                                                                                     \
@@ -50,7 +56,8 @@ static const struct {
     {"--edges", WORDS("coverage", "none"), false},
     {"--format", WORDS("png", "exr"), false},
     {"--shadows", {shadows_word, NULL, WORD_COUNT}, false},
-    {"--compare", WORDS("shadows"), false},
+    {"--indirect", {indirect_word, NULL, WORD_COUNT}, false},
+    {"--compare", WORDS("shadows", "indirect"), false},
     {"--transparency", WORDS("auto", "lists", "peeling"), false},
     {"--lights", WORDS("auto", "bounded", "all"), false},
     {"--tools", WORDS("grid", "axes", "lights", "none"), true},

@@ -38,7 +38,7 @@ static const char tail[] =
     "    vec3 point = vec3((2.0 * gl_FragCoord.xy - forward_ray.zw) * forward_ray.xy, -1.0) * (forward_view.x / "
     "gl_FragCoord.z);\n"
     "    Lit m = surfaceLit(unpackTexels(FORWARD_TEXELS), -normalize(point));\n"
-    "    vec3 sum = surfaceOwn(m, forward_ambient.xyz);\n"
+    "    vec3 sum = surfaceOwn(m) + surfaceAmbient(m, forward_ambient.xyz);\n"
     "    for (int i = 0; i < forward_count.x; i++) {\n"
     "        vec4 place = forward_lights[2 * i];\n"
     "        vec3 way = place.xyz - place.w * point;\n"

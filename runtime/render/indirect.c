@@ -1,0 +1,83 @@
+/* What is found of indirect light, and by which numbers. */
+#include "runtime/render/indirect.h"
+#include "runtime/render/frame.h"
+#include <math.h>
+#include <string.h>
+
+Word indirect_method(const Render *render)
+{
+    const Word method = render->scene->indirect.method;
+    return method == WORD_Indirect_auto ? WORD_Indirect_march : method;
+}
+
+bool indirect_is(const Render *render)
+{
+    const SceneIndirect *in = render->scene ? &render->scene->indirect : NULL;
+    return in && in->rays > 0 && in->method != WORD_Indirect_none;
+}
+
+int indirect_view_lanes(const char *view)
+{
+    static const struct {
+        const char *name;
+        int lanes;
+    } views[] = {{"open", 1}, {"indirect", 3}, {"bent", 3}};
+    for (size_t i = 0; i < sizeof views / sizeof *views; i++)
+        if (!strcmp(view, views[i].name))
+            return views[i].lanes;
+    return 0;
+}
+
+const char *indirect_lacks_view(const Render *render)
+{
+    const char *view = render->options.view;
+    return view && indirect_view_lanes(view) && !indirect_is(render)
+               ? "the scene has no `indirect:`, which --indirect=METHOD gives it"
+               : NULL;
+}
+
+double indirect_radius(const Scene *scene, const Cache *cache)
+{
+    const VoxelGrid grid = voxel_grid(scene, cache); /* all but a layer on each side is as wide as the objects */
+    const double longest = grid.edge * (grid.size - 2);
+    if (scene->indirect.radius > 0)
+        return scene->indirect.radius;
+    return cache->place_count && longest > 1e-9 ? longest / 4 : 1;
+}
+
+/* The digits of i, mirrored at the point: 6 in base 2, 110, is 0.011, 3/8. */
+static double mirrored(unsigned i, unsigned base)
+{
+    double sum = 0, share = 1. / base;
+    for (; i; i /= base, share /= base)
+        sum += share * (i % base);
+    return sum;
+}
+
+/* Steele, Lea and Flood 2014. */
+static double random_next(uint64_t *state)
+{
+    uint64_t z = *state += 0x9e3779b97f4a7c15u;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
+    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
+}
+
+void indirect_samples(Word sequence, int count, double (*samples)[2])
+{
+    uint64_t state = 0;
+    for (int i = 0; i < count; i++) {
+        const unsigned number = (unsigned)i;
+        samples[i][0] = sequence == WORD_Sequence_random   ? random_next(&state)
+                        : sequence == WORD_Sequence_halton ? mirrored(number, 2)
+                                                           : (double)i / count;
+        samples[i][1] = sequence == WORD_Sequence_random ? random_next(&state)
+                                                         : mirrored(number, sequence == WORD_Sequence_halton ? 3 : 2);
+    }
+}
+
+void indirect_delete(Render *render)
+{
+    screen_pass_delete(&render->indirect.rays);
+    screen_pass_delete(&render->indirect.combine);
+}

@@ -1,0 +1,36 @@
+/* Indirect light, as a scene's `indirect:` says: how it is found, and what the passes have of it. Private to frame.c, render.c and the passes. */
+#ifndef MATC_RENDER_INDIRECT_H
+#define MATC_RENDER_INDIRECT_H
+#include "runtime/render/cache.h"
+#include "runtime/render/render.h"
+#include "runtime/render/screen_pass.h"
+
+enum { INDIRECT_RAYS_MOST = 128 };
+
+/* Of the passes rays and combine. */
+typedef struct {
+    ScreenPass rays, combine;
+} FrameIndirect;
+
+/* The scene has indirect light, and the method by which it is found, never auto. indirect.c */
+bool indirect_is(const Render *render);
+Word indirect_method(const Render *render);
+/* The view is of one of its targets; how many lanes it has, or 0. */
+int indirect_view_lanes(const char *view);
+/* What is wrong with the view, of this scene; NULL: nothing. */
+const char *indirect_lacks_view(const Render *render);
+/* How far rays go, in the world's units. */
+double indirect_radius(const Scene *scene, const Cache *cache);
+/* `count` samples of the unit square. */
+void indirect_samples(Word sequence, int count, double (*samples)[2]);
+
+bool pass_rays_needed(const Render *render);
+bool pass_rays_make(Render *render);
+/* The camera, the tile or objects are others. */
+void pass_rays_place(Render *render);
+void pass_rays_draw(Render *render);
+bool pass_combine_needed(const Render *render);
+bool pass_combine_make(Render *render);
+void pass_combine_draw(Render *render);
+void indirect_delete(Render *render);
+#endif

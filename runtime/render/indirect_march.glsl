@@ -1,0 +1,62 @@
+// A ray through what the picture shows (Thiedemann 2009, 4.3): INDIRECT_STEPS places along it; the first that lies behind the surface that its pixel
+// shows is what it meets. What is beyond the picture's sides is not known: the ray ends there, and meets nothing.
+struct IndirectHit {
+    float t;     // share of the way to it; less than 0: nothing
+    ivec2 pixel; // that shows it
+};
+
+// A place of the ray: its point, and where that is seen.
+struct IndirectStep {
+    vec3 point;
+    vec2 place;
+    float t;
+};
+
+#ifdef INDIRECT_PICTURE
+// Even in the picture: of a segment whose ends are seen at a and b, what is seen at mix(a, b, s) lies at a share t of it, by the distances of the ends.
+struct IndirectLine {
+    vec2 a, b;
+    float end, over0, over1; // share of the ray that lies before the eye; 1 / distance of the ends
+};
+
+IndirectLine indirectLine(vec3 from, vec3 way)
+{
+    float least = indirectIsOrthographic() ? -1e30 : 0.999 * indirect_view.x, end = 1.0;
+    if (from.z + way.z > -least) end = (-least - from.z) / way.z;
+    vec3 to = from + end * way;
+    bool flat_ = indirectIsOrthographic();
+    return IndirectLine(indirectPlace(from), indirectPlace(to), end, flat_ ? 1.0 : -1.0 / from.z,
+                        flat_ ? 1.0 : -1.0 / to.z);
+}
+#endif
+
+// `from` is where it begins, `way` as long as it is; steps are `less` of one short of whole numbers of them. What it is behind counts if `most` from
+// `center` at most.
+IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
+{
+#ifdef INDIRECT_PICTURE
+    IndirectLine line = indirectLine(from, way);
+#endif
+    for (int j = 1; j <= INDIRECT_STEPS; j++) {
+        float s = (float(j) - less) / float(INDIRECT_STEPS);
+#ifdef INDIRECT_PICTURE
+        float over = mix(line.over0, line.over1, s), t = s * line.over1 / over * line.end;
+        vec3 point = from + t * way;
+        vec2 place = mix(line.a, line.b, s);
+#else
+        float t = s;
+        vec3 point = from + t * way;
+        if (!indirectIsOrthographic() && -point.z <= indirect_view.x) break;
+        vec2 place = indirectPlace(point);
+#endif
+        if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, indirect_picture.xy))) break;
+        ivec2 pixel = ivec2(place);
+        float depth = texelFetch(indirect_depth, pixel, 0).x;
+        if (depth <= 0.0 || !indirectIsBehind(point, depth)) continue;
+#ifdef INDIRECT_CHECKED
+        if (distance(indirectPoint(pixel, depth), center.xyz) > center.w) continue;
+#endif
+        return IndirectHit(t, pixel);
+    }
+    return IndirectHit(-1.0, ivec2(0));
+}

@@ -1,0 +1,48 @@
+/* What a scene says of indirect light. */
+#include "runtime/scene/scene_part.h"
+#include <string.h>
+
+static Word word_of(const SceneThing *thing, int param) { return (Word)scene_thing_number(thing, param); }
+static int whole_of(const SceneThing *thing, int param) { return (int)scene_thing_number(thing, param); }
+static bool is_so(const SceneThing *thing, int param) { return scene_thing_number(thing, param) != 0; }
+
+/* Without the key all is as it would be with it, but that no method is in use: --indirect may name one. */
+void scene_indirect_read(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_indirect, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_indirect, &thing))
+        return;
+    r->scene->indirect = (SceneIndirect){.method = tree ? word_of(&thing, S_Indirect_method) : WORD_Indirect_none,
+                                         .rays = whole_of(&thing, S_Indirect_rays),
+                                         .steps = whole_of(&thing, S_Indirect_steps),
+                                         .radius = scene_thing_number(&thing, S_Indirect_radius),
+                                         .offset = scene_thing_number(&thing, S_Indirect_offset),
+                                         .contrast = scene_thing_number(&thing, S_Indirect_contrast),
+                                         .weight = word_of(&thing, S_Indirect_weight),
+                                         .distribution = word_of(&thing, S_Indirect_distribution),
+                                         .sequence = word_of(&thing, S_Indirect_sequence),
+                                         .rotation = word_of(&thing, S_Indirect_rotation),
+                                         .march = word_of(&thing, S_Indirect_march),
+                                         .jitter = is_so(&thing, S_Indirect_jitter),
+                                         .checked = is_so(&thing, S_Indirect_checked),
+                                         .dims_direct = is_so(&thing, S_Indirect_dimsDirect),
+                                         .bounces = whole_of(&thing, S_Indirect_bounces),
+                                         .gain = scene_thing_number(&thing, S_Indirect_gain)};
+}
+
+const char *scene_indirect_name(Word word)
+{
+    return word_table[word].list == PARAM_Indirect ? word_table[word].name : NULL;
+}
+
+bool scene_indirect_find(const char *name, Word *method)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (scene_indirect_name((Word)i) && !strcmp(word_table[i].name, name)) {
+            *method = (Word)i;
+            return true;
+        }
+    return false;
+}

@@ -1,0 +1,301 @@
+/* Openness and indirect light by what the picture shows, against closed forms; what becomes of it in the light. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/reference_ray.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 96, HEIGHT = 72, PIXELS = WIDTH * HEIGHT, TEXT = 4096 };
+#define PI    3.14159265358979323846
+#define IMAGE "image: { width: 96, height: 72 }\n"
+
+typedef struct {
+    MatcLayout *layout;
+    MatcOptions options;
+    GlContext *gl;
+    MatcDocument *document;
+    Scene *scene;
+} Rig;
+
+static Rig open_rig(void)
+{
+    Rig rig = {.gl = frame_context()};
+    rig.options = frame_float_options(&rig.layout);
+    return rig;
+}
+
+static void close_rig(Rig *rig)
+{
+    gl_close(rig->gl);
+    matc_layout_free(rig->layout);
+}
+
+static float *draw(Rig *rig, const char *text, const char *view)
+{
+    rig->scene = frame_scene(text, &rig->options, &rig->document);
+    return frame_floats(rig->gl, rig->scene, &(RenderOptions){.compile = &rig->options, .view = view, .deep = true});
+}
+
+static void forget(Rig *rig, float *rgba)
+{
+    free(rgba);
+    frame_forget(rig->scene, rig->document);
+}
+
+/* Nothing is around: no ray meets the plane that it leaves, however flatly it is seen. */
+static void planes_are_open(void **state)
+{
+    (void)state;
+    static const char *const cameras[] = {"camera: Perspective, position: [0, -5, 3]",
+                                          "camera: Perspective, position: [0, -5, .2], target: [0, 0, .1]",
+                                          "camera: Orthographic, position: [0, -5, 4], size: 5",
+                                          "camera: Perspective, position: [1, 1, 9], up: [0, 1, 0]"};
+    static const char *const objects[] = {
+        "{ object: Plane }",
+        "{ object: Parallelogram, u: [9, 0, 0], v: [0, 9, 0], transform: { translation: [-4.5, -4.5, 0] } }"};
+    static const char *const marches[] = {"space", "picture"};
+    Rig rig = open_rig();
+    char text[TEXT];
+    for (int i = 0; i < 4 * 2 * 2; i++) {
+        snprintf(text, sizeof text,
+                 IMAGE
+                 "camera: { %s }\nindirect: { method: march, radius: 2, steps: 24, march: %s }\nmaterials: { m: { "
+                 "material: Phong } }\nobjects: [{ object: Group, material: m, objects: [%s] }]\n",
+                 cameras[i % 4], marches[i / 8], objects[i / 4 % 2]);
+        float *open = draw(&rig, text, "open");
+        int kept = 0;
+        for (int p = 0; p < PIXELS; p++)
+            kept += open[4 * p] != 1;
+        assert_int_equal(kept, 0);
+        forget(&rig, open);
+    }
+    close_rig(&rig);
+}
+
+/* Of a wall's share c of the radius away: what of the cosine over the half sphere it keeps off, of directions whose lane x is more than c: a segment of the
+ * unit disc. With weights 1 - c / x and 1 - c^2 / x^2; of directions that are even everywhere half a cap. */
+static double segment(double c) { return (acos(c) - c * sqrt(1 - c * c)) / PI; }
+static double segment_linear(double c)
+{
+    const double s = sqrt(1 - c * c);
+    return segment(c) - 2 * c / PI * (log((1 + s) / c) - s);
+}
+static double segment_quadratic(double c) { return segment(c) - 2 * c * c / PI * (sqrt(1 - c * c) / c - acos(c)); }
+static double cap(double c) { return (1 - c) / 2; }
+
+typedef struct {
+    const char *keys;
+    double (*kept)(double c);
+    bool light; /* the wall's light is looked at, too */
+} Corner;
+
+typedef struct {
+    double most, mean;
+    int count;
+} Off;
+
+static const double radius = 1.5;
+
+/* Means of 24 pixels along the wall's foot, as single ones are noisy; the next 24 to the sides of the picture know too little of what is beside them. Within
+ * two pixels of the foot the picture has no more than that. */
+static Off off_by(Rig *rig, const Corner *c, const float *rgba)
+{
+    Off off = {0};
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 24; x + 24 <= WIDTH - 24; x += 24) {
+            const Ray ray = reference_ray(rig->scene, x + .5, y + .5);
+            Hit hit = {.distance = INFINITY};
+            double sum = 0;
+            reference_plane(&rig->scene->objects[0], &ray, 0, &hit);
+            for (int i = 0; i < 24; i++)
+                sum += (double)rgba[4 * (y * WIDTH + x + i)] / 24;
+            if (!(hit.world[0] < -.25))
+                continue;
+            const double kept = hit.world[0] > -radius ? c->kept(-hit.world[0] / radius) : 0;
+            const double error = fabs(sum - (c->light ? kept : 1 - kept));
+            off.most = fmax(off.most, error);
+            off.mean += error;
+            off.count++;
+        }
+    off.mean /= off.count;
+    return off;
+}
+
+/* Floor z = 0 before a wall x = 0 of radiance 1: what it keeps off it also sends. */
+static Off corner(Rig *rig, const Corner *c)
+{
+    char text[TEXT];
+    snprintf(text, sizeof text,
+             IMAGE "camera: { camera: Orthographic, position: [-4, 0, 6], target: [-1, 0, 0], size: 8 }\n"
+                   "indirect: { method: %s, rays: 64, radius: 1.5 }\nobjects:\n"
+                   "- { object: Plane, material: { material: Phong, diffuse: 1 } }\n"
+                   "- { object: Plane, material: { material: Phong, diffuse: 0, emissive: 1 }, transform: { rotation: "
+                   "[0, -1.5707963267948966, 0] } }\n",
+             c->keys);
+    float *rgba = draw(rig, text, c->light ? "indirect" : "open");
+    const Off off = off_by(rig, c, rgba);
+    forget(rig, rgba);
+    return off;
+}
+
+static void corners_are_as_their_closed_forms(void **state)
+{
+    (void)state;
+    static const Corner corners[] = {{"march, steps: 32", segment, false},
+                                     {"march, steps: 32", segment, true},
+                                     {"march, steps: 32, checked: false", segment, true},
+                                     {"march, steps: 128, march: picture", segment, true},
+                                     {"march, steps: 32, sequence: halton", segment, false},
+                                     {"march, steps: 32, sequence: random", segment, false},
+                                     {"march, steps: 32, rotation: random", segment, false},
+                                     {"march, steps: 64, weight: linear", segment_linear, false},
+                                     {"march, steps: 64, weight: quadratic", segment_quadratic, false},
+                                     {"march, steps: 32, distribution: uniform", cap, false},
+                                     {"march, steps: 32, distribution: uniform", segment, true}};
+    Rig rig = open_rig();
+    for (size_t i = 0; i < sizeof corners / sizeof *corners; i++) {
+        const Off off = corner(&rig, &corners[i]);
+        print_message("%s, %s: %.4f off in the mean, %.4f at most, of %d places\n", corners[i].keys,
+                      corners[i].light ? "light" : "openness", off.mean, off.most, off.count);
+        assert_true(off.count > 60 && off.mean < .003 && off.most < .035);
+    }
+    close_rig(&rig);
+}
+
+#define BOX                                                                                                            \
+    IMAGE                                                                                                              \
+        "camera: { camera: Perspective, position: [0, -5, 2.5], target: [0, 0, .5] }\nmaterials: { m: { material: "    \
+        "Phong, diffuse: [.5, .4, .3], ambient: [.2, .5, .6], emissive: [.03, .02, .01], specular: 0 } }\nobjects:\n"  \
+        "- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: [0, 0, .5] } }\n"
+#define AROUND                                                                                                         \
+    "{ light: Ambient, color: [.3, .2, .5] }, { light: Hemisphere, color: [.5, .6, .9], ground: [.2, .1, .1] }"
+#define LAMP "{ light: Point, position: [2, -2, 3], intensity: 5 }"
+
+static float *light_of(Rig *rig, const char *keys, const char *lights, const char *view)
+{
+    char text[TEXT];
+    snprintf(text, sizeof text, BOX "lights: [%s]\n%s\n", lights, keys);
+    float *rgba = draw(rig, text, view);
+    frame_forget(rig->scene, rig->document);
+    return rgba;
+}
+
+/* Light is that from around times openness, and indirect light times diffuse and gain, and what comes from lights with a place, dimmed or not. */
+static void light_is_their_sum(void **state)
+{
+    (void)state;
+    static const float diffuse[3] = {.5f, .4f, .3f};
+    Rig rig = open_rig();
+    for (int dims = 0; dims < 2; dims++) {
+        char keys[TEXT / 16];
+        snprintf(keys, sizeof keys, "indirect: { gain: 2.5, dimsDirect: %s }", dims ? "true" : "false");
+        float *all = light_of(&rig, keys, AROUND ", " LAMP, "light"),
+              *open = light_of(&rig, keys, AROUND ", " LAMP, "open"),
+              *sent = light_of(&rig, keys, AROUND ", " LAMP, "indirect"), *around = light_of(&rig, "", AROUND, "light"),
+              *own = light_of(&rig, "", "", "light"), *lamp = light_of(&rig, "", LAMP, "light");
+        double most = 0, dimmed = 0, sum = 0;
+        for (int i = 0; i < 4 * PIXELS; i++) {
+            if (i % 4 == 3)
+                continue;
+            const double o = (double)open[i - i % 4], ambient = (double)around[i] - (double)own[i];
+            const double want =
+                o * ambient + 2.5 * (double)diffuse[i % 4] * (double)sent[i] + (dims ? o : 1) * (double)lamp[i];
+            most = fmax(most, own[i] > 0 ? fabs(want - (double)all[i]) : 0);
+            dimmed += own[i] > 0 && o < .9;
+            sum += (double)sent[i];
+        }
+        print_message("light is %.2g off its sum at most; %g lanes dimmed, %.3g indirect\n", most, dimmed, sum);
+        assert_true(most < 1e-5 && dimmed > 200 && sum > 5);
+        float *const drawn[] = {all, open, sent, around, own, lamp};
+        for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+            free(drawn[i]);
+    }
+    close_rig(&rig);
+}
+
+/* Passes in fragments draw what computed ones do; a picture that takes more memory than there is to be is drawn at once all the same. */
+static void fragments_and_memory_change_nothing(void **state)
+{
+    (void)state;
+    Rig rig = open_rig();
+    rig.scene = frame_scene(BOX "indirect: {}\nlights: [" AROUND ", " LAMP "]\n", &rig.options, &rig.document);
+    RenderOptions options = {.compile = &rig.options, .view = "light", .deep = true};
+    float *computed = frame_floats(rig.gl, rig.scene, &options);
+    options.fragment = true;
+    options.memory = 100000;
+    Render *render = render_open(rig.gl, &options);
+    float *drawn = frame_floats_by(rig.gl, render, rig.scene);
+    assert_int_equal(render_tile_height(render), HEIGHT);
+    double most = 0;
+    for (int i = 0; i < 4 * PIXELS; i++)
+        most = fmax(most, fabs((double)computed[i] - (double)drawn[i]));
+    print_message("fragments are %.2g off\n", most);
+    assert_true(most < 2e-6);
+    render_close(render);
+    free(computed);
+    free(drawn);
+    frame_forget(rig.scene, rig.document);
+    close_rig(&rig);
+}
+
+/* A wall that stands beside the picture is not known: nothing of its light arrives, and none is kept off. */
+static void what_is_beside_the_picture_is_not_known(void **state)
+{
+    (void)state;
+    Rig rig = open_rig();
+    char text[TEXT];
+    float *rgba;
+    snprintf(text, sizeof text,
+             IMAGE "camera: { camera: Orthographic, position: [0, 0, 6], target: [0, 0, 0], up: [0, 1, 0], size: 2 }\n"
+                   "indirect: { method: march, radius: 3 }\nobjects:\n- { object: Plane, material: { material: Phong, "
+                   "emissive: .5 } }\n- { object: Box, size: [1, 20, 20], transform: { translation: [1.9, 0, 0] }, "
+                   "material: { material: Phong, emissive: 9 } }\n");
+    rgba = draw(&rig, text, "indirect");
+    for (int i = 0; i < 4 * PIXELS; i++)
+        assert_true(i % 4 == 3 ? rgba[i] == 1 : rgba[i] == 0);
+    forget(&rig, rgba);
+    close_rig(&rig);
+}
+
+static void faults_say_why(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys, *view, *fault;
+    } cases[] = {
+        {"", "open",
+         "there is nothing to see of view 'open': the scene has no `indirect:`, which --indirect=METHOD gives it"},
+        {"indirect: { method: none }", "bent",
+         "there is nothing to see of view 'bent': the scene has no `indirect:`, which --indirect=METHOD gives it"}};
+    Rig rig = open_rig();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[TEXT];
+        snprintf(text, sizeof text, BOX "%s\n", cases[i].keys);
+        rig.scene = frame_scene(text, &rig.options, &rig.document);
+        char *fault =
+            frame_graph_or_fault(rig.gl, rig.scene, &(RenderOptions){.compile = &rig.options, .view = cases[i].view});
+        assert_string_equal(fault, cases[i].fault);
+        free(fault);
+        frame_forget(rig.scene, rig.document);
+    }
+    close_rig(&rig);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(planes_are_open),
+        cmocka_unit_test(corners_are_as_their_closed_forms),
+        cmocka_unit_test(light_is_their_sum),
+        cmocka_unit_test(fragments_and_memory_change_nothing),
+        cmocka_unit_test(what_is_beside_the_picture_is_not_known),
+        cmocka_unit_test(faults_say_why),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
