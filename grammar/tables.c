@@ -243,6 +243,8 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define LETTER_ColorSpace ""
 #define LETTER_Channel    ""
 #define LETTER_Address    ""
+#define LETTER_CellsValue ""
+#define LETTER_Distance   ""
 /* A volume map's function takes the position, then the PARAM lines. */
 static const char *const map_arguments[KIND_COUNT] = {
     [0] = "" /* materials have none */

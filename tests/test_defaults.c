@@ -51,6 +51,13 @@ static const Default defaults[] = {
     {"VolumeChecker", "input", NONE, {0}},
     {"VolumeChecker", "color1", 1, {1}},
     {"VolumeChecker", "color2", 1, {0}},
+    {"Cells", "value", 1, {WORD_CellsValue_F1}},
+    {"Cells", "distance", 1, {WORD_Distance_euclidean}},
+    {"Cells", "dimensions", 1, {3}},
+    {"Cells", "jitter", 1, {1}},
+    {"CellCentre", "input", NONE, {0}},
+    {"CellCentre", "distance", 1, {WORD_Distance_euclidean}},
+    {"CellCentre", "jitter", 1, {1}},
     {"Blend", "input", NONE, {0}},
     {"Blend", "blend", NONE, {0}},
     {"UVTransform", "input", NONE, {0}},
@@ -130,7 +137,7 @@ static const Default defaults[] = {
     {"SunSkyLight", "displacementBound", NONE, {0}},
 };
 
-/* Of the parameters that every volume map has: those below VOLUME_PARAMS, and two maps that are OWN. */
+/* Of the parameters that every volume map has: those below VOLUME_PARAMS, and three maps that are OWN. */
 static const Default volume_defaults[] = {
     {NULL, "input", NONE, {0}},
     {NULL, "waveForm", NONE, {0}},
@@ -176,7 +183,7 @@ static void check_value(const char *kind, const Default *row, const Value *value
 static const Default *find_default(const KindRow *kind, const char *param)
 {
     bool volume = kind->lowering == LOWERING_VOLUME || kind == &kind_table[KIND_Gradient] ||
-                  kind == &kind_table[KIND_VolumeTurbulence];
+                  kind == &kind_table[KIND_VolumeTurbulence] || kind == &kind_table[KIND_Cells];
     for (size_t i = 0; i < sizeof defaults / sizeof *defaults; i++)
         if (!strcmp(defaults[i].kind, kind->name) && !strcmp(defaults[i].param, param))
             return &defaults[i];

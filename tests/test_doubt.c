@@ -14,7 +14,8 @@ static const struct {
     const char *name, *parameters; /* which change what they can */
 } transformers[] = {{"UVTransform", "scaleU: 3, scaleV: 5, offsetU: 0.3"},
                     {"XYZTransform", "transform: { translation: [3, 2, 1] }"},
-                    {"Turbulence", "amount: [3, 3, 3]"}};
+                    {"Turbulence", "amount: [3, 3, 3]"},
+                    {"CellCentre", "jitter: 0.5"}};
 enum { TRANSFORMERS = sizeof transformers / sizeof *transformers, POINTS = 40 };
 
 /* All slots at a point, of a map that reads coordinates by way of `input`. */

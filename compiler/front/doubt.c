@@ -113,6 +113,17 @@ static void ask(Doubts *d, const Node *reader, const Node *node, unsigned asked)
     d->reader[node->index] = reader;
 }
 
+/* Of one with that parameter. */
+static unsigned asked_by_dimensions(const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    double number[4] = {0};
+    for (int i = 0; i < row->count; i++)
+        if (!strcmp(param_table[row->first + i].name, "dimensions"))
+            value_number(&node->params[i], TYPE_float, number);
+    return number[0] < 3 ? ASKED_uv : ASKED_xyz;
+}
+
 /* What a map asks its input for, being asked itself. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
@@ -123,6 +134,8 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
         return ASKED_uv;
     case SECTION_volume:
         return ASKED_xyz;
+    case SECTION_dimensions:
+        return asked_by_dimensions(node);
     case SECTION_blend:
         return items ? ASKED_xyz : asked;
     case SECTION_normal:

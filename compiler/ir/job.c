@@ -30,7 +30,7 @@ ReferenceNoise job_noise(Choice noise, Target target)
 {
     bool words = target_table[target].words;
     if (noise == CHOICE_noise_groimp)
-        return REFERENCE_GROIMP;
+        return words ? REFERENCE_GROIMP : REFERENCE_GROIMP_FLOAT;
     if (noise == CHOICE_noise_simplex)
         return words ? REFERENCE_SIMPLEX : REFERENCE_SIMPLEX_FLOAT;
     return words ? REFERENCE_LATTICE : REFERENCE_LATTICE_FLOAT;

@@ -175,8 +175,7 @@ Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env) { return lower_answer(l, map, group, env).value; }
 
-/* w(frequency f + phase), w the node's wave. The first four parameters of every volume map are those of VOLUME_PARAMS. */
-static Answer through_wave(Lower *l, const Node *node, Answer f)
+Answer lower_waved(Lower *l, const Node *node, Answer f)
 {
     enum { WAVE_FORM = 1, FREQUENCY, PHASE };
     const Value *wave = &node->params[WAVE_FORM];
@@ -196,7 +195,7 @@ typedef struct {
 
 static Answer volume_answer(Lower *l, const Volume *v, Answer p)
 {
-    return through_wave(l, v->node, area_volume(l, v->node->kind, p, v->args, v->count));
+    return lower_waved(l, v->node, area_volume(l, v->node->kind, p, v->args, v->count));
 }
 
 static Ref volume_at(Lower *l, const void *map, Answer p) { return volume_answer(l, map, p).value; }
@@ -225,7 +224,7 @@ Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
     Ref direction = lower_param(l, node_param(node, P_Gradient_direction), TYPE_vec3);
-    return answer_as_group(l, through_wave(l, node, answer_dot(l, p, direction)), group);
+    return answer_as_group(l, lower_waved(l, node, answer_dot(l, p, direction)), group);
 }
 
 /* a = max(|omega|, 1)^(1 - n): keeps strong octaves from growing the sum. */
@@ -252,5 +251,5 @@ Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env
     p = answer_scaled(l, p, size);
     Answer f = area_turbulence(l, p, (Ref[]){build_int(l->ir, n), frequency, omega});
     f = answer_scaled(l, f, octave_scale(l, omega, n));
-    return answer_as_group(l, through_wave(l, node, f), group);
+    return answer_as_group(l, lower_waved(l, node, f), group);
 }

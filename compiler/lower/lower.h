@@ -164,6 +164,8 @@ void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
 /* When all is lowered: warns of those that never reach their items, and of those that are 0. */
 void lower_doubt(Lower *l);
 Answer lower_wave(Lower *l, const Wave *wave, Answer v);
+/* w(frequency f + phase), w the node's wave, whose first four parameters are those of VOLUME_PARAMS. */
+Answer lower_waved(Lower *l, const Node *node, Answer f);
 /* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse of its matrix,
  * d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or GROUP_DV. */
 Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);

@@ -78,8 +78,7 @@ enum {
     VOLUME_OWN
 };
 
-/* Through the wave. */
-static double waved(const Environment *environment, const Node *node, double value)
+double oracle_waved(const Environment *environment, const Node *node, double value)
 {
     int first = kind_table[node->kind].first;
     const Value *form = node_param(node, first + VOLUME_WAVE);
@@ -87,9 +86,7 @@ static double waved(const Environment *environment, const Node *node, double val
     return wave(environment, form->kind == VALUE_wave ? form->wave : NULL, argument);
 }
 
-/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. It is remembered for
- * the lanes beside the one that was asked for. */
-static double same_of_all(const Environment *environment, const Node *node, int channel, double value)
+double oracle_same_of_all(const Environment *environment, const Node *node, int channel, double value)
 {
     for (int lane = 0; lane < 3; lane++)
         memo_set(environment, node, channel_id(group_of(channel), lane), value);
@@ -126,7 +123,7 @@ static double volume_at(const void *map, const double p[3])
     for (int i = VOLUME_OWN; i < row->count; i++)
         count = append(v->node, row->first + i, args, count);
     oracle_call(v->environment, FN_FIRST_MAP + (int)v->node->kind, args, result);
-    return waved(v->environment, v->node, result[0]);
+    return oracle_waved(v->environment, v->node, result[0]);
 }
 
 /* Whether a volume map jumps, and over which step its difference is taken. */
@@ -141,10 +138,10 @@ double oracle_volume(Environment *environment, const Node *node, int channel)
     double p[3], p0[3];
     oracle_ask_input3(environment, node, GROUP_X, p);
     if (!environment->centre || step == 0)
-        return same_of_all(environment, node, channel, volume_at(&volume, p));
+        return oracle_same_of_all(environment, node, channel, volume_at(&volume, p));
     oracle_ask_input3(environment->centre, node, GROUP_X, p0);
     const Stepped map = {volume_at, &volume, {step, step, step}};
-    return same_of_all(environment, node, channel, oracle_along_steps(&map, p0, p));
+    return oracle_same_of_all(environment, node, channel, oracle_along_steps(&map, p0, p));
 }
 
 double oracle_Gradient(Environment *environment, const Node *node, int channel)
@@ -155,7 +152,7 @@ double oracle_Gradient(Environment *environment, const Node *node, int channel)
     oracle_ask_input3(environment, node, GROUP_X, p);
     oracle_number3(node, P_Gradient_direction, direction);
     double f = p[0] * direction[0] + p[1] * direction[1] + p[2] * direction[2];
-    return same_of_all(environment, node, channel, waved(environment, node, f));
+    return oracle_same_of_all(environment, node, channel, oracle_waved(environment, node, f));
 }
 
 double oracle_VolumeTurbulence(Environment *environment, const Node *node, int channel)
@@ -172,7 +169,7 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
                            oracle_number(node, P_VolumeTurbulence_frequencyRatio), ratio},
                 &sum);
     double f = fabs(ratio) > 1 ? sum * pow(fabs(ratio), 1 - octaves) : sum;
-    return same_of_all(environment, node, channel, waved(environment, node, f));
+    return oracle_same_of_all(environment, node, channel, oracle_waved(environment, node, f));
 }
 
 static double item_value(const Item *item) { return oracle_float(&item->value); }

@@ -109,6 +109,12 @@ bool oracle_spent(const Oracle *oracle);
 /* Calls the C reference of a library function, and adds its cost. */
 void oracle_call(const Environment *environment, int function, const double *args, double *result);
 
+/* w(frequency value + phase) of a map with VOLUME_PARAMS. */
+double oracle_waved(const Environment *environment, const Node *node, double value);
+/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. It is remembered for
+ * the lanes beside the one that was asked for. */
+double oracle_same_of_all(const Environment *environment, const Node *node, int channel, double value);
+
 /* A map as a function of its coordinate, and GroIMP's steps for its differences. */
 typedef struct {
     double (*at)(const void *map, const double q[3]);

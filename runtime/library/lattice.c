@@ -134,6 +134,7 @@ static Corner corner_of(ReferenceNoise noise, const uint32_t c[3])
     case REFERENCE_SIMPLEX_FLOAT:
         return float_corner(c);
     case REFERENCE_GROIMP:
+    case REFERENCE_GROIMP_FLOAT:
         return groimp_corner(c);
     case REFERENCE_SIMPLEX:
         return simplex_corner(c);

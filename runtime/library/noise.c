@@ -15,6 +15,7 @@ static Statistics statistics(const void *context)
 {
     switch (noise_of(context)) {
     case REFERENCE_GROIMP:
+    case REFERENCE_GROIMP_FLOAT:
         return (Statistics){-0.0206, 0.25, 0.412, 1};
     case REFERENCE_SIMPLEX:
     case REFERENCE_SIMPLEX_FLOAT:

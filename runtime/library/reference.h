@@ -36,6 +36,7 @@ typedef enum {
     REFERENCE_GROIMP,        /* GroIMP's tables */
     REFERENCE_SIMPLEX,       /* simplex lattice, integer hash */
     REFERENCE_SIMPLEX_FLOAT, /* the same with the float hash */
+    REFERENCE_GROIMP_FLOAT,  /* GroIMP's tables for glsl110, where what has no table has a float hash */
     REFERENCE_NOISE_COUNT
 } ReferenceNoise;
 

@@ -44,6 +44,7 @@ static const struct {
     const char *doc;
     bool reads; /* options of its own; the others take --untimed alone */
 } commands[] = {
+    {"cells", bench_cells, "what cells are replaced with far away, measured: the rows of grammar/cells.def", false},
     {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share", false},
     {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it", false},
     {"layout", bench_layout, "time to pack and unpack by every encoding, beside its error", false},

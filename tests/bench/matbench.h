@@ -47,6 +47,8 @@ int bench_noise(int argc, char **argv);
 int bench_render(int argc, char **argv);
 /* Shadows by every method: errors of their ends, times: --untimed --gl=KIND --triangles=N --mesh=FILE --maps=TEXELS, names of tables. */
 int bench_shadows(int argc, char **argv);
+/* The rows of grammar/cells.def, measured. */
+int bench_cells(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
 int bench_growth(int argc, char **argv);

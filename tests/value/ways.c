@@ -92,6 +92,8 @@ static const float far_for_slopes = 1000, far_for_sines = 1e5f;
 static const float far_for_samplers = 100;
 /* Where a filter's points, each of which rounds by itself, lie apart by other distances than they should: a hull moves all of them alike. */
 static const float far_for_filters = 1000;
+/* Where the point of a cell, a float, is off by more than what is asked there may vary by: a hull moves the place, and the cell's point stays. */
+static const float far_for_centres = 3;
 
 /* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there stays within a rounding. */
 static bool point_on_edges(const Point *point)
@@ -115,5 +117,6 @@ bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&
            !(sampled && (by_slopes_of_samplers || point_is_far(point, far_for_samplers))) &&
            !(filters && point_is_far(point, far_for_filters)) &&
+           !(subjects->has[KIND_CellCentre] && point_is_far(point, far_for_centres)) &&
            !(way->choice == CHOICE_noise_simplex && point_on_edges(point));
 }

@@ -1,0 +1,9 @@
+// needs:
+// p + rest as a whole square, less whole periods of 2^25, and a place in it in [0, 1). Exact.
+void cellsCell2(vec2 p, vec2 rest, out vec2 cell, out vec2 d) {
+    cell = floor(p);
+    d = p - cell + rest;
+    vec2 over = floor(d);
+    d -= over;
+    cell = cell - 33554432.0 * floor(cell * (1.0 / 33554432.0) + 0.5) + over;
+}

@@ -1,0 +1,8 @@
+// needs:
+// How the distance to a point (away, far) changes with the place it is seen from; 0 at the point itself.
+vec2 cellsRise2(vec3 point, int metric) {
+    vec2 side = -sign(point.xy);
+    vec2 a = abs(point.xy);
+    if (metric == 0) return -point.xy / sqrt(max(point.z, 1.0e-30));
+    return metric == 1 ? side : side * step(max(a.x, a.y), a);
+}
