@@ -26,6 +26,8 @@ enum {
     LIMIT_PIXELS_MIB = 1024,    /* the pictures of a document, where they are decoded */
     LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
     LIMIT_PARAMS = 4096,        /* uniforms of a document */
+    LIMIT_DEFINITION_PARAMS = 64, /* parameters of a definition */
+    LIMIT_COPIES = 200000,      /* values that uses of definitions copy, with arguments in their places */
     LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
     LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */

@@ -8,12 +8,37 @@
 
 #define NUMBERS "{\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}"
 
+/* Definitions with parameters, which no table speaks of; nor of those below. */
+static const char parameter_definitions[] =
+    "    \"parameter\": {\n"
+    "      \"description\": \"A definition's parameter: its default, or what is known of it.\",\n"
+    "      \"if\": {\"type\": \"object\", \"anyOf\": [{\"required\": [\"default\"]}, {\"required\": [\"type\"]}], "
+    "\"not\": {\"required\": [\"param\"]}},\n"
+    "      \"then\": {\"additionalProperties\": false, \"properties\": {\n"
+    "        \"default\": {},\n"
+    "        \"type\": {\"enum\": [\"number\", \"color\", \"map\", \"material\", \"wave\", \"transform\", \"bool\", "
+    "\"text\"]},\n"
+    "        \"doc\": {\"type\": \"string\"}, \"min\": {\"type\": \"number\"}, \"max\": {\"type\": \"number\"}\n"
+    "      }}\n"
+    "    },\n"
+    "    \"definition\": {\n"
+    "      \"description\": \"A map or material with parameters: `{ param: name }` in it is what its use says.\",\n"
+    "      \"type\": \"object\", \"anyOf\": [{\"required\": [\"params\"]}, {\"required\": [\"doc\"]}],\n"
+    "      \"oneOf\": [{\"required\": [\"map\"]}, {\"required\": [\"material\"]}, {\"required\": [\"ref\"]}],\n"
+    "      \"properties\": {\n"
+    "        \"doc\": {\"type\": \"string\"},\n"
+    "        \"params\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": "
+    "\"#/$defs/parameter\"}, \"maxProperties\": 64}\n"
+    "      }\n"
+    "    },\n";
+
 /* Definitions that no table speaks of. */
 static const char fixed_definitions[] =
     "    \"ref\": {\n"
     "      \"description\": \"A map or material of `defs:`.\",\n"
-    "      \"type\": \"object\", \"required\": [\"ref\"], \"additionalProperties\": false,\n"
-    "      \"properties\": {\"ref\": {\"type\": \"string\"}}\n"
+    "      \"type\": \"object\", \"required\": [\"ref\"],\n"
+    "      \"properties\": {\"ref\": {\"type\": \"string\"}},\n"
+    "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
     "    },\n"
     "    \"param\": {\n"
     "      \"description\": \"A value that is set at run time: a uniform.\",\n"
@@ -259,14 +284,15 @@ static void put_outermost(Text *out)
         "    \"defs\": {\n"
         "      \"description\": \"Maps and materials to refer to by `ref:`.\",\n"
         "      \"type\": [\"object\", \"null\"],\n"
-        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}]}\n"
+        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
+        "{\"$ref\": \"#/$defs/definition\"}]}\n"
         "    },\n"
         "    \"sceneDefs\": {\n"
         "      \"description\": \"Maps and materials to refer to by `ref:`; and, of a scene, objects for "
         "Instances.\",\n"
         "      \"type\": [\"object\", \"null\"],\n"
         "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
-        "{\"$ref\": \"#/$defs/scene_object\"}]}\n"
+        "{\"$ref\": \"#/$defs/definition\"}, {\"$ref\": \"#/$defs/scene_object\"}]}\n"
         "    },\n"
         "    \"include\": {\n"
         "      \"description\": \"Files whose `defs:` count here too.\",\n"
@@ -320,6 +346,7 @@ static char *document_schema(void)
                    "  \"description\": \"Materials for matc, in YAML or JSON.\",\n");
     put_top(&out);
     text_put(&out, "  \"$defs\": {\n");
+    text_put(&out, parameter_definitions);
     text_format(&out, fixed_definitions, LIMIT_NAME);
     text_put(
         &out,

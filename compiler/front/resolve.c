@@ -1,6 +1,7 @@
 /* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
  * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
 #include "compiler/front/mistake.h"
+#include "compiler/front/resolve_definition.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -273,12 +274,8 @@ static const char *def_name(const void *user, int i)
 }
 
 /* { ref: name } */
-static const Member *find_def(Resolver *r, Tree *tree)
+static const Member *find_def(Resolver *r, const Tree *name)
 {
-    const Tree *name = tree_find(tree, "ref")->value;
-    if (tree->count > 1)
-        return diag_add(r->session, tree->members[&tree->members[0] == tree_find(tree, "ref")].span, DIAG_ref_keys,
-                        tree->members[&tree->members[0] == tree_find(tree, "ref")].key);
     if (name->kind != TREE_scalar)
         return diag_add(r->session, name->span, DIAG_wrong_type, "ref", "a name", tree_describe(r->session, name));
     const char *near = "";
@@ -291,6 +288,37 @@ static const Member *find_def(Resolver *r, Tree *tree)
             near = diag_suggest(r->session, name->text, def_name, &names, (int)r->defs[i]->count);
     }
     return diag_add(r->session, name->span, DIAG_unknown_ref, name->text, near);
+}
+
+static const Node *resolve_use(Resolver *r, Tree *use, const Member *def, bool material)
+{
+    bool fault = false;
+    Tree *tree = resolve_definition(r, def, use);
+    if (!tree)
+        return NULL;
+    def->value->open = true;
+    const Node *node = material ? resolve_material(r, tree, &fault) : resolve_map(r, tree, &fault);
+    def->value->open = false;
+    if (fault)
+        resolve_say_use(r, def, use);
+    return node;
+}
+
+static const Node *resolve_ref(Resolver *r, Tree *tree, bool material)
+{
+    const Member *ref = tree_find(tree, "ref"), *def = find_def(r, ref->value);
+    bool fault = false;
+    if (!def)
+        return NULL;
+    if (def->value->open)
+        return diag_add(r->session, tree->span, DIAG_cycle, def->key);
+    if (resolve_is_definition(def->value))
+        return resolve_use(r, tree, def, material);
+    if (tree->count > 1) {
+        const Member *other = &tree->members[&tree->members[0] == ref];
+        return diag_add(r->session, other->span, DIAG_ref_keys, def->key, other->key);
+    }
+    return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
 }
 
 /* Constant node of a number, a list, a colour or a param. */
@@ -308,15 +336,8 @@ static const Node *resolve_constant(Resolver *r, Tree *tree)
 
 static const Node *resolve_new(Resolver *r, Tree *tree, bool material, bool outermost)
 {
-    if (tree->kind == TREE_object && tree_find(tree, "ref")) {
-        const Member *def = find_def(r, tree);
-        bool fault = false;
-        if (!def)
-            return NULL;
-        if (def->value->open)
-            return diag_add(r->session, tree->span, DIAG_cycle, def->key);
-        return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
-    }
+    if (tree->kind == TREE_object && tree_find(tree, "ref"))
+        return resolve_ref(r, tree, material);
     if (material && tree->kind == TREE_scalar && mistake_key(r->session, tree->span, tree->text))
         return NULL;
     if (material && tree->kind != TREE_object)

@@ -9,6 +9,9 @@ typedef struct {
     Value *colorspace;
 } UndecidedPicture;
 
+/* What uses of definitions with parameters stand for. resolve_definition.c */
+typedef struct Expansion Expansion;
+
 /* What resolving keeps at hand. */
 typedef struct {
     Session *session;
@@ -27,6 +30,11 @@ typedef struct {
     int node_count;
     const Node **nodes; /* but for bare numbers */
     size_t named_count, named_room;
+    Expansion **expansions;
+    size_t expansion_count, expansion_room;
+    HashIndex expansion_index;
+    bool overgrown;    /* there are too many of these, and that was said */
+    size_t copied;     /* nodes of trees that were made for them */
     const char *owner; /* of the maps that are resolved: Node.owner */
     int depth;
 } Resolver;

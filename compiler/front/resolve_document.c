@@ -1,6 +1,7 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
 #include "compiler/front/doubt.h"
 #include "compiler/front/mistake.h"
+#include "compiler/front/resolve_definition.h"
 #include "grammar/scene_tables.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
@@ -171,16 +172,29 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
 /* What a scene instances, which is runtime/scene's. */
 static bool is_scene_object(const Tree *tree) { return tree->kind == TREE_object && tree_find(tree, "object"); }
 
+/* One that nothing used: as if with its defaults. */
+static void check_def(Resolver *r, const Member *def)
+{
+    Tree *tree = def->value;
+    bool fault = false;
+    if (resolve_is_definition(tree) && !(tree = resolve_definition(r, def, NULL)))
+        return;
+    if (tree->made != MADE_node && !tree->failed) {
+        def->value->open = tree != def->value;
+        resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
+        def->value->open = false;
+    }
+}
+
 /* Definitions that nothing refers to are checked too: a fault in them is a fault. */
 static void check_defs(Resolver *r, const Tree *document)
 {
     const bool scene = resolve_is_scene(document);
     for (size_t i = 0; i < r->def_count; i++)
         for (uint32_t k = 0; k < r->defs[i]->count; k++) {
-            Tree *tree = r->defs[i]->members[k].value;
-            bool fault = false;
-            if (tree->made != MADE_node && !tree->failed && !(scene && is_scene_object(tree)))
-                resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
+            const Member *def = &r->defs[i]->members[k];
+            if (def->value->made != MADE_node && !def->value->failed && !(scene && is_scene_object(def->value)))
+                check_def(r, def);
         }
 }
 

@@ -16,7 +16,8 @@ static void document_words(FILE *out)
     static const char *const keys[] = {"material", "materials", "map",   "defs",  "ref",         "include",
                                        "param",    "default",   "wave",  "first", "second",      "factor",
                                        "shift",    "value",     "input", "blend", "translation", "rotation",
-                                       "scale",    "shear",     "matrix"};
+                                       "scale",    "shear",     "matrix", "params", "doc",         "type",
+                                       "min",      "max"};
     static const char *const others[] = {"<<: *a", "&a ", "*a",  "[",       "]",    "{ ",
                                          " }",     ", ",  "- ",  "\\x0a  ", "null", "true",
                                          "false",  "-1",  "0.5", "1e38",    ".inf", "\\\"#ff0000\\\"",
