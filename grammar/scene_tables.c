@@ -17,6 +17,8 @@
 #define VALUE_Distribution    PLAIN(Distribution)
 #define VALUE_Sequence        PLAIN(Sequence)
 #define VALUE_Rotation        PLAIN(Rotation)
+#define VALUE_Filter          PLAIN(Filter)
+#define VALUE_Resolution      PLAIN(Resolution)
 #define VALUE_March           PLAIN(March)
 #define VALUE_Transform       PLAIN(Transform)
 #define VALUE_Material        .value = SCENE_VALUE_material, .param.type = PARAM_Material

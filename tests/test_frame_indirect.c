@@ -48,7 +48,7 @@ static void forget(Rig *rig, float *rgba)
     frame_forget(rig->scene, rig->document);
 }
 
-/* Nothing is around: no ray meets the plane that it leaves, however flatly it is seen. */
+/* Nothing is around: no ray meets the plane that it leaves, however flatly it is seen, and no bit is set. What voxels have of a plane is nothing. */
 static void planes_are_open(void **state)
 {
     (void)state;
@@ -56,22 +56,24 @@ static void planes_are_open(void **state)
                                           "camera: Perspective, position: [0, -5, .2], target: [0, 0, .1]",
                                           "camera: Orthographic, position: [0, -5, 4], size: 5",
                                           "camera: Perspective, position: [1, 1, 9], up: [0, 1, 0]"};
-    static const char *const objects[] = {
-        "{ object: Plane }",
-        "{ object: Parallelogram, u: [9, 0, 0], v: [0, 9, 0], transform: { translation: [-4.5, -4.5, 0] } }"};
-    static const char *const marches[] = {"space", "picture"};
+    static const char *const objects[] = {"{ object: Plane }",
+                                          "{ object: Parallelogram, u: [9, 0, 0], v: [0, 9, 0], transform: { "
+                                          "translation: [-4.5, -4.5, 0] } }"};
+    static const char *const methods[] = {"march, steps: 24", "march, steps: 24, march: picture", "screen",
+                                          "screen, thickness: .1", "hybrid"};
     Rig rig = open_rig();
     char text[TEXT];
-    for (int i = 0; i < 4 * 2 * 2; i++) {
+    for (int i = 0; i < 4 * 2 * 5; i++) {
         snprintf(text, sizeof text,
-                 IMAGE
-                 "camera: { %s }\nindirect: { method: march, radius: 2, steps: 24, march: %s }\nmaterials: { m: { "
-                 "material: Phong } }\nobjects: [{ object: Group, material: m, objects: [%s] }]\n",
-                 cameras[i % 4], marches[i / 8], objects[i / 4 % 2]);
+                 IMAGE "camera: { %s }\nindirect: { method: %s, radius: 2 }\nmaterials: { m: { material: Phong } "
+                       "}\nobjects: [{ object: Group, material: m, objects: [%s] }]\n",
+                 cameras[i % 4], methods[i / 8], objects[i / 4 % 2]);
         float *open = draw(&rig, text, "open");
         int kept = 0;
         for (int p = 0; p < PIXELS; p++)
             kept += open[4 * p] != 1;
+        if (kept)
+            print_message("%s, %s, %s: %d pixels\n", methods[i / 8], cameras[i % 4], objects[i / 4 % 2], kept);
         assert_int_equal(kept, 0);
         forget(&rig, open);
     }
@@ -133,7 +135,7 @@ static Off corner(Rig *rig, const Corner *c)
     char text[TEXT];
     snprintf(text, sizeof text,
              IMAGE "camera: { camera: Orthographic, position: [-4, 0, 6], target: [-1, 0, 0], size: 8 }\n"
-                   "indirect: { method: %s, rays: 64, radius: 1.5 }\nobjects:\n"
+                   "indirect: { method: %s, rays: 64, radius: 1.5, filter: none }\nobjects:\n"
                    "- { object: Plane, material: { material: Phong, diffuse: 1 } }\n"
                    "- { object: Plane, material: { material: Phong, diffuse: 0, emissive: 1 }, transform: { rotation: "
                    "[0, -1.5707963267948966, 0] } }\n",
@@ -152,7 +154,7 @@ static void corners_are_as_their_closed_forms(void **state)
                                      {"march, steps: 32, checked: false", segment, true},
                                      {"march, steps: 128, march: picture", segment, true},
                                      {"march, steps: 32, sequence: halton", segment, false},
-                                     {"march, steps: 32, sequence: random", segment, false},
+                                     {"march, steps: 32, sequence: random, rotation: random", segment, false},
                                      {"march, steps: 32, rotation: random", segment, false},
                                      {"march, steps: 64, weight: linear", segment_linear, false},
                                      {"march, steps: 64, weight: quadratic", segment_quadratic, false},
@@ -163,16 +165,16 @@ static void corners_are_as_their_closed_forms(void **state)
         const Off off = corner(&rig, &corners[i]);
         print_message("%s, %s: %.4f off in the mean, %.4f at most, of %d places\n", corners[i].keys,
                       corners[i].light ? "light" : "openness", off.mean, off.most, off.count);
-        assert_true(off.count > 60 && off.mean < .003 && off.most < .035);
+        assert_true(off.count > 60 && off.mean < .004 && off.most < .035);
     }
     close_rig(&rig);
 }
 
 #define BOX                                                                                                            \
     IMAGE                                                                                                              \
-        "camera: { camera: Perspective, position: [0, -5, 2.5], target: [0, 0, .5] }\nmaterials: { m: { material: "    \
-        "Phong, diffuse: [.5, .4, .3], ambient: [.2, .5, .6], emissive: [.03, .02, .01], specular: 0 } }\nobjects:\n"  \
-        "- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: [0, 0, .5] } }\n"
+    "camera: { camera: Perspective, position: [0, -5, 2.5], target: [0, 0, .5] }\nmaterials: { m: { material: "        \
+    "Phong, diffuse: [.5, .4, .3], ambient: [.2, .5, .6], emissive: [.03, .02, .01], specular: 0 } }\nobjects:\n"      \
+    "- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: [0, 0, .5] } }\n"
 #define AROUND                                                                                                         \
     "{ light: Ambient, color: [.3, .2, .5] }, { light: Hemisphere, color: [.5, .6, .9], ground: [.2, .1, .1] }"
 #define LAMP "{ light: Point, position: [2, -2, 3], intensity: 5 }"
@@ -211,7 +213,7 @@ static void light_is_their_sum(void **state)
             sum += (double)sent[i];
         }
         print_message("light is %.2g off its sum at most; %g lanes dimmed, %.3g indirect\n", most, dimmed, sum);
-        assert_true(most < 1e-5 && dimmed > 200 && sum > 5);
+        assert_true(most < 1e-5 && dimmed > 100 && sum > 1);
         float *const drawn[] = {all, open, sent, around, own, lamp};
         for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
             free(drawn[i]);

@@ -11,6 +11,8 @@
 #define CUBES   (1u << FRAME_TARGET_cubes)
 #define SEEN    (1u << FRAME_TARGET_seen)
 #define LIGHT   (1u << FRAME_TARGET_light)
+#define RAYS    (1u << FRAME_TARGET_rays)
+#define SMOOTH  (1u << FRAME_TARGET_smooth)
 #define OPEN    (1u << FRAME_TARGET_open)
 #define EDGE    (1u << FRAME_TARGET_edge)
 #define MASK    (1u << FRAME_TARGET_mask)
@@ -59,11 +61,23 @@ const FramePass frame_passes[] = {
      pass_light_draw,
      "always: what is not lit is black",
      NULL},
-    {{"rays", DEPTH | GBUFFER | LIGHT, OPEN, 0, 0},
+    {{"rays", DEPTH | GBUFFER | LIGHT | VOXELS, RAYS, 0, 0},
      pass_rays_needed,
      pass_rays_make,
      pass_rays_draw,
      "light is indirect",
+     NULL},
+    {{"smooth", DEPTH | GBUFFER | RAYS, SMOOTH, 0, 0},
+     pass_smooth_needed,
+     pass_smooth_make,
+     pass_smooth_draw,
+     "what rays found is smoothed",
+     NULL},
+    {{"spread", DEPTH | GBUFFER | SMOOTH, OPEN, 0, 0},
+     pass_smooth_needed,
+     pass_spread_make,
+     pass_spread_draw,
+     "what rays found is smoothed",
      NULL},
     {{"combine", DEPTH | GBUFFER | OPEN, 0, LIGHT, 0},
      pass_combine_needed,
@@ -161,6 +175,8 @@ void frame_request(const Render *render, FramePlanRows *made)
     for (int i = 0; i < PASS_COUNT_HERE; i++) {
         made->passes[i] = frame_passes[i].plan;
         made->passes[i].own &= at_once ? ~0u : 0;
+        if (frame_passes[i].draw == pass_rays_draw && !pass_smooth_needed(render))
+            made->passes[i].fills = OPEN;
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
     leave_out(made->passes, allowed, exact_lights_cast(render));
@@ -268,8 +284,7 @@ void frame_place(Render *render)
     volume_shown_place(render);
     pass_tone_place(render);
     pass_cubes_place(render);
-    pass_rays_place(render);
-    lighting_place(render, &render->indirect.combine);
+    pass_combine_place(render);
     lighting_place(render, &render->blend);
     lighting_place(render, &render->peel);
 }

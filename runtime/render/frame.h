@@ -23,7 +23,9 @@ typedef enum {
     FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
-    FRAME_TARGET_open, /* openness and indirect light */
+    FRAME_TARGET_rays,   /* the same, of the pixels for which rays go out */
+    FRAME_TARGET_smooth, /* smoothed along rows */
+    FRAME_TARGET_open,   /* openness and indirect light */
     FRAME_TARGET_edge,
     FRAME_TARGET_mask,  /* a bit for each light with hybrid shadows: something keeps it off */
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
@@ -41,6 +43,8 @@ typedef enum {
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_light,
+    FRAME_DRAW_rays,
+    FRAME_DRAW_smooth,
     FRAME_DRAW_open,
     FRAME_DRAW_edge,
     FRAME_DRAW_mask, /* with depth and stencil */

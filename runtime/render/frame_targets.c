@@ -3,9 +3,9 @@
 #include "runtime/render/light_far.h"
 #include <string.h>
 
-static const char *const names[FRAME_TARGET_COUNT] = {"depth", "gbuffer", "shadow",   "voxels", "cubes", "seen",
-                                                      "lists", "far",     "light",    "open",   "edge",  "mask",
-                                                      "layer", "layer.z", "layer.id", "tools",  "shown"};
+static const char *const names[FRAME_TARGET_COUNT] = {
+    "depth",  "gbuffer", "shadow", "voxels", "cubes", "seen",    "lists",    "far",   "light", "rays",
+    "smooth", "open",    "edge",   "mask",   "layer", "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -34,12 +34,15 @@ static const char *shown_format(const Render *render)
 const char *frame_format(const Render *render, FrameTarget target, int texture)
 {
     const char *const light = is_exact(render) ? "RGBA32F" : "RGBA16F";
+    const char *const open = render->options.deep ? "RGBA32F" : "RGBA16F";
     const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] =
                                                      volume_lights_cast(render) ? "DEPTH32F_STENCIL8" : "DEPTH32F",
                                                  [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
                                                  [FRAME_TARGET_layer_depth] = "DEPTH32F",
                                                  [FRAME_TARGET_light] = light,
-                                                 [FRAME_TARGET_open] = render->options.deep ? "RGBA32F" : "RGBA16F",
+                                                 [FRAME_TARGET_rays] = open,
+                                                 [FRAME_TARGET_smooth] = open,
+                                                 [FRAME_TARGET_open] = open,
                                                  [FRAME_TARGET_tools] = light,
                                                  [FRAME_TARGET_cubes] = "RGBA8",
                                                  [FRAME_TARGET_seen] = "R32UI",
@@ -81,10 +84,18 @@ static int class_of(const Render *render, const char *format)
     return first;
 }
 
-/* A picture of pixels that have samples is smaller than other targets, and shares nothing. */
+/* Of pixels of the frame, along an edge of a target's. */
+static int coarse_of(const Render *render, FrameTarget target)
+{
+    if (target == FRAME_TARGET_shown)
+        return render->samples;
+    return target == FRAME_TARGET_rays || target == FRAME_TARGET_smooth ? indirect_coarse(render) : 1;
+}
+
+/* What is smaller than other targets shares memory with its like alone. */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target)
 {
-    const int apart = target == FRAME_TARGET_shown && render->samples > 1 ? SIZE_COUNT : 0;
+    const int apart = coarse_of(render, target) == 1 ? 0 : target == FRAME_TARGET_shown ? SIZE_COUNT : 2 * SIZE_COUNT;
     FramePlanTarget made = {0};
     const char *format;
     while (made.count < FRAME_PLAN_TEXTURES && (format = frame_format(render, target, made.count)))
@@ -102,7 +113,8 @@ int frame_bytes(const Render *render, FrameTarget target)
 
 int frame_edge(const Render *render, FrameTarget target, int axis)
 {
-    return target == FRAME_TARGET_shown ? render->size[axis] / render->samples : render->size[axis];
+    const int coarse = coarse_of(render, target);
+    return (render->size[axis] + coarse - 1) / coarse;
 }
 
 /* A texture of a target before it lies in the piece. */
@@ -125,15 +137,15 @@ int frame_shared_bytes(const Render *render, FrameTarget target)
     return bytes;
 }
 
-/* The picture's are spread over the samples of a pixel. */
+/* Those of a target that is smaller are spread over what a pixel of it stands for. */
 int frame_all_bytes(const Render *render)
 {
-    const int samples = render->samples * render->samples;
     int bytes = light_far_bytes(render) + shadow_sheet_bytes(render);
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         if (render->plan.memory[i][0] >= 0) {
             const int added = frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);
-            bytes += i == FRAME_TARGET_shown ? (added + samples - 1) / samples : added;
+            const int coarse = coarse_of(render, (FrameTarget)i), pixels = coarse * coarse;
+            bytes += (added + pixels - 1) / pixels;
         }
     return bytes;
 }
@@ -152,6 +164,8 @@ static const struct {
                              [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
                              [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
                              [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
+                             [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
+                             [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},
                              [FRAME_DRAW_open] = {FRAME_TARGET_open, -1},
                              [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
                              [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},

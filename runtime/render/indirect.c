@@ -7,7 +7,10 @@
 Word indirect_method(const Render *render)
 {
     const Word method = render->scene->indirect.method;
-    return method == WORD_Indirect_auto ? WORD_Indirect_march : method;
+    if (method != WORD_Indirect_auto)
+        return method;
+    return transparency_has_lists(render->gl) && render->cache.place_count ? WORD_Indirect_hybrid
+                                                                           : WORD_Indirect_screen;
 }
 
 bool indirect_is(const Render *render)
@@ -15,6 +18,14 @@ bool indirect_is(const Render *render)
     const SceneIndirect *in = render->scene ? &render->scene->indirect : NULL;
     return in && in->rays > 0 && in->method != WORD_Indirect_none;
 }
+
+bool indirect_reads_voxels(const Render *render)
+{
+    return indirect_is(render) &&
+           (indirect_method(render) == WORD_Indirect_voxels || indirect_method(render) == WORD_Indirect_hybrid);
+}
+
+int indirect_coarse(const Render *render) { return indirect_is(render) ? render->scene->indirect.coarse : 1; }
 
 int indirect_view_lanes(const char *view)
 {
@@ -79,5 +90,7 @@ void indirect_samples(Word sequence, int count, double (*samples)[2])
 void indirect_delete(Render *render)
 {
     screen_pass_delete(&render->indirect.rays);
+    screen_pass_delete(&render->indirect.smooth);
+    screen_pass_delete(&render->indirect.spread);
     screen_pass_delete(&render->indirect.combine);
 }

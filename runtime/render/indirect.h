@@ -7,9 +7,9 @@
 
 enum { INDIRECT_RAYS_MOST = 128 };
 
-/* Of the passes rays and combine. */
+/* Of the passes. */
 typedef struct {
-    ScreenPass rays, combine;
+    ScreenPass rays, smooth, spread, combine;
 } FrameIndirect;
 
 /* The scene has indirect light, and the method by which it is found, never auto. indirect.c */
@@ -19,6 +19,10 @@ Word indirect_method(const Render *render);
 int indirect_view_lanes(const char *view);
 /* What is wrong with the view, of this scene; NULL: nothing. */
 const char *indirect_lacks_view(const Render *render);
+/* Rays go through voxels. */
+bool indirect_reads_voxels(const Render *render);
+/* Of a pixel for which rays go out, in those of the picture. */
+int indirect_coarse(const Render *render);
 /* How far rays go, in the world's units. */
 double indirect_radius(const Scene *scene, const Cache *cache);
 /* `count` samples of the unit square. */
@@ -29,6 +33,20 @@ bool pass_rays_make(Render *render);
 /* The camera, the tile or objects are others. */
 void pass_rays_place(Render *render);
 void pass_rays_draw(Render *render);
+/* What rays found is smoothed, or spread over more pixels; else they fill the target open themselves. */
+bool pass_smooth_needed(const Render *render);
+bool pass_smooth_make(Render *render);
+void pass_smooth_draw(Render *render);
+bool pass_spread_make(Render *render);
+void pass_spread_draw(Render *render);
+/* A pass of indirect_place.glsl: its texts' first pieces, and what it reads. indirect_pass.c */
+enum { INDIRECT_DEFINITIONS = 768, INDIRECT_DEPTH_UNIT = FRAMEBUFFER_COLORS, INDIRECT_FREE_UNIT };
+void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS]);
+const char *indirect_surface_text(const Render *render);
+void indirect_set(const Render *render, ScreenPass *pass);
+void indirect_bind(const Render *render);
+/* The camera or the tile are others: of all these passes. */
+void pass_combine_place(Render *render);
 bool pass_combine_needed(const Render *render);
 bool pass_combine_make(Render *render);
 void pass_combine_draw(Render *render);

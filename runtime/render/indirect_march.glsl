@@ -1,10 +1,5 @@
 // A ray through what the picture shows (Thiedemann 2009, 4.3): INDIRECT_STEPS places along it; the first that lies behind the surface that its pixel
 // shows is what it meets. What is beyond the picture's sides is not known: the ray ends there, and meets nothing.
-struct IndirectHit {
-    float t;     // share of the way to it; less than 0: nothing
-    ivec2 pixel; // that shows it
-};
-
 // A place of the ray: its point, and where that is seen.
 struct IndirectStep {
     vec3 point;
@@ -59,4 +54,10 @@ IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
         return IndirectHit(t, pixel);
     }
     return IndirectHit(-1.0, ivec2(0));
+}
+
+IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
+{
+    float lift = indirect_reach.y + indirect_reach.z * indirectPixelSize(point);
+    return indirectMarch(point + lift * normal, indirect_reach.x * way, less, vec4(point, indirect_reach.x + lift));
 }

@@ -4,6 +4,7 @@ uniform sampler2D indirect_depth; // near over distance, or 1 to 0 where orthogr
 layout(std140) uniform Indirect {
     vec4 indirect_ray, indirect_view; // of view_space.h
     vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
+    vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is; z: how far a hit is from the surface that shows it
     vec4 indirect_picture;            // xy: its size in pixels; z: of how many pictures that are averaged this is which
     vec4 indirect_samples[INDIRECT_RAYS];
 };
@@ -51,8 +52,8 @@ vec2 indirectRandom(uvec2 v)
 
 // The shift of a pixel's samples, modulo 1, and what its first step is short of a whole one.
 //
-// Of n samples (i / n, mirrored bits of i) in a tile of 4 x 4 pixels: pixel k's are shifted by (k / 16, mirrored bits of k) / n, so that all of the
-// tile's are 16 n that are as even as those of one pixel. Each tile is shifted at random beside.
+// Of n samples (i / n, mirrored bits of i) in a tile of 4 x 4 pixels: pixel k's are shifted by (k / (16 n), mirrored bits of k), so that all of the
+// tile's are 16 n that are as even as those of one pixel. All tiles are alike: the mean over any 4 x 4 pixels has just these.
 vec3 indirectShift(ivec2 pixel)
 {
     uvec2 at = uvec2(pixel), seed = at + uvec2(0u, 65536u * uint(indirect_picture.z));
@@ -60,9 +61,7 @@ vec3 indirectShift(ivec2 pixel)
     uvec2 low = at & 3u, mixed = low ^ low.yx;
     uint k = (mixed.x & 1u) << 3u | (low.y & 1u) << 2u | (mixed.x & 2u) | low.y >> 1u; // the order of Bayer's matrix
     uint mirrored = (k & 1u) << 3u | (k & 2u) << 1u | (k & 4u) >> 1u | k >> 3u;
-    vec2 tile = indirectRandom((at >> 2u) + uvec2(0u, 65536u * uint(indirect_picture.z)));
-    float more = indirectRandom((at >> 2u).yx + uvec2(7919u, 0u)).x;
-    return vec3(tile + vec2(k, mirrored) / (16.0 * float(INDIRECT_RAYS)), fract(more + float(k * 7u & 15u) / 16.0));
+    return vec3(float(k) / float(16 * INDIRECT_RAYS), float(mirrored) / 16.0, float(k * 7u & 15u) / 16.0);
 #elif INDIRECT_ROTATION == 1
     return vec3(indirectRandom(seed), indirectRandom(seed.yx + 7919u).x);
 #else
@@ -110,3 +109,22 @@ vec3 indirectNormal(ivec2 pixel)
     return vec3(0.0, 0.0, 1.0);
 #endif
 }
+
+// What a ray meets.
+struct IndirectHit {
+    float t;     // share of the radius to it; less than 0: nothing
+    ivec2 pixel; // that shows it; less than 0: none
+};
+
+// Of one pixel of INDIRECT_COARSE x INDIRECT_COARSE of the picture: for which of these rays go out.
+ivec2 indirectPixel(ivec2 small) { return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1); }
+
+#ifdef INDIRECT_LIGHT
+uniform sampler2D indirect_light;
+
+// What the surface of a pixel sends against a way; nothing if the side that is seen is turned away.
+vec3 indirectSent(ivec2 pixel, vec3 way)
+{
+    return dot(indirectNormal(pixel), way) < 0.0 ? texelFetch(indirect_light, pixel, 0).xyz : vec3(0.0);
+}
+#endif

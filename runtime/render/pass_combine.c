@@ -19,6 +19,12 @@ bool pass_combine_make(Render *render)
     return true;
 }
 
+void pass_combine_place(Render *render)
+{
+    pass_rays_place(render);
+    lighting_place(render, &render->indirect.combine);
+}
+
 void pass_combine_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);

@@ -12,7 +12,7 @@ extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_t
 #define OFF_SURFACES .9f
 enum { WITHIN_UNIT, SURFACE_UNIT, WORD = 32, LAYER = 128 };
 
-bool pass_voxels_needed(const Render *render) { return pass_cubes_needed(render); }
+bool pass_voxels_needed(const Render *render) { return pass_cubes_needed(render) || indirect_reads_voxels(render); }
 
 /* -- what there is */
 

@@ -84,11 +84,12 @@ typedef struct {
 
 /* Of `indirect:`, as scene.def says. */
 typedef struct {
-    Word method;     /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
-    int rays, steps; /* no rays: the scene was not read, and has no indirect light */
-    double radius, offset; /* 0: to be found */
+    Word method;                      /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
+    int rays, steps;                  /* no rays: the scene was not read, and has no indirect light */
+    double radius, offset, thickness; /* 0: to be found */
     double contrast;
-    Word weight, distribution, sequence, rotation, march;
+    Word weight, distribution, sequence, rotation, march, filter;
+    int filter_size, coarse; /* pixels; of the picture, along an edge of one for which rays go out */
     bool jitter, checked, dims_direct;
     int bounces;
     double gain;

@@ -63,7 +63,7 @@ const char command_help[] =
     "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
     "of scenes\n"
     "  --shadows=METHOD     map, hybrid, exact, none: how all lights cast shadows that do, else as the scene says\n"
-    "  --indirect=METHOD    auto, march, none: how indirect light is found, else as the scene says\n"
+    "  --indirect=METHOD    auto, hybrid, voxels, screen, march, none: how indirect light is found, else as the scene says\n"
     "  --compare=WHAT       one picture, with names: all methods of shadows, or of indirect, side by side\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"

@@ -1,0 +1,47 @@
+// What a ray meets by two models of the scene, each where it knows best. The picture knows surfaces to the pixel, but only what it shows; voxels know what is hidden
+// and beside it, but nothing finer than themselves, and rays begin a little off. So the picture is asked for the ray's first voxels, and takes part only where its depth is
+// conclusive: a place that lies behind what is shown by no more than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
+//
+// What a hit sends is the light of the pixel that shows it, if one does: if the hit is no farther off the plane of what the pixel shows than indirect_models.z, and no
+// farther along it than 8 times that: voxels end before the surface, and what is seen flatly is then shown far beside.
+
+// The pixel that shows a point, if it is shown.
+bool indirectShows(vec3 point, out ivec2 pixel)
+{
+    pixel = ivec2(0);
+    if (!indirectIsOrthographic() && -point.z <= indirect_view.x) return false;
+    vec2 place = indirectPlace(point);
+    if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, indirect_picture.xy))) return false;
+    pixel = ivec2(place);
+    float depth = texelFetch(indirect_depth, pixel, 0).x;
+    if (depth <= 0.0) return false;
+    vec3 beside = indirectPoint(pixel, depth) - point;
+    return abs(dot(indirectNormal(pixel), beside)) <= indirect_models.z && dot(beside, beside) <= 64.0 * indirect_models.z * indirect_models.z;
+}
+
+IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
+{
+    float t, radius = indirect_reach.x;
+    ivec2 pixel = ivec2(-1);
+#ifdef INDIRECT_NEAR
+    float near = min(indirect_models.x, radius);
+    vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
+    for (int j = 1; j <= INDIRECT_STEPS; j++) {
+        float s = near * (float(j) - less) / float(INDIRECT_STEPS);
+        vec3 place = from + s * way;
+        vec2 at = indirectPlace(place);
+        if ((!indirectIsOrthographic() && -place.z <= indirect_view.x) || any(lessThan(at, vec2(0.0))) ||
+            any(greaterThanEqual(at, indirect_picture.xy)))
+            break;
+        float depth = texelFetch(indirect_depth, ivec2(at), 0).x;
+        if (depth <= 0.0 || !indirectIsBehind(place, depth)) continue;
+        if (indirectPoint(ivec2(at), depth).z - place.z <= indirect_models.y) return IndirectHit(s / radius, ivec2(at));
+    }
+#endif
+    vec3 start = voxelStart(voxelPlace(point), normalize(voxelDirection(normal)));
+    if (!voxelRay(start, voxelDirection(way), radius, t)) return IndirectHit(-1.0, pixel);
+#ifdef INDIRECT_LIGHT
+    if (!indirectShows(point + t * way, pixel)) pixel = ivec2(-1);
+#endif
+    return IndirectHit(t / radius, pixel);
+}

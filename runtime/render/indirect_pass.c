@@ -1,0 +1,90 @@
+/* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
+#include "runtime/render/frame.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { BLOCK_HEAD = 5, RAYS_OF_SLICE = 8 };
+
+static bool shows_bent(const Render *render) { return render->options.view && !strcmp(render->options.view, "bent"); }
+
+void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    const bool uniform = in->distribution == WORD_Distribution_uniform;
+    snprintf(text, INDIRECT_DEFINITIONS,
+             "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
+             "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
+             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s",
+             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps, (int)(in->weight - WORD_Weight_none),
+             (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0", in->coarse,
+             in->filter == WORD_Filter_none ? 0 : in->filter_size,
+             uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
+                     : "#define INDIRECT_SHARE(cosine) 1.0\n",
+             in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
+             in->checked ? "#define INDIRECT_CHECKED\n" : "",
+             indirect_method(render) == WORD_Indirect_hybrid ? "#define INDIRECT_NEAR\n" : "",
+             in->bounces > 0 && !shows_bent(render) ? "#define INDIRECT_LIGHT\n" : "",
+             shows_bent(render) ? "#define INDIRECT_BENT\n" : "");
+}
+
+const char *indirect_surface_text(const Render *render)
+{
+    return render->set.unpack ? render->set.unpack : "struct Surface { float nothing; };\n";
+}
+
+/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y, z: a voxel of the map may be off by its diagonal. */
+static void set_models(const Render *render, float models[4])
+{
+    const double near = 4, thick = 2, shown = 2, part = .5; /* voxels, but the last */
+    const SceneIndirect *in = &render->scene->indirect;
+    const bool voxels = indirect_reads_voxels(render);
+    const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
+    const double radius = indirect_radius(render->scene, &render->cache);
+    models[0] = (float)(near * edge);
+    models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
+    models[2] = (float)(shown * edge);
+}
+
+/* Where no offset is said, rays begin so far off that the surface which they leave is not met: a place of it is up to sqrt(1/2) of a pixel beside the middle of
+ * its pixel, by which depth is off as by a lift of as much. */
+static void set_block(const Render *render, ScreenPass *pass)
+{
+    const double lift = .75;
+    const SceneIndirect *in = &render->scene->indirect;
+    float block[BLOCK_HEAD + INDIRECT_RAYS_MOST][4] = {{0}};
+    double samples[INDIRECT_RAYS_MOST][2];
+    memcpy(block[0], render->space.ray, sizeof block[0]);
+    memcpy(block[1], render->space.depth, sizeof block[1]);
+    block[2][0] = (float)indirect_radius(render->scene, &render->cache);
+    block[2][1] = (float)in->offset;
+    block[2][2] = in->offset > 0 ? 0 : (float)lift;
+    block[2][3] = (float)in->contrast;
+    set_models(render, block[3]);
+    for (int i = 0; i < 2; i++)
+        block[4][i] = (float)render->size[i];
+    indirect_samples(in->sequence, in->rays, samples);
+    for (int i = 0; i < in->rays; i++)
+        for (int k = 0; k < 2; k++)
+            block[BLOCK_HEAD + i][k] = (float)samples[i][k];
+    material_write(&pass->material, "Indirect", block, sizeof *block * (size_t)(BLOCK_HEAD + in->rays));
+}
+
+void indirect_set(const Render *render, ScreenPass *pass)
+{
+    char name[] = "matc_gbuffer0";
+    if (!pass->material.store)
+        return;
+    for (int i = 0; set_format(&render->set, i); i++) {
+        name[sizeof name - 2] = (char)('0' + i);
+        screen_pass_sampler(pass, name, i);
+    }
+    screen_pass_sampler(pass, "indirect_depth", INDIRECT_DEPTH_UNIT);
+    set_block(render, pass);
+}
+
+void indirect_bind(const Render *render)
+{
+    for (int i = 0; frame_format(render, FRAME_TARGET_gbuffer, i); i++)
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_gbuffer, i), i);
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_depth, 0), INDIRECT_DEPTH_UNIT);
+}

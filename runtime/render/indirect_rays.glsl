@@ -1,0 +1,21 @@
+// Means over a point's rays: rgb of the light that they meet, a of what is kept off. Before it stands indirectMeet(), which says what a ray meets.
+vec4 indirectAround(ivec2 pixel, vec3 point, vec3 normal, out vec3 open)
+{
+    vec3 shift = indirectShift(pixel), light = vec3(0.0), u, v;
+    float kept = 0.0;
+    open = vec3(0.0);
+    indirectBasis(normal, u, v);
+    for (int i = 0; i < INDIRECT_RAYS; i++) {
+        vec3 local = indirectDirection(fract(indirect_samples[i].xy + shift.xy));
+        vec3 way = local.x * u + local.y * v + local.z * normal;
+        IndirectHit hit = indirectMeet(point, normal, way, INDIRECT_JITTER * fract(shift.z + 0.618034 * float(i)));
+        bool met = hit.t >= 0.0;
+        kept += met ? indirectWeight(hit.t) : 0.0;
+        open += met ? vec3(0.0) : way;
+#ifdef INDIRECT_LIGHT
+        float share = INDIRECT_SHARE(local.z);
+        if (met && hit.pixel.x >= 0) light += share * indirectSent(hit.pixel, way);
+#endif
+    }
+    return vec4(light, kept) / float(INDIRECT_RAYS);
+}
