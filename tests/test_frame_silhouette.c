@@ -75,10 +75,12 @@ static void ends_are_true(void **state)
     Shape shape = knot();
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
-        const double distance =
-            shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", (ShadowEndsReceiver)i, false});
-        print_message("ends on %s: %.4f texels off\n", shadow_ends_receivers[i], distance);
-        assert_true(distance <= .01);
+        const ShadowEndsReceiver receiver = (ShadowEndsReceiver)i;
+        const double distance = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false});
+        const double all = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true});
+        print_message("ends on %s: %.4f texels off; %.4f with triangles that look away\n", shadow_ends_receivers[i],
+                      distance, all);
+        assert_true(distance <= .01 && all <= .02);
     }
     shadow_pair_close(&pair);
     shape_free(&shape);
@@ -108,6 +110,8 @@ static void ends_are_true(void **state)
     ".2] } }\n"                                                                                                        \
     "- { object: Box, size: [.000001, 1, 1], material: m, transform: { translation: [0, .9, .5] } }\n"                 \
     "- { object: Cylinder, radius: .3, height: .000001, material: m, transform: { translation: [.6, -1.9, .5] } }\n"
+/* Half in the ground, where an infinite plane hides triangles. */
+#define SUNK "- { object: Sphere, radius: .6, material: m, transform: { translation: [-.4, -2, .1] } }\n"
 #define GROUND                                                                                                         \
     "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
     "-4, 0] } }\n"
@@ -219,15 +223,15 @@ static void by_every_lamp(const ShadowPair *pair, const char *name, const char *
     assert_true(all.leaks <= most);
 }
 
-/* Of bodies that cross, in all 35 lights, three pixels of 172,062 are lit beside an end: the surface that is seen begins within the cell. */
+/* Of bodies that cross, in all 35 lights, two pixels of 172,062 are lit beside an end: the surface that is seen begins within the cell. */
 static void away_from_ends(void **state)
 {
     (void)state;
     ShadowPair pair;
     shadow_pair_open(GL_KIND_osmesa, &pair);
     by_every_lamp(&pair, "on a mesh", (const char *[2]){GROUND, THINGS}, 0);
-    by_every_lamp(&pair, "on a plane", (const char *[2]){ON_PLANE, THINGS}, 0);
-    by_every_lamp(&pair, "nasty", (const char *[2]){GROUND, NASTY}, all_of_them ? 3 : 0);
+    by_every_lamp(&pair, "on a plane", (const char *[2]){ON_PLANE, THINGS SUNK}, 0);
+    by_every_lamp(&pair, "nasty", (const char *[2]){GROUND, NASTY}, all_of_them ? 2 : 0);
     shadow_pair_close(&pair);
 }
 

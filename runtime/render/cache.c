@@ -112,7 +112,7 @@ static bool make_material(Maker *m, const SetProgram *program, bool casts, Mater
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
     if (casts && set->casts == SET_CASTS_colored)
         transparency_wrap_caster(m->gl, &text);
-    if (m->source->numbered && !program->transparent && !strcmp(program->pass, "gbuffer"))
+    if (m->source->written && !program->transparent && !strcmp(program->pass, "gbuffer"))
         exact_number_wrap(&m->number, &text);
     return material_make(m->store, program->program, &text, made) ||
            set_fail(m->gl, m->source->scene, program->material);
@@ -355,7 +355,7 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
     Maker maker = {.store = store, .gl = store_context(store), .source = source, .before = before, .cache = made};
     *made = (Cache){.instances = source->set->instances};
     transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
-    exact_number_text(maker.gl, source->set, &maker.number);
+    exact_number_text(maker.gl, source->set, source->written, &maker.number);
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
                       cache_arrange(maker.gl, source, made);
     forget(&maker);

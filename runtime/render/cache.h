@@ -3,6 +3,7 @@
 #ifndef MATC_RENDER_CACHE_H
 #define MATC_RENDER_CACHE_H
 #include "runtime/gl/mesh.h"
+#include "runtime/render/exact_number.h"
 #include "runtime/render/cull.h"
 #include "runtime/render/transparency.h"
 #include "runtime/render/view_space.h"
@@ -90,7 +91,7 @@ typedef struct {
     const CullVolume *view;   /* the camera's, also where all is drawn */
     const int *size;          /* of the picture, in pixels */
     Transparency transparency;
-    bool numbered; /* what is opaque writes numbers of triangles, too: exact_number.h */
+    ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
 } CacheSource;
 
 /* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */

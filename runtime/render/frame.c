@@ -141,7 +141,7 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
-    const unsigned kept = exact_lights_cast(render) ? SEEN : 0;
+    const unsigned kept = facet_lights_seen(render) ? SEEN : 0;
     if (view && pass_cubes_level(view) >= 0)
         return CUBES;
     if (view && indirect_view_lanes(view))
@@ -153,7 +153,7 @@ static unsigned wanted(const Render *render)
     return !view ? SHOWN | kept : strcmp(view, "shadow") ? GBUFFER : LIGHT | SHADOW | kept;
 }
 
-/* What no pass fills is neither read nor changed. Without exact shadows nobody fills SEEN. */
+/* What no pass fills is neither read nor changed. Without exact shadows or silhouettes nobody fills SEEN. */
 static void leave_out(FramePlanPass *rows, unsigned allowed, bool seen)
 {
     unsigned filled = 0;
@@ -179,7 +179,7 @@ void frame_request(const Render *render, FramePlanRows *made)
             made->passes[i].fills = OPEN;
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
-    leave_out(made->passes, allowed, exact_lights_cast(render));
+    leave_out(made->passes, allowed, facet_lights_seen(render));
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
         made->targets[target] = frame_plan_target(render, (FrameTarget)target);
     made->request =

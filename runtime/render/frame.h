@@ -19,7 +19,7 @@ typedef enum {
     FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
     FRAME_TARGET_voxels, /* of their own size, too: pass_voxels.c */
     FRAME_TARGET_cubes,  /* a view of them */
-    FRAME_TARGET_seen,   /* numbers of triangles */
+    FRAME_TARGET_seen,   /* numbers of triangles, or how steep they are */
     FRAME_TARGET_lists,  /* no texture, but a buffer */
     FRAME_TARGET_far,    /* the same: what the pass gather sums */
     FRAME_TARGET_light,
@@ -39,7 +39,7 @@ typedef enum {
 /* Textures that are drawn to together. */
 typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
-    FRAME_DRAW_seen,    /* the same and numbers of triangles */
+    FRAME_DRAW_seen,    /* the same and what is seen */
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_light,
@@ -75,8 +75,8 @@ typedef struct {
 /* Of pass_gather.c, where lights are many. */
 typedef struct {
     ScreenPass groups, gather; /* one after the other */
-    GLuint numbers, words; /* storage buffers of far_blocks.glsl */
-    GLuint texels, bits;   /* the same as textures, which the pass light reads */
+    GLuint numbers, words;     /* storage buffers of far_blocks.glsl */
+    GLuint texels, bits;       /* the same as textures, which the pass light reads */
 } FrameFar;
 
 /* Of the pass edge. */
@@ -153,6 +153,12 @@ struct Render {
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
 };
+
+/* Silhouettes find shadows, and light is drawn: so are facets, if the driver can. And something casts, so that the target is there. facet_lights.c */
+bool facet_lights_write(const Render *render);
+bool facet_lights_cast(const Render *render);
+/* These, or numbers of triangles: there is the target seen. */
+bool facet_lights_seen(const Render *render);
 
 /* The sky as a light (light_sky.c): the scene has one that shines; makes render->sky, with the cache's sky; tells a pass; binds its map. */
 bool light_sky_shines(const Scene *scene);

@@ -207,7 +207,14 @@ void frame_use(const Render *render, const Framebuffer *framebuffer)
 
 CacheSource frame_source(const Render *render)
 {
-    return (CacheSource){
-        render->scene,   &render->set,  &render->space,       render->options.unculled ? NULL : &render->volume,
-        &render->volume, render->whole, render->transparency, exact_lights_number(render)};
+    return (CacheSource){render->scene,
+                         &render->set,
+                         &render->space,
+                         render->options.unculled ? NULL : &render->volume,
+                         &render->volume,
+                         render->whole,
+                         render->transparency,
+                         exact_lights_number(render)  ? EXACT_NUMBER_numbers
+                         : facet_lights_write(render) ? EXACT_NUMBER_facets
+                                                      : EXACT_NUMBER_none};
 }

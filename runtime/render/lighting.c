@@ -3,7 +3,8 @@
 #include <stdio.h>
 
 extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
-    render_text_lighting[], render_text_shadow_volume[], render_text_silhouette[], render_text_shadow_soft[];
+    render_text_lighting[], render_text_facet[], render_text_shadow_volume[], render_text_silhouette[],
+    render_text_shadow_soft[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
@@ -55,6 +56,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     light_table_set(render, LIGHTS_UNIT, pass);
     shadow_samplers(pass, SHADOW_UNIT);
     pass_exact_set(render, EXACT_UNIT, pass);
+    screen_pass_sampler(pass, "facet_slopes", EXACT_UNIT);
 }
 
 /* The driver's words are of texts that it put together from several. */
@@ -80,6 +82,10 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const bool soft = shadow_is_soft(render) && !around_only;
     const char *shadows = shadow_text(render, own->of == LIGHTING_nearest, defined);
     pass_exact_texts(render, own->of == LIGHTING_nearest, exact);
+    if (own->of == LIGHTING_nearest && facet_lights_cast(render)) { /* never beside exact ones */
+        exact[0] = "#define FACETS\n";
+        exact[2] = render_text_facet;
+    }
     if (around_only) {
         *defined = 0;
         shadows = exact[0] = exact[1] = exact[2] = "";
@@ -142,6 +148,8 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     light_table_bind(render, LIGHTS_UNIT);
     shadow_bind(render, SHADOW_UNIT);
     pass_exact_bind(render, EXACT_UNIT);
+    if (facet_lights_cast(render))
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_seen, 0), EXACT_UNIT);
     if (render->sky.map)
         light_sky_bind(render, SKY_UNIT);
 }

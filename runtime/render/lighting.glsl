@@ -82,6 +82,9 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     bool orthographic = light_view.y > 0.0;
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
+#ifdef FACETS
+    facetFind(pixel, depth, point, light_ray, light_view);
+#endif
 #ifdef EXACT_SEEN
     exactFind(pixel, orthographic ? vec3(ray.xy, 0.0) : vec3(0.0), orthographic ? vec3(0.0, 0.0, -1.0) : ray, point,
               orthographic ? 0.0 : light_view.x);
@@ -162,6 +165,9 @@ vec3 lightFromOther(int light, Seen seen)
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS || defined EXACT
     if (sent.x + sent.y + sent.z <= 0.0) return sent;
     vec3 side = dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal;
+#endif
+#ifdef FACETS
+    facetTurn(seen.m.normal, l);
 #endif
 #ifdef EXACT
     float exact = lightTexel(light, 2).w;

@@ -185,8 +185,10 @@ static bool move(Render *render, int range[2])
 bool pass_exact_move(Render *render, int first, int count)
 {
     int range[2];
-    if (!render->exact.corners)
+    if (!render->exact.corners) {
+        render->exact.seen = false; /* facets */
         return true;
+    }
     find_range(&render->exact.triangles, (int[]){first, first + count}, range);
     const bool again = is_reordered(render);
     if (!again && range[0] >= range[1])

@@ -40,7 +40,7 @@ void pass_surface_end(const Render *render)
 /* Numbers of triangles stay where they are until something moves. */
 void pass_surface_draw(Render *render)
 {
-    const bool numbers = exact_lights_cast(render) && !render->exact.seen;
+    const bool numbers = facet_lights_seen(render) && !render->exact.seen;
     const Framebuffer *framebuffer = &render->draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
     pass_surface_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);

@@ -101,6 +101,11 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     return !silhouetteCovers(covered.wz, covered.xy, cut, part);
 }
 
+#ifdef FACETS // facet.glsl sets them for each light
+vec3 facet_side = vec3(0.0); // the normal of the triangle that is seen, towards the light; 0: it is not known
+bool facet_away = false;     // it looks away from the light, while the surface's normal does not
+#endif
+
 #ifdef SHADOW_GLASS
 // What all that is transparent lets through, over texels that nothing opaque covers; so its edges are a map's.
 SHARE silhouetteThrough(int view, vec3 point)
@@ -134,7 +139,12 @@ SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel
         place = shadowOnFace(vec3(place.xy * (0.5 * how.y * float(SHADOW_SIZE)), place.z), face);
     if (how.x > 0.0 && place.z <= 0.0) return shadowNone(); // behind a spot
     float texel = how.y * (how.x > 0.0 ? place.z : 1.0);
+#ifdef FACETS
+    if (facet_away) return SHARE(0.0);
+    if (!silhouetteReaches(first + face, point, facet_side == vec3(0.0) ? normal : facet_side, pixel / texel)) return SHARE(0.0);
+#else
     if (!silhouetteReaches(first + face, point, normal, pixel / texel)) return SHARE(0.0);
+#endif
 #ifdef SHADOW_GLASS
     return silhouetteThrough(first + face, point + normal * (SHADOW_LIFT * texel + pixel / 64.0));
 #else
