@@ -22,7 +22,7 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 #define SEEN_BY(camera)                                                                                                \
     "image: { width: 120, height: 90 }\ncamera: { camera: " camera                                                     \
     " }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
-#define ORTHOGRAPHIC SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5")
+#define ORTHOGRAPHIC SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5, depth: 12.5")
 #define LEVEL        SEEN_BY("Perspective, position: [0, -7, 1.5], target: [0, 0, 1.5], angle: 42")
 #define VIEW         SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
 /* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the origin's height. */
@@ -133,7 +133,7 @@ static void rays(void **state)
         LIGHTS("blurred", 5),
         {"Directional, direction: [.5, .6, -1]", 4.5, "perfect", 2.5, VIEW},
         {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5, VIEW},
-        /* the camera looks as some of their rays go, or across them */
+        /* the camera looks as some of their rays go, or across them; walls go on beyond its farthest */
         {"Directional, direction: [1, .2, -.15]", 5, "perfect", 2.5, ORTHOGRAPHIC},
         {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, "perfect", 2.5,
          ORTHOGRAPHIC},
