@@ -1,11 +1,12 @@
 /* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a light, a camera that moves past what is opaque alone,
- * copies of which one is mirrored. */
+ * copies of which one is mirrored, glass that casts in two ways at once. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -116,8 +117,49 @@ static void changes(void **state)
     gl_close(gl);
 }
 
+/* A pane that casts by its triangle in one light and by a map in the other, beside a cut-out, by maps in both: light is the sum of each light's own. */
+static void two_ways(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "image: { width: 64, height: 64 }\nshadowMaps: { size: 256 }\n"
+        "camera: { camera: Orthographic, position: [0, 0, 8], target: [0, 0, 0], up: [0, 1, 0], size: 4 }\n"
+        "materials:\n  m: { material: Phong, diffuse: .5 }\n  glass: { material: Phong, diffuse: 0, transparency: .5 "
+        "}\n"
+        "  net: { material: Phong, diffuse: .5, transparency: { map: Checker, color1: 1, color2: 0 } }\n"
+        "lights:\n- { light: Directional, direction: [1, 0, -1], shadows: exact }\n"
+        "- { light: Directional, direction: [0, 1, -1], shadows: map }\n" GROUND
+        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: glass, transform: { translation: [-1.5, "
+        "-1.5, "
+        "1] } }\n"
+        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: net, transform: { translation: [0, 0, 1] } "
+        "}\n";
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light", .deep = true};
+    GlContext *gl = frame_context();
+    float *pictures[3];
+    int halves = 0;
+    for (int i = 0; i < 3; i++) { /* both, the first, the second */
+        MatcDocument *document;
+        Scene *scene = frame_scene(text, &options, &document);
+        scene->lights[0] = scene->lights[i == 2];
+        scene->light_count = i ? 1 : 2;
+        pictures[i] = frame_floats(gl, scene, &how);
+        frame_forget(scene, document);
+    }
+    for (int i = 0; i < 4 * PIXELS; i++)
+        assert_true(i % 4 == 3 || fabsf(pictures[0][i] - pictures[1][i] - pictures[2][i]) <= 1e-5f);
+    for (int i = 0; i < PIXELS; i++)
+        halves += fabsf(pictures[1][4 * i] / pictures[1][0] - .5f) < .01f;
+    assert_true(halves > 100); /* the pane's shadow is there */
+    for (int i = 0; i < 3; i++)
+        free(pictures[i]);
+    gl_close(gl);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(edges), cmocka_unit_test(beyond), cmocka_unit_test(changes)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(edges), cmocka_unit_test(beyond), cmocka_unit_test(changes),
+                                       cmocka_unit_test(two_ways)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,7 +3,10 @@
 #include "runtime/render/frame.h"
 
 bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
-bool pass_plane_needed(const Render *render) { return render->cache.opaque_plane_count > 0 && volume_view_has_scene(render); }
+bool pass_plane_needed(const Render *render)
+{
+    return render->cache.opaque_plane_count > 0 && volume_view_has_scene(render);
+}
 bool pass_sky_needed(const Render *render) { return render->cache.has_sky && volume_view_has_scene(render); }
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
