@@ -4,7 +4,7 @@
 
 /* As far_blocks.glsl has them. */
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
-enum { GATHERERS_HARDWARE = 64, GATHERERS_SOFTWARE = 8 /* as many as llvmpipe has lanes */ };
+enum { GATHERERS_HARDWARE = 32 /* a warp: sums wait for nobody else */, GATHERERS_SOFTWARE = 8 /* llvmpipe's lanes */ };
 enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 
 void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
