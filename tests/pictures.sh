@@ -67,6 +67,9 @@ check "their picture is in docs" test -s docs/materials.png
 [ -z "$update" ] || "$matview" docs/shadows.yaml --compare=shadows -o docs/shadows.png
 check "shadows by all methods are drawn" "$matview" docs/shadows.yaml --compare=shadows -o "$work/shadows.png"
 check "and are in docs" test -s docs/shadows.png
+[ -z "$update" ] || "$matview" docs/indirect.yaml --compare=indirect -o docs/indirect.png
+check "indirect light by all methods is drawn" "$matview" docs/indirect.yaml --compare=indirect -o "$work/indirect.png"
+check "and is in docs" test -s docs/indirect.png
 for view in volume:volume volumeWireframeAlone:volume-lines; do
     drawn=${view#*:}.png
     [ -z "$update" ] || "$matview" docs/volume.yaml --view="${view%:*}" -o "docs/$drawn"

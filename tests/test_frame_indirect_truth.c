@@ -41,6 +41,7 @@ typedef struct {
 } Truth;
 
 /* Of places in rows and columns, not at edges of objects: a pixel's middle may be on either side there. */
+/* Of one bounce, or where `across` is negative of two. */
 static void find_truth(const Scene *scene, int across, double radius, const MatcOptions *options, Truth *truth)
 {
     Tracer tracer = reference_open(scene);
@@ -50,7 +51,10 @@ static void find_truth(const Scene *scene, int across, double radius, const Matc
         for (int x = APART / 2; x < EDGE; x += APART) {
             const Ray ray = reference_ray(scene, x + .5, y + .5);
             const Hit hit = reference_hit(&tracer, &ray, 0);
-            OpenRays rays = {.across = across, .radius = radius, .bounces = 1, .state = (uint64_t)(y * EDGE + x)};
+            OpenRays rays = {.across = abs(across),
+                             .radius = radius,
+                             .bounces = across < 0 ? 2 : 1,
+                             .state = (uint64_t)(y * EDGE + x)};
             if (!isfinite(hit.distance) || reference_is_edge(&tracer, x, y, &hit, 1))
                 continue;
             Place *place = &truth->places[truth->count++];
@@ -114,8 +118,38 @@ static void methods_against_rays(void **state)
     gl_close(gl);
 }
 
+/* What a second bounce adds is within what a first one is off. Rays of samples that are averaged are as good as so many at once. */
+static void bounces_and_samples(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *keys, *view;
+        int across;
+        double most;
+    } cases[] = {{"bounces: 2", "indirect", -12, .3},
+                 {"samples: 8, rotation: random, filter: none, rays: 8", "open", 32, .025}};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    Truth *truth = malloc(sizeof *truth);
+    for (int i = 0; i < 2; i++) {
+        char text[TEXT];
+        MatcDocument *document;
+        snprintf(text, sizeof text, "indirect: { radius: %g, %s }\n%s", i ? .5 : 4., cases[i].keys, box);
+        Scene *scene = frame_scene(text, &options, &document);
+        find_truth(scene, cases[i].across, i ? .5 : 4, i ? NULL : &options, truth);
+        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = cases[i].view});
+        const double off = off_by(truth, rgba, !i);
+        print_message("%-48s %.4f off\n", cases[i].keys, off);
+        assert_true(off < cases[i].most);
+        free(rgba);
+        frame_forget(scene, document);
+    }
+    free(truth);
+    gl_close(gl);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(methods_against_rays)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(methods_against_rays), cmocka_unit_test(bounces_and_samples)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

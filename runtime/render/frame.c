@@ -175,8 +175,7 @@ void frame_request(const Render *render, FramePlanRows *made)
     for (int i = 0; i < PASS_COUNT_HERE; i++) {
         made->passes[i] = frame_passes[i].plan;
         made->passes[i].own &= at_once ? ~0u : 0;
-        if (frame_passes[i].draw == pass_rays_draw && !pass_smooth_needed(render))
-            made->passes[i].fills = OPEN;
+        pass_smooth_request(render, frame_passes[i].draw, &made->passes[i]);
         allowed |= (unsigned)frame_passes[i].needed(render) << i;
     }
     leave_out(made->passes, allowed, facet_lights_seen(render));

@@ -19,6 +19,15 @@ bool indirect_is(const Render *render)
     return in && in->rays > 0 && in->method != WORD_Indirect_none;
 }
 
+bool indirect_is_repeated(const Render *render) { return indirect_is(render) && render->scene->indirect.bounces > 1; }
+
+bool indirect_is_smoothed(const Render *render)
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    const bool filtered = in->filter != WORD_Filter_none && in->filter_size > 0;
+    return indirect_is(render) && (in->coarse > 1 || in->bounces > 1 || filtered);
+}
+
 bool indirect_reads_voxels(const Render *render)
 {
     return indirect_is(render) &&
@@ -90,6 +99,7 @@ void indirect_samples(Word sequence, int count, double (*samples)[2])
 void indirect_delete(Render *render)
 {
     screen_pass_delete(&render->indirect.rays);
+    screen_pass_delete(&render->indirect.again);
     screen_pass_delete(&render->indirect.smooth);
     screen_pass_delete(&render->indirect.spread);
     screen_pass_delete(&render->indirect.combine);

@@ -2,6 +2,7 @@
 #ifndef MATC_RENDER_INDIRECT_H
 #define MATC_RENDER_INDIRECT_H
 #include "runtime/render/cache.h"
+#include "runtime/render/frame_plan.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 
@@ -9,7 +10,7 @@ enum { INDIRECT_RAYS_MOST = 128 };
 
 /* Of the passes. */
 typedef struct {
-    ScreenPass rays, smooth, spread, combine;
+    ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
 } FrameIndirect;
 
 /* The scene has indirect light, and the method by which it is found, never auto. indirect.c */
@@ -19,6 +20,10 @@ Word indirect_method(const Render *render);
 int indirect_view_lanes(const char *view);
 /* What is wrong with the view, of this scene; NULL: nothing. */
 const char *indirect_lacks_view(const Render *render);
+/* Light goes on from surface to surface more than once. */
+bool indirect_is_repeated(const Render *render);
+/* What rays find is not at once what the target open gets: it is smoothed, or not of all pixels, or of several bounces. */
+bool indirect_is_smoothed(const Render *render);
 /* Rays go through voxels. */
 bool indirect_reads_voxels(const Render *render);
 /* Of a pixel for which rays go out, in those of the picture. */
@@ -33,8 +38,12 @@ bool pass_rays_make(Render *render);
 /* The camera, the tile or objects are others. */
 void pass_rays_place(Render *render);
 void pass_rays_draw(Render *render);
+/* For one more bounce, by what is in the target open. */
+void pass_rays_draw_again(Render *render);
 /* What rays found is smoothed, or spread over more pixels; else they fill the target open themselves. */
 bool pass_smooth_needed(const Render *render);
+/* What a pass of that drawing fills and reads as the scene has it: rays the target open, where nothing is smoothed; spread what rays read, for further bounces. */
+void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlanPass *row);
 bool pass_smooth_make(Render *render);
 void pass_smooth_draw(Render *render);
 bool pass_spread_make(Render *render);

@@ -43,15 +43,15 @@ float indirectCount(uint bits)
     return float(((bits + (bits >> 4u) & 0x0F0F0F0Fu) * 0x01010101u) >> 24u);
 }
 
-vec4 indirectAround(ivec2 pixel, vec3 point, vec3 normal, out vec3 open)
+vec4 indirectAround(ivec2 pixel, vec3 shift, vec3 point, vec3 normal, out vec3 open)
 {
-    vec3 sight = indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : -normalize(point), shift = indirectShift(pixel), light = vec3(0.0);
+    vec3 sight = indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : -normalize(point), light = vec3(0.0);
     float kept = 0.0, sum = 0.0;
     vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
     vec2 middle = vec2(pixel) + 0.5;
     open = vec3(0.0);
     for (int i = 0; i < INDIRECT_SLICES; i++) {
-        float turn = 3.14159265358979 * (float(i) + shift.x) / float(INDIRECT_SLICES);
+        float turn = 3.14159265358979 * (float(i) + fract(shift.x)) / float(INDIRECT_SLICES);
         vec3 along = vec3(cos(turn), sin(turn), 0.0);
         IndirectSlice slice;
         slice.sight = sight;
@@ -78,7 +78,7 @@ vec4 indirectAround(ivec2 pixel, vec3 point, vec3 normal, out vec3 open)
                 float far = length(way);
                 if (far > indirect_reach.x) continue;
                 float a = indirectSector(slice, indirectAngle(way, slice, float(side))), b = indirectSector(slice, indirectAngle(way - indirect_models.y * sight, slice, float(side)));
-                uint more = indirectBits(min(a, b) + shift.y, max(a, b) + shift.y) & ~bits;
+                uint more = indirectBits(min(a, b) + fract(shift.y), max(a, b) + fract(shift.y)) & ~bits;
                 bits |= more;
                 float part = share * indirectCount(more) / 32.0;
                 kept += part * indirectWeight(far / indirect_reach.x);

@@ -13,11 +13,12 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
     const bool uniform = in->distribution == WORD_Distribution_uniform;
     snprintf(text, INDIRECT_DEFINITIONS,
              "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
+             "#define INDIRECT_SAMPLES %d\n"
              "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
              "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s",
-             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps, (int)(in->weight - WORD_Weight_none),
-             (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0", in->coarse,
-             in->filter == WORD_Filter_none ? 0 : in->filter_size,
+             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps, in->samples,
+             (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
+             in->coarse, in->filter == WORD_Filter_none ? 0 : in->filter_size,
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                      : "#define INDIRECT_SHARE(cosine) 1.0\n",
              in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",

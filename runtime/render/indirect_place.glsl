@@ -5,7 +5,7 @@ layout(std140) uniform Indirect {
     vec4 indirect_ray, indirect_view; // of view_space.h
     vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
     vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is; z: how far a hit is from the surface that shows it
-    vec4 indirect_picture;            // xy: its size in pixels; z: of how many pictures that are averaged this is which
+    vec4 indirect_picture;            // xy: its size in pixels
     vec4 indirect_samples[INDIRECT_RAYS];
 };
 
@@ -54,18 +54,21 @@ vec2 indirectRandom(uvec2 v)
 //
 // Of n samples (i / n, mirrored bits of i) in a tile of 4 x 4 pixels: pixel k's are shifted by (k / (16 n), mirrored bits of k), so that all of the
 // tile's are 16 n that are as even as those of one pixel. All tiles are alike: the mean over any 4 x 4 pixels has just these.
-vec3 indirectShift(ivec2 pixel)
+//
+// Samples behind the first are shifted on by steps of the plastic number, 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018).
+vec3 indirectShift(ivec2 pixel, int number)
 {
-    uvec2 at = uvec2(pixel), seed = at + uvec2(0u, 65536u * uint(indirect_picture.z));
+    uvec2 at = uvec2(pixel), seed = at + uvec2(0u, 65536u * uint(number));
+    vec3 more = float(number) * vec3(0.7548777, 0.5698403, 0.6180340);
 #if INDIRECT_ROTATION == 2
     uvec2 low = at & 3u, mixed = low ^ low.yx;
     uint k = (mixed.x & 1u) << 3u | (low.y & 1u) << 2u | (mixed.x & 2u) | low.y >> 1u; // the order of Bayer's matrix
     uint mirrored = (k & 1u) << 3u | (k & 2u) << 1u | (k & 4u) >> 1u | k >> 3u;
-    return vec3(float(k) / float(16 * INDIRECT_RAYS), float(mirrored) / 16.0, float(k * 7u & 15u) / 16.0);
+    return vec3(float(k) / float(16 * INDIRECT_RAYS), float(mirrored) / 16.0, float(k * 7u & 15u) / 16.0) + more;
 #elif INDIRECT_ROTATION == 1
     return vec3(indirectRandom(seed), indirectRandom(seed.yx + 7919u).x);
 #else
-    return vec3(0.0, 0.0, indirectRandom(seed.yx + 7919u).x);
+    return vec3(0.0, 0.0, indirectRandom(seed.yx + 7919u).x) + more;
 #endif
 }
 
@@ -121,10 +124,18 @@ ivec2 indirectPixel(ivec2 small) { return min(small * INDIRECT_COARSE + INDIRECT
 
 #ifdef INDIRECT_LIGHT
 uniform sampler2D indirect_light;
+#ifdef INDIRECT_AGAIN
+uniform sampler2D indirect_before; // what bounces before this one found
+#endif
 
-// What the surface of a pixel sends against a way; nothing if the side that is seen is turned away.
+// What the surface of a pixel sends against a way, of light and of the bounces before; nothing if the side that is seen is turned away.
 vec3 indirectSent(ivec2 pixel, vec3 way)
 {
-    return dot(indirectNormal(pixel), way) < 0.0 ? texelFetch(indirect_light, pixel, 0).xyz : vec3(0.0);
+    if (dot(indirectNormal(pixel), way) >= 0.0) return vec3(0.0);
+    vec3 light = texelFetch(indirect_light, pixel, 0).xyz;
+#ifdef INDIRECT_AGAIN
+    light += surfaceEven(surfaceLit(unpackSurface(pixel), -normalize(way))) * texelFetch(indirect_before, pixel, 0).xyz;
+#endif
+    return light;
 }
 #endif

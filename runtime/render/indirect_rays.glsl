@@ -1,7 +1,7 @@
 // Means over a point's rays: rgb of the light that they meet, a of what is kept off. Before it stands indirectMeet(), which says what a ray meets.
-vec4 indirectAround(ivec2 pixel, vec3 point, vec3 normal, out vec3 open)
+vec4 indirectAround(ivec2 pixel, vec3 shift, vec3 point, vec3 normal, out vec3 open)
 {
-    vec3 shift = indirectShift(pixel), light = vec3(0.0), u, v;
+    vec3 light = vec3(0.0), u, v;
     float kept = 0.0;
     open = vec3(0.0);
     indirectBasis(normal, u, v);

@@ -6,26 +6,28 @@ extern const char render_text_indirect_place[], render_text_indirect_march[], re
     render_text_indirect_mask[], render_text_indirect_rays[], render_text_pass_rays[], render_text_voxel_map[],
     render_text_voxel_ray[];
 
-enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT };
+enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT };
 
 bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 
 void pass_rays_place(Render *render)
 {
-    ScreenPass *passes[] = {&render->indirect.rays, &render->indirect.smooth, &render->indirect.spread};
+    ScreenPass *passes[] = {&render->indirect.rays, &render->indirect.again, &render->indirect.smooth,
+                            &render->indirect.spread};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
-    if (render->indirect.rays.material.store && indirect_reads_voxels(render))
-        pass_voxels_set(render, VOXEL_UNIT, &render->indirect.rays);
+    for (size_t i = 0; i < 2 && indirect_reads_voxels(render); i++)
+        if (passes[i]->material.store)
+            pass_voxels_set(render, VOXEL_UNIT, passes[i]);
 }
 
-bool pass_rays_make(Render *render)
+static bool make(Render *render, bool again, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS];
-    ScreenPass *pass = &render->indirect.rays;
     const bool voxels = indirect_reads_voxels(render), mask = indirect_method(render) == WORD_Indirect_screen;
     indirect_define(render, defined);
-    const ScreenPassText text = {.body = {indirect_surface_text(render), defined, render_text_indirect_place,
+    const ScreenPassText text = {.body = {indirect_surface_text(render), again ? render->surface->text : "", defined,
+                                          again ? "#define INDIRECT_AGAIN\n" : "", render_text_indirect_place,
                                           voxels ? render_text_voxel_map : "", voxels ? render_text_voxel_ray : "",
                                           mask     ? render_text_indirect_mask
                                           : voxels ? render_text_indirect_near
@@ -36,17 +38,33 @@ bool pass_rays_make(Render *render)
     if (!screen_pass_make(render->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "indirect_light", LIGHT_UNIT);
-    pass_rays_place(render);
+    screen_pass_sampler(pass, "indirect_before", BEFORE_UNIT);
     return true;
 }
 
-void pass_rays_draw(Render *render)
+bool pass_rays_make(Render *render)
 {
+    const bool done = make(render, false, &render->indirect.rays) &&
+                      (!indirect_is_repeated(render) || make(render, true, &render->indirect.again));
+    pass_rays_place(render);
+    return done;
+}
+
+static void run(Render *render, ScreenPass *pass)
+{
+    const bool smoothed = indirect_is_smoothed(render);
     indirect_bind(render);
     if (render->plan.there >> FRAME_TARGET_light & 1)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_light, 0), LIGHT_UNIT);
     if (indirect_reads_voxels(render))
         pass_voxels_bind(render, VOXEL_UNIT);
-    screen_pass_run(&render->indirect.rays,
-                    &render->draws[pass_smooth_needed(render) ? FRAME_DRAW_rays : FRAME_DRAW_open], &render->screen);
+    screen_pass_run(pass, &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open], &render->screen);
+}
+
+void pass_rays_draw(Render *render) { run(render, &render->indirect.rays); }
+
+void pass_rays_draw_again(Render *render)
+{
+    texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), BEFORE_UNIT);
+    run(render, &render->indirect.again);
 }

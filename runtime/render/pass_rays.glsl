@@ -5,8 +5,13 @@ vec4 passPixel(ivec2 small)
     ivec2 pixel = indirectPixel(small);
     float depth = texelFetch(indirect_depth, pixel, 0).x;
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
-    vec3 normal = indirectNormal(pixel), open;
-    vec4 around = indirectAround(pixel, indirectPoint(pixel, depth), normal, open);
+    vec3 point = indirectPoint(pixel, depth), normal = indirectNormal(pixel), open = vec3(0.0);
+    vec4 around = vec4(0.0);
+    for (int i = 0; i < INDIRECT_SAMPLES; i++) {
+        vec3 ways;
+        around += indirectAround(pixel, indirectShift(pixel, i), point, normal, ways) / float(INDIRECT_SAMPLES);
+        open += ways;
+    }
 #ifdef INDIRECT_BENT
     return vec4(dot(open, open) > 0.0 ? normalize(open) : normal, 1.0);
 #else

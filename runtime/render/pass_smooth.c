@@ -6,11 +6,7 @@ extern const char render_text_indirect_place[], render_text_pass_smooth[];
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT };
 
-bool pass_smooth_needed(const Render *render)
-{
-    const SceneIndirect *in = &render->scene->indirect;
-    return indirect_is(render) && (in->coarse > 1 || (in->filter != WORD_Filter_none && in->filter_size > 0));
-}
+bool pass_smooth_needed(const Render *render) { return indirect_is_smoothed(render); }
 
 static bool make(Render *render, bool spread, ScreenPass *pass)
 {
@@ -40,4 +36,21 @@ static void run(Render *render, ScreenPass *pass, FrameTarget source, FrameDraw 
 
 void pass_smooth_draw(Render *render) { run(render, &render->indirect.smooth, FRAME_TARGET_rays, FRAME_DRAW_smooth); }
 
-void pass_spread_draw(Render *render) { run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open); }
+/* Then all three once more for each further bounce: light that surfaces send is then that of lights and of the bounces before. */
+void pass_spread_draw(Render *render)
+{
+    run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open);
+    for (int i = 1; i < render->scene->indirect.bounces; i++) {
+        pass_rays_draw_again(render);
+        pass_smooth_draw(render);
+        run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open);
+    }
+}
+
+void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlanPass *row)
+{
+    if (draw == pass_rays_draw && !indirect_is_smoothed(render))
+        row->fills = 1u << FRAME_TARGET_open;
+    if (draw == pass_spread_draw && indirect_is_repeated(render))
+        row->reads |= 1u << FRAME_TARGET_rays | 1u << FRAME_TARGET_light | 1u << FRAME_TARGET_voxels;
+}

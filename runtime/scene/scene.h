@@ -85,7 +85,7 @@ typedef struct {
 /* Of `indirect:`, as scene.def says. */
 typedef struct {
     Word method;                      /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
-    int rays, steps;                  /* no rays: the scene was not read, and has no indirect light */
+    int rays, samples, steps;         /* no rays: the scene was not read, and has no indirect light */
     double radius, offset, thickness; /* 0: to be found */
     double contrast;
     Word weight, distribution, sequence, rotation, march, filter;

@@ -16,7 +16,8 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
         return;
     r->scene->indirect = (SceneIndirect){.method = tree ? word_of(&thing, S_Indirect_method) : WORD_Indirect_none,
                                          .rays = whole_of(&thing, S_Indirect_rays),
-                                         .steps = whole_of(&thing, S_Indirect_steps),
+                                         .samples = whole_of(&thing, S_Indirect_samples),
+                        .steps = whole_of(&thing, S_Indirect_steps),
                                          .radius = scene_thing_number(&thing, S_Indirect_radius),
                                          .offset = scene_thing_number(&thing, S_Indirect_offset),
                                          .thickness = scene_thing_number(&thing, S_Indirect_thickness),
