@@ -70,7 +70,7 @@ double compile_displacement_bound(const Ir *ir)
     const Ranges ranges = range_find(ir, &arena, FIELD_LANES);
     for (int lane = 0; lane < ir_lanes(ir, output->value); lane++) {
         const Interval x = range_of(&ranges, ir, output->value, lane);
-        size = hypot(size, fmax(fabs(x.low), fabs(x.high)));
+        size += fmax(fabs(x.low), fabs(x.high)); /* tangents and normal need not be at right angles */
     }
     arena_free(&arena);
     const Value *bound = graph_displacement(ir->displaced).bound;

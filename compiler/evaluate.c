@@ -140,3 +140,87 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     arena_free(&arena);
     return result;
 }
+
+/* The displacement's inputs that a motion of the object changes. */
+static bool reads_world(const Ir *ir)
+{
+    Arena arena = {0};
+    const uint8_t *live = ir_live(ir, &arena);
+    bool reads = false;
+    for (Ref ref = 1; ref < ir->count; ref++) {
+        const uint32_t input = live[ref] && ir_is(ir, ref, OP_input) ? ir_at(ir, ref)->payload : INPUT_COUNT;
+        reads |= input == INPUT_vertexP || input == INPUT_vertexN || input == INPUT_vertexDU || input == INPUT_vertexDV;
+    }
+    arena_free(&arena);
+    return reads;
+}
+
+MatcMoves matc_moves(const MatcDocument *d, int material, const MatcOptions *given)
+{
+    Job job;
+    Arena arena = {0};
+    MatcOptions options = choice_whole_options(given);
+    MatcMoves moves = MATC_MOVES_none;
+    options.pass = "depth";
+    options.moved = false;
+    options.members = NULL;
+    options.member_count = 0;
+    if (d->graph && material >= 0 && material < d->graph->material_count && !choice_job(&options, &job)) {
+        Session quiet = session_open(&options, &arena);
+        const Ir *ir = compile_ir(&quiet, d->graph, d->graph->materials[material].node, &job);
+        if (ir && ir->displaced)
+            moves = reads_world(ir) ? MATC_MOVES_world : MATC_MOVES_local;
+    }
+    arena_free(&arena);
+    return moves;
+}
+
+static void set_lanes(Surface *surface, Group group, const double *from, int count)
+{
+    for (int lane = 0; lane < count; lane++)
+        surface->root[channel_id(group, lane)] = from[lane];
+}
+
+static Surface surface_of(const MatcPoint *point)
+{
+    Surface surface;
+    oracle_surface_default(&surface);
+    set_lanes(&surface, GROUP_P, point->position, 3);
+    set_lanes(&surface, GROUP_N, point->normal, 3);
+    set_lanes(&surface, GROUP_DU, point->tangent_u, 3);
+    set_lanes(&surface, GROUP_DV, point->tangent_v, 3);
+    set_lanes(&surface, GROUP_X, point->local, 3);
+    set_lanes(&surface, GROUP_U, point->uv, 2);
+    memcpy(surface.local_u, point->local_u, sizeof surface.local_u);
+    memcpy(surface.local_v, point->local_v, sizeof surface.local_v);
+    return surface;
+}
+
+/* v by a number, as a unit vector; 0 where it has no length. */
+static void add_along(double position[3], const double v[3], double by)
+{
+    const double least = 1e-30, size = fmax(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]), least);
+    for (int lane = 0; lane < 3; lane++)
+        position[lane] += by * v[lane] / size;
+}
+
+bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, MatcPoint *points, int count)
+{
+    Job job;
+    const MatcOptions options = choice_whole_options(given);
+    if (!d->graph || material < 0 || material >= d->graph->material_count || choice_job(&options, &job))
+        return false;
+    const ReferenceContext context = {.noise = job_noise(job.choice[AXIS_noise], job.target)};
+    Oracle *oracle = oracle_open(d->graph, &context);
+    bool fine = true;
+    for (int i = 0; fine && i < count; i++) {
+        const Surface surface = surface_of(&points[i]);
+        double move[3];
+        fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface, move);
+        add_along(points[i].position, points[i].tangent_u, move[0]);
+        add_along(points[i].position, points[i].tangent_v, move[1]);
+        add_along(points[i].position, points[i].normal, move[2]);
+    }
+    oracle_close(oracle);
+    return fine;
+}

@@ -78,6 +78,8 @@ typedef struct {
     const char *normals;      /* of a G-buffer: "eye" (default), "world" */
     bool instances; /* "glsl450", passes that draw triangles: one call draws many objects, of any material that shares the program. Matrices
                        and numbers come from storage buffers, by the attribute matc_instance (docs/renderer.md); no MATC_REFLECT then */
+    bool moved; /* meshes are displaced already, as matc_move does it: the vertex program moves nothing. Its attribute `basePosition` (location 10)
+                   has where a point was, by which maps go */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -137,6 +139,20 @@ MATC_API const char *matc_opacity(MatcProgram *program);
 /* The vertex program moves no point farther, in units of the world: `displacementBound`, or what matc proves of the maps. 0: it moves none,
  * INFINITY: neither is known. */
 MATC_API double matc_displacement_bound(const MatcProgram *program);
+
+/* What a displaced vertex is a function of: none, the material moves no point; attributes and matrices up to a motion of the whole; or where in the
+ * world it is, too. */
+typedef enum { MATC_MOVES_none, MATC_MOVES_local, MATC_MOVES_world } MatcMoves;
+MATC_API MatcMoves matc_moves(const MatcDocument *document, int material, const MatcOptions *options);
+/* A point of a mesh. The first four are in the world; tangents are derivatives of the position by u and v, the normal has any length. */
+typedef struct {
+    double position[3], normal[3], tangent_u[3], tangent_v[3];
+    double local[3], local_u[3], local_v[3]; /* position and tangents in the object's space */
+    double uv[2];
+} MatcPoint;
+/* Moves positions as the vertex program does, by the C reference in double. The document has its pictures whole (MatcOptions.pixels). False: it has
+ * faults, or a value takes too many operations. */
+MATC_API bool matc_move(const MatcDocument *document, int material, const MatcOptions *options, MatcPoint *points, int count);
 
 /* Programs with one key are one program: a hash, as 32 hexadecimal digits, of all that its text depends on but for names of
  * materials and of temporaries. Numbers that come from a buffer do not count. */

@@ -26,6 +26,22 @@ static const Feed feeds[] = {
 };
 enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
 
+/* The same of a mesh that was displaced already: maps go by where a point was. */
+static const char base_attribute[] = "vec3 basePosition";
+enum { BASE_LOCATION = 10 };
+static const Feed base_feeds[] = {
+    {INPUT_P, base_attribute, "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(basePosition, 1.0)).xyz"},
+    {INPUT_X, base_attribute, NULL, "basePosition"},
+};
+
+static const Feed *feed_of(const Job *job, int i)
+{
+    for (int k = 0; job->moved && k < 2; k++)
+        if (base_feeds[k].input == feeds[i].input)
+            return &base_feeds[k];
+    return &feeds[i];
+}
+
 /* Attribute locations are fixed: an engine binds a mesh once for all programs. */
 static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 texcoord", "vec3 tangentU",
                                          "vec3 tangentV"};
@@ -103,6 +119,14 @@ static void put_move_attributes(Text *out, Target target, const VertexMove *move
             text_format(out, "layout(location = %d) in %s;\n", FIRST_MOVE_LOCATION + i, displacement_attributes[i]);
 }
 
+static void put_base(Text *out, Target target)
+{
+    if (target_table[target].in_out)
+        text_format(out, "layout(location = %d) in %s;\n", BASE_LOCATION, base_attribute);
+    else
+        text_format(out, "attribute %s;\n", base_attribute);
+}
+
 /* The displaced position in the world, as matc_worldPosition. */
 static void put_move(Text *out, const VertexMove *move)
 {
@@ -172,6 +196,8 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     put_attributes(out, job->target, attribute);
     if (interface->move)
         put_move_attributes(out, job->target, interface->move);
+    if (job->moved && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X]))
+        put_base(out, job->target);
     if (job->instances)
         put_instances(out);
     else
@@ -186,7 +212,7 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
         put_own(out, uniform);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
-            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(&feeds[i], job));
+            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(feed_of(job, i), job));
     if (interface->move)
         put_move(out, interface->move);
     text_put(out, interface->move
@@ -270,6 +296,10 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
             text_put(out, ", ");
             describe(out, displacement_attributes[i], "location", target->in_out ? FIRST_MOVE_LOCATION + i : -1);
         }
+    if (job->moved && !screen && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X])) {
+        text_put(out, ", ");
+        describe(out, base_attribute, "location", target->in_out ? BASE_LOCATION : -1);
+    }
     text_put(out, "], \"uniforms\": [");
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {

@@ -34,14 +34,14 @@ static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
     return build_add(ir, v, build_vec(ir, TYPE_vec3, zero, zero, height(l, d, env)));
 }
 
-/* At most `bound` long. */
+/* At most `bound` long, whichever way its lanes lead: their sizes are added up. */
 static Ref within(Lower *l, Ref value, double bound)
 {
     Ir *ir = l->ir;
     const double least = 1e-30;
     if (ir_type(ir, value) == TYPE_float)
         return build_clamp(ir, value, build_float(ir, -bound), build_float(ir, bound));
-    Ref size = build_max(ir, build_length(ir, value), build_float(ir, least));
+    Ref size = build_max(ir, build_dot(ir, build_abs(ir, value), build_vec3(ir, 1, 1, 1)), build_float(ir, least));
     return build_mul(ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
 }
 
@@ -149,7 +149,7 @@ void lower_displace_vertices(Lower *l, const Node *displaced)
 {
     const Job *whole = l->job;
     Job job = *whole;
-    if (!displaced)
+    if (!displaced || whole->moved)
         return;
     const Env env = vertex_env(l);
     job.choice[AXIS_aa] = CHOICE_aa_none;

@@ -52,6 +52,8 @@ typedef struct {
     double by[3], by_u[3], by_v[3];
 } OracleDisplacement;
 bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result);
+/* The first of these alone, which takes a fraction of the time. */
+bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[3]);
 /* One channel of one map at a point. A NULL map is the surface. */
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface);
 #endif

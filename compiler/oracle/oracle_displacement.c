@@ -5,7 +5,7 @@
 enum { ALONG_N = 2 };
 
 /* How far along dP/du, dP/dv and the normal. */
-static void move_of(Environment *environment, const Node *displaced, double move[3])
+void oracle_move_by(Environment *environment, const Node *displaced, double move[3])
 {
     const Displacement d = graph_displacement(displaced);
     const double scale = oracle_float(d.scale);
@@ -17,7 +17,7 @@ static void move_of(Environment *environment, const Node *displaced, double move
     if (d.height->kind == VALUE_node)
         move[ALONG_N] += scale * oracle_ask(environment, d.height->node, channel_id(GROUP_R, 0));
     for (int lane = 0; lane < 3; lane++)
-        size = hypot(size, move[lane]);
+        size += fabs(move[lane]);
     for (int lane = 0; lane < 3 && size > bound; lane++)
         move[lane] *= bound / size;
 }
@@ -25,13 +25,13 @@ static void move_of(Environment *environment, const Node *displaced, double move
 static double lane_of_move(Environment *environment, const Node *displaced, int lane)
 {
     double move[3];
-    move_of(environment, displaced, move);
+    oracle_move_by(environment, displaced, move);
     return move[lane];
 }
 
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
 {
-    move_of(environment, displaced, d->by);
+    oracle_move_by(environment, displaced, d->by);
     for (int lane = 0; lane < 3; lane++) {
         double slope[2];
         oracle_slopes(environment, &(Height){lane_of_move, displaced, lane}, slope);

@@ -92,6 +92,7 @@ void oracle_slopes(Environment *environment, const Height *height, double slope[
 const Node *oracle_displaced(const Node *material);
 /* How such a material moves the point; the surface's frame after it was displaced, as its normal and tangents. oracle_displacement.c */
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *result);
+void oracle_move_by(Environment *environment, const Node *displaced, double move[3]);
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface);
 
 /* Work of the oracle, in steps of some 5 ns. oracle_work.c */

@@ -233,21 +233,39 @@ bool oracle_material(Oracle *oracle, const Node *material, const Surface *surfac
 typedef struct {
     Environment environment;
     const Node *displaced;
+    bool slopes; /* are asked for, too */
     OracleDisplacement *result;
 } MoveQuestion;
 
 static void move_on_stack(void *user)
 {
     MoveQuestion *question = user;
-    oracle_move(&question->environment, question->displaced, question->result);
+    if (question->slopes)
+        oracle_move(&question->environment, question->displaced, question->result);
+    else
+        oracle_move_by(&question->environment, question->displaced, question->result->by);
 }
 
-bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result)
+static bool move(Oracle *oracle, const Node *material, const Surface *surface, bool slopes, OracleDisplacement *result)
 {
     const Node *displaced = oracle_displaced(material);
     *result = (OracleDisplacement){.by = {0}};
     oracle->work = 0;
+    MoveQuestion question = {environment_open(oracle, surface, 0), displaced, slopes, result};
     if (displaced)
-        stack_run(displaced->depth, move_on_stack, &(MoveQuestion){environment_open(oracle, surface, 0), displaced, result});
+        stack_run(displaced->depth, move_on_stack, &question);
     return !oracle_spent(oracle);
+}
+
+bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result)
+{
+    return move(oracle, material, surface, true, result);
+}
+
+bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[3])
+{
+    OracleDisplacement found;
+    const bool fine = move(oracle, material, surface, false, &found);
+    memcpy(by, found.by, sizeof found.by);
+    return fine;
 }

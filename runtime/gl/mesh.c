@@ -21,17 +21,17 @@ static const struct {
     [MESH_ATTRIBUTE_displacementTexcoord] = {2, offsetof(ShapeVertex, uv)},
     [MESH_ATTRIBUTE_displacementTangentU] = {3, offsetof(ShapeVertex, tangentU)},
     [MESH_ATTRIBUTE_displacementTangentV] = {3, offsetof(ShapeVertex, tangentV)},
+    [MESH_ATTRIBUTE_basePosition] = {3, offsetof(ShapeVertex, position)},
 };
 
-void mesh_point_attributes(const GlContext *gl, size_t moves)
+void mesh_point_attributes(const GlContext *gl)
 {
     for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
         if (!attributes[i].lanes)
             continue; /* an instance's number: mesh_attach */
-        const size_t offset = attributes[i].offset + (i > MESH_ATTRIBUTE_instance ? moves : 0);
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                (const void *)(uintptr_t)offset); /* an offset, by GL's habit */
+                                (const void *)(uintptr_t)attributes[i].offset); /* an offset, by GL's habit */
     }
 }
 
@@ -44,7 +44,12 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->buffers[1]);
     gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)shape->index_count * (GLsizeiptr)sizeof *shape->indices,
                    shape->indices, GL_STATIC_DRAW);
-    mesh_point_attributes(gl, 0);
+    mesh_point_attributes(gl);
+    if (shape->base) {
+        gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[2]);
+        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->base, shape->base, GL_STATIC_DRAW);
+        gl->VertexAttribPointer(MESH_ATTRIBUTE_basePosition, 3, GL_FLOAT, GL_FALSE, 0, NULL);
+    }
     gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
@@ -53,7 +58,7 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
 {
     memset(made, 0, sizeof *made);
     gl->GenVertexArrays(1, &made->array);
-    gl->GenBuffers(2, made->buffers);
+    gl->GenBuffers(shape->base ? 3 : 2, made->buffers);
     upload(gl, made, shape);
     made->index_count = shape->index_count;
     if (gl_check(gl, "making a mesh"))
@@ -101,6 +106,6 @@ void mesh_draw_instances(const GlContext *gl, const Mesh *mesh, int first, int c
 void mesh_delete(const GlContext *gl, Mesh *mesh)
 {
     gl->DeleteVertexArrays(1, &mesh->array); /* GL ignores the name 0 */
-    gl->DeleteBuffers(2, mesh->buffers);
+    gl->DeleteBuffers(3, mesh->buffers);
     memset(mesh, 0, sizeof *mesh);
 }

@@ -17,6 +17,7 @@ enum {
     MESH_ATTRIBUTE_displacementTexcoord,            /* of one position */
     MESH_ATTRIBUTE_displacementTangentU,
     MESH_ATTRIBUTE_displacementTangentV,
+    MESH_ATTRIBUTE_basePosition, /* where it was, of a shape that was displaced; else its position */
     MESH_ATTRIBUTE_end
 };
 
@@ -25,7 +26,7 @@ extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_count];
 
 typedef struct {
     GLuint array;      /* vertex array */
-    GLuint buffers[2]; /* vertices, indices */
+    GLuint buffers[3]; /* vertices, indices, base positions where they are others */
     GLsizei index_count;
 } Mesh;
 
@@ -34,9 +35,9 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
 /* Of any shape, which is not kept. */
 bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
 
-/* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those that shade, from its beginning on; those of
- * displacement `moves` bytes behind it. */
-void mesh_point_attributes(const GlContext *gl, size_t moves);
+/* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those that shade, and those
+ * of displacement, which are the same. */
+void mesh_point_attributes(const GlContext *gl);
 
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);

@@ -182,5 +182,6 @@ void shape_free(Shape *shape)
 {
     free(shape->vertices);
     free(shape->indices);
+    free(shape->base);
     memset(shape, 0, sizeof *shape);
 }

@@ -29,6 +29,7 @@ typedef struct {
     ShapeVertex *vertices;
     uint32_t *indices; /* triangles */
     int vertex_count, index_count;
+    float (*base)[3]; /* by vertex: where it was before the shape was displaced; NULL: it was not */
 } Shape;
 
 /* The name of a kind ("sphere") and back; false for a name that is none. */

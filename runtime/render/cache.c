@@ -16,7 +16,8 @@ typedef struct {
 static Key shape_key(const Shape *shape)
 {
     const Key parts[] = {key_of_bytes(shape->vertices, (size_t)shape->vertex_count * sizeof *shape->vertices),
-                         key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices)};
+                         key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices),
+                         key_of_bytes(shape->base, shape->base ? (size_t)shape->vertex_count * sizeof *shape->base : 0)};
     return key_of_bytes(parts, sizeof parts);
 }
 

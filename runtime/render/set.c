@@ -328,6 +328,7 @@ bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_opti
     made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;
     maker.options.instances = made->instances;
+    maker.options.moved = scene->displaced > 0;
     maker.options.validate = false; /* the driver does */
     const bool fine = make(&maker);
     free(maker.last);

@@ -110,7 +110,7 @@ static bool receive(int pipe, Head *head, Shape *shape)
         return false;
     *shape =
         (Shape){calloc((size_t)head->vertex_count + 1, sizeof *shape->vertices),
-                calloc((size_t)head->index_count + 1, sizeof *shape->indices), head->vertex_count, head->index_count};
+                calloc((size_t)head->index_count + 1, sizeof *shape->indices), head->vertex_count, head->index_count, NULL};
     if (!shape->vertices || !shape->indices)
         abort();
     return receive_all(pipe, shape->vertices, (size_t)head->vertex_count * sizeof *shape->vertices) &&

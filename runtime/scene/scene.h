@@ -122,6 +122,8 @@ typedef struct Scene {
     double shadow_offset;   /* texels, of a blurred volume */
     bool shadow_stretched;  /* its outermost texels lie at the map's edge */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
+    int displaced;          /* objects whose meshes were displaced: scene_displacement.c */
+    int displaced_triangles; /* to about how many such a mesh is divided, at least */
     int voxel_size;         /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;
     SceneTools tools;

@@ -129,3 +129,19 @@ void scene_vector_axes(const double along[3], double x[3], double y[3])
     scene_vector_normalize(x);
     scene_vector_cross(along, x, y);
 }
+
+bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse)
+{
+    const double determinant = scene_matrix_determinant(m);
+    if (!isfinite(1 / determinant))
+        return false;
+    *inverse = scene_matrix_identity();
+    for (int i = 0; i < 3; i++) {
+        double row[3];
+        scene_vector_cross(&m->m[4 * ((i + 1) % 3)], &m->m[4 * ((i + 2) % 3)], row);
+        for (int k = 0; k < 3; k++)
+            inverse->m[4 * k + i] = row[k] / determinant;
+        inverse->m[12 + i] = -scene_vector_dot(row, &m->m[12]) / determinant;
+    }
+    return true;
+}

@@ -13,6 +13,8 @@ typedef struct {
 SceneMatrix scene_matrix_place(const ScenePlace *place);
 /* What a document's transformation does; its values are numbers. */
 SceneMatrix scene_matrix_of(const Transform *transform);
+/* What undoes it. False: nothing does. */
+bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse);
 /* Of the upper left part. */
 double scene_matrix_determinant(const SceneMatrix *m);
 

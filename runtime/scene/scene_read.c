@@ -81,6 +81,16 @@ static void read_voxels(SceneReader *r, Tree *tree)
     r->fine = false;
 }
 
+static void read_displacement(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_displacement, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_displacement, &thing))
+        return;
+    r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
+}
+
 static void read_tools(SceneReader *r, Tree *tree)
 {
     SceneThing thing;
@@ -129,6 +139,7 @@ static void read_scene(SceneReader *r, Tree *document)
         scene_motion_read(r, scene_thing_given(&thing, S_Scene_motion));
     read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
     read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
+    read_displacement(r, scene_thing_given(&thing, S_Scene_displacement));
     read_voxels(r, scene_thing_given(&thing, S_Scene_voxels));
     scene_indirect_read(r, scene_thing_given(&thing, S_Scene_indirect));
     read_tools(r, scene_thing_given(&thing, S_Scene_tools));
@@ -159,7 +170,7 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
     if (!r.scene)
         abort();
     read_scene(&r, tree);
-    if (r.fine && !document->session.diags.errors)
+    if (r.fine && !document->session.diags.errors && scene_displace(&r, options))
         *made = r.scene;
     else
         scene_free(r.scene);

@@ -10,12 +10,14 @@ static Surface reference_surface(const Hit *hit)
     oracle_surface_default(&surface);
     surface.front = hit->front;
     for (int i = 0; i < 3; i++) {
-        surface.root[channel_id(GROUP_P, i)] = hit->world[i];
+        surface.root[channel_id(GROUP_P, i)] = hit->base[i];
         surface.root[channel_id(GROUP_X, i)] = hit->local[i];
         surface.root[channel_id(GROUP_N, i)] = hit->normal[i];
         surface.root[channel_id(GROUP_DU, i)] = hit->tangents[0][i];
         surface.root[channel_id(GROUP_DV, i)] = hit->tangents[1][i];
         surface.root[channel_id(GROUP_U, i)] = i < 2 ? hit->uv[i] : 0;
+        surface.local_u[i] = hit->local_tangents[0][i];
+        surface.local_v[i] = hit->local_tangents[1][i];
     }
     return surface;
 }

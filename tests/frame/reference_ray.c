@@ -43,11 +43,21 @@ static double reference_mix(const ShapeVertex *corner[3], const double st[2], si
     return value[0] + st[0] * ((double)value[1] - value[0]) + st[1] * ((double)value[2] - value[0]);
 }
 
-static void reference_fill(const SceneObject *object, const ShapeVertex *corner[3], const double st[2], Hit *hit)
+/* Where the shape was before it was displaced. */
+static double reference_base(const Shape *shape, const ShapeVertex *corner[3], const double st[2], int lane)
 {
-    double normal[3], tangent[2][3];
+    double value[3];
+    for (int k = 0; k < 3; k++)
+        value[k] = (double)shape->base[corner[k] - shape->vertices][lane];
+    return value[0] + st[0] * (value[1] - value[0]) + st[1] * (value[2] - value[0]);
+}
+
+static void reference_fill(const SceneObject *object, const Shape *shape, const ShapeVertex *corner[3], const double st[2], Hit *hit)
+{
+    double normal[3], position[3], (*tangent)[3] = hit->local_tangents;
     for (int i = 0; i < 3; i++) {
-        hit->local[i] = reference_mix(corner, st, offsetof(ShapeVertex, position), i);
+        position[i] = reference_mix(corner, st, offsetof(ShapeVertex, position), i);
+        hit->local[i] = shape->base ? reference_base(shape, corner, st, i) : position[i];
         normal[i] = reference_mix(corner, st, offsetof(ShapeVertex, normal), i);
         tangent[0][i] = reference_mix(corner, st, offsetof(ShapeVertex, tangentU), i);
         tangent[1][i] = reference_mix(corner, st, offsetof(ShapeVertex, tangentV), i);
@@ -56,7 +66,8 @@ static void reference_fill(const SceneObject *object, const ShapeVertex *corner[
         hit->uv[i] = reference_mix(corner, st, offsetof(ShapeVertex, uv), i);
         reference_image(&object->world_from_local, tangent[i], 0, hit->tangents[i]);
     }
-    reference_image(&object->world_from_local, hit->local, 1, hit->world);
+    reference_image(&object->world_from_local, position, 1, hit->world);
+    reference_image(&object->world_from_local, hit->local, 1, hit->base);
     reference_normal(&object->world_from_local, normal, hit->normal);
 }
 
@@ -79,7 +90,7 @@ static void reference_triangle(const SceneObject *object, const Shape *shape, un
     reference_cross(a, b, face);
     hit->front = reference_dot(face, ray.way) < 0;
     reference_normal(&object->world_from_local, face, hit->facet);
-    reference_fill(object, corner, st, hit);
+    reference_fill(object, shape, corner, st, hit);
 }
 
 void reference_plane(const SceneObject *object, const Ray *world, double behind, Hit *hit)
@@ -97,9 +108,11 @@ void reference_plane(const SceneObject *object, const Ray *world, double behind,
         hit->local[i] = i < 2 ? ray.at[i] + distance * ray.way[i] : 0;
     for (int i = 0; i < 2; i++) {
         hit->uv[i] = hit->local[i];
+        memcpy(hit->local_tangents[i], axes[i], sizeof axes[i]);
         reference_image(&object->world_from_local, axes[i], 0, hit->tangents[i]);
     }
     reference_image(&object->world_from_local, hit->local, 1, hit->world);
+    memcpy(hit->base, hit->world, sizeof hit->base);
     reference_normal(&object->world_from_local, z, hit->normal);
     memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }

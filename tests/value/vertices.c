@@ -63,7 +63,7 @@ void vertices_upload(Vertices *vertices, const GlContext *gl)
     gl->BindVertexArray(vertices->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, vertices->buffer);
     gl->BufferData(GL_ARRAY_BUFFER, sizeof vertices->vertex, vertices->vertex, GL_STATIC_DRAW);
-    mesh_point_attributes(gl, 0);
+    mesh_point_attributes(gl);
 }
 
 void vertices_draw(const Vertices *vertices, const GlContext *gl)

@@ -1,0 +1,17 @@
+/* A mesh that is displaced, as plain triangles. */
+#ifndef MATC_SCENE_DISPLACEMENT_H
+#define MATC_SCENE_DISPLACEMENT_H
+#include "runtime/scene/scene.h"
+
+/* By which material, with whose options, where in the world, and to how many triangles it is divided, at least. */
+typedef struct {
+    const MatcDocument *document;
+    int material;
+    const MatcOptions *options;
+    SceneMatrix world_from_local;
+    int triangles;
+} SceneDisplacing;
+
+/* False: memory ran out, or a value takes too many operations; *made is empty. */
+bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape *made);
+#endif

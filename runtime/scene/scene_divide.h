@@ -1,0 +1,11 @@
+/* Finer triangles, and which of their vertices stand in one place. */
+#ifndef MATC_SCENE_DIVIDE_H
+#define MATC_SCENE_DIVIDE_H
+#include "runtime/gl/shape.h"
+
+/* Every triangle as n^2 in rows, its vertices on planes between its corners: normals have unit length, the rest is mixed. Vertices on an edge stand in
+ * one place, whichever of its triangles they are of. False: memory ran out, *made is empty. */
+bool scene_divide(const Shape *shape, int n, Shape *made);
+/* By vertex: the first that stands in the same place. From malloc; NULL: memory ran out. */
+int *scene_places(const Shape *shape);
+#endif

@@ -1,0 +1,184 @@
+/* Displaced objects in pictures: no hole in what is closed, from 64 sides; outlines, light and shadows of each method against rays of Embree, where the
+ * material at a point is the oracle's. */
+#include "tests/frame/frame_compare.h"
+#include "tests/frame/frame_draw.h"
+#include "tests/frame/shadow_ray.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
+
+/* Hard edges, seams of texture coordinates, a height that goes by both, and one that jumps. */
+#define MATERIALS                                                                                                                        \
+    "materials:\n"                                                                                                                       \
+    "  rock: { material: Phong, diffuse: { map: Granite }, emissive: 0.2, displacementScale: 0.2,\n"                                     \
+    "    displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"                                              \
+    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"                                     \
+    "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5, scaleV: 4 } } }\n"                                          \
+    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: Gradient, direction: "   \
+    "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n"             \
+    "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n"                                                                        \
+    "displacement: { triangles: 20000 }\n"
+static const char *const bodies[] = {
+    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
+    "- { object: Sphere, radius: 0.9, material: tiles, detail: 48 }\n",
+    "- { object: Cylinder, radius: 0.6, height: 1.2, detail: 40, material: leaning, transform: { translation: [0, 0, -0.6] } }\n",
+    "- { object: Cone, radius: 0.8, height: 1.5, detail: 40, material: rock, transform: { translation: [0, 0, -0.5], rotation: [2, 0, 0] } }\n",
+};
+enum { BODIES = sizeof bodies / sizeof *bodies, VIEWS = 16 };
+
+/* Whether a ray and four beside it, a fiftieth of a pixel away, all meet something, or all nothing; -1: they do not agree. */
+static int covered(const Tracer *tracer, int x, int y)
+{
+    int met = 0;
+    for (int i = 0; i < 5; i++) {
+        const double aside = i ? .02 : 0;
+        const Ray ray = reference_ray(tracer->scene, x + .5 + (i & 1 ? aside : -aside), y + .5 + (i & 2 ? aside : -aside));
+        met += reference_hit(tracer, &ray, 0).object >= 0;
+    }
+    return met == 5 ? 1 : met ? -1 : 0;
+}
+
+/* 16 views of each of four bodies, over the whole sphere of directions: no pixel within shows what is behind, none beside is drawn. */
+static void nothing_shows_through_what_is_closed(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    long within = 0, beside = 0, ties = 0;
+    for (int view = 0; view < BODIES * VIEWS; view++) {
+        const double z = 1 - (2 * (view % VIEWS) + 1.) / VIEWS, turn = 2.399963229728653 * view, r = sqrt(1 - z * z);
+        char text[4000];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [%g, %g, %g], angle: 40 }\n" MATERIALS
+                 "objects:\n%s",
+                 WIDTH, HEIGHT, 4 * r * cos(turn), 4 * r * sin(turn), 4 * z, bodies[view / VIEWS]);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        Tracer tracer = reference_open(scene);
+        for (int i = 0; i < PIXELS; i++) {
+            const int is = covered(&tracer, i % WIDTH, i / WIDTH), shown = light[4 * i] > 0.1f;
+            within += is == 1, beside += is == 0, ties += is < 0;
+            if (is >= 0 && is != shown)
+                fail_msg("view %d, pixel %d, %d: %s", view, i % WIDTH, i / WIDTH, shown ? "drawn beside it" : "a hole");
+        }
+        reference_close(&tracer);
+        free(light);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+    print_message("%ld pixels within, %ld beside, %ld at outlines\n", within, beside, ties);
+    assert_true(within > 60000 && beside > 200000);
+}
+
+/* The next pixels meet the same face of the body, about as far away. */
+static bool is_plain(const Tracer *tracer, int x, int y, const Hit *hit)
+{
+    for (int i = 0; i < 4; i++) {
+        const Ray ray = reference_ray(tracer->scene, x + .5 + (i & 1 ? .5 : -.5), y + .5 + (i & 2 ? .5 : -.5));
+        const Hit other = reference_hit(tracer, &ray, 0);
+        if (other.object != hit->object || fabs(other.distance - hit->distance) > .01 * hit->distance)
+            return false;
+    }
+    return true;
+}
+
+/* Light of a lamp without shadows: the normal is that of the displaced surface, the place where light arrives the displaced one. */
+static void light_is_that_of_the_oracle(void **state)
+{
+    (void)state;
+    static Spread spread;
+    MatcLayout *layout;
+    const MatcOptions options = frame_float_options(&layout);
+    GlContext *gl = frame_context();
+    for (int body = 0; body < BODIES; body++) {
+        char text[4000];
+        MatcDocument *document;
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n" MATERIALS
+                 "lights:\n- { light: Point, position: [2, -2, 3], intensity: 12 }\nobjects:\n%s",
+                 WIDTH, HEIGHT, bodies[body]);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+        Tracer tracer = reference_open(scene);
+        spread.count = spread.lit = 0;
+        for (int i = 0; i < PIXELS; i++) {
+            const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);
+            const Hit hit = reference_hit(&tracer, &ray, 0);
+            if (hit.object < 0 || !is_plain(&tracer, i % WIDTH, i / WIDTH, &hit))
+                continue;
+            Sample sample = reference_sample(&tracer, i % WIDTH, i / WIDTH, &options);
+            sample.edge = false; /* of triangles */
+            add_sample(&spread, &sample, light + 4 * i);
+        }
+        qsort(spread.differences, (size_t)spread.count, sizeof *spread.differences, ascending);
+        const double middle = spread.differences[spread.count / 2], most = spread.differences[(int)(spread.count * .99)];
+        print_message("body %d: %d pixels, median %.2g, 99 %% within %.2g\n", body, spread.count, middle, most);
+        assert_true(spread.count > 700 && spread.lit > spread.count / 2);
+        assert_true(middle < 5e-6 && most < 5e-5);
+        reference_close(&tracer);
+        free(light);
+        frame_forget(scene, document);
+    }
+    matc_layout_free(layout);
+    gl_close(gl);
+}
+
+/* The floor under a displaced body is dark where rays to the light meet it, by maps, silhouettes and exactly. */
+static void shadows_are_those_of_the_displaced_shape(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"map", "silhouette", "exact", "hybrid"};
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+        char text[4000];
+        MatcDocument *document;
+        int wrong = 0, dark = 0, all = 0;
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -5, 4], angle: 45 }\n" MATERIALS
+                 "shadowMaps: { size: 2048, filter: 0 }\nlights:\n- { light: Directional, direction: [1, -0.6, -1], shadows: %s }\n"
+                 "objects:\n%s- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { translation: [-4, -4, -1] } }\n",
+                 WIDTH, HEIGHT, methods[m], bodies[0]);
+        Scene *scene = frame_scene(text, &options, &document);
+        float *with = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        float *without = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+        Tracer tracer = reference_open(scene);
+        for (int i = 0; i < PIXELS; i++) {
+            const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);
+            const Hit hit = reference_hit(&tracer, &ray, 0);
+            if (hit.object != 1) /* the floor */
+                continue;
+            const bool lit = shadow_is_lit(&tracer, &scene->lights[0], hit.world, hit.facet);
+            bool agree = true;
+            for (int k = 0; agree && k < 8; k++) { /* an end of a shadow is a hundredth away */
+                double moved[3] = {hit.world[0] + .01 * cos(.8 * k), hit.world[1] + .01 * sin(.8 * k), hit.world[2]};
+                agree = shadow_is_lit(&tracer, &scene->lights[0], moved, hit.facet) == lit;
+            }
+            if (!agree)
+                continue;
+            all++;
+            dark += !lit;
+            wrong += lit != (with[4 * i] > .9f * without[4 * i]);
+        }
+        print_message("%-10s %d pixels of the floor, %d dark, %d wrong\n", methods[m], all, dark, wrong);
+        assert_true(all > 3000 && dark > 150);
+        assert_int_equal(wrong, 0);
+        reference_close(&tracer);
+        free(with);
+        free(without);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(nothing_shows_through_what_is_closed),
+        cmocka_unit_test(light_is_that_of_the_oracle),
+        cmocka_unit_test(shadows_are_those_of_the_displaced_shape),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
