@@ -240,6 +240,8 @@ const PrecisionRow precision_table[PRECISION_COUNT] = {
 #define LETTER_Transform  ""
 #define LETTER_Image      ""
 #define LETTER_Items      ""
+#define LETTER_Maps       ""
+#define LETTER_Formula    ""
 #define LETTER_ColorSpace ""
 #define LETTER_Channel    ""
 #define LETTER_Address    ""

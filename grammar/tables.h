@@ -72,6 +72,8 @@ typedef enum {
     PARAM_Wave,      /* a waveform */
     PARAM_Transform, /* a transformation of space */
     PARAM_Image,     /* a picture file */
+    PARAM_Maps,      /* maps by name */
+    PARAM_Formula,   /* a formula; compiler/formula/ */
     PARAM_Items,     /* a list of blend items */
 /* one of the names of a list of words.def */
 #define WORDS(list) PARAM_##list,

@@ -28,6 +28,7 @@ enum {
     LIMIT_PARAMS = 4096,        /* uniforms of a document */
     LIMIT_DEFINITION_PARAMS = 64, /* parameters of a definition */
     LIMIT_COPIES = 200000,      /* values that uses of definitions copy, with arguments in their places */
+    LIMIT_FORMULA = 65536,      /* bytes of a formula */
     LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
     LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
     LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */

@@ -11,7 +11,7 @@ const char *describe_type(const ParamRow *param)
     static const char *const names[] = {
         [PARAM_Map] = "map",     [PARAM_Material] = "material",   [PARAM_Float] = "number", [PARAM_Int] = "whole",
         [PARAM_Bool] = "bool",   [PARAM_Vec3] = "3 numbers",      [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
-        [PARAM_Items] = "items", [PARAM_Transform] = "transform",
+        [PARAM_Items] = "items", [PARAM_Transform] = "transform",  [PARAM_Formula] = "formula", [PARAM_Maps] = "maps",
     };
     return param_is_word(param) ? "name" : param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
 }
@@ -64,6 +64,10 @@ static const char *sample_value(const ParamRow *param)
         return "Id";
     case PARAM_Transform:
         return "{ scale: 2 }";
+    case PARAM_Formula:
+        return "mix(a, b, u)";
+    case PARAM_Maps:
+        return "{ a: black, b: white }";
     case PARAM_Items:
         return "[{ value: 0, input: black }, { value: 1, input: white }]";
     default:

@@ -23,6 +23,11 @@ void describe_example(Text *out, Kind kind, const char *name);
 void describe_piece(Text *out, const Piece *piece);
 void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece);
 void describe_error(Text *out, const FieldRow *field);
+/* What formulas are made of, a line each; the page of a function, a Term; the schema of a formula and what goes with it.
+ * describe_expression.c */
+void describe_functions(Text *out);
+void describe_function(Text *out, int term);
+void describe_formula_schema(Text *out);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);
 /* What a parameter's value must be, as members of a JSON object of the schema of documents; the definition of a list of

@@ -2,6 +2,7 @@
  * name fits exactly. */
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
+#include "grammar/expression_tables.h"
 #include <math.h>
 #include <string.h>
 #include <strings.h>
@@ -154,6 +155,13 @@ static void explain_waves(const Query *q)
                  "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, factor: 2, second: Abs } }\n");
 }
 
+static void explain_functions(const Query *q)
+{
+    for (int i = 0; i < TERM_COUNT; i++)
+        if (term_table[i].callable && begins(q, term_table[i].name))
+            describe_function(q->out, i);
+}
+
 static void explain_colors(const Query *q)
 {
     for (int i = 0; i < color_count; i++) {
@@ -278,6 +286,7 @@ char *matc_explain(const char *name)
         explain_kinds(&query);
         explain_scenes(&query);
         explain_waves(&query);
+        explain_functions(&query);
         explain_colors(&query);
         explain_color_spaces(&query);
         explain_channels(&query);

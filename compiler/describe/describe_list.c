@@ -114,7 +114,7 @@ static const struct {
     const char *kind;
     void (*put)(Text *out);
 } lists[] = {{"materials", list_materials}, {"maps", list_maps},       {"presets", list_presets},
-             {"aliases", list_aliases},     {"waves", list_waves},     {"colors", list_colors},
+             {"aliases", list_aliases},     {"waves", list_waves},     {"functions", describe_functions}, {"colors", list_colors},
              {"channels", list_channels},   {"slots", list_slots},     {"targets", list_targets},
              {"passes", list_passes},       {"normals", list_normals}, {"layouts", list_layouts}, {"encodings", list_encodings},
              {"scenes", list_scenes},       {"choices", list_choices}, {"warnings", list_warnings}};

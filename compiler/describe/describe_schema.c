@@ -338,7 +338,7 @@ static void put_materials_document(Text *out)
 static char *document_schema(void)
 {
     static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
-                                    "{\"$ref\": \"#/$defs/param\"},\n";
+                                    "{\"$ref\": \"#/$defs/param\"},\n        {\"$ref\": \"#/$defs/shorthand\"},\n";
     Arena arena = {0};
     Text out = text_new(&arena);
     text_put(&out, "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n"
@@ -351,6 +351,7 @@ static char *document_schema(void)
     text_put(
         &out,
         "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, {\"$ref\": \"#/$defs/param\"}]},\n");
+    describe_formula_schema(&out);
     put_color(&out);
     put_waves(&out);
     put_words(&out);

@@ -3,6 +3,7 @@
  *
  *     diffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }
  *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that on: nobody sees its u and v. */
+#include "compiler/formula/formula.h"
 #include "compiler/front/doubt.h"
 #include <math.h>
 #include <string.h>
@@ -124,6 +125,15 @@ static unsigned asked_by_dimensions(const Node *node)
     return number[0] < 3 ? ASKED_uv : ASKED_xyz;
 }
 
+/* What a formula reads of a point. */
+static unsigned asked_of_point(const Node *node)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    const unsigned groups = is->kind == VALUE_formula ? is->formula->groups : 0;
+    const unsigned coordinates = (groups >> GROUP_X & 1 ? ASKED_xyz : 0) | (groups >> GROUP_U & 1 ? ASKED_uv : 0);
+    return coordinates | (groups & ~(1u << GROUP_X | 1u << GROUP_U) ? ASKED_other : 0);
+}
+
 /* What a map asks its input for, being asked itself. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
@@ -136,6 +146,8 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
         return ASKED_xyz;
     case SECTION_dimensions:
         return asked_by_dimensions(node);
+    case SECTION_expression:
+        return asked_of_point(node);
     case SECTION_blend:
         return items ? ASKED_xyz : asked;
     case SECTION_normal:
@@ -166,7 +178,7 @@ static void ask_below(Doubts *d, const Node *node, unsigned asked)
         const Value *value = &node->params[i];
         const bool input = !strcmp(param->name, "input");
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
-            ask(d, node, value->items->item[k].input, asked);
+            ask(d, node, value->items->item[k].input, node->kind == KIND_Expression ? ASKED_other : asked);
         if (value->kind == VALUE_node && param->type == PARAM_Map)
             ask(d, node, value->node,
                 !input     ? asked_of_param(node, param, asked)
@@ -209,6 +221,8 @@ static void doubt_lack(const Doubts *d, const Node *node)
         const Value *value = &node->params[i];
         if (param->type == PARAM_Image && value->kind == VALUE_none)
             diag_add(d->session, node->span, DIAG_no_picture, row->name, param->name);
+        if (param->type == PARAM_Formula && value->kind != VALUE_formula)
+            diag_add(d->session, node->span, DIAG_no_formula, row->name, param->name);
         if (param->type == PARAM_Items && (value->kind != VALUE_items || !value->items->count))
             diag_add(d->session, node->span, DIAG_no_items, row->name, param->name);
     }

@@ -18,7 +18,8 @@ typedef enum {
     VALUE_wave,      /* wave */
     VALUE_transform, /* transform */
     VALUE_image,     /* image */
-    VALUE_items,     /* items */
+    VALUE_items,     /* items; of PARAM_Maps too, those that the formula reads, in its order */
+    VALUE_formula,   /* formula */
 } ValueKind;
 
 /* A named value that is set at run time. Equal names of one document are one uniform. */
@@ -53,6 +54,7 @@ typedef struct Value {
         const struct Transform *transform;
         const Image *image;
         const struct Items *items;
+        const struct Formula *formula; /* checked */
     };
 } Value;
 
@@ -67,6 +69,7 @@ struct Node {
     const char *name;  /* the author's: its key under `defs:`, or its anchor; NULL: none */
     const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
     bool steps;  /* it, or a map below, has a STEP row: it jumps or is a picture */
+    int8_t width; /* lanes of its value as a formula reads it: 1 to 4; 0 of a material */
 };
 
 typedef struct {

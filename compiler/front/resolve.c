@@ -133,6 +133,8 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
+    if (row->type == PARAM_Maps) /* with the formula that reads them */
+        return true;
     return row->type == PARAM_Items ? resolve_items(r, tree, value) : resolve_node_param(r, row, tree, value);
 }
 
@@ -143,7 +145,7 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         *value = resolve_null(r, row, tree);
         return true;
     }
-    const bool holds = row->type == PARAM_Map || row->type == PARAM_Material || row->type == PARAM_Items;
+    const bool holds = row->type == PARAM_Map || row->type == PARAM_Material || row->type == PARAM_Items || row->type == PARAM_Maps;
     const bool fine = holds ? resolve_holder(r, row, tree, value) : resolve_leaf(r, row, tree, value);
     value->given = true;
     value->span = tree->span;
@@ -197,6 +199,7 @@ static bool measure(Resolver *r, Node *node)
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
             below(node, value->items->item[k].input);
     }
+    node->depth += node->kind == KIND_Expression ? resolve_formula_depth(node) : 0;
     node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D;
     node->steps |= kind_table[node->kind].step_lanes > 0;
     if (node->depth > LIMIT_GRAPH_DEPTH)
@@ -219,6 +222,19 @@ static const char *slot_name(const char *param)
 
 /* Before anything is made of the tree. */
 static const char *own_name(const Tree *tree) { return tree->made == MADE_nothing ? tree->name : NULL; }
+
+/* With all that goes by what is below it; NULL: that is too much. */
+static const Node *make_node(Resolver *r, const Tree *tree, Node of)
+{
+    Node *node = ARENA_NEW(r->session->arena, Node);
+    *node = of;
+    node->index = r->node_count++;
+    node->name = own_name(tree);
+    node->owner = r->owner;
+    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
+    node->width = (int8_t)resolve_width(node);
+    return measure(r, node) ? node : NULL;
+}
 
 /* { map: Kind, param: value, ... }, and the same with material: */
 static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
@@ -252,14 +268,12 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
         if (strcmp(member->key, key) != 0 && !(outermost && resolve_is_document_key(member->key)))
             fine &= resolve_member(r, member, kind, name->value->text, params);
     }
-    Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){.kind = kind, .index = r->node_count++, .span = name->value->span, .params = params};
-    node->name = own_name(tree);
-    node->owner = r->owner;
-    ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
-    if (kind == KIND_ImageMap && fine)
+    if (kind == KIND_Expression)
+        fine &= resolve_expression(r, tree, params);
+    const Node *node = make_node(r, tree, (Node){.kind = kind, .span = name->value->span, .params = params});
+    if (kind == KIND_ImageMap && fine && node)
         resolve_picture(r, node, params);
-    return fine && measure(r, node) ? node : NULL;
+    return fine ? node : NULL;
 }
 
 typedef struct {
@@ -321,16 +335,27 @@ static const Node *resolve_ref(Resolver *r, Tree *tree, bool material)
     return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
 }
 
+/* A text that begins with '=': an Expression. */
+static const Node *resolve_shorthand(Resolver *r, Tree *tree)
+{
+    Value *params = ARENA_ARRAY(r->session->arena, Value, kind_table[KIND_Expression].count);
+    const Node of = {.kind = KIND_Expression, .span = tree->span, .params = params};
+    return resolve_formula(r, tree, NULL, params) ? make_node(r, tree, of) : NULL;
+}
+
 /* Constant node of a number, a list, a colour or a param. */
 static const Node *resolve_constant(Resolver *r, Tree *tree)
 {
     Value *value = ARENA_NEW(r->session->arena, Value);
+    if (resolve_is_formula(tree))
+        return resolve_shorthand(r, tree);
     if (mistake_map(r, tree) || !resolve_number(r, "a map", tree, (LaneCount){1, 4}, value))
         return NULL;
     Node *node = ARENA_NEW(r->session->arena, Node);
     *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .span = tree->span, .params = value};
     node->name = own_name(tree);
     node->owner = r->owner;
+    node->width = (int8_t)resolve_width(node);
     return node;
 }
 

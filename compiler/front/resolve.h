@@ -78,6 +78,17 @@ bool resolve_wave(Resolver *r, Tree *tree, const Wave **wave);
 /* resolve_transform.c */
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
+/* An Expression's formula and the maps that it reads, into its parameters. resolve_expression.c */
+bool resolve_expression(Resolver *r, const Tree *tree, Value *params);
+/* The same of a text, whose names are those of `with`, NULL for none, and of the document's definitions. */
+bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params);
+/* A text that begins with '='. */
+bool resolve_is_formula(const Tree *tree);
+/* Lanes of a map's value as formulas read it, from those of the maps below it; 0 of a material. */
+int resolve_width(const Node *node);
+/* Steps over one another in an Expression's formula. */
+int resolve_formula_depth(const Node *node);
+
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);
 

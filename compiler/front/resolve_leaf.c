@@ -164,6 +164,8 @@ bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         return resolve_bool(r, row, tree, value);
     case PARAM_Image:
         return resolve_image(r, row, tree, value);
+    case PARAM_Formula: /* with the maps that it reads */
+        return true;
     case PARAM_Wave:
         value->kind = VALUE_wave;
         return resolve_wave(r, tree, &value->wave);

@@ -56,6 +56,8 @@ const Member *tree_find_bytes(const Tree *object, const char *key, size_t size);
 bool tree_is_null(const Tree *tree);
 /* A plain scalar that is a finite number. */
 bool tree_number(const Tree *tree, double *value);
+/* Where bytes of a scalar's text stand in its source, through quotes, escapes and folded lines. tree_place.c */
+Span tree_place(const Session *session, const Tree *scalar, uint32_t start, uint32_t end);
 /* What a value is, for messages: "a list", "the number 3", "'text'". */
 const char *tree_describe(Session *session, const Tree *tree);
 /* The tree as indented YAML-like text, with positions; a shared subtree is printed once. */

@@ -263,6 +263,8 @@ static Kind choose_map(Generator *g)
 static void put_kind(Generator *g, Kind kind)
 {
     bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D;
+    if (kind == KIND_Expression)
+        kind = KIND_Wood;
     if (filter && (g->filters == MOST_FILTERS || !chance(g->c, 1, 3)))
         kind = KIND_Checker, filter = false;
     const KindRow *row = &kind_table[kind];

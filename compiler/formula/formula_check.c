@@ -1,0 +1,259 @@
+/* Steps -> steps with names and widths. Operands come before their users, so one walk does. What is faulty has no width, and what is made of
+ * it is not said again. */
+#include "compiler/formula/formula_lex.h"
+#include <math.h>
+#include <string.h>
+
+enum { MOST_LANES = 4, MOST_POWER = 64 };
+
+typedef struct {
+    const FormulaSource *s;
+    Session *session;
+    Formula *f;
+    uint32_t *depth; /* by step: steps over one another */
+    bool *varies;    /* by step: it goes by the point or by an input */
+    bool failed;
+} Check;
+
+static Span span_of(const Check *c, const FormulaStep *step) { return c->s->span(c->s->user, step->start, step->end); }
+
+static const FormulaStep *argument(const Check *c, const FormulaStep *step, uint32_t i)
+{
+    return &c->f->steps[formula_argument(c->f, step, i)];
+}
+
+static const char *width_text(int width)
+{
+    static const char *const words[] = {"a condition", "a number", "two lanes", "three lanes", "four lanes"};
+    return width < 0 ? "something" : words[width];
+}
+
+static int fail(Check *c)
+{
+    c->failed = true;
+    return WIDTH_unknown;
+}
+
+/* -- Names */
+
+static const char *value_name(const void *user, int i)
+{
+    const FormulaSource *s = user;
+    return i < QUANTITY_COUNT ? quantity_table[i].name : s->names.name(s->names.user, i - QUANTITY_COUNT);
+}
+
+static int find_name(Check *c, FormulaStep *step)
+{
+    const uint32_t size = step->end - step->start;
+    const char *name = arena_string(c->session->arena, c->s->text + step->start, size);
+    const Quantity quantity = quantity_named(name, size);
+    int width = 0;
+    if (quantity != QUANTITY_none) {
+        const QuantityRow *row = &quantity_table[quantity];
+        step->kind = row->lanes ? FORMULA_value : FORMULA_number;
+        step->row = (uint16_t)quantity;
+        step->number = row->number;
+        c->f->groups |= row->lanes ? 1u << row->group : 0;
+        return quantity_width(quantity);
+    }
+    const int input = c->s->input(c->s->user, name, step, &width);
+    if (input >= 0) {
+        step->kind = FORMULA_input;
+        step->row = (uint16_t)input;
+        c->f->inputs = input >= c->f->inputs ? input + 1 : c->f->inputs;
+        return width;
+    }
+    const bool called = term_named(name, size) != TERM_none || vector_named(name, size);
+    if (input == FORMULA_UNKNOWN && called)
+        diag_add(c->session, span_of(c, step), DIAG_formula_is_function, name, name);
+    else if (input == FORMULA_UNKNOWN)
+        diag_add(c->session, span_of(c, step), DIAG_formula_unknown, name,
+                 diag_suggest(c->session, name, value_name, c->s, QUANTITY_COUNT + c->s->names.count));
+    return fail(c);
+}
+
+/* -- Terms */
+
+static const char *count_text(const Check *c, const TermRow *row)
+{
+    Text text = text_new(c->session->arena);
+    if (row->least && row->least < row->count)
+        text_format(&text, "%d to ", row->least);
+    text_format(&text, "%d argument%s", row->count, row->count == 1 ? "" : "s");
+    return text.at;
+}
+
+/* A number, or one with a minus, that stands there itself. */
+static bool whole_of(const Check *c, const FormulaStep *step, double *number)
+{
+    const bool minus = step->kind == FORMULA_term && step->row == TERM_negate;
+    const FormulaStep *plain = minus ? argument(c, step, 0) : step;
+    *number = minus ? -plain->number : plain->number;
+    return plain->kind == FORMULA_number && plain->number == trunc(plain->number);
+}
+
+static bool check_whole(Check *c, const FormulaStep *step, const TermRow *row, const FormulaStep *given)
+{
+    double number;
+    if (whole_of(c, given, &number) && number >= row->whole_low && number <= row->whole_high)
+        return true;
+    diag_add(c->session, span_of(c, given->end ? given : step), DIAG_formula_whole, row->name, row->whole_low,
+             row->whole_high);
+    return false;
+}
+
+/* One argument against its letter. *widest: of those of any width. */
+static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *widest)
+{
+    const TermRow *row = &term_table[step->row];
+    const FormulaStep *given = argument(c, step, i);
+    const char letter = row->signature[i];
+    const int width = given->width, wanted = letter >= '1' && letter <= '4' ? letter - '0'
+                                             : letter == 'b'                ? WIDTH_condition
+                                                                            : letter == 'i';
+    const char *symbol = term_symbol((Term)step->row);
+    if (letter == 'i')
+        return check_whole(c, step, row, given);
+    if (letter == 'g' && width != WIDTH_condition) {
+        if (*widest > 1 && width > 1 && width != *widest) {
+            diag_add(c->session, span_of(c, step), DIAG_formula_widths, symbol, width_text(*widest), width_text(width));
+            return false;
+        }
+        *widest = width > *widest ? width : *widest;
+        return true;
+    }
+    if (letter != 'g' && (width == wanted || (width == 1 && wanted > 1)))
+        return true;
+    diag_add(c->session, span_of(c, step), DIAG_formula_argument, symbol,
+             letter == 'g' ? "numbers" : width_text(wanted), width_text(width));
+    return false;
+}
+
+/* a ^ 3: a product. */
+static void make_power(Check *c, FormulaStep *step)
+{
+    double number;
+    if (step->row != TERM_pow || !whole_of(c, argument(c, step, 1), &number) || fabs(number) > MOST_POWER)
+        return;
+    step->kind = FORMULA_power;
+    step->number = number;
+    step->count = 1;
+    step->width = argument(c, step, 0)->width;
+}
+
+static int check_term(Check *c, FormulaStep *step)
+{
+    const TermRow *row = &term_table[step->row];
+    int widest = 1;
+    if (step->count != (uint32_t)row->count) {
+        diag_add(c->session, span_of(c, step), DIAG_formula_arguments, row->name, count_text(c, row), (int)step->count);
+        return fail(c);
+    }
+    for (uint32_t i = 0; i < step->count; i++)
+        if (!check_argument(c, step, i, &widest))
+            return fail(c);
+    const char result = term_result(row);
+    step->width = (int8_t)(result == 'g' ? widest : result == 'b' ? WIDTH_condition : result - '0');
+    make_power(c, step);
+    return step->width;
+}
+
+/* -- Lanes and lists */
+
+static int check_lanes(Check *c, const FormulaStep *step)
+{
+    const int width = argument(c, step, 0)->width;
+    const int size = (int)(step->end - step->start);
+    for (int i = 0; i < step->width; i++)
+        if (width < 1 || (step->row >> 2 * i & 3) >= width) {
+            const char *letters = arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
+            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, letters + (*letters == '.'), width_text(width));
+            return fail(c);
+        }
+    return step->width;
+}
+
+static int check_list(Check *c, const FormulaStep *step)
+{
+    int lanes = 0;
+    for (uint32_t i = 0; i < step->count; i++) {
+        const int width = argument(c, step, i)->width;
+        if (width == WIDTH_condition) {
+            diag_add(c->session, span_of(c, step), DIAG_formula_argument, "a vector", "numbers", width_text(width));
+            return fail(c);
+        }
+        lanes += width;
+    }
+    if (step->row && (lanes == step->row || (lanes == 1 && step->count == 1)))
+        return step->row;
+    if (!step->row && lanes >= 1 && lanes <= MOST_LANES)
+        return lanes;
+    if (step->row)
+        diag_add(c->session, span_of(c, step), DIAG_formula_vector,
+                 arena_string(c->session->arena, c->s->text + step->start, step->end - step->start), (int)step->row,
+                 lanes);
+    else
+        diag_add(c->session, span_of(c, step), DIAG_formula_list, lanes);
+    return fail(c);
+}
+
+/* Whether all of its arguments have a width: they are no faults. */
+static bool are_known(const Check *c, const FormulaStep *step)
+{
+    for (uint32_t i = 0; i < step->count; i++)
+        if (argument(c, step, i)->width == WIDTH_unknown)
+            return false;
+    return true;
+}
+
+static int width_of(Check *c, FormulaStep *step)
+{
+    if (step->kind == FORMULA_fault || !are_known(c, step))
+        return fail(c);
+    switch (step->kind) {
+    case FORMULA_number:
+        return 1;
+    case FORMULA_name:
+        return find_name(c, step);
+    case FORMULA_term:
+        return check_term(c, step);
+    case FORMULA_lanes:
+        return check_lanes(c, step);
+    default:
+        return check_list(c, step);
+    }
+}
+
+/* What goes up with the steps: how many are over one another, whether it varies. */
+static void measure(Check *c, uint32_t number)
+{
+    const FormulaStep *step = &c->f->steps[number];
+    c->varies[number] = step->kind == FORMULA_value || step->kind == FORMULA_input;
+    for (uint32_t i = 0; i < step->count; i++) {
+        const uint32_t below = formula_argument(c->f, step, i);
+        c->varies[number] |= c->varies[below];
+        if (c->depth[below] >= c->depth[number])
+            c->depth[number] = c->depth[below] + 1;
+    }
+    if ((int)c->depth[number] > c->f->depth)
+        c->f->depth = (int)c->depth[number];
+    c->f->jumps |= c->varies[number] && step->kind == FORMULA_term && term_table[step->row].jumps;
+}
+
+bool formula_check(const FormulaSource *source, Formula *f)
+{
+    const uint32_t count = (uint32_t)f->count;
+    Check c = {.s = source, .session = source->session, .f = f};
+    c.depth = ARENA_ARRAY(c.session->arena, uint32_t, count);
+    c.varies = ARENA_ARRAY(c.session->arena, bool, count);
+    for (uint32_t i = 0; i < count; i++) {
+        const int width = width_of(&c, &f->steps[i]);
+        f->steps[i].width = (int8_t)width;
+        measure(&c, i);
+    }
+    f->width = f->steps[f->result].width;
+    f->varies = c.varies[f->result];
+    if (f->width == WIDTH_condition)
+        diag_add(c.session, span_of(&c, &f->steps[f->result]), DIAG_formula_result);
+    return !c.failed && f->width > 0;
+}

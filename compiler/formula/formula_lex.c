@@ -1,0 +1,112 @@
+/* A formula's text as numbers, colours, names and symbols. Of what is longest: "<=" before "<", "1.5e3" as one number. */
+#include "compiler/formula/formula_lex.h"
+#include "runtime/library/srgb.h"
+#include <math.h>
+#include <string.h>
+
+static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+static bool is_word(char c) { return text_is_alphanumeric(c) || c == '_'; }
+
+static uint32_t digits_end(const FormulaSource *s, uint32_t at)
+{
+    while (at < s->size && text_is_digit(s->text[at]))
+        at++;
+    return at;
+}
+
+/* digits [ "." digits ] [ e [ sign ] digits ]; a point alone is none. A point that letters follow is that of lanes. */
+static uint32_t number_end(const FormulaSource *s, uint32_t at)
+{
+    uint32_t end = digits_end(s, at);
+    if (end < s->size && s->text[end] == '.' &&
+        !(end > at && text_is_letter(s->text[end + 1]) && s->text[end + 1] != 'e'))
+        end = digits_end(s, end + 1);
+    if (end < s->size && text_lower(s->text[end]) == 'e') {
+        uint32_t exponent = end + 1;
+        exponent += exponent < s->size && (s->text[exponent] == '-' || s->text[exponent] == '+');
+        if (digits_end(s, exponent) > exponent)
+            end = digits_end(s, exponent);
+    }
+    return end;
+}
+
+static void read_number(const FormulaSource *s, Token *token)
+{
+    const char *alone = arena_string(s->session->arena, s->text + token->start, formula_token_size(*token));
+    token->kind = text_number(alone, formula_token_size(*token), &token->number) && fabs(token->number) <= 3.4e38
+                      ? TOKEN_number
+                      : TOKEN_other;
+}
+
+/* Behind the '#'. */
+static void read_color(const FormulaSource *s, Token *token)
+{
+    const char *digits = s->text + token->start + 1;
+    const uint32_t size = formula_token_size(*token) - 1;
+    const int each = size == 3 ? 1 : 2;
+    token->lanes = size == 8 ? 4 : 3;
+    token->kind = size == 3 || size == 6 || size == 8 ? TOKEN_color : TOKEN_other;
+    for (int i = 0; token->kind == TOKEN_color && i < token->lanes; i++) {
+        const int high = text_hex_digit(digits[i * each]), low = text_hex_digit(digits[i * each + each - 1]);
+        if (high < 0 || low < 0)
+            token->kind = TOKEN_other;
+        token->color[i] = (high * 16 + low) / 255.0;
+        if (s->srgb && i < 3)
+            token->color[i] = srgb_decode(token->color[i]);
+    }
+}
+
+static uint32_t symbol_end(const FormulaSource *s, uint32_t at)
+{
+    for (int i = 0; i < symbol_count; i++) {
+        const size_t size = strlen(symbol_table[i].text);
+        if (size <= s->size - at && !memcmp(s->text + at, symbol_table[i].text, size))
+            return at + (uint32_t)size;
+    }
+    return s->text[at] && strchr("()[],;=?:.", s->text[at]) ? at + 1 : at;
+}
+
+Token formula_token(const FormulaSource *s, uint32_t at)
+{
+    while (at < s->size && is_space(s->text[at]))
+        at++;
+    Token token = {.kind = TOKEN_end, .start = at, .end = at};
+    if (at == s->size)
+        return token;
+    const char c = s->text[at];
+    const unsigned char *bytes = (const unsigned char *)s->text;
+    token.end = at + 1;
+    if (text_is_digit(c) || (c == '.' && at + 1 < s->size && text_is_digit(s->text[at + 1]))) {
+        token.end = number_end(s, at);
+        read_number(s, &token);
+    } else if (text_is_letter(c) || c == '_' || c == '#') {
+        while (token.end < s->size && is_word(s->text[token.end]))
+            token.end++;
+        token.kind = TOKEN_name;
+        if (c == '#')
+            read_color(s, &token);
+    } else if ((token.end = symbol_end(s, at)) > at) {
+        token.kind = TOKEN_symbol;
+    } else {
+        const int size = text_utf8_length(bytes + at, bytes + s->size);
+        token = (Token){.kind = TOKEN_other, .start = at, .end = at + (uint32_t)(size > 0 ? size : 1)};
+    }
+    return token;
+}
+
+bool formula_token_is(const FormulaSource *s, Token token, const char *symbol)
+{
+    const size_t size = strlen(symbol);
+    return token.kind == TOKEN_symbol && formula_token_size(token) == size &&
+           !memcmp(s->text + token.start, symbol, size);
+}
+
+const char *formula_token_text(const FormulaSource *s, Token token)
+{
+    if (token.kind == TOKEN_end)
+        return "the end of the formula";
+    const uint32_t size = formula_token_size(token) < LIMIT_NAME ? formula_token_size(token) : LIMIT_NAME;
+    Text text = text_new(s->session->arena);
+    text_format(&text, "'%.*s'", (int)size, s->text + token.start);
+    return text.at;
+}

@@ -1,0 +1,120 @@
+/* Where a value is wanted: numbers, colours, names, calls, lists, brackets, signs in front. */
+#include "compiler/formula/formula_reader.h"
+#include <string.h>
+
+static const char *function_name(const void *user, int i)
+{
+    (void)user;
+    return i < TERM_COUNT ? (term_table[i].callable ? term_table[i].name : NULL) : vector_table[i - TERM_COUNT].name;
+}
+
+/* name "(" */
+static void open_call(FormulaReader *r, Token name)
+{
+    const uint32_t size = formula_token_size(name);
+    const Term term = term_named(r->s->text + name.start, size);
+    const int width = vector_named(r->s->text + name.start, size);
+    FormulaWait wait = {WAIT_call, level_none, term, r->operand_count, name.start, name.end};
+    if (width) {
+        wait.kind = WAIT_list;
+        wait.row = width;
+    } else if (term == TERM_none) {
+        const char *called = formula_word(r, name);
+        r->faults++;
+        diag_add(r->session, formula_span(r, name.start, name.end), DIAG_formula_no_function, called,
+                 diag_suggest(r->session, called, function_name, NULL, TERM_COUNT + vector_count));
+    }
+    formula_wait(r, wait);
+}
+
+/* A local's own step, or what the check finds. */
+static void read_name(FormulaReader *r, Token name)
+{
+    const int local = names_find(&r->locals, formula_word(r, name));
+    if (local >= 0)
+        formula_push(r, r->local_steps[local]);
+    else
+        formula_push_step(r, (FormulaStep){.kind = FORMULA_name, .start = name.start, .end = name.end});
+}
+
+static void push_color(FormulaReader *r)
+{
+    uint32_t lanes[4];
+    FormulaStep step = {.kind = FORMULA_number, .start = r->token.start, .end = r->token.end};
+    for (int i = 0; i < r->token.lanes; i++) {
+        step.number = r->token.color[i];
+        lanes[i] = formula_add(r->session, r->f, step, NULL, 0);
+    }
+    step.kind = FORMULA_list;
+    formula_push(r, formula_add(r->session, r->f, step, lanes, (uint32_t)r->token.lanes));
+}
+
+void formula_say_other(FormulaReader *r)
+{
+    static const char *const meant[][2] = {{"×", "; * is the product"},  {"·", "; * is the product"},
+                                           {"÷", "; / is the quotient"}, {"−", "; - is the minus sign"},
+                                           {"π", "; it is written pi"},  {"$", "; names have no mark"},
+                                           {"\"", "; it has no texts"},  {"'", "; it has no texts"}};
+    const char *hint = "";
+    for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
+        if (strlen(meant[i][0]) == formula_token_size(r->token) &&
+            !memcmp(meant[i][0], r->s->text + r->token.start, formula_token_size(r->token)))
+            hint = meant[i][1];
+    r->faults++;
+    diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
+}
+
+static bool prefix(FormulaReader *r)
+{
+    for (int i = 0; i < symbol_count; i++)
+        if (symbol_table[i].level == level_prefix && formula_is(r, symbol_table[i].text)) {
+            formula_wait(r, (FormulaWait){WAIT_prefix, level_prefix, symbol_table[i].term, r->operand_count,
+                                          r->token.start, r->token.end});
+            formula_next(r);
+            return true;
+        }
+    return false;
+}
+
+/* False: a value is still wanted. */
+bool formula_operand(FormulaReader *r)
+{
+    const Token token = r->token;
+    if (prefix(r))
+        return false;
+    if (formula_is(r, "(") || formula_is(r, "[")) {
+        formula_wait(r, (FormulaWait){formula_is(r, "(") ? WAIT_group : WAIT_list, level_none, 0, r->operand_count,
+                                      token.start, token.end});
+        formula_next(r);
+        return false;
+    }
+    switch (token.kind) {
+    case TOKEN_number:
+        formula_push_step(
+            r, (FormulaStep){.kind = FORMULA_number, .number = token.number, .start = token.start, .end = token.end});
+        break;
+    case TOKEN_color:
+        push_color(r);
+        break;
+    case TOKEN_name:
+        formula_next(r);
+        if (!formula_is(r, "(")) {
+            read_name(r, token);
+            return true;
+        }
+        open_call(r, token);
+        formula_next(r);
+        return formula_is(r, ")"); /* without arguments */
+    case TOKEN_other:
+        formula_say_other(r);
+        formula_next(r);
+        return false;
+    default: /* it is left to whoever takes what is behind a value */
+        r->faults++;
+        diag_add(r->session, formula_token_span(r), DIAG_formula_wants, formula_token_text(r->s, r->token));
+        formula_push_fault(r);
+        return true;
+    }
+    formula_next(r);
+    return true;
+}

@@ -1,0 +1,195 @@
+/* Behind a value: operators, lanes, the ends of brackets, choices. */
+#include "compiler/formula/formula_reader.h"
+#include <string.h>
+
+static int lane_of(char letter)
+{
+    static const char *const sets[] = {"xyzw", "rgba", "uvw"};
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
+        if (strchr(sets[i], letter))
+            return (int)(strchr(sets[i], letter) - sets[i]);
+    return -1;
+}
+
+/* One to four letters of one set. */
+static bool is_swizzle(const char *letters)
+{
+    static const char *const sets[] = {"xyzw", "rgba", "uvw"};
+    for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
+        if (strlen(letters) <= FORMULA_MOST_LANES && strspn(letters, sets[i]) == strlen(letters))
+            return true;
+    return false;
+}
+
+/* "." letters; the check looks whether there are such lanes. */
+static void read_lanes(FormulaReader *r)
+{
+    const uint32_t start = r->token.start;
+    formula_next(r);
+    const char *letters = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "";
+    FormulaStep step = {.kind = FORMULA_lanes, .start = start, .end = r->token.end, .width = (int8_t)strlen(letters)};
+    if (!*letters || r->token.start != start + 1 || !is_swizzle(letters)) {
+        r->faults++;
+        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, letters, "a value");
+        step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
+    }
+    for (int i = 0; step.kind == FORMULA_lanes && letters[i]; i++)
+        step.row |= (uint16_t)(lane_of(letters[i]) << 2 * i);
+    if (r->token.kind == TOKEN_name)
+        formula_next(r);
+    formula_apply(r, step, 1);
+}
+
+/* "[" digit "]" */
+static void read_index(FormulaReader *r)
+{
+    FormulaStep step = {.kind = FORMULA_lanes, .start = r->token.start, .width = 1};
+    formula_next(r);
+    const Token index = r->token;
+    formula_next(r);
+    step.end = r->token.end;
+    if (index.kind != TOKEN_number || !formula_is(r, "]") || index.number != (int)index.number || index.number < 0 ||
+        index.number >= FORMULA_MOST_LANES) {
+        r->faults++;
+        diag_add(r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes,
+                 arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "a value");
+        step.kind = FORMULA_fault;
+    } else {
+        step.row = (uint16_t)index.number;
+    }
+    if (formula_is(r, "]"))
+        formula_next(r);
+    formula_apply(r, step, 1);
+}
+
+void formula_say(FormulaReader *r, DiagKind kind)
+{
+    r->faults++;
+    diag_add(r->session, formula_token_span(r), kind, formula_token_text(r->s, r->token));
+    formula_next(r);
+}
+
+/* Arguments that were left out, and may be. */
+static void push_defaults(FormulaReader *r, const TermRow *row, int given)
+{
+    for (int i = given; row->least && i >= row->least && i < row->count; i++)
+        formula_push_step(r, (FormulaStep){.kind = FORMULA_number, .number = row->initial[i - row->least]});
+}
+
+/* ")" or "]": what it closes is applied. */
+static void close_open(FormulaReader *r, bool bracket)
+{
+    formula_reduce_to(r, level_none, true);
+    if (!r->wait_count) {
+        formula_say(r, DIAG_formula_closes);
+        return;
+    }
+    const FormulaWait wait = r->waits[r->wait_count - 1];
+    const bool of_bracket = r->s->text[wait.start] == '[';
+    if (of_bracket != bracket) {
+        formula_say(r, DIAG_formula_closes);
+        return;
+    }
+    r->wait_count--;
+    FormulaStep step = {.row = (uint16_t)wait.row, .start = wait.start, .end = wait.end};
+    if (bracket)
+        step.end = r->token.end;
+    formula_next(r);
+    if (wait.kind == WAIT_group)
+        return;
+    if (wait.kind == WAIT_call && wait.row != TERM_none)
+        push_defaults(r, &term_table[wait.row], (int)(r->operand_count - wait.base));
+    step.kind = wait.kind == WAIT_list ? FORMULA_list : wait.row == TERM_none ? FORMULA_fault : FORMULA_term;
+    formula_apply(r, step, r->operand_count - wait.base);
+}
+
+/* "," False: nothing is open that has parts. */
+static bool read_comma(FormulaReader *r)
+{
+    formula_reduce_to(r, level_none, true);
+    const FormulaWait *open = formula_top(r);
+    if (open && open->kind != WAIT_group) {
+        formula_next(r);
+        return true;
+    }
+    formula_say(r, DIAG_formula_comma);
+    r->operand_count--; /* the one behind it stands for both */
+    return false;
+}
+
+/* ":" */
+static void read_colon(FormulaReader *r)
+{
+    for (FormulaWait *wait = formula_top(r); wait && !formula_is_open(wait) && wait->kind != WAIT_question;
+         wait = formula_top(r))
+        formula_reduce(r);
+    FormulaWait *question = formula_top(r);
+    if (question && question->kind == WAIT_question) {
+        question->kind = WAIT_colon;
+    } else {
+        r->faults++;
+        diag_add(r->session, formula_token_span(r), DIAG_formula_choice, "'?'");
+        r->operand_count--;
+    }
+    formula_next(r);
+}
+
+static const SymbolRow *infix_of(const FormulaReader *r)
+{
+    for (int i = 0; i < symbol_count; i++)
+        if (symbol_table[i].level != level_prefix && formula_is(r, symbol_table[i].text))
+            return &symbol_table[i];
+    return NULL;
+}
+
+/* False: a value is wanted next. *ended: the value is whole. */
+bool formula_operator(FormulaReader *r, bool *ended)
+{
+    const SymbolRow *infix = infix_of(r);
+    if (infix) {
+        formula_reduce_to(r, infix->level, infix->level != level_power);
+        formula_wait(
+            r, (FormulaWait){WAIT_infix, infix->level, infix->term, r->operand_count, r->token.start, r->token.end});
+        formula_next(r);
+        return false;
+    }
+    if (formula_is(r, ".") || formula_is(r, "[")) {
+        (formula_is(r, ".") ? read_lanes : read_index)(r);
+        return true;
+    }
+    if (formula_is(r, ")") || formula_is(r, "]")) {
+        close_open(r, formula_is(r, "]"));
+        return true;
+    }
+    if (formula_is(r, "?")) {
+        formula_reduce_to(r, level_or, true);
+        formula_wait(
+            r, (FormulaWait){WAIT_question, level_choose, TERM_choose, r->operand_count, r->token.start, r->token.end});
+        formula_next(r);
+        return false;
+    }
+    if (formula_is(r, ",")) {
+        read_comma(r);
+        return false;
+    }
+    if (formula_is(r, ":")) {
+        read_colon(r);
+        return false;
+    }
+    if (r->token.kind == TOKEN_end || formula_is(r, ";")) {
+        *ended = true;
+        return true;
+    }
+    if (formula_is(r, "=")) {
+        formula_say(r, DIAG_formula_assigns);
+    } else if (r->token.kind == TOKEN_other) {
+        formula_say_other(r);
+        formula_next(r);
+        return true;
+    } else {
+        r->faults++;
+        diag_add(r->session, formula_token_span(r), DIAG_formula_operator, formula_token_text(r->s, r->token));
+    }
+    r->operand_count--;
+    return false;
+}

@@ -1,0 +1,87 @@
+/* Text -> steps, by precedence, with two stacks of its own, so that no nesting needs the caller's.
+ *
+ *     1 + 2 * u ^ 2      operands 1           operators +
+ *                        operands 1 2 u 2     operators + * ^: each binds tighter than the one before, so it waits on it
+ *                        at the end ^, * and + are applied, the last one first
+ *
+ * Behind a fault reading goes on as well as it can, so that one run tells several. */
+#include "compiler/formula/formula_reader.h"
+#include <string.h>
+
+/* Up to ';' or the end; its step. */
+static uint32_t read_value(FormulaReader *r)
+{
+    bool behind = false, ended = false;
+    r->operand_count = r->wait_count = 0;
+    while (!ended && r->faults < FORMULA_MOST_FAULTS)
+        behind = behind ? formula_operator(r, &ended) : formula_operand(r);
+    for (formula_reduce_to(r, level_none, true); ended && r->wait_count; formula_reduce_to(r, level_none, true)) {
+        const FormulaWait *open = &r->waits[--r->wait_count];
+        r->faults++;
+        diag_add(r->session, formula_span(r, open->start, open->end), DIAG_formula_not_closed,
+                 formula_token_text(r->s, (Token){.kind = TOKEN_name, .start = open->start, .end = open->end}));
+    }
+    return r->operand_count ? r->operands[0] : 0;
+}
+
+/* name "=" stands next. */
+static bool is_local(const FormulaReader *r)
+{
+    return r->token.kind == TOKEN_name && formula_token_is(r->s, formula_token(r->s, r->token.end), "=");
+}
+
+/* name "=" value */
+static void read_local(FormulaReader *r)
+{
+    const Token name = r->token;
+    const char *called = formula_word(r, name);
+    const uint32_t size = formula_token_size(name);
+    const bool word = term_named(called, size) != TERM_none || quantity_named(called, size) != QUANTITY_none ||
+                      vector_named(called, size);
+    if (word || names_find(&r->locals, called) >= 0) {
+        r->faults++;
+        diag_add(r->session, formula_token_span(r), word ? DIAG_formula_hides : DIAG_formula_local, called);
+    }
+    formula_next(r);
+    formula_next(r);
+    const uint32_t step = read_value(r);
+    if (names_find(&r->locals, called) < 0) {
+        names_add(r->session->arena, &r->locals, called);
+        ARENA_PUSH(r->session->arena, r->local_steps, r->local_count, r->local_room, step);
+    }
+}
+
+/* { name "=" value ";" } value [ ";" ] */
+static void read_parts(FormulaReader *r)
+{
+    while (is_local(r) && r->faults < FORMULA_MOST_FAULTS) {
+        read_local(r);
+        if (formula_is(r, ";"))
+            formula_next(r);
+    }
+    if (r->faults >= FORMULA_MOST_FAULTS)
+        return;
+    if (r->token.kind == TOKEN_end) {
+        formula_say(r, DIAG_formula_no_value);
+        return;
+    }
+    r->f->result = read_value(r);
+    if (formula_is(r, ";"))
+        formula_next(r);
+    if (r->faults < FORMULA_MOST_FAULTS && r->token.kind != TOKEN_end)
+        formula_say(r, DIAG_formula_ends);
+}
+
+Formula *formula_read(const FormulaSource *source)
+{
+    FormulaReader r = {.s = source, .session = source->session, .f = ARENA_NEW(source->session->arena, Formula)};
+    if (source->size > LIMIT_FORMULA)
+        return diag_add(r.session, source->span(source->user, 0, 1), DIAG_formula_long, LIMIT_FORMULA);
+    formula_next(&r);
+    if (r.token.kind == TOKEN_end)
+        return diag_add(r.session, source->span(source->user, 0, source->size), DIAG_formula_empty);
+    read_parts(&r);
+    if (r.f->count == 0)
+        return NULL;
+    return formula_check(source, r.f) && !r.faults ? r.f : NULL;
+}

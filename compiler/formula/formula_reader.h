@@ -1,0 +1,71 @@
+/* What the parts of the reader of formulas share: the operands and the operators that wait for them. */
+#ifndef MATC_FORMULA_READER_H
+#define MATC_FORMULA_READER_H
+#include "compiler/formula/formula_lex.h"
+
+enum { FORMULA_MOST_FAULTS = 8, FORMULA_MOST_LANES = 4 };
+
+/* What waits for operands: an operator, an open bracket, or half of a choice. */
+typedef enum { WAIT_infix, WAIT_prefix, WAIT_question, WAIT_colon, WAIT_group, WAIT_list, WAIT_call } FormulaWaitKind;
+typedef struct {
+    FormulaWaitKind kind;
+    OperatorLevel level;
+    int row;     /* a Term; of WAIT_list so many lanes, 0 as there are */
+    size_t base; /* operands before it */
+    uint32_t start, end;
+} FormulaWait;
+
+typedef struct {
+    const FormulaSource *s;
+    Session *session;
+    Formula *f;
+    Token token; /* the next one */
+    uint32_t *operands;
+    size_t operand_count, operand_room;
+    FormulaWait *waits;
+    size_t wait_count, wait_room;
+    Names locals;
+    uint32_t *local_steps; /* by number of a local */
+    size_t local_count, local_room;
+    int faults;
+} FormulaReader;
+
+static inline Span formula_span(const FormulaReader *r, uint32_t start, uint32_t end)
+{
+    return r->s->span(r->s->user, start, end);
+}
+static inline Span formula_token_span(const FormulaReader *r) { return formula_span(r, r->token.start, r->token.end); }
+static inline void formula_next(FormulaReader *r) { r->token = formula_token(r->s, r->token.end); }
+static inline bool formula_is(const FormulaReader *r, const char *symbol)
+{
+    return formula_token_is(r->s, r->token, symbol);
+}
+static inline const char *formula_word(const FormulaReader *r, Token token)
+{
+    return arena_string(r->session->arena, r->s->text + token.start, formula_token_size(token));
+}
+/* Says a fault of the token. */
+void formula_say(FormulaReader *r, DiagKind kind);
+/* The same of a character that no formula has. */
+void formula_say_other(FormulaReader *r);
+
+void formula_push(FormulaReader *r, uint32_t step);
+void formula_push_step(FormulaReader *r, FormulaStep step);
+void formula_push_fault(FormulaReader *r);
+void formula_wait(FormulaReader *r, FormulaWait wait);
+static inline FormulaWait *formula_top(const FormulaReader *r)
+{
+    return r->wait_count ? &r->waits[r->wait_count - 1] : NULL;
+}
+static inline bool formula_is_open(const FormulaWait *wait) { return wait->kind >= WAIT_group; }
+/* The last `count` operands become a step's arguments. */
+void formula_apply(FormulaReader *r, FormulaStep step, size_t count);
+/* The operator on top is applied. */
+void formula_reduce(FormulaReader *r);
+/* What binds tighter than the level is applied; from the left also what binds as tightly. */
+void formula_reduce_to(FormulaReader *r, OperatorLevel level, bool from_left);
+/* Reads where a value is wanted. False: one is still. formula_operand.c */
+bool formula_operand(FormulaReader *r);
+/* Reads behind a value. False: another one is wanted next. *ended: it is whole. formula_operator.c */
+bool formula_operator(FormulaReader *r, bool *ended);
+#endif

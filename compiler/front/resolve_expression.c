@@ -1,0 +1,213 @@
+/* Formulas of a document: their text, the maps that they name, and how many lanes a map has in them. */
+#include "compiler/formula/formula.h"
+#include "compiler/front/mistake.h"
+#include <string.h>
+
+/* A formula and the maps of the names that it reads, each once. */
+typedef struct {
+    Resolver *r;
+    const Tree *text, *with; /* with: NULL for none */
+    uint32_t skipped;        /* bytes of the text before the formula */
+    Item *items;
+    size_t count, room;
+    Names names;
+} Inputs;
+
+static Span place(void *user, uint32_t start, uint32_t end)
+{
+    const Inputs *in = user;
+    return tree_place(in->r->session, in->text, start + in->skipped, end + in->skipped);
+}
+
+static const Member *definition(const Resolver *r, const char *name)
+{
+    const Member *found = NULL;
+    for (size_t i = 0; i < r->def_count && !found; i++)
+        found = tree_find(r->defs[i], name);
+    return found;
+}
+
+/* Names of `with:`, then of definitions. */
+static const char *name_of(const void *user, int i)
+{
+    const Inputs *in = user;
+    if (in->with && i < (int)in->with->count)
+        return in->with->members[i].key;
+    i -= in->with ? (int)in->with->count : 0;
+    for (size_t k = 0; k < in->r->def_count; k++) {
+        if (i < (int)in->r->defs[k]->count)
+            return in->r->defs[k]->members[i].key;
+        i -= (int)in->r->defs[k]->count;
+    }
+    return NULL;
+}
+
+static int name_count(const Inputs *in)
+{
+    size_t count = in->with ? in->with->count : 0;
+    for (size_t k = 0; k < in->r->def_count; k++)
+        count += in->r->defs[k]->count;
+    return (int)count;
+}
+
+static int find_input(void *user, const char *name, const FormulaStep *step, int *width)
+{
+    Inputs *in = user;
+    Resolver *r = in->r;
+    const Member *member = in->with ? tree_find(in->with, name) : NULL;
+    bool fault = false;
+    int number = names_find(&in->names, name);
+    if (number >= 0) {
+        *width = in->items[number].input ? in->items[number].input->width : 1;
+        return number;
+    }
+    if (!member && !(member = definition(r, name)))
+        return FORMULA_UNKNOWN;
+    if (member->value->open) {
+        diag_add(r->session, place(in, step->start, step->end), DIAG_cycle, name);
+        return FORMULA_SAID;
+    }
+    const Node *node = resolve_map(r, member->value, &fault);
+    if (fault)
+        return FORMULA_SAID;
+    const Item item = {.value = {.kind = VALUE_number, .type = TYPE_float}, .input = node, .span = member->span};
+    ARENA_PUSH(r->session->arena, in->items, in->count, in->room, item);
+    *width = node ? node->width : 3;
+    return names_add(r->session->arena, &in->names, name);
+}
+
+bool resolve_is_formula(const Tree *tree)
+{
+    return tree->kind == TREE_scalar && tree->count > 0 && tree->text[0] == '=';
+}
+
+static void keep(Resolver *r, const Inputs *in, const Formula *formula, Value *params)
+{
+    const int first = kind_table[KIND_Expression].first;
+    Items *items = ARENA_NEW(r->session->arena, Items);
+    *items = (Items){(int)in->count, in->items};
+    params[P_Expression_is - first] =
+        (Value){.kind = VALUE_formula, .formula = formula, .given = true, .span = in->text->span};
+    if (in->count)
+        params[P_Expression_with - first] =
+            (Value){.kind = VALUE_items, .items = items, .given = true, .span = in->text->span};
+}
+
+bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params)
+{
+    Inputs in = {.r = r, .text = text, .with = with, .skipped = resolve_is_formula(text)};
+    const FormulaSource source = {
+        .session = r->session,
+        .text = text->text + in.skipped,
+        .size = text->count - in.skipped,
+        .srgb = resolve_is_srgb(r, text->span.file),
+        .user = &in,
+        .span = place,
+        .input = find_input,
+        .names = {name_of, &in, name_count(&in)},
+    };
+    const Formula *formula = formula_read(&source);
+    if (formula)
+        keep(r, &in, formula, params);
+    return formula != NULL;
+}
+
+/* with: { name: map, ... }. What the formula does not read is looked at, too. */
+static bool check_names(Resolver *r, const Tree *with)
+{
+    bool fine = true;
+    if (with->kind != TREE_object) {
+        diag_add(r->session, with->span, DIAG_wrong_type, "with", "maps by name, `{ a: black, b: white }`",
+                 tree_describe(r->session, with));
+        return false;
+    }
+    for (uint32_t i = 0; i < with->count; i++) {
+        const Member *member = &with->members[i];
+        const char *key = member->key;
+        bool named = member->size > 0 && (text_is_letter(*key) || *key == '_'), fault = false;
+        for (uint32_t k = 0; k < member->size; k++)
+            named &= text_is_alphanumeric(key[k]) || key[k] == '_';
+        const bool hides = term_named(key, member->size) != TERM_none ||
+                           quantity_named(key, member->size) != QUANTITY_none || vector_named(key, member->size);
+        if (!named || hides)
+            diag_add(r->session, member->span, hides ? DIAG_formula_hides : DIAG_formula_input_name, key);
+        resolve_map(r, member->value, &fault);
+        fine &= named && !hides && !fault;
+    }
+    return fine;
+}
+
+bool resolve_expression(Resolver *r, const Tree *tree, Value *params)
+{
+    const Member *with = tree_find(tree, "with"), *is = tree_find(tree, "is");
+    if (with && tree_is_null(with->value))
+        with = NULL;
+    const bool fine = !with || check_names(r, with->value);
+    if (!is || tree_is_null(is->value))
+        return fine;
+    if (is->value->kind != TREE_scalar) {
+        diag_add(r->session, is->value->span, DIAG_wrong_type, "is",
+                 "a formula, in quotes where it begins with a bracket", tree_describe(r->session, is->value));
+        return false;
+    }
+    return fine && resolve_formula(r, is->value, with ? with->value : NULL, params);
+}
+
+int resolve_formula_depth(const Node *node)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    return is->kind == VALUE_formula ? is->formula->depth : 0;
+}
+
+/* -- Lanes of maps */
+
+enum { SURFACE_WIDTH = 3 };
+
+static int width_of(const Value *map) { return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH; }
+
+/* What holds both lane by lane: a number stands for all, and two lanes are no colour. */
+static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
+
+static int items_width(const Value *blend, const Value *input)
+{
+    const Items *items = blend->kind == VALUE_items ? blend->items : NULL;
+    int width = 0;
+    for (int i = 0; items && i < items->count; i++) {
+        const Node *node = items->item[i].input;
+        const int own = node ? node->width : SURFACE_WIDTH;
+        width = i ? joined(width, own) : own;
+    }
+    return width ? width : width_of(input);
+}
+
+int resolve_width(const Node *node)
+{
+    switch (node->kind) {
+    case KIND_Constant:
+        return type_table[node->params->type].lanes;
+    case KIND_RGBColor:
+        return 3;
+    case KIND_Graytone:
+    case KIND_Carpenter:
+        return 1;
+    case KIND_ImageMap:
+        return node_param(node, P_ImageMap_channel)->kind == VALUE_number ? 1 : 3;
+    case KIND_Checker:
+        return joined(width_of(node_param(node, P_Checker_color1)), width_of(node_param(node, P_Checker_color2)));
+    case KIND_VolumeChecker:
+        return joined(width_of(node_param(node, P_VolumeChecker_color1)),
+                      width_of(node_param(node, P_VolumeChecker_color2)));
+    case KIND_Blend:
+        return items_width(node_param(node, P_Blend_blend), node_param(node, P_Blend_input));
+    case KIND_Expression:
+        return node_param(node, P_Expression_is)->kind == VALUE_formula
+                   ? node_param(node, P_Expression_is)->formula->width
+                   : 1;
+    default:
+        break;
+    }
+    if (kind_table[node->kind].lowering == LOWERING_MATERIAL)
+        return 0;
+    const Section section = section_of(node->kind);
+    return section == SECTION_volume || section == SECTION_dimensions ? 1 : width_of(&node->params[0]);
+}

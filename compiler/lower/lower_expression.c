@@ -1,0 +1,165 @@
+/* Expression: a formula's steps one after the other, each as IR.
+ *
+ * Filtered last, as a Blend is: its inputs are means already, noise fades its octaves, and all else is taken at the point, but where something
+ * jumps: there the formula is computed at four points of the pixel, its inputs going along their slopes, and the four are averaged.
+ *
+ *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u - .0375, -.0125, .0125, .0375: a quarter of a 1 */
+#include "compiler/formula/formula.h"
+#include "compiler/lower/footprint.h"
+#include "compiler/lower/lower_term.h"
+
+/* What a formula reads, as IR: at the point, or at one of the samples. */
+typedef struct {
+    Ref quantity[QUANTITY_COUNT];
+    Ref *inputs;
+} Leaves;
+
+static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env *env)
+{
+    const QuantityRow *row = &quantity_table[quantity];
+    Ref group = lower_ask(l, input, row->group, env);
+    if (quantity == QUANTITY_N)
+        group = build_call(l->ir, FN_safeNormalize, group);
+    return build_swizzle(l->ir, group, row->lanes);
+}
+
+/* A map's value in its lanes; one lane is the first, where its colour has more. */
+static Ref input_at(Lower *l, const Node *map, const Env *env)
+{
+    Ir *ir = l->ir;
+    const int width = map ? map->width : 3;
+    Ref value = lower_ask(l, map, GROUP_R, env);
+    return width == 1 && ir_lanes(ir, value) > 1 ? build_swizzle(ir, value, "x")
+                                                 : build_convert(ir, value, build_lanes_type(width));
+}
+
+static Ref list_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
+{
+    Ref parts[4];
+    for (uint32_t i = 0; i < step->count; i++)
+        parts[i] = refs[formula_argument(f, step, i)];
+    if (step->count == 1 && f->steps[formula_argument(f, step, 0)].width == 1)
+        return build_splat(l->ir, parts[0], build_lanes_type(step->width));
+    return step->count == 1 ? parts[0] : build_vec_of(l->ir, build_lanes_type(step->width), parts, (int)step->count);
+}
+
+static Ref term_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
+{
+    Ref args[TERM_MOST_ARGUMENTS] = {0};
+    for (uint32_t i = 0; i < step->count; i++)
+        args[i] = refs[formula_argument(f, step, i)];
+    return lower_term(l, (Term)step->row, args);
+}
+
+static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Leaves *leaves, const Ref *refs)
+{
+    Ir *ir = l->ir;
+    switch (step->kind) {
+    case FORMULA_number:
+        return build_float(ir, step->number);
+    case FORMULA_value:
+        return leaves->quantity[step->row];
+    case FORMULA_input:
+        return leaves->inputs[step->row];
+    case FORMULA_power:
+        return lower_whole_power(l, refs[formula_argument(f, step, 0)], (int)step->number);
+    case FORMULA_lanes:
+        return build_lanes(ir, refs[formula_argument(f, step, 0)], step->row, step->width);
+    case FORMULA_list:
+        return list_of(l, f, step, refs);
+    default:
+        return term_of(l, f, step, refs);
+    }
+}
+
+/* Only what the value is made of: a local that nobody reads is not computed. */
+static void mark_read(const Formula *f, bool *read)
+{
+    read[f->result] = true;
+    for (uint32_t i = f->result + 1; i-- > 0;)
+        for (uint32_t k = 0; read[i] && k < f->steps[i].count; k++)
+            read[formula_argument(f, &f->steps[i], k)] = true;
+}
+
+static Ref value_at(Lower *l, const Formula *f, const bool *read, const Leaves *leaves, Ref *refs)
+{
+    for (uint32_t i = 0; i <= f->result; i++)
+        if (read[i])
+            refs[i] = step_of(l, f, &f->steps[i], leaves, refs);
+    return refs[f->result];
+}
+
+/* Where a leaf is at the samples; the same everywhere, if it does not change. */
+static bool spread(Lower *l, Ref leaf, Ref at[MOST_TAPS])
+{
+    const bool changes = footprint_points(l, leaf, at) > 0;
+    for (int i = 0; !changes && i < MOST_TAPS; i++)
+        at[i] = leaf;
+    return changes;
+}
+
+/* The formula, what it reads, and room for its steps. */
+typedef struct {
+    const Formula *formula;
+    const bool *read;
+    Leaves leaves;
+    int inputs;
+    Ref *refs;
+} Reading;
+
+/* The mean of samples; 0: they are all alike. */
+static Ref sampled(Lower *l, const Reading *r)
+{
+    Ir *ir = l->ir;
+    Leaves leaves[MOST_TAPS] = {0};
+    bool changes = false;
+    Ref at[MOST_TAPS], sum = 0;
+    for (int i = 0; i < MOST_TAPS; i++)
+        leaves[i].inputs = ARENA_ARRAY(l->session->arena, Ref, r->inputs);
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        changes |= r->leaves.quantity[q] && spread(l, r->leaves.quantity[q], at);
+        for (int i = 0; r->leaves.quantity[q] && i < MOST_TAPS; i++)
+            leaves[i].quantity[q] = at[i];
+    }
+    for (int k = 0; k < r->inputs; k++) {
+        changes |= spread(l, r->leaves.inputs[k], at);
+        for (int i = 0; i < MOST_TAPS; i++)
+            leaves[i].inputs[k] = at[i];
+    }
+    for (int i = 0; changes && i < MOST_TAPS; i++) {
+        Ref value = value_at(l, r->formula, r->read, &leaves[i], r->refs);
+        sum = sum ? build_add(ir, sum, value) : value;
+    }
+    return changes ? build_scale(ir, sum, 1.0 / MOST_TAPS) : 0;
+}
+
+static void read_leaves(Lower *l, const Node *node, Reading *r, const Env *env)
+{
+    const Value *with = node_param(node, P_Expression_with);
+    const Formula *f = r->formula;
+    r->inputs = with->kind == VALUE_items ? with->items->count : 0;
+    r->leaves.inputs = ARENA_ARRAY(l->session->arena, Ref, r->inputs);
+    for (uint32_t i = 0; i <= f->result; i++) {
+        const FormulaStep *step = &f->steps[i];
+        if (r->read[i] && step->kind == FORMULA_value && !r->leaves.quantity[step->row])
+            r->leaves.quantity[step->row] =
+                quantity_at(l, lower_param_node(node, P_Expression_input), (Quantity)step->row, env);
+        if (r->read[i] && step->kind == FORMULA_input && !r->leaves.inputs[step->row])
+            r->leaves.inputs[step->row] = input_at(l, with->items->item[step->row].input, env);
+    }
+}
+
+Answer lower_Expression(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    if (is->kind != VALUE_formula)
+        return answer_as_group(l, answer_of(build_float(l->ir, 0)), group);
+    const Formula *f = is->formula;
+    bool *read = ARENA_ARRAY(l->session->arena, bool, f->count);
+    mark_read(f, read);
+    Reading r = {.formula = f, .read = read, .refs = ARENA_ARRAY(l->session->arena, Ref, f->count)};
+    read_leaves(l, node, &r, env);
+    Ref mean = f->jumps && footprint_is_filtered(l) ? sampled(l, &r) : 0;
+    Ref value = mean ? mean : value_at(l, f, read, &r.leaves, r.refs);
+    return answer_as_group(l, answer_of(value), group);
+}

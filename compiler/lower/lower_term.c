@@ -1,0 +1,283 @@
+/* Terms -> IR. What GLSL leaves open is guarded here, so that every term is a number for all numbers; a guard that intervals prove needless goes
+ * in opt_range.
+ *
+ *     u / (1 + v * v)   select(|1 + v v| < 1e-30, 0, u / (1 + v v)); 1 + v v is at least 1, so it is u / (1 + v v) */
+#include "compiler/lower/lower_term.h"
+#include "compiler/ir/build_words.h"
+#include "compiler/lower/area.h"
+#include "runtime/library/reference.h"
+#include <math.h>
+
+static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 1e37;
+
+static const char *const lane_name[] = {"x", "y", "z", "w"};
+
+static Type wider(const Ir *ir, Ref a, Ref b)
+{
+    return ir_lanes(ir, a) > ir_lanes(ir, b) ? ir_type(ir, a) : ir_type(ir, b);
+}
+
+/* Every lane by itself, of what is written for numbers. */
+typedef Ref OfNumbers(Lower *l, const Ref *x);
+static Ref by_lanes(Lower *l, OfNumbers *of, const Ref *args, int count)
+{
+    Ir *ir = l->ir;
+    Type type = TYPE_float;
+    Ref lane[4], x[3];
+    for (int i = 0; i < count; i++)
+        type = type_table[type].lanes > ir_lanes(ir, args[i]) ? type : ir_type(ir, args[i]);
+    if (type == TYPE_float)
+        return of(l, args);
+    for (int k = 0; k < type_table[type].lanes; k++) {
+        for (int i = 0; i < count; i++)
+            x[i] = ir_lanes(ir, args[i]) == 1 ? args[i] : build_swizzle(ir, args[i], lane_name[k]);
+        lane[k] = of(l, x);
+    }
+    return build_vec_of(ir, type, lane, type_table[type].lanes);
+}
+
+/* A number whose every lane is known and far from 0. */
+static bool is_far_from_zero(const Ir *ir, Ref a)
+{
+    const double *known = ir_is(ir, a, OP_const) ? ir_numbers(ir, a) : NULL;
+    for (int i = 0; known && i < ir_lanes(ir, a); i++)
+        if (fabs(known[i]) < LEAST_DIVISOR)
+            return false;
+    return known != NULL;
+}
+
+static Ref is_no_divisor(Lower *l, Ref a)
+{
+    return build_lt(l->ir, build_abs(l->ir, a), build_float(l->ir, LEAST_DIVISOR));
+}
+
+/* a / b of a divisor that is one number: all lanes by one condition. */
+static Ref quotient_by_number(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    if (is_far_from_zero(ir, x[1]))
+        return build_div_of(ir, x);
+    Ref none = is_no_divisor(l, x[1]), zero = build_all(ir, ir_type(ir, x[0]), 0);
+    return build_select(ir, none, zero, build_div_of(ir, x));
+}
+
+static Ref quotient(Lower *l, const Ref *x)
+{
+    if (ir_lanes(l->ir, x[1]) == 1 || is_far_from_zero(l->ir, x[1]))
+        return quotient_by_number(l, x);
+    return by_lanes(l, quotient_by_number, x, 2);
+}
+
+static Ref remainder_by_number(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    if (is_far_from_zero(ir, x[1]))
+        return build_mod_of(ir, x);
+    Ref none = is_no_divisor(l, x[1]), zero = build_all(ir, ir_type(ir, x[0]), 0);
+    return build_select(ir, none, zero, build_mod_of(ir, x));
+}
+
+static Ref remainder_of(Lower *l, const Ref *x)
+{
+    if (ir_lanes(l->ir, x[1]) == 1 || is_far_from_zero(l->ir, x[1]))
+        return remainder_by_number(l, x);
+    return by_lanes(l, remainder_by_number, x, 2);
+}
+
+/* From the base and the exponent. */
+static Ref power(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    Ref raised = build_pow(ir, build_max(ir, x[0], build_float(ir, LEAST_BASE)), x[1]);
+    return build_min(ir, raised, build_float(ir, GREATEST_POWER));
+}
+
+/* min(max(a, b), c); GLSL's clamp leaves it open where b is above c. */
+static Ref bounded(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    const double *low = ir_is(ir, x[1], OP_const) ? ir_numbers(ir, x[1]) : NULL;
+    const double *high = ir_is(ir, x[2], OP_const) ? ir_numbers(ir, x[2]) : NULL;
+    if (low && high && ir_lanes(ir, x[1]) == 1 && ir_lanes(ir, x[2]) == 1 && *low <= *high)
+        return build_clamp_of(ir, x);
+    return build_min(ir, build_max(ir, x[0], x[1]), x[2]);
+}
+
+static Ref within(Lower *l, Ref a, double low, double high)
+{
+    Ir *ir = l->ir;
+    return build_clamp(ir, a, build_float(ir, low), build_float(ir, high));
+}
+
+/* How far x has come from `low` to `high`, in [0, 1]. */
+static Ref share(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    Ref way = build_sub(ir, x[1], x[0]), gone = build_sub(ir, x[2], x[0]);
+    return within(l, quotient(l, (Ref[]){gone, way}), 0, 1);
+}
+
+static Ref smooth(Lower *l, Ref t)
+{
+    Ir *ir = l->ir;
+    return MUL(MUL(t, t), SUB(K(3), TWICE(t)));
+}
+
+/* Of two lanes one after the other. */
+static Ref over_lanes(Lower *l, Op op, Ref a)
+{
+    Ir *ir = l->ir;
+    Ref result = ir_lanes(ir, a) > 1 ? build_swizzle(ir, a, lane_name[0]) : a;
+    for (int i = 1; i < ir_lanes(ir, a); i++)
+        result = build_binary(ir, op, result, build_swizzle(ir, a, lane_name[i]));
+    return result;
+}
+
+static Ref dot(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    const Type type = wider(ir, x[0], x[1]);
+    if (type == TYPE_float)
+        return build_mul_of(ir, x);
+    return build_dot(ir, build_splat(ir, x[0], type), build_splat(ir, x[1], type));
+}
+
+static Ref average(Lower *l, Ref a)
+{
+    Ir *ir = l->ir;
+    return ir_lanes(ir, a) == 1 ? a : build_dot(ir, a, build_all(ir, ir_type(ir, a), 1.0 / ir_lanes(ir, a)));
+}
+
+static Ref turned(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    Ref c = build_cos(ir, x[1]), s = build_sin(ir, x[1]), zero = build_float(ir, 0);
+    Ref a = build_vec(ir, TYPE_vec2, c, s), b = build_vec(ir, TYPE_vec2, build_sub(ir, zero, s), c);
+    return build_linear(ir, (Ref[]){x[0], a, b}, 3);
+}
+
+/* Of a hue in turns: each of the three is full within a sixth of a turn around its own hue. */
+static Ref rgb(Lower *l, Ref hsv)
+{
+    Ir *ir = l->ir;
+    Ref h = build_swizzle(ir, hsv, "x"), s = build_swizzle(ir, hsv, "y"), v = build_swizzle(ir, hsv, "z");
+    Ref turn = build_fract(ir, build_add(ir, h, build_vec3(ir, 0, 2.0 / 3, 1.0 / 3)));
+    Ref away = build_abs(ir, SUB(SCALED(turn, 6), K(3)));
+    Ref full = within(l, SUB(away, K(1)), 0, 1);
+    return MUL(v, build_mix(ir, build_vec3(ir, 1, 1, 1), full, s));
+}
+
+/* The greatest lane says which sixths the hue lies in, the other two where in them. */
+static Ref hsv(Lower *l, Ref rgb)
+{
+    Ir *ir = l->ir;
+    Ref r = build_swizzle(ir, rgb, "x"), g = build_swizzle(ir, rgb, "y"), b = build_swizzle(ir, rgb, "z");
+    Ref most = over_lanes(l, OP_max, rgb), spread = SUB(most, over_lanes(l, OP_min, rgb));
+    Ref by_r = SUB(g, b), by_g = SUB(b, r), by_b = SUB(r, g);
+    Ref is_r = build_eq(ir, most, r), is_g = build_eq(ir, most, g);
+    Ref difference = build_select(ir, is_r, by_r, build_select(ir, is_g, by_g, by_b));
+    Ref from = build_select(ir, is_r, K(0), build_select(ir, is_g, K(2), K(4)));
+    Ref sixth = ADD(from, quotient(l, REFS(ir, difference, spread)));
+    Ref grey = is_no_divisor(l, spread);
+    Ref hue = build_select(ir, grey, K(0), build_fract(ir, SCALED(sixth, 1.0 / 6)));
+    return build_vec(ir, TYPE_vec3, hue, quotient(l, REFS(ir, spread, most)), most);
+}
+
+/* Octaves of noise at a position, over the pixel where maps are averaged. */
+static Ref octaves(Lower *l, bool vector, Ref p, const Ref *args)
+{
+    const Answer at = answer_of(build_splat(l->ir, p, TYPE_vec3));
+    return (vector ? area_vector_turbulence(l, at, args) : area_turbulence(l, at, args)).value;
+}
+
+static Ref count(Lower *l, Ref number)
+{
+    return build_int(l->ir, ir_numbers(l->ir, number)[0]); /* it stands in the formula itself */
+}
+
+/* A library function of numbers. */
+static Ref each(Lower *l, Function function, Ref a)
+{
+    Ir *ir = l->ir;
+    Ref lane[4];
+    if (ir_lanes(ir, a) == 1)
+        return build_call(ir, function, a);
+    for (int i = 0; i < ir_lanes(ir, a); i++) {
+        lane[i] = build_swizzle(ir, a, lane_name[i]);
+        lane[i] = build_call(ir, function, lane[i]);
+    }
+    return build_vec_of(ir, ir_type(ir, a), lane, ir_lanes(ir, a));
+}
+
+/* b where the condition holds, else c, as the wider of both types. */
+static Ref chosen(Lower *l, const Ref *x)
+{
+    Ir *ir = l->ir;
+    const Type type = wider(ir, x[1], x[2]);
+    return build_select(ir, x[0], build_splat(ir, x[1], type), build_splat(ir, x[2], type));
+}
+
+/* 1 where the sum of the lanes' whole numbers is odd: where one of them is and the other is not. */
+static Ref odd(Lower *l, Ref uv)
+{
+    Ir *ir = l->ir;
+    Ref parity = build_mod(ir, build_floor(ir, uv), K(2));
+    return UNARY(abs, SUB(build_swizzle(ir, parity, "x"), build_swizzle(ir, parity, "y")));
+}
+
+static Ref three(Lower *l, Ref a) { return build_splat(l->ir, a, TYPE_vec3); }
+
+Ref lower_whole_power(Lower *l, Ref a, int power)
+{
+    Ir *ir = l->ir;
+    Ref product = 0, square = a;
+    for (int left = power < 0 ? -power : power; left; left >>= 1) {
+        if (left & 1)
+            product = product ? build_mul(ir, product, square) : square;
+        if (left > 1)
+            square = build_square(ir, square);
+    }
+    if (!product)
+        return build_all(ir, ir_type(ir, a), 1);
+    return power < 0 ? quotient(l, REFS(ir, build_float(ir, 1), product)) : product;
+}
+
+#define QUOTIENT(a, b)             quotient(l, REFS(ir, a, b))
+#define REMAINDER(a, b)            remainder_of(l, REFS(ir, a, b))
+#define ROOT(a)                    build_sqrt(ir, MAX(a, K(0)))
+#define AT_MOST(a, most)           build_min(ir, a, K(most))
+#define AT_LEAST(a, least)         MAX(a, K(least))
+#define WITHIN(a, low, high)       within(l, a, low, high)
+#define BETWEEN(a, b, c)           bounded(l, REFS(ir, a, b, c))
+#define POWER(a, b)                power(l, REFS(ir, a, b))
+#define SHARE(a, b, c)             share(l, REFS(ir, a, b, c))
+#define SMOOTH(t)                  smooth(l, t)
+#define LANES(op, a)               over_lanes(l, OP_##op, a)
+#define DOT(a, b)                  dot(l, REFS(ir, a, b))
+#define LENGTH(a)                  (ir_lanes(ir, a) == 1 ? build_abs(ir, a) : build_length(ir, a))
+#define AVERAGE(a)                 average(l, a)
+#define UNIT(a)                    build_call(ir, FN_safeNormalize, three(l, a))
+#define TURNED(a, b)               turned(l, REFS(ir, a, b))
+#define RGB(a)                     rgb(l, three(l, a))
+#define HSV(a)                     hsv(l, three(l, a))
+#define CHOSEN(a, b, c)            chosen(l, REFS(ir, a, b, c))
+#define THREE(a)                   three(l, a)
+#define ODD(uv)                    odd(l, uv)
+#define EACH(function, a)          each(l, FN_##function, a)
+#define COUNT(b)                   count(l, b)
+#define OCTAVES(p, n, c, d)        octaves(l, false, p, REFS(ir, n, c, d))
+#define VECTOR_OCTAVES(p, n, c, d) octaves(l, true, p, REFS(ir, n, c, d))
+
+Ref lower_term(Lower *l, Term term, const Ref *args)
+{
+    Ir *ir = l->ir;
+    Ref a = args[0], b = args[1], c = args[2], d = args[3], e = args[4];
+    switch (term) {
+#define BUILD(name, built)                                                                                             \
+    case TERM_##name:                                                                                                  \
+        return built;
+#include "grammar/expression.def"
+    default:
+        return a;
+    }
+}

@@ -1,0 +1,85 @@
+/* Expression: its formula in double precision, by the VALUE lines of expression.def. */
+#include "compiler/formula/formula.h"
+#include "compiler/oracle/oracle_maps.h"
+#include "runtime/library/references.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { STEP_WORK = 4 }; /* of a step of a formula; noise is paid by its octaves */
+
+static void quantity_at(Environment *environment, const Node *node, Quantity quantity, double result[4])
+{
+    const QuantityRow *row = &quantity_table[quantity];
+    double group[3];
+    oracle_ask_input3(environment, node, row->group, group);
+    if (quantity == QUANTITY_N)
+        reference_of(FN_safeNormalize)(NULL, (const double[]){group[0], group[1], group[2]}, group);
+    for (int i = 0; row->lanes[i]; i++)
+        result[i] = group[row->lanes[i] - 'x'];
+    for (int i = 1; !row->lanes[1] && i < 4; i++)
+        result[i] = result[0];
+}
+
+/* A number is in all lanes, as formula_value wants it. */
+static void input_at(Environment *environment, const Node *map, double result[4])
+{
+    const int width = map ? map->width : 3;
+    for (int i = 0; i < width; i++)
+        result[i] = oracle_ask(environment, map, channel_id(GROUP_R, i));
+    for (int i = 1; width == 1 && i < 4; i++)
+        result[i] = result[0];
+}
+
+static double noise_work(const Formula *f, const FormulaStep *step)
+{
+    const bool octaves = step->row == TERM_fbm || step->row == TERM_fbm3;
+    if (step->kind != FORMULA_term || (!octaves && step->row != TERM_noise && step->row != TERM_noise3))
+        return 0;
+    const double count = octaves ? f->steps[formula_argument(f, step, 1)].number : 1;
+    return CALL_WORK * function_row(FN_noise)->cost * count *
+           (step->row == TERM_fbm3 || step->row == TERM_noise3 ? 3 : 1);
+}
+
+/* All lanes are found together, and kept. */
+static void value_of(Environment *environment, const Node *node, double result[4])
+{
+    Oracle *oracle = environment->oracle;
+    const Formula *f = node_param(node, P_Expression_is)->formula;
+    const Value *with = node_param(node, P_Expression_with);
+    const int inputs = with->kind == VALUE_items ? with->items->count : 0;
+    FormulaPoint point = {.noise = &oracle->context};
+    double(*values)[4] = malloc((f->count + (size_t)inputs) * sizeof *values);
+    if (!values)
+        abort();
+    memset(values, 0, (f->count + (size_t)inputs) * sizeof *values);
+    bool known[QUANTITY_COUNT] = {false};
+    for (size_t i = 0; i < f->count; i++) {
+        const FormulaStep *step = &f->steps[i];
+        if (step->kind == FORMULA_value && !known[step->row])
+            quantity_at(environment, node, (Quantity)step->row, point.quantity[step->row]);
+        if (step->kind == FORMULA_value)
+            known[step->row] = true;
+        oracle_spend(environment, STEP_WORK + noise_work(f, step));
+    }
+    for (int i = 0; i < inputs; i++)
+        input_at(environment, with->items->item[i].input, values[f->count + (size_t)i]);
+    point.inputs = (const double(*)[4])(values + f->count);
+    point.values = values;
+    if (!oracle_spent(oracle))
+        formula_value(f, &point, result);
+    free(values);
+}
+
+double oracle_Expression(Environment *environment, const Node *node, int channel)
+{
+    double own[4] = {0}, lanes[4];
+    const int width = node->width;
+    if (node_param(node, P_Expression_is)->kind == VALUE_formula)
+        value_of(environment, node, own);
+    graph_convert(width, own, group_of(channel) == GROUP_R ? 4 : 3, lanes);
+    if (group_of(channel) == GROUP_IOR)
+        lanes[0] = own[0];
+    for (int lane = 0; lane < (group_of(channel) == GROUP_R ? 4 : 3); lane++)
+        memo_set(environment, node, channel_id(group_of(channel), lane), lanes[lane]);
+    return lanes[lane_of(channel)];
+}

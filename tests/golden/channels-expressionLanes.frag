@@ -1,0 +1,128 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec2 uv;
+in vec3 localPosition;
+in vec3 eyeNormal;
+layout(location = 0) out uvec4 fragment0;
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// Three numbers >= 0 with one exponent: mantissas m of `bits` bits, 4 to 9, and above them an exponent e of 5:
+// v = m 2^(e - 15 - bits), at most 65536 (1 - 2^-bits). With 9 bits that is the texture format RGB9E5. The exponent is read from
+// the float's own, so that no logarithm errs; where a mantissa is rounded up to 2^bits, the next exponent is taken.
+uint sharedExponentBits(vec3 v, int bits) {
+    float steps = float(1 << bits);
+    vec3 c = clamp(v, 0.0, 65536.0 - 65536.0 / steps);
+    float greatest = max(max(c.x, c.y), max(c.z, 1.0 / 65536.0));
+    int e = int(floatBitsToUint(greatest) >> 23) - 111;
+    float scale = uintBitsToFloat(uint(142 + bits - e) << 23);
+    if (floor(greatest * scale + 0.5) >= steps) { e += 1; scale *= 0.5; }
+    uvec3 m = uvec3(floor(c * scale + 0.5));
+    return m.x | m.y << bits | m.z << (2 * bits) | uint(e) << (3 * bits);
+}
+
+// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
+// bits from 4 to 16.
+uint logarithmBits(float v, int bits) {
+    int steps = (1 << bits) - 2;
+    float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
+    return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
+}
+
+// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
+// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
+// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+float phongExponent(float x) {
+    float y = x * (2.0 - x);
+    float w = min((1.0 - x) * (1.0 - x), 0.25);
+    float s = w / (2.0 - w);
+    float s2 = s * s;
+    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
+    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
+    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
+    return y > 0.0 ? exponent : 0.0;
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+void main() {
+    // expressionLanes.yaml:3 q
+    vec3 q = sin(localPosition) * 2.0;
+    // expressionLanes.yaml:5 Expression
+    vec3 diffuse_expression_1 = sqrt(max(q + 1.5, 0.0));
+    vec3 diffuse_expression_2 = vec3(abs(diffuse_expression_1.x) < 1e-30 ? 0.0 : 1.0 / diffuse_expression_1.x, abs(diffuse_expression_1.y) < 1e-30 ? 0.0 : 1.0 / diffuse_expression_1.y, abs(diffuse_expression_1.z) < 1e-30 ? 0.0 : 1.0 / diffuse_expression_1.z);
+    vec3 diffuse_expression_3 = diffuse_expression_2 * 0.1 + (sqrt(max(q, 0.0)) * 0.3 + abs(q - 0.3));
+    float diffuse_expression_4 = max(uv.y, uv.x);
+    vec3 diffuse_expression = vec3(min(uv.y, uv.x), diffuse_expression_4, min(diffuse_expression_4, 0.7)) + diffuse_expression_3;
+    // expressionLanes.yaml:8 Expression
+    vec3 transparency_expression_1 = clamp(q, 0.0, 1.0);
+    vec3 transparency_expression_2 = (1.0 - transparency_expression_1) * 1.3333334 + 1.0;
+    // expressionLanes.yaml:9 Expression
+    vec3 ambient_expression_1 = q * q;
+    vec3 ambient_expression_2 = q + 3.0;
+    vec3 ambient_expression_3 = ambient_expression_2 * ambient_expression_2;
+    vec3 ambient_expression_4 = ambient_expression_1 + 1.0;
+    vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
+    // expressionLanes.yaml:10 Expression
+    float emissive_expression_1 = q.x * 0.5 + 3.25;
+    vec3 emissive_expression_2 = vec3(step(0.4, uv.x + 3.0), floor(abs(emissive_expression_1)) * sign(emissive_expression_1), floor(q.y * 0.2 + 1.2 + 0.5));
+    vec3 emissive_expression = mod(uv.x, 3.0) + (fract(uv.x * 0.3 + 0.1) + emissive_expression_2);
+    uint surface_bits = rootBits(diffuse_expression.x, 7) | rootBits(diffuse_expression.y, 7) << 7 | rootBits(diffuse_expression.z, 7) << 14;
+    // expressionLanes.yaml:7 Expression
+    float shininess_expression_1 = clamp((uv.x - 0.2) / 0.6, 0.0, 1.0);
+    float shininess_expression_2 = clamp((uv.y - 0.8) / -0.6, 0.0, 1.0) * 0.1 + mix(0.2, 0.7, (3.0 - shininess_expression_1 * 2.0) * (shininess_expression_1 * shininess_expression_1));
+    float shininess_expression = clamp(sign(q.x + 7.0) * 0.05 + shininess_expression_2, 0.0, 1.0);
+    vec3 transparency_expression_3 = vec3(transparency_expression_1.x / transparency_expression_2.x, transparency_expression_1.y / transparency_expression_2.y, transparency_expression_1.z / transparency_expression_2.z) + (q * 0.017453292 + q * 57.29578 * 0.01);
+    vec3 transparency_expression_4 = transparency_expression_3 + ((q - 0.5) * 2.0 + 0.5) + (q * 0.2 + 0.2);
+    vec3 transparency_expression = (transparency_expression_4 + (1.0 - q) * 0.1) * 0.1;
+    vec3 ambient_expression_5 = vec3(1.0 / ambient_expression_3.x, 1.0 / ambient_expression_3.y, 1.0 / ambient_expression_3.z) * 0.1 + sqrt(ambient_expression_1 + 0.09) * uv.xyx;
+    vec3 ambient_expression = vec3(3.0 / ambient_expression_4.x, 3.0 / ambient_expression_4.y, 3.0 / ambient_expression_4.z) + ambient_expression_5;
+    uint surface_bits2 = sharedExponentBits(emissive_expression, 5) | rootBits(ambient_expression.x, 4) << 20 | rootBits(ambient_expression.y, 4) << 24;
+    // expressionLanes.yaml:6 Expression
+    vec3 specular_expression_1 = log(abs(q) + 0.5) * 0.1 + (exp2(q) + exp(q - 2.0) * 0.2);
+    vec3 specular_expression_2 = vec3(sqrt(max(abs(q.x), 1e-37)) * sign(q.x), pow(max(abs(q.y), 1e-37), 1.7), q.z * q.z * q.z);
+    vec3 specular_expression = specular_expression_2 + (log(ambient_expression_2) * 1.442695 + specular_expression_1);
+    uint surface_bits3 = rootBits(specular_expression.y, 6) | rootBits(specular_expression.z, 6) << 6 | rootBits(transparency_expression.y, 5) << 12;
+    uint surface_bits4 = surface_bits3 | rootBits(transparency_expression.z, 5) << 17 | logarithmBits(phongExponent(shininess_expression), 9) << 22;
+    uvec4 surface_bits5 = uvec4(octahedralBits(normal, 12) << 2 | 4227858434u, surface_bits2 | rootBits(ambient_expression.z, 4) << 28, surface_bits | rootBits(specular_expression.x, 6) << 21 | rootBits(transparency_expression.x, 5) << 27, surface_bits4);
+    fragment0 = surface_bits5;
+}
