@@ -44,6 +44,8 @@ static double meaning(Op op, double a, double b, double c)
         return sin(a);
     case OP_cos:
         return cos(a);
+    case OP_tan:
+        return tan(a);
     case OP_asin:
         return asin(a);
     case OP_acos:
@@ -101,6 +103,7 @@ static const Case cases[] = {
     {OP_exp2, -80, 80, MET, {0, 0}},
     {OP_log, 1e-3, 1000, MET, {0, 0}},
     {OP_atan, -1000, 1000, MET, {0, 0}},
+    {OP_tan, -1.49, 1.49, MET, {0, 0}},
     {OP_add, -1000, 1000, MET, {0, 0}},
     {OP_sub, -1000, 1000, MET, {0, 0}},
     {OP_mul, -1000, 1000, MET, {0, 0}},
@@ -234,6 +237,11 @@ static const Known known[] = {
     {"div(fract(x), clamp(y, 0, 4))", 1, 0, -INFINITY, INFINITY},
     {"div(fract(x), clamp(y, -4, 0))", 1, 0, -INFINITY, INFINITY},
     {"div(fract(x), y)", 1, 0, -INFINITY, INFINITY},
+    /* a tangent that may pass its pole; vector products, a lane and all of them */
+    {"tan(clamp(x, 1, 2))", 1, 0, -INFINITY, INFINITY},
+    {"cross(vec3(fract(x), 2, 3), vec3(4, 5, fract(y)))", 4, 2, -8, -3},
+    {"cross(vec3(fract(x), 2, 3), vec3(4, 5, fract(y)))", 4, 0, -15, -13},
+    {"cross(vec3(fract(x), 0, 0), vec3(0, fract(y), 0))", 1, 0, -1, 1},
     /* a remainder of what is within the divisor is the value itself */
     {"mod(clamp(x, 0.25, 1.5), 2)", 1, 0, 0.25, 1.5},
     {"mod(clamp(x, 0.25, 2), 2)", 1, 0, 0, 2}, /* 2 leaves 0 */

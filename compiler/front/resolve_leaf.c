@@ -18,7 +18,7 @@ Value resolve_default(Resolver *r, const ParamRow *row)
     Value *constant = ARENA_NEW(r->session->arena, Value);
     *constant = value;
     Node *node = ARENA_NEW(r->session->arena, Node);
-    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant};
+    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = constant, .width = (int8_t)row->lanes};
     return (Value){.kind = VALUE_node, .node = node};
 }
 

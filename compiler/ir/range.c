@@ -246,6 +246,15 @@ static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return all;
 }
 
+/* a_j b_k - a_k b_j of the two other lanes; of one interval for all lanes, that minus itself. */
+static Interval cross_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
+{
+    const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
+    const int j = (lane + 1) % 3, k = (lane + 2) % 3;
+    const Interval left = times(range_of(r, ir, a, j), range_of(r, ir, b, k));
+    return sum(left, negative(times(range_of(r, ir, a, k), range_of(r, ir, b, j))));
+}
+
 static Interval length_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Ref a = ir_arg(ir, ref, 0);

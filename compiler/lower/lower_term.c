@@ -1,7 +1,7 @@
 /* Terms -> IR. What GLSL leaves open is guarded here, so that every term is a number for all numbers; a guard that intervals prove needless goes
  * in opt_range.
  *
- *     u / (1 + v * v)   select(|1 + v v| < 1e-30, 0, u / (1 + v v)); 1 + v v is at least 1, so it is u / (1 + v v) */
+ *     u / (1 + v * v)   c = |1 + v v| < 1e-30; select(c, 0, u) / select(c, 1, 1 + v v). 1 + v v is at least 1, so it is u / (1 + v v) */
 #include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
 #include "compiler/lower/area.h"
@@ -51,14 +51,26 @@ static Ref is_no_divisor(Lower *l, Ref a)
     return build_lt(l->ir, build_abs(l->ir, a), build_float(l->ir, LEAST_DIVISOR));
 }
 
+/* Both operands where the divisor is far from 0, else 0 and 1: what is divided is guarded and not the result, since drivers may make a product of
+ * a choice, and 0 times an infinity is no number. */
+static void guard_division(Lower *l, const Ref *x, Ref guarded[2])
+{
+    Ir *ir = l->ir;
+    guarded[0] = x[0];
+    guarded[1] = x[1];
+    if (is_far_from_zero(ir, x[1]))
+        return;
+    Ref none = is_no_divisor(l, x[1]), zero = build_all(ir, ir_type(ir, x[0]), 0);
+    guarded[0] = build_select(ir, none, zero, x[0]);
+    guarded[1] = build_select(ir, none, build_all(ir, ir_type(ir, x[1]), 1), x[1]);
+}
+
 /* a / b of a divisor that is one number: all lanes by one condition. */
 static Ref quotient_by_number(Lower *l, const Ref *x)
 {
-    Ir *ir = l->ir;
-    if (is_far_from_zero(ir, x[1]))
-        return build_div_of(ir, x);
-    Ref none = is_no_divisor(l, x[1]), zero = build_all(ir, ir_type(ir, x[0]), 0);
-    return build_select(ir, none, zero, build_div_of(ir, x));
+    Ref guarded[2];
+    guard_division(l, x, guarded);
+    return build_div_of(l->ir, guarded);
 }
 
 static Ref quotient(Lower *l, const Ref *x)
@@ -70,11 +82,9 @@ static Ref quotient(Lower *l, const Ref *x)
 
 static Ref remainder_by_number(Lower *l, const Ref *x)
 {
-    Ir *ir = l->ir;
-    if (is_far_from_zero(ir, x[1]))
-        return build_mod_of(ir, x);
-    Ref none = is_no_divisor(l, x[1]), zero = build_all(ir, ir_type(ir, x[0]), 0);
-    return build_select(ir, none, zero, build_mod_of(ir, x));
+    Ref guarded[2];
+    guard_division(l, x, guarded);
+    return build_mod_of(l->ir, guarded);
 }
 
 static Ref remainder_of(Lower *l, const Ref *x)

@@ -13,17 +13,24 @@ static int bounded_function(Op op)
     }
 }
 
+/* The functions take numbers: of a vector each lane by itself, beside which a number goes with every lane. */
 static Ref bound(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
     const IrNode node = *ir_at(ir, ref);
     int function = bounded_function((Op)node.op);
-    if (function < 0 || node.type != TYPE_float)
+    const int lanes = type_table[node.type].lanes;
+    Ref lane[4];
+    if (function < 0)
         return ref;
-    Ref args[2];
-    for (int i = 0; i < node.count; i++)
-        args[i] = ir_arg(ir, ref, i);
-    return build_call_of(ir, function, args, node.count);
+    for (int k = 0; k < lanes; k++) {
+        Ref args[2];
+        for (int i = 0; i < node.count; i++)
+            args[i] =
+                ir_lanes(ir, ir_arg(ir, ref, i)) == 1 ? ir_arg(ir, ref, i) : build_lane(ir, ir_arg(ir, ref, i), k);
+        lane[k] = build_call_of(ir, function, args, node.count);
+    }
+    return lanes == 1 ? lane[0] : build_vec_of(ir, (Type)node.type, lane, lanes);
 }
 
 bool opt_trigonometry(Ir *ir) { return ir_sweep(ir, bound, NULL); }

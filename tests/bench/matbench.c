@@ -54,6 +54,7 @@ static const struct {
     {"instructions", bench_instructions, "instructions after spirv-opt -O, beside shaders written by hand", false},
     {"functions", bench_functions,
      "what the driver makes of exponentials, sines and their inverses, beside what is stated", false},
+    {"guards", bench_guards, "guards that formulas of examples were made with, and those that intervals left", false},
     {"growth", bench_growth, "time at n, 2 n, 4 n, 8 n of documents of every kind, and the exponent", false},
     {"noise", bench_noise, "time of noise, beside noise of others written anew", true},
     {"render", bench_render,

@@ -51,5 +51,6 @@ int bench_shadows(int argc, char **argv);
 int bench_cells(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
+int bench_guards(int argc, char **argv);
 int bench_growth(int argc, char **argv);
 #endif

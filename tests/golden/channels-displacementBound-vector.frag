@@ -46,9 +46,8 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    vec3 normal_3 = cross(normal_1, vec3(0.0)) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_3 : normal_3)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 normal_1 = cross(worldTangentU, worldTangentV);
+    vec3 normal_2 = dot(normal_1, 1.0 / max(length(worldNormal), 1e-30) * worldNormal) < 0.0 ? -normal_1 : normal_1;
+    vec3 normal = safeNormalize(eyeFromWorld(normal_2)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }

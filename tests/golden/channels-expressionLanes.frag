@@ -89,10 +89,13 @@ void main() {
     vec3 q = sin(localPosition) * 2.0;
     // expressionLanes.yaml:5 Expression
     vec3 diffuse_expression_1 = sqrt(max(q + 1.5, 0.0));
-    vec3 diffuse_expression_2 = vec3(abs(diffuse_expression_1.x) < 1e-30 ? 0.0 : 1.0 / diffuse_expression_1.x, abs(diffuse_expression_1.y) < 1e-30 ? 0.0 : 1.0 / diffuse_expression_1.y, abs(diffuse_expression_1.z) < 1e-30 ? 0.0 : 1.0 / diffuse_expression_1.z);
-    vec3 diffuse_expression_3 = diffuse_expression_2 * 0.1 + (sqrt(max(q, 0.0)) * 0.3 + abs(q - 0.3));
-    float diffuse_expression_4 = max(uv.y, uv.x);
-    vec3 diffuse_expression = vec3(min(uv.y, uv.x), diffuse_expression_4, min(diffuse_expression_4, 0.7)) + diffuse_expression_3;
+    bool diffuse_expression_2 = abs(diffuse_expression_1.x) < 1e-30;
+    bool diffuse_expression_3 = abs(diffuse_expression_1.y) < 1e-30;
+    bool diffuse_expression_4 = abs(diffuse_expression_1.z) < 1e-30;
+    vec3 diffuse_expression_5 = vec3((diffuse_expression_2 ? 0.0 : 1.0) / (diffuse_expression_2 ? 1.0 : diffuse_expression_1.x), (diffuse_expression_3 ? 0.0 : 1.0) / (diffuse_expression_3 ? 1.0 : diffuse_expression_1.y), (diffuse_expression_4 ? 0.0 : 1.0) / (diffuse_expression_4 ? 1.0 : diffuse_expression_1.z));
+    vec3 diffuse_expression_6 = diffuse_expression_5 * 0.1 + (sqrt(max(q, 0.0)) * 0.3 + abs(q - 0.3));
+    float diffuse_expression_7 = max(uv.y, uv.x);
+    vec3 diffuse_expression = vec3(min(uv.y, uv.x), diffuse_expression_7, min(diffuse_expression_7, 0.7)) + diffuse_expression_6;
     // expressionLanes.yaml:8 Expression
     vec3 transparency_expression_1 = clamp(q, 0.0, 1.0);
     vec3 transparency_expression_2 = (1.0 - transparency_expression_1) * 1.3333334 + 1.0;

@@ -20,6 +20,16 @@ vec2 pictureSize(sampler2D s) {
     return vec2(textureSize(s, 0));
 }
 
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
 vec3 safeNormalize(vec3 v) {
@@ -34,16 +44,6 @@ vec3 safeNormalize(vec3 v) {
 
 vec3 eyeFromWorld(vec3 d) {
     return matc_eyeFromWorld * d;
-}
-
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -72,11 +72,9 @@ void main() {
     // textureUnused.yaml:4 ImageMap
     vec4 diffuse_image = imageSampled(imageTexture0, uv, pictureSize(imageTexture0));
     // textureUnused.yaml:3 BumpMap
-    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
-    vec3 bumpMap_3 = cross(bumpMap_1, vec3(0.0)) + bumpMap_2;
-    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
-    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    vec3 bumpMap_1 = cross(worldTangentU, worldTangentV);
     uint surface_bits = rootBits(diffuse_image.x, 8) | rootBits(diffuse_image.y, 8) << 8 | rootBits(diffuse_image.z, 8) << 16;
+    vec3 bumpMap = dot(bumpMap_1, 1.0 / max(length(worldNormal), 1e-30) * worldNormal) < 0.0 ? -bumpMap_1 : bumpMap_1;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits, 645922816u);
 }

@@ -5,10 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { MOST_DEFINITIONS = 2, MOST_PARAMS = 6, MOST_FILTERS = 2, MOST_ITEMS = 5, MOST_CHAIN = 3, WIDEST_RELIEF = 64 };
-
-/* Of parameters that may be any number: as for coordinates. */
-#define GREATEST 1e8
+enum {
+    MOST_DEFINITIONS = 2,
+    MOST_PARAMS = 6,
+    MOST_FILTERS = 2,
+    MOST_ITEMS = 5,
+    MOST_CHAIN = 3,
+    MOST_INPUTS = 2,
+    WIDEST_RELIEF = 64
+};
 
 typedef struct {
     Choices *c;
@@ -31,35 +36,16 @@ static void put_number(Generator *g, double value)
     text_put(g->out, text);
 }
 
-static double ordinary(Choices *c, double low, double high)
+static double any_number(Generator *g)
 {
-    static const double plain[] = {1, 0.5, 0, 2, -1, 0.25, 3, 8, -0.5, 0.1};
-    double value = chance(c, 1, 2) ? 4 * choose_part(c) - 2 : plain[choose(c, sizeof plain / sizeof *plain)];
-    return fmin(fmax(value, low), high);
+    return generate_number(g->c, -GENERATE_GREATEST, GENERATE_GREATEST, g->hostile);
 }
-
-double generate_number(Choices *c, double low, double high, bool hostile)
-{
-    static const double special[] = {0,     -0.,    1e-8, -1e-8, 1e4,      -1e4,      1e6,       -1e6,      1e8,
-                                     -1e8,  1e-30,  1e3,  -1e3,  16,       -16,       0.9999,    1.000001,  -1e-30,
-                                     1e-40, 65536., 1e-4, 100,   1 - 1e-7, 6.2831855, 1.5707964, 0.33333334};
-    if (!hostile || chance(c, 1, 2))
-        return ordinary(c, low, high);
-    bool bounded = high < GREATEST && chance(c, 1, 2);
-    double value = special[choose(c, sizeof special / sizeof *special)];
-    if (bounded)
-        value = (double[]){low, high, nextafterf((float)low, (float)high),
-                           nextafterf((float)high, (float)low)}[choose(c, 4)];
-    return fmin(fmax((float)value, low), high);
-}
-
-static double any_number(Generator *g) { return generate_number(g->c, -GREATEST, GREATEST, g->hostile); }
 
 /* What has to be known when the program is written. */
 static bool may_be_param(const ParamRow *row)
 {
     return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") && strcmp(row->name, "sun") &&
-           strcmp(row->name, "turbidity");
+           strcmp(row->name, "turbidity") && strcmp(row->name, "displacementBound");
 }
 
 static void begin_param(Generator *g) { text_format(g->out, "{ param: p%d, default: ", g->params++); }
@@ -88,7 +74,7 @@ static void put_float(Generator *g)
 static void put_numeric(Generator *g, const ParamRow *row)
 {
     bool param = may_be_param(row) && choose_param(g);
-    double low = fmax(row->low, -GREATEST), high = fmin(row->high, GREATEST);
+    double low = fmax(row->low, -GENERATE_GREATEST), high = fmin(row->high, GENERATE_GREATEST);
     if (row->kind == KIND_Carpenter && high == 2048)
         high = WIDEST_RELIEF; /* a large one takes long to make and shows nothing new */
     if (param)
@@ -151,12 +137,12 @@ static void put_transform(Generator *g)
         put_float(g);
     } else if (kind == 1) {
         text_put(g->out, "translation: ");
-        put_vector(g, 3, -GREATEST, GREATEST);
+        put_vector(g, 3, -GENERATE_GREATEST, GENERATE_GREATEST);
     } else {
         for (int i = 0, count = 0; i < 4; i++)
             if (i == 1 || chance(g->c, 1, 2)) {
                 text_format(g->out, "%s%s: ", count++ ? ", " : "", parts[i]);
-                put_vector(g, 3, -GREATEST, GREATEST);
+                put_vector(g, 3, -GENERATE_GREATEST, GENERATE_GREATEST);
             }
     }
     text_put(g->out, " }");
@@ -167,7 +153,7 @@ static void put_items(Generator *g)
 {
     int count = g->relief ? 2 + (int)choose(g->c, MOST_ITEMS - 1) : (int)choose(g->c, MOST_ITEMS + 1);
     bool any = chance(g->c, 1, 8);
-    double value = ordinary(g->c, -2, 2);
+    double value = generate_number(g->c, -2, 2, false);
     text_put(g->out, "[");
     for (int i = 0; i < count; i++) {
         text_put(g->out, i ? ", { value: " : "{ value: ");
@@ -260,15 +246,31 @@ static Kind choose_map(Generator *g)
     return (Kind)(first + choose(g->c, KIND_COUNT - first));
 }
 
+/* Its inputs are read by their first lanes: how many they have is not known here. */
+static void put_expression(Generator *g)
+{
+    const int inputs = g->left > 1 ? (int)choose(g->c, MOST_INPUTS + 1) : 0;
+    text_put(g->out, "{ map: Expression, is: '");
+    generate_formula(g->c, g->out, inputs);
+    text_put(g->out, "', with: {");
+    for (int i = 0; i < inputs; i++) {
+        text_format(g->out, "%s i%d: ", i ? "," : "", i);
+        map_value(g);
+    }
+    text_put(g->out, " } }");
+}
+
 static void put_kind(Generator *g, Kind kind)
 {
     bool filter = kind == KIND_Smooth3D || kind == KIND_Laplace3D;
-    if (kind == KIND_Expression)
-        kind = KIND_Wood;
     if (filter && (g->filters == MOST_FILTERS || !chance(g->c, 1, 3)))
         kind = KIND_Checker, filter = false;
     const KindRow *row = &kind_table[kind];
     g->left--;
+    if (kind == KIND_Expression) {
+        put_expression(g);
+        return;
+    }
     g->filters += filter;
     text_format(g->out, "{ map: %s", row->name);
     for (int i = 0; i < row->count; i++)
@@ -295,7 +297,7 @@ static void put_constant(Generator *g)
     if (lanes == 1)
         put_number(g, any_number(g));
     else
-        put_vector(g, lanes, -GREATEST, GREATEST);
+        put_vector(g, lanes, -GENERATE_GREATEST, GENERATE_GREATEST);
     text_put(g->out, param ? " }" : "");
 }
 

@@ -1,0 +1,103 @@
+/* matbench guards: the formulas of examples, how many guards of totality lowering made for them (a quotient's, a root's, a logarithm's, a
+ * power's, an arc's, an exponential's), and how many are left where intervals proved what they could. */
+#include "matbench.h"
+#include "tests/value/documents.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#ifndef SOURCE_FOLDER
+#define SOURCE_FOLDER "."
+#endif
+
+typedef struct {
+    int made, left;
+} Guards;
+
+static bool is_number(const Ir *ir, Ref ref, double number)
+{
+    return ir_is(ir, ref, OP_const) && fabs(ir_numbers(ir, ref)[0] / number - 1) < 1e-6;
+}
+
+static bool has_number(const Ir *ir, Ref ref, double number)
+{
+    for (int i = 0; i < ir_at(ir, ref)->count; i++)
+        if (is_number(ir, ir_arg(ir, ref, i), number))
+            return true;
+    return false;
+}
+
+/* By the numbers that lower_term.c guards with, which nothing else in a value has. */
+static bool is_guard(const Ir *ir, Ref ref)
+{
+    const IrNode *node = ir_at(ir, ref);
+    if (node->op == OP_lt)
+        return has_number(ir, ref, 1e-30);
+    if (node->op == OP_max)
+        return has_number(ir, ref, 1e-37);
+    if (node->op == OP_min)
+        return has_number(ir, ref, 1e37) || has_number(ir, ref, 88) || has_number(ir, ref, 127);
+    if (node->op == OP_sqrt)
+        return ir_is(ir, ir_arg(ir, ref, 0), OP_max);
+    if (node->op == OP_asin || node->op == OP_acos)
+        return ir_is(ir, ir_arg(ir, ref, 0), OP_clamp);
+    return false;
+}
+
+static int count_of(const MatcOptions *options, const Graph *graph, const Node *material, int level)
+{
+    int count = 0;
+    for (int slot = 0; slot < SLOT_COUNT; slot++) {
+        Arena arena = {0};
+        Session session = {.options = options, .arena = &arena, .optimize = level};
+        Job job;
+        choice_job(&(MatcOptions){.pass = "value"}, &job);
+        job.slot = (Slot)slot;
+        job.choice[AXIS_aa] = CHOICE_aa_none;
+        const Ir *ir = slot == SLOT_normal ? NULL : compile_ir(&session, graph, material, &job);
+        const uint8_t *live = ir ? ir_live(ir, &arena) : NULL;
+        for (Ref ref = 1; ir && ref < ir->count; ref++)
+            count += live[ref] && is_guard(ir, ref);
+        arena_free(&arena);
+    }
+    return count;
+}
+
+static bool has_formula(const Node *node)
+{
+    for (int i = 0; i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (value->kind == VALUE_formula || (value->kind == VALUE_node && has_formula(value->node)))
+            return true;
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            if (value->items->item[k].input && has_formula(value->items->item[k].input))
+                return true;
+    }
+    return false;
+}
+
+int bench_guards(int argc, char **argv)
+{
+    DocumentList list = documents_list(SOURCE_FOLDER);
+    Guards all = {0};
+    int programs = 0, without = 0;
+    (void)argc, (void)argv;
+    printf("document                               guards made   left\n");
+    for (int i = 0; i < list.count; i++) {
+        Document d;
+        const bool good = document_open(&d, list.paths[i]);
+        for (int m = 0; good && m < d.graph->material_count; m++) {
+            const Node *material = d.graph->materials[m].node;
+            if (!material || !has_formula(material))
+                continue;
+            const Guards own = {count_of(&d.options, d.graph, material, 0), count_of(&d.options, d.graph, material, 2)};
+            printf("%-38s %11d %6d\n", document_name(&d), own.made, own.left);
+            all.made += own.made, all.left += own.left;
+            programs++, without += !own.left;
+        }
+        document_close(&d);
+    }
+    printf("%d of %d materials need none; %d guards of %d are left\n", without, programs, all.left, all.made);
+    documents_free(&list);
+    return 0;
+}

@@ -1,0 +1,261 @@
+/* What the words of formulas mean, from the mathematics, in long double: for test_expression.c. It knows nothing of matc. */
+#ifndef MATC_FORMULA_RULES_H
+#define MATC_FORMULA_RULES_H
+#include <math.h>
+#include <stdbool.h>
+
+typedef long double Number;
+/* What the tree is made of: the text's form, the level that it binds at, its parts' widths ('g' its own), its result's, its lanes. */
+typedef struct Rule {
+    const char *form; /* a name, or an operator between its parts */
+    int level;        /* of an operator; 0: a call */
+    const char *parts;
+    int width; /* 0: condition, -1: that of its 'g' parts */
+    Number (*lane)(const Number *x);
+    void (*whole)(const Number x[5][4], int lanes, Number *result);
+} Rule;
+
+#define RULE_LANE(name, value)                                                                                         \
+    static Number name(const Number *x) { return value; }
+static Number over(Number a, Number b) { return fabsl(b) < 1e-30L ? 0 : a / b; }
+static Number cut(Number a, Number low, Number high) { return a < low ? low : a > high ? high : a; }
+static Number ramp(Number low, Number high, Number x) { return cut(over(x - low, high - low), 0, 1); }
+static Number signum(Number a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
+static Number raised(Number a, Number b) { return fminl(powl(fmaxl(a, 1e-37L), b), 1e37L); }
+RULE_LANE(sum, x[0] + x[1])
+RULE_LANE(difference, x[0] - x[1])
+RULE_LANE(product, x[0] * x[1])
+RULE_LANE(ratio, over(x[0], x[1]))
+RULE_LANE(rest, fabsl(x[1]) < 1e-30L ? 0 : x[0] - x[1] * floorl(x[0] / x[1]))
+RULE_LANE(power, raised(x[0], x[1]))
+RULE_LANE(square, x[0] * x[0])
+RULE_LANE(minus_cube, over(1, x[0] * x[0] * x[0]))
+RULE_LANE(minus, -x[0])
+RULE_LANE(less, x[0] < x[1])
+RULE_LANE(not_more, x[0] <= x[1])
+RULE_LANE(more, x[0] > x[1])
+RULE_LANE(not_less, x[0] >= x[1])
+RULE_LANE(same, x[0] == x[1])
+RULE_LANE(other, x[0] != x[1])
+RULE_LANE(both, x[0] != 0 && x[1] != 0)
+RULE_LANE(any, x[0] != 0 || x[1] != 0)
+RULE_LANE(not, x[0] == 0)
+RULE_LANE(choice, x[0] != 0 ? x[1] : x[2])
+RULE_LANE(size, fabsl(x[0]))
+RULE_LANE(sign_of, signum(x[0]))
+RULE_LANE(below, floorl(x[0]))
+RULE_LANE(above, ceill(x[0]))
+RULE_LANE(nearest, floorl(x[0] + .5L))
+RULE_LANE(whole, truncl(x[0]))
+RULE_LANE(part, x[0] - floorl(x[0]))
+RULE_LANE(root, sqrtl(fmaxl(x[0], 0)))
+RULE_LANE(one_over_root, over(1, sqrtl(fmaxl(x[0], 0))))
+RULE_LANE(exponential, expl(fminl(x[0], 88)))
+RULE_LANE(two_to, exp2l(fminl(x[0], 127)))
+RULE_LANE(logarithm, logl(fmaxl(x[0], 1e-37L)))
+RULE_LANE(logarithm2, log2l(fmaxl(x[0], 1e-37L)))
+RULE_LANE(sine, sinl(x[0]))
+RULE_LANE(cosine, cosl(x[0]))
+RULE_LANE(tangent, tanl(x[0]))
+RULE_LANE(arc_sine, asinl(cut(x[0], -1, 1)))
+RULE_LANE(arc_cosine, acosl(cut(x[0], -1, 1)))
+RULE_LANE(arc_tangent, atanl(x[0]))
+/* Where no two ways of computing can agree: an angle behind the origin, where a zero has two sides; fractions of what has none. */
+static bool rule_unsure;
+static Number unsure(bool is, Number value)
+{
+    rule_unsure |= is;
+    return value;
+}
+RULE_LANE(angle, x[0] == 0 && x[1] == 0 ? 0 : unsure(x[0] == 0 && x[1] < 0, atan2l(x[0], x[1])))
+RULE_LANE(hyper_sine, sinhl(cut(x[0], -88, 88)))
+RULE_LANE(hyper_cosine, coshl(cut(x[0], -88, 88)))
+RULE_LANE(hyper_tangent, tanhl(x[0]))
+RULE_LANE(in_degrees, x[0] * 57.295779513082320876798154814105L)
+RULE_LANE(in_radians, x[0] * 0.017453292519943295769236907684886L)
+RULE_LANE(lesser, x[0] < x[1] ? x[0] : x[1])
+RULE_LANE(greater, x[0] > x[1] ? x[0] : x[1])
+RULE_LANE(signed_power, signum(x[0]) * raised(fabsl(x[0]), x[1]))
+RULE_LANE(hypotenuse, sqrtl(x[0] * x[0] + x[1] * x[1]))
+RULE_LANE(clamped, fminl(fmaxl(x[0], x[1]), x[2]))
+RULE_LANE(saturated, cut(x[0], 0, 1))
+RULE_LANE(inverted, 1 - x[0])
+RULE_LANE(mixed, x[0] + (x[1] - x[0]) * x[2])
+RULE_LANE(stepped, x[1] < x[0] ? 0 : 1)
+RULE_LANE(linear, ramp(x[0], x[1], x[2]))
+RULE_LANE(smooth, ramp(x[0], x[1], x[2]) * ramp(x[0], x[1], x[2]) * (3 - 2 * ramp(x[0], x[1], x[2])))
+RULE_LANE(mapped, x[3] + (x[4] - x[3]) * over(x[0] - x[1], x[2] - x[1]))
+RULE_LANE(contrasted, (x[0] - x[2]) * x[1] + x[2])
+RULE_LANE(biased, over(x[0], (over(1, x[1]) - 2) * (1 - x[0]) + 1))
+
+static Number dotted(const Number *a, const Number *b, int lanes)
+{
+    Number total = 0;
+    for (int i = 0; i < lanes; i++)
+        total += a[i] * b[i];
+    return total;
+}
+#define RULE_WHOLE(name) static void name(const Number x[5][4], int lanes, Number *r)
+#define ROWS(a, b, c, d) r[0] = (a), r[1] = (b), r[2] = (c), r[3] = (d)
+RULE_WHOLE(mean) { r[0] = dotted(x[0], (const Number[]){1, 1, 1, 1}, lanes) / lanes; }
+RULE_WHOLE(most)
+{
+    r[0] = x[0][0];
+    for (int i = 1; i < lanes; i++)
+        r[0] = x[0][i] > r[0] ? x[0][i] : r[0];
+}
+RULE_WHOLE(least)
+{
+    r[0] = x[0][0];
+    for (int i = 1; i < lanes; i++)
+        r[0] = x[0][i] < r[0] ? x[0][i] : r[0];
+}
+RULE_WHOLE(bright) { (void)lanes, r[0] = .2126L * x[0][0] + .7152L * x[0][1] + .0722L * x[0][2]; }
+RULE_WHOLE(inner) { r[0] = dotted(x[0], x[1], lanes); }
+RULE_WHOLE(norm) { r[0] = sqrtl(dotted(x[0], x[0], lanes)); }
+RULE_WHOLE(apart)
+{
+    Number d[4];
+    for (int i = 0; i < 4; i++)
+        d[i] = x[0][i] - x[1][i];
+    r[0] = sqrtl(dotted(d, d, lanes));
+}
+RULE_WHOLE(outer)
+{
+    const Number *a = x[0], *b = x[1];
+    (void)lanes, ROWS(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0);
+}
+RULE_WHOLE(unit)
+{
+    const Number n = sqrtl(dotted(x[0], x[0], 3));
+    (void)lanes, ROWS(x[0][0] / n, x[0][1] / n, x[0][2] / n, 0);
+}
+RULE_WHOLE(mirrored)
+{
+    const Number k = 2 * dotted(x[0], x[1], 3);
+    (void)lanes, ROWS(x[0][0] - k * x[1][0], x[0][1] - k * x[1][1], x[0][2] - k * x[1][2], 0);
+}
+RULE_WHOLE(turned)
+{
+    const Number c = cosl(x[1][0]), s = sinl(x[1][0]);
+    (void)lanes, ROWS(c * x[0][0] - s * x[0][1], s * x[0][0] + c * x[0][1], 0, 0);
+}
+/* By sixths of the hue, as textbooks have it. */
+RULE_WHOLE(from_hsv)
+{
+    const Number h = unsure(fabsl(x[0][0]) > 1e9L, 6 * (x[0][0] - floorl(x[0][0]))), s = x[0][1], v = x[0][2],
+                 f = h - floorl(h);
+    const Number p = v * (1 - s), q = v * (1 - s * f), t = v * (1 - s * (1 - f));
+    const Number table[6][3] = {{v, t, p}, {q, v, p}, {p, v, t}, {p, q, v}, {t, p, v}, {v, p, q}};
+    const Number *row = table[(int)h % 6];
+    (void)lanes, ROWS(row[0], row[1], row[2], 0);
+}
+RULE_WHOLE(to_hsv)
+{
+    const Number red = x[0][0], green = x[0][1], blue = x[0][2];
+    const Number high = fmaxl(red, fmaxl(green, blue)), low = fminl(red, fminl(green, blue)), c = high - low;
+    Number h = c < 1e-30L      ? 0
+               : high == red   ? (green - blue) / c
+               : high == green ? 2 + (blue - red) / c
+                               : 4 + (red - green) / c;
+    h /= 6;
+    (void)lanes, ROWS(h - floorl(h), over(c, high), high, 0);
+}
+RULE_WHOLE(chess)
+{
+    const Number n = floorl(x[0][0]) + floorl(x[0][1]);
+    (void)lanes, r[0] = unsure(fabsl(n) > 1e15L, n - 2 * floorl(n / 2));
+}
+RULE_WHOLE(pair) { (void)lanes, ROWS(x[0][0], x[1][0], 0, 0); }
+RULE_WHOLE(triple) { (void)lanes, ROWS(x[0][0], x[1][0], x[2][0], 0); }
+RULE_WHOLE(behind) { (void)lanes, ROWS(x[0][0], x[0][1], x[1][0], 0); }
+RULE_WHOLE(four) { (void)lanes, ROWS(x[0][0], x[0][1], x[0][2], x[1][0]); }
+RULE_WHOLE(backward) { (void)lanes, ROWS(x[0][2], x[0][1], x[0][0], 0); }
+RULE_WHOLE(second) { (void)lanes, r[0] = x[0][1]; }
+
+enum { CONDITION = 0 }; /* a width */
+enum { OR = 1, AND, COMPARE, SUM, PRODUCT, PREFIX, POWER, CHOOSE = -1, POSTFIX = 99 };
+static const Rule rules[] = {
+    {"||", OR, "bb", 0, any, 0},
+    {"&&", AND, "bb", 0, both, 0},
+    {"!", PREFIX, "b", 0, not, 0},
+    {"<", COMPARE, "11", 0, less, 0},
+    {"<=", COMPARE, "11", 0, not_more, 0},
+    {">", COMPARE, "11", 0, more, 0},
+    {">=", COMPARE, "11", 0, not_less, 0},
+    {"==", COMPARE, "11", 0, same, 0},
+    {"!=", COMPARE, "11", 0, other, 0},
+    {"+", SUM, "gg", -1, sum, 0},
+    {"-", SUM, "gg", -1, difference, 0},
+    {"*", PRODUCT, "gg", -1, product, 0},
+    {"/", PRODUCT, "gg", -1, ratio, 0},
+    {"%", PRODUCT, "gg", -1, rest, 0},
+    {"-", PREFIX, "g", -1, minus, 0},
+    {"^", POWER, "gg", -1, power, 0},
+    {"^ 2", POSTFIX, "g", -1, square, 0},
+    {"^ -3", POSTFIX, "g", -1, minus_cube, 0},
+    {"?", CHOOSE, "bgg", -1, choice, 0},
+    {"abs", 0, "g", -1, size, 0},
+    {"sign", 0, "g", -1, sign_of, 0},
+    {"floor", 0, "g", -1, below, 0},
+    {"ceil", 0, "g", -1, above, 0},
+    {"round", 0, "g", -1, nearest, 0},
+    {"trunc", 0, "g", -1, whole, 0},
+    {"fract", 0, "g", -1, part, 0},
+    {"sqrt", 0, "g", -1, root, 0},
+    {"inversesqrt", 0, "g", -1, one_over_root, 0},
+    {"exp", 0, "g", -1, exponential, 0},
+    {"exp2", 0, "g", -1, two_to, 0},
+    {"log", 0, "g", -1, logarithm, 0},
+    {"log2", 0, "g", -1, logarithm2, 0},
+    {"sin", 0, "g", -1, sine, 0},
+    {"cos", 0, "g", -1, cosine, 0},
+    {"tan", 0, "g", -1, tangent, 0},
+    {"asin", 0, "g", -1, arc_sine, 0},
+    {"acos", 0, "g", -1, arc_cosine, 0},
+    {"atan", 0, "g", -1, arc_tangent, 0},
+    {"atan2", 0, "gg", -1, angle, 0},
+    {"sinh", 0, "g", -1, hyper_sine, 0},
+    {"cosh", 0, "g", -1, hyper_cosine, 0},
+    {"tanh", 0, "g", -1, hyper_tangent, 0},
+    {"degrees", 0, "g", -1, in_degrees, 0},
+    {"radians", 0, "g", -1, in_radians, 0},
+    {"min", 0, "gg", -1, lesser, 0},
+    {"max", 0, "gg", -1, greater, 0},
+    {"mod", 0, "gg", -1, rest, 0},
+    {"pow", 0, "gg", -1, power, 0},
+    {"safepow", 0, "gg", -1, signed_power, 0},
+    {"hypot", 0, "gg", -1, hypotenuse, 0},
+    {"clamp", 0, "ggg", -1, clamped, 0},
+    {"saturate", 0, "g", -1, saturated, 0},
+    {"invert", 0, "g", -1, inverted, 0},
+    {"mix", 0, "ggg", -1, mixed, 0},
+    {"step", 0, "gg", -1, stepped, 0},
+    {"linearstep", 0, "ggg", -1, linear, 0},
+    {"smoothstep", 0, "ggg", -1, smooth, 0},
+    {"remap", 0, "ggggg", -1, mapped, 0},
+    {"contrast", 0, "ggg", -1, contrasted, 0},
+    {"bias", 0, "gg", -1, biased, 0},
+    {"average", 0, "n", 1, 0, mean},
+    {"maxcomponent", 0, "n", 1, 0, most},
+    {"mincomponent", 0, "n", 1, 0, least},
+    {"luminance", 0, "3", 1, 0, bright},
+    {"dot", 0, "33", 1, 0, inner},
+    {"length", 0, "n", 1, 0, norm},
+    {"distance", 0, "33", 1, 0, apart},
+    {"cross", 0, "33", 3, 0, outer},
+    {"normalize", 0, "3", 3, 0, unit},
+    {"reflect", 0, "33", 3, 0, mirrored},
+    {"rotate2", 0, "21", 2, 0, turned},
+    {"hsvtorgb", 0, "3", 3, 0, from_hsv},
+    {"rgbtohsv", 0, "3", 3, 0, to_hsv},
+    {"checker", 0, "2", 1, 0, chess},
+    {"vec2", 0, "11", 2, 0, pair},
+    {"vec3", 0, "111", 3, 0, triple},
+    {"vec3", 0, "21", 3, 0, behind},
+    {"vec4", 0, "31", 4, 0, four},
+    {".zyx", POSTFIX, "3", 3, 0, backward},
+    {"[1]", POSTFIX, "n", 1, 0, second},
+};
+enum { RULES = sizeof rules / sizeof *rules };
+#endif

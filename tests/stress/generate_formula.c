@@ -1,0 +1,128 @@
+/* Formulas run backwards: text of random structure from the rows of expression.def, whose widths agree. What a term makes large goes
+ * through an arc tangent, so that no product of such leaves what a float holds; points may be anywhere, so a formula reads sines of them. */
+#include "generate.h"
+#include "grammar/expression_tables.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { MOST_DEPTH = 3 };
+
+typedef struct {
+    Choices *c;
+    Text *out;
+    int inputs; /* i0, i1, ... */
+} Formulas;
+
+static void value(Formulas *f, int width, int depth);
+
+static void number(Formulas *f)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.6g", generate_number(f->c, 0, 8, false));
+    text_put(f->out, text);
+}
+
+static void leaf(Formulas *f, int width)
+{
+    static const char *const leaves[5][6] = {
+        [1] = {"sin(u)", "sin(v)", "cos(x)", "sin(y)", "cos(z)", "pi"},
+        [2] = {"cos(uv)", "N.xz", "sin(p.xy)", "vec2(.3)", "sin(uv + p.zx)", "[u, v] * 0"},
+        [3] = {"sin(p)", "cos(P)", "N", "sin(du)", "cos(dv)", "#c08040"},
+        [4] = {"vec4(N, .5)", "#20406080", "sin(p).xyzx", "vec4(1)", "cos(uv).xyyx", "vec4(2)"}};
+    const uint32_t which = choose(f->c, 8);
+    if (f->inputs && which > 5)
+        text_format(f->out, width == 1 ? "sin(i%d.x)" : "sin(i%d.xxxx)", (int)choose(f->c, (uint32_t)f->inputs));
+    else if (which == 0 && width == 1)
+        number(f);
+    else
+        text_put(f->out, leaves[width][choose(f->c, 6)]);
+    if (f->inputs && which > 5 && width > 1)
+        text_format(f->out, ".%.*s", width, "xyzw");
+}
+
+/* Its value may be large where its arguments are not. */
+static bool grows(const TermRow *row)
+{
+    static const char *const names[] = {"exp",     "exp2",   "sinh",        "cosh",  "tan",  "pow",
+                                        "safepow", "divide", "inversesqrt", "remap", "bias", "degrees"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (!strcmp(names[i], row->name))
+            return true;
+    return false;
+}
+
+/* A letter's width where the term's own is that; a number may stand for a vector. */
+static int width_of(Formulas *f, char letter, int own)
+{
+    return letter == 'g' ? (chance(f->c, 1, 4) ? 1 : own) : letter == 'b' ? 0 : letter - '0';
+}
+
+static void argument(Formulas *f, const TermRow *row, int i, int own, int depth)
+{
+    const char letter = row->signature[i];
+    if (letter == 'i')
+        text_format(f->out, "%d", 1 + (int)choose(f->c, 4));
+    else
+        value(f, width_of(f, letter, own), depth - 1);
+}
+
+static void term(Formulas *f, Term which, int width, int depth)
+{
+    const TermRow *row = &term_table[which];
+    const int own = term_result(row) == 'g' ? width : 1 + (int)choose(f->c, 4);
+    text_put(f->out, grows(row) ? "atan(" : "(");
+    if (row->callable) {
+        text_format(f->out, "%s(", row->name);
+        for (int i = 0; i < row->count; i++) {
+            text_put(f->out, i ? ", " : "");
+            argument(f, row, i, own, depth);
+        }
+        text_put(f->out, ")");
+    } else {
+        const char *symbol = term_symbol(which);
+        if (row->count > 1)
+            argument(f, row, 0, own, depth);
+        text_format(f->out, row->count == 3 ? " ? " : " %s ", symbol);
+        argument(f, row, row->count > 1, own, depth);
+        if (row->count == 3) {
+            text_put(f->out, " : ");
+            argument(f, row, 2, own, depth);
+        }
+    }
+    text_put(f->out, ")");
+    if (term_result(row) == 'g' && width > 1)
+        text_format(f->out, " * vec%d(1)", width); /* all of its arguments may be numbers */
+}
+
+static void value(Formulas *f, int width, int depth)
+{
+    if (width > 0 && (depth <= 0 || chance(f->c, 1, 5))) {
+        leaf(f, width);
+        return;
+    }
+    const Term first = (Term)choose(f->c, TERM_COUNT);
+    for (int i = 0; i < TERM_COUNT; i++) {
+        const Term which = (Term)(((int)first + i) % TERM_COUNT);
+        const char result = term_result(&term_table[which]);
+        if (width == 0 && depth <= 0 && term_table[which].signature[0] == 'b')
+            continue; /* conditions of conditions end here */
+        if (width == 0 ? result == 'b' : result == 'g' || result - '0' == width) {
+            text_put(f->out, width ? "" : "(");
+            term(f, which, width ? width : 1, depth);
+            text_put(f->out, width ? "" : ")");
+            return;
+        }
+    }
+    leaf(f, width); /* nothing gives four lanes but what takes them */
+}
+
+void generate_formula(Choices *c, Text *out, int inputs)
+{
+    Formulas f = {c, out, inputs};
+    if (chance(c, 1, 4)) {
+        text_put(out, "a = ");
+        value(&f, 1, 1);
+        text_put(out, "; a * ");
+    }
+    value(&f, 1 + (int)choose(c, 4), 1 + (int)choose(c, MOST_DEPTH));
+}
