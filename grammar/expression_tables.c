@@ -10,6 +10,7 @@ const TermRow term_table[TERM_COUNT] = {
 #define OPERATOR(name, signature, doc, example) TERM_ROW(name, signature, doc, example, false)
 #define FUNCTION(name, signature, doc, example) TERM_ROW(name, signature, doc, example, true)
 #define JUMPS(name)                             [TERM_##name].jumps = true,
+#define NOISY(name)                             [TERM_##name].noisy = true,
 #define WHOLE(name, low, high)                  [TERM_##name].whole_low = low, [TERM_##name].whole_high = high,
 #define LEAST(name, number, ...)                [TERM_##name].least = number, [TERM_##name].initial = {__VA_ARGS__},
 #include "expression.def"

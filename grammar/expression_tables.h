@@ -25,6 +25,7 @@ typedef struct {
     int whole_low, whole_high;          /* what a whole number may be */
     bool callable;                      /* by its name; else by its symbol alone */
     bool jumps;
+    bool noisy; /* it goes by --noise */
 } TermRow;
 extern const TermRow term_table[TERM_COUNT];
 /* The letter of a term's result. */

@@ -152,11 +152,6 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
     return fine;
 }
 
-bool resolve_is_document_key(const char *key)
-{
-    return !strcmp(key, "defs") || !strcmp(key, "include") || !strcmp(key, "colors");
-}
-
 static void set_presets(const char *preset, Kind kind, Value *params)
 {
     for (int i = 0; preset && i < preset_count; i++)

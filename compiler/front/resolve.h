@@ -2,6 +2,7 @@
 #ifndef MATC_RESOLVE_H
 #define MATC_RESOLVE_H
 #include "compiler/front/tree.h"
+#include <string.h>
 
 /* An ImageMap that says no colour space, and where it will stand. */
 typedef struct {
@@ -39,11 +40,19 @@ typedef struct {
     int depth;
 } Resolver;
 
+/* How many lanes a value may have. */
+typedef struct {
+    int least, most;
+} LaneCount;
+
 /* NULL: see the diagnostics. */
 Graph *resolve(Session *session, Tree *document);
 
 /* Keys of the outermost level that stand beside a material's own. */
-bool resolve_is_document_key(const char *key);
+static inline bool resolve_is_document_key(const char *key)
+{
+    return !strcmp(key, "defs") || !strcmp(key, "include") || !strcmp(key, "colors");
+}
 /* It has keys that make it a scene: its `materials:` are compiled, the rest is runtime/scene's. */
 bool resolve_is_scene(const Tree *document);
 /* A map or a material, made once however often it is met; `outermost`: the document itself. resolve.c */
@@ -57,11 +66,6 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 Value resolve_default(Resolver *r, const ParamRow *row);
 Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree);
-
-/* How many lanes a value may have. */
-typedef struct {
-    int least, most;
-} LaneCount;
 
 /* False, and a diagnostic: a float of GLSL does not hold the number of that tree. */
 bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double number);
@@ -82,6 +86,8 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 bool resolve_expression(Resolver *r, const Tree *tree, Value *params);
 /* The same of a text, whose names are those of `with`, NULL for none, and of the document's definitions. */
 bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params);
+/* A formula in the place of numbers: it must be known here, and has one lane or as many as those may have. */
+bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value);
 /* A text that begins with '='. */
 bool resolve_is_formula(const Tree *tree);
 /* Lanes of a map's value as formulas read it, from those of the maps below it; 0 of a material. */

@@ -1,6 +1,9 @@
 /* Formulas of a document: their text, the maps that they name, and how many lanes a map has in them. */
 #include "compiler/formula/formula.h"
 #include "compiler/front/mistake.h"
+#include "compiler/front/resolve_definition.h"
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 /* A formula and the maps of the names that it reads, each once. */
@@ -50,6 +53,18 @@ static int name_count(const Inputs *in)
     return (int)count;
 }
 
+/* What a name stands for; a definition with parameters has its defaults. NULL: they have a fault, which is said. */
+static Tree *tree_of(Inputs *in, const Member *member)
+{
+    if (!resolve_is_definition(member->value))
+        return member->value;
+    Tree *use = ARENA_NEW(in->r->session->arena, Tree);
+    use->kind = TREE_object;
+    use->span = in->text->span;
+    Tree *tree = resolve_definition(in->r, member, use);
+    return tree;
+}
+
 static int find_input(void *user, const char *name, const FormulaStep *step, int *width)
 {
     Inputs *in = user;
@@ -67,8 +82,9 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
         diag_add(r->session, place(in, step->start, step->end), DIAG_cycle, name);
         return FORMULA_SAID;
     }
-    const Node *node = resolve_map(r, member->value, &fault);
-    if (fault)
+    Tree *tree = tree_of(in, member);
+    const Node *node = tree ? resolve_map(r, tree, &fault) : NULL;
+    if (fault || !tree)
         return FORMULA_SAID;
     const Item item = {.value = {.kind = VALUE_number, .type = TYPE_float}, .input = node, .span = member->span};
     ARENA_PUSH(r->session->arena, in->items, in->count, in->room, item);
@@ -93,23 +109,79 @@ static void keep(Resolver *r, const Inputs *in, const Formula *formula, Value *p
             (Value){.kind = VALUE_items, .items = items, .given = true, .span = in->text->span};
 }
 
-bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params)
+static const Formula *read_formula(Inputs *in)
 {
-    Inputs in = {.r = r, .text = text, .with = with, .skipped = resolve_is_formula(text)};
+    const Tree *text = in->text;
+    in->skipped = resolve_is_formula(text);
     const FormulaSource source = {
-        .session = r->session,
-        .text = text->text + in.skipped,
-        .size = text->count - in.skipped,
-        .srgb = resolve_is_srgb(r, text->span.file),
-        .user = &in,
+        .session = in->r->session,
+        .text = text->text + in->skipped,
+        .size = text->count - in->skipped,
+        .srgb = resolve_is_srgb(in->r, text->span.file),
+        .user = in,
         .span = place,
         .input = find_input,
-        .names = {name_of, &in, name_count(&in)},
+        .names = {name_of, in, name_count(in)},
     };
-    const Formula *formula = formula_read(&source);
+    return formula_read(&source);
+}
+
+bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params)
+{
+    Inputs in = {.r = r, .text = text, .with = with};
+    const Formula *formula = read_formula(&in);
     if (formula)
         keep(r, &in, formula, params);
     return formula != NULL;
+}
+
+/* What a formula reads that is not known when the program is compiled; NULL: nothing. */
+static const char *unknown_part(const Inputs *in, const Formula *formula)
+{
+    if (formula->groups)
+        return "the point";
+    for (size_t i = 0; i < in->count; i++) {
+        const Node *node = in->items[i].input;
+        if (!node || node->kind != KIND_Constant || node->params->kind != VALUE_number)
+            return in->names.at[i];
+    }
+    for (size_t i = 0; i < formula->count; i++)
+        if (formula->steps[i].kind == FORMULA_term && term_table[formula->steps[i].row].noisy)
+            return "noise";
+    return NULL;
+}
+
+bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value)
+{
+    static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
+    Inputs in = {.r = r, .text = text};
+    const Formula *formula = read_formula(&in);
+    if (!formula)
+        return false;
+    const char *part = unknown_part(&in, formula);
+    if (part || (formula->width != 1 && (formula->width < lanes.least || formula->width > lanes.most))) {
+        if (part)
+            diag_add(r->session, text->span, DIAG_formula_varies, what, part);
+        else
+            diag_add(r->session, text->span, DIAG_wrong_count, what, lanes.most == 1 ? "a number" : "three numbers",
+                     formula->width);
+        return false;
+    }
+    double(*known)[4] = arena_zero(r->session->arena, (in.count + formula->count) * sizeof *known);
+    for (size_t i = 0; i < in.count; i++) {
+        value_number(in.items[i].input->params, types[in.items[i].input->width], known[i]);
+        for (int lane = 1; in.items[i].input->width == 1 && lane < 4; lane++)
+            known[i][lane] = known[i][0];
+    }
+    const FormulaPoint point = {.inputs = (const double(*)[4])known, .values = known + in.count};
+    formula_value(formula, &point, value->number);
+    value->type = types[formula->width];
+    for (int lane = 0; lane < formula->width; lane++)
+        if (!(fabs(value->number[lane]) <= FLT_MAX)) {
+            diag_add(r->session, text->span, DIAG_too_large_number, what, text->text);
+            return false;
+        }
+    return true;
 }
 
 /* with: { name: map, ... }. What the formula does not read is looked at, too. */

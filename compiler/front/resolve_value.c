@@ -128,6 +128,8 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
     double number;
     if (tree->kind == TREE_object && tree_find(tree, "param"))
         return param(r, what, tree, lanes, value);
+    if (resolve_is_formula(tree))
+        return resolve_known_formula(r, what, tree, lanes, value);
     if (tree->kind == TREE_list)
         return number_list(r, what, tree, lanes, value);
     if (tree_number(tree, &number)) {
