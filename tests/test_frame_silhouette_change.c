@@ -89,6 +89,26 @@ static void changes(void **state)
     gl_close(gl);
 }
 
+/* Other triangles are seen where something opaque has moved, and nothing is counted again. */
+static void facets(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light", .opaque = true};
+    MatcDocument *document;
+    GlContext *gl = frame_context();
+    Scene *scene = mixed_scene(&options, ".5", &document);
+    Render *render = render_open(gl, &how);
+    assert_true(render && render_scene(render, scene));
+    free(read_frame(render));
+    scene->objects[1].world_from_local.m[12] += .5;
+    assert_true(render_changed_objects(render, 1, 1));
+    assert_as_new(gl, &how, render, scene);
+    render_close(render);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
 /* What is transparent colours light by the maps: half of it; a quarter where the shadow is seen through the pane. */
 static void glass(void **state)
 {
@@ -140,7 +160,7 @@ static void older_drivers(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(glass),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(facets), cmocka_unit_test(glass),
                                        cmocka_unit_test(older_drivers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
