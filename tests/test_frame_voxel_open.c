@@ -5,34 +5,13 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/frame.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/open_ray.h"
+#include "tests/frame/reference_ray.h"
+#include "tests/frame/voxel_points.h"
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
-extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_voxel_ray[];
-
-enum { WIDE = 96, HIGH = 72, PIXELS = WIDE * HIGH, ACROSS = 16, RAYS = ACROSS * ACROSS, TEXELS = 4, TEXT = 2048 };
-
-/* Directions around the normal, z, and the share of rays that meet nothing; words read for each. */
-static const char body[] =
-    "uniform sampler2D points, directions;\nuniform float radius, off;\n"
-    "vec4 pointTexel(ivec2 pixel, int i) { return texelFetch(points, ivec2(4 * pixel.x + i, pixel.y), 0); }\n"
-    "vec4 passPixel(ivec2 pixel)\n{\n"
-    "    vec4 place = pointTexel(pixel, 0);\n    vec3 normal = pointTexel(pixel, 3).xyz;\n    float open = 0.0, steps "
-    "= 0.0;\n"
-    "    if (place.w == 0.0) return vec4(0.0);\n"
-    "    for (int i = 0; i < textureSize(directions, 0).x; i++) {\n"
-    "        vec3 d = texelFetch(directions, ivec2(i, 0), 0).xyz;\n"
-    "        vec3 way = d.x * pointTexel(pixel, 1).xyz + d.y * pointTexel(pixel, 2).xyz + d.z * normal;\n"
-    "        VoxelMeeting meeting;\n"
-    "        open += voxelMeets(off > 0.0 ? place.xyz + off * normal : voxelStart(place.xyz, normal), way, radius, "
-    "meeting) ? 0.0 : 1.0;\n"
-    "        steps += float(meeting.steps);\n    }\n"
-    "    return vec4(open, steps, 0.0, 0.0) / float(textureSize(directions, 0).x);\n}\n";
+enum { WIDE = 96, HIGH = 72, PIXELS = WIDE * HIGH, ACROSS = 16, TEXT = 2048 };
 
 /* Closed, each a hair above the ground: where bodies cross, what both have is empty. */
 #define BODIES                                                                                                         \
@@ -42,7 +21,8 @@ static const char body[] =
     ".5] } }\n"                                                                                                        \
     "- { object: Cone, detail: 48, radius: .3, material: m, transform: { translation: [1.1, -.1, .001] } }\n"
 static const char *mesh_file, *mesh_lift = "0";
-static float points[PIXELS][TEXELS][4], directions[RAYS][4], said[PIXELS][4];
+static VoxelPoints points;
+static float said[PIXELS][4];
 static double truth[PIXELS];
 
 typedef struct {
@@ -86,22 +66,6 @@ static void forget(Place *p)
 
 /* -- points of the picture, and rays from them */
 
-static void make_directions(void)
-{
-    uint32_t state = 5;
-    for (int i = 0; i < RAYS; i++) {
-        double place[2];
-        for (int k = 0; k < 2; k++) {
-            state = state * 1664525u + 1013904223u;
-            place[k] = ((k ? i / ACROSS : i % ACROSS) + (state >> 8) / 16777216.) / ACROSS;
-        }
-        const double r = sqrt(place[0]), turn = 2 * 3.14159265358979323846 * place[1];
-        directions[i][0] = (float)(r * cos(turn));
-        directions[i][1] = (float)(r * sin(turn));
-        directions[i][2] = (float)sqrt(1 - place[0]);
-    }
-}
-
 static bool is_blocked(const Tracer *tracer, const double from[3], const double way[3], double far)
 {
     struct RTCIntersectContext context;
@@ -118,85 +82,48 @@ static bool is_blocked(const Tracer *tracer, const double from[3], const double 
     return ray.tfar < 0;
 }
 
-static double open_by_rays(const Place *p, const Tracer *tracer, const Hit *hit, const double axes[3][3])
+static double open_by_rays(const Place *p, const Tracer *tracer, const Hit *hit, int number)
 {
+    float(*texels)[4] = points.texels[number];
     double from[3], open = 0;
     for (int i = 0; i < 3; i++)
         from[i] = hit->world[i] + 3e-5 * hit->facet[i];
-    for (int k = 0; k < RAYS; k++) {
+    for (int k = 0; k < points.rays; k++) {
+        const float *d = points.directions[k];
         double way[3];
         for (int i = 0; i < 3; i++)
-            way[i] = directions[k][0] * axes[0][i] + directions[k][1] * axes[1][i] + directions[k][2] * axes[2][i];
+            way[i] = d[0] * texels[1][i] + d[1] * texels[2][i] + d[2] * texels[3][i];
         open += !is_blocked(tracer, from, way, p->radius);
     }
-    return open / RAYS;
+    return open / points.rays;
 }
 
 /* The facet's normal: rays below the surface would be another matter. */
 static void make_points(const Place *p)
 {
-    const VoxelGrid *grid = &p->render->voxels.grid;
     Tracer tracer = reference_open(p->scene);
-    memset(points, 0, sizeof points);
+    assert_true(voxel_points_make(WIDE, HIGH, ACROSS, &points));
     for (int i = 0; i < PIXELS; i++) {
         const Ray ray = reference_ray(p->scene, i % WIDE + .5, i / WIDE + .5);
         Hit hit = reference_hit(&tracer, &ray, 0);
-        double axes[3][3], aside[3] = {0};
         if (hit.object < 0)
             continue;
-        const double side = reference_dot(hit.facet, ray.way) < 0 ? 1 : -1;
-        for (int k = 0; k < 3; k++)
-            axes[2][k] = hit.facet[k] *= side;
-        aside[fabs(axes[2][0]) < .6 ? 0 : 1] = 1;
-        reference_cross(axes[2], aside, axes[0]);
-        reference_normalize(axes[0]);
-        reference_cross(axes[2], axes[0], axes[1]);
-        for (int k = 0; k < 3; k++) {
-            points[i][0][k] = (float)((hit.world[k] - grid->low[k]) / grid->edge);
-            for (int axis = 0; axis < 3; axis++)
-                points[i][axis + 1][k] = (float)axes[axis][k];
-        }
-        points[i][0][3] = 1;
-        truth[i] = open_by_rays(p, &tracer, &hit, (const double(*)[3])axes);
+        for (int k = 0, away = reference_dot(hit.facet, ray.way) > 0; k < 3; k++)
+            hit.facet[k] *= away ? -1 : 1;
+        voxel_points_set(&points, i, &p->render->voxels.grid, hit.world, hit.facet);
+        truth[i] = open_by_rays(p, &tracer, &hit, i);
     }
     reference_close(&tracer);
 }
 
-/* -- the same through voxels */
-
 static void by_voxels(const Place *p, double off)
 {
-    GlContext *gl = p->gl;
-    const Render *render = p->render;
-    Store *store = store_new(gl);
-    Screen screen;
-    ScreenPass pass;
-    Framebuffer target;
-    const FramebufferSpec spec = {.width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
-    const TextureSpec specs[2] = {{.width = TEXELS * WIDE, .height = HIGH, .lanes = 4, .floats = points[0][0]},
-                                  {.width = RAYS, .height = 1, .lanes = 4, .floats = directions[0]}};
-    const ScreenPassText text = {
-        .body = {render_text_voxel_map, render_text_voxel_ray, body}, .format = "RGBA32F", .compute = true};
-    gl->ActiveTexture(GL_TEXTURE0);
-    const GLuint textures[2] = {texture_make(gl, &specs[0]), texture_make(gl, &specs[1])};
-    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !textures[0] || !textures[1] ||
-        !screen_pass_make(store, &text, &pass))
-        fail_msg("%s", gl->error);
-    screen_pass_sampler(&pass, "points", 0);
-    screen_pass_sampler(&pass, "directions", 1);
-    pass_voxels_set(render, 2, &pass);
-    material_set_number(&pass.material, "off", (float)off);
-    material_set_number(&pass.material, "radius", (float)(p->radius / render->voxels.grid.edge));
-    texture_bind(gl, textures[0], 0);
-    texture_bind(gl, textures[1], 1);
-    pass_voxels_bind(render, 2);
-    screen_pass_run(&pass, &target, &screen);
-    assert_true(framebuffer_read(gl, &target, 0, said[0]));
-    screen_pass_delete(&pass);
-    framebuffer_delete(gl, &target);
-    screen_delete(gl, &screen);
-    gl->DeleteTextures(2, textures);
-    store_free(store);
+    VoxelPointsPass pass;
+    if (!voxel_points_open(p->render, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
+        fail_msg("%s", p->gl->error);
+    voxel_points_run(p->render, &pass, (float)(p->radius / p->render->voxels.grid.edge), (float)off);
+    assert_true(framebuffer_read(p->gl, &pass.target, 0, said[0]));
+    voxel_points_close(p->render, &pass);
 }
 
 typedef struct {
@@ -208,7 +135,7 @@ static Result compare(void)
     Result result = {0};
     int count = 0;
     for (int i = 0; i < PIXELS; i++) {
-        if (points[i][0][3] == 0)
+        if (points.texels[i][0][3] == 0)
             continue;
         const double off = said[i][0] - truth[i];
         result.error += off * off;
@@ -242,7 +169,6 @@ static void rays_are_as_open_as_exact_ones(void **state)
     (void)state;
     static const int sizes[] = {64, 128, 256};
     static const double bounds[][2] = {{.032, .048}, {.017, .029}, {.013, .018}}; /* of bodies, of surfaces */
-    make_directions();
     print_message("%-10s", "voxels");
     for (int k = 0; k < 2 * OFFS; k++)
         print_message(" %7s %4.2g", k < OFFS ? "body" : "surface", offs[k % OFFS]);
@@ -266,6 +192,7 @@ static void rays_are_as_open_as_exact_ones(void **state)
                         results[OFFS].error <= 1.1 * results[OFFS + k].error);
         if (!mesh_file)
             assert_true(results[0].error <= bounds[i][0] && results[OFFS].error <= bounds[i][1]);
+        voxel_points_free(&points);
         forget(&p);
     }
 }

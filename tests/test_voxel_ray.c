@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_voxel_ray[];
+extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_voxel_ray[], render_text_voxel_march[];
 
 enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
 
@@ -35,6 +35,11 @@ static const char by_voxels[] = "vec4 passPixel(ivec2 pixel)\n{\n"
                                 "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
                                 "    VoxelHit hit = voxelWalk(from.xyz, way.xyz, from.w, 0, true);\n"
                                 "    return said(hit.way >= 0.0, hit.way, hit.at, 0);\n}\n";
+
+static const char by_steps[] = "vec4 passPixel(ivec2 pixel)\n{\n"
+                               "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n    float t;\n"
+                               "    bool met = voxelMarch(from.xyz, from.w * way.xyz, 16, 0.25, t);\n"
+                               "    return said(met, t, ivec3(0), 0);\n}\n";
 
 /* Texels of a ray: from and far, way. */
 typedef float Ray[2][4];
@@ -89,29 +94,45 @@ static VoxelWords make_grid(Filling kind, int size)
     return words;
 }
 
-static GLuint make_map(const GlContext *gl, const VoxelWords *words)
+/* The words of all levels, in a buffer's texture. */
+typedef struct {
+    GLuint words, buffer;
+} Map;
+
+/* Of a level's texels those of the next, in the same place, which is behind what is still read. */
+static void make_level(uint32_t *texels, int edge, int layers)
+{
+    for (int i = 0; i < edge * edge / 4 * layers * LANES; i++) {
+        const int lane = i % LANES, x = i / LANES % (edge / 2), y = i / LANES / (edge / 2) % (edge / 2),
+                  layer = i / LANES / (edge / 2) / (edge / 2);
+        uint32_t any = 0;
+        for (int k = 0; k < 4; k++)
+            any |= texels[((layer * edge + 2 * y + k / 2) * edge + 2 * x + k % 2) * LANES + lane];
+        texels[i] = any;
+    }
+}
+
+static Map make_map(const GlContext *gl, const VoxelWords *words)
 {
     const int layers = (words->size / 32 + LANES - 1) / LANES;
+    const size_t texel = LANES * sizeof(uint32_t) * (size_t)layers;
     uint32_t *texels = voxel_words_texels(words);
-    GLuint map = 0;
-    gl->GenTextures(1, &map);
-    gl->ActiveTexture(GL_TEXTURE0 + 1);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, map);
-    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    for (int level = 0; words->size >> level; level++) {
-        const int edge = words->size >> level;
-        gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, GL_RGBA32UI, edge, edge, layers, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
-                       texels);
-        for (int i = 0; i < edge * edge / 4 * layers * LANES; i++) { /* the next, in the same place: it is behind */
-            const int lane = i % LANES, x = i / LANES % (edge / 2), y = i / LANES / (edge / 2) % (edge / 2),
-                      layer = i / LANES / (edge / 2) / (edge / 2);
-            uint32_t any = 0;
-            for (int k = 0; k < 4; k++)
-                any |= texels[((layer * edge + 2 * y + k / 2) * edge + 2 * x + k % 2) * LANES + lane];
-            texels[i] = any;
-        }
+    Map map;
+    size_t at = 0;
+    gl->GenBuffers(1, &map.buffer);
+    gl->BindBuffer(GL_TEXTURE_BUFFER, map.buffer);
+    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)((size_t)((4 * words->size * words->size - 1) / 3) * texel), NULL,
+                   GL_STATIC_DRAW);
+    for (int edge = words->size; edge; edge /= 2) {
+        const size_t bytes = (size_t)(edge * edge) * texel;
+        gl->BufferSubData(GL_TEXTURE_BUFFER, (GLintptr)at, (GLsizeiptr)bytes, texels);
+        make_level(texels, edge, layers);
+        at += bytes;
     }
+    gl->GenTextures(1, &map.words);
+    gl->ActiveTexture(GL_TEXTURE0 + 1);
+    gl->BindTexture(GL_TEXTURE_BUFFER, map.words);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, map.buffer);
     free(texels);
     return map;
 }
@@ -157,7 +178,7 @@ static void hostile_ray(int number, int size, Ray ray)
 
 /* -- the GLSL */
 
-static void run(GlContext *gl, const char *text, const char *body, float (*result)[4])
+static void run(GlContext *gl, int size, const char *text, const char *body, float (*result)[4])
 {
     Store *store = store_new(gl);
     Screen screen;
@@ -174,7 +195,8 @@ static void run(GlContext *gl, const char *text, const char *body, float (*resul
         !screen_pass_make(store, &made, &pass))
         fail_msg("%s", gl->error);
     screen_pass_sampler(&pass, "rays", 0);
-    screen_pass_sampler(&pass, "voxel_map", 1);
+    screen_pass_sampler(&pass, "voxel_words", 1);
+    material_set_number(&pass.material, "voxel_size", (float)size);
     texture_bind(gl, name, 0);
     screen_pass_run(&pass, &target, &screen);
     assert_true(framebuffer_read(gl, &target, 0, result[0]));
@@ -260,15 +282,15 @@ static Count compare(const VoxelWords *words)
 static void try_grid(GlContext *gl, Filling kind, int size, bool hostile)
 {
     VoxelWords words = make_grid(kind, size);
-    const GLuint map = make_map(gl, &words);
+    const Map map = make_map(gl, &words);
     random_state = (uint32_t)(size + kind);
     for (int i = 0; i < RAYS; i++)
         if (hostile)
             hostile_ray(i, size, rays[i]);
         else
             random_ray(size, i % 4 == 0, rays[i]);
-    run(gl, render_text_voxel_ray, by_levels, said[0]);
-    run(gl, render_text_voxel_walk, by_voxels, said[1]);
+    run(gl, size, render_text_voxel_ray, by_levels, said[0]);
+    run(gl, size, render_text_voxel_walk, by_voxels, said[1]);
     const Count count = compare(&words);
     print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f steps a ray\n", size,
                   kinds[kind], hostile ? "hostile" : "random ", count.met, RAYS, count.apart, count.wrong, count.unlike,
@@ -277,7 +299,8 @@ static void try_grid(GlContext *gl, Filling kind, int size, bool hostile)
     assert_int_equal(count.wrong, 0);
     if (!hostile)
         assert_true(count.unlike < RAYS / 20);
-    gl->DeleteTextures(1, &map);
+    gl->DeleteTextures(1, &map.words);
+    gl->DeleteBuffers(1, &map.buffer);
     free(words.words);
 }
 
@@ -294,10 +317,56 @@ static void rays_meet_what_a_walk_meets(void **state)
     gl_close(gl);
 }
 
+/* The march of the thesis: the first of 16 even places that is in a full voxel; places that are near a face may be on either side. */
+static int march(const VoxelWords *words, const Ray ray, bool *near_face)
+{
+    for (int j = 1; j <= 16; j++) {
+        const double t = (j + .25) / 16 * ray[0][3];
+        int at[3], outside = 0;
+        for (int k = 0; k < 3; k++) {
+            const double place = ray[0][k] + t * ray[1][k];
+            at[k] = (int)floor(place);
+            *near_face |= fabs(place - round(place)) < 1e-3;
+            outside += at[k] < 0 || at[k] >= words->size;
+        }
+        if (!outside && voxel_words_at(words, at))
+            return j;
+    }
+    return 0;
+}
+
+static void marches_look_at_even_places(void **state)
+{
+    (void)state;
+    GlContext *gl = frame_context();
+    VoxelWords words = make_grid(BALL, 64);
+    const Map map = make_map(gl, &words);
+    int met = 0, compared = 0;
+    random_state = 9;
+    for (int i = 0; i < RAYS; i++)
+        random_ray(64, i % 4 == 0, rays[i]);
+    run(gl, 64, render_text_voxel_march, by_steps, said[0]);
+    for (int i = 0; i < RAYS; i++) {
+        bool near_face = false;
+        const int step = march(&words, (const float(*)[4])rays[i], &near_face);
+        if (near_face)
+            continue;
+        assert_true(said[0][i][0] == (step ? (step + .25f) / 16 : -1));
+        met += step > 0;
+        compared++;
+    }
+    assert_true(compared > RAYS / 2 && met > RAYS / 10);
+    gl->DeleteTextures(1, &map.words);
+    gl->DeleteBuffers(1, &map.buffer);
+    free(words.words);
+    gl_close(gl);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rays_meet_what_a_walk_meets),
+        cmocka_unit_test(marches_look_at_even_places),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

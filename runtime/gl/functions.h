@@ -63,6 +63,7 @@
     F(GETSHADERINFOLOG, GetShaderInfoLog)                                                                              \
     F(GETSHADERIV, GetShaderiv)                                                                                        \
     F(GETSTRING, GetString)                                                                                            \
+    F(GETTEXIMAGE, GetTexImage)                                                                                        \
     F(GETUNIFORMLOCATION, GetUniformLocation)                                                                          \
     F(LINKPROGRAM, LinkProgram)                                                                                        \
     F(LOGICOP, LogicOp)                                                                                                \

@@ -30,7 +30,6 @@ bool pass_cubes_make(Render *render)
                        render->voxels.grid.size, render->voxels.levels - 1);
     if (!screen_pass_make(render->store, &text, &render->voxels.view))
         return false;
-    screen_pass_sampler(&render->voxels.view, "voxel_map", 0);
     material_set_number(&render->voxels.view.material, "cubes_level", (float)level);
     pass_cubes_place(render);
     return true;
@@ -49,6 +48,7 @@ void pass_cubes_place(Render *render)
     const VoxelGrid *grid = &render->voxels.grid;
     if (!render->voxels.view.material.store)
         return;
+    pass_voxels_set(render, 0, &render->voxels.view);
     for (int i = 0; i < 4; i++) {
         float lanes[4] = {0};
         for (int k = 0; k < 3; k++)
@@ -61,9 +61,7 @@ void pass_cubes_place(Render *render)
 
 void pass_cubes_draw(Render *render)
 {
-    const GlContext *gl = render->gl;
-    gl->ActiveTexture(GL_TEXTURE0);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels.map);
+    pass_voxels_bind(render, 0);
     screen_pass_run(&render->voxels.view, &render->draws[FRAME_DRAW_cubes], &render->screen);
 }
 

@@ -69,6 +69,30 @@ static GLuint make_texture(Render *render, GLenum format, int layers, int levels
     return made;
 }
 
+/* What a level takes, in bytes. */
+static size_t level_bytes(const FrameVoxels *voxels, int level)
+{
+    const size_t edge = (size_t)voxels->grid.size >> level;
+    return edge * edge * (size_t)voxels->layers * 4 * sizeof(GLuint);
+}
+
+/* The map as one row of words: a look-up takes no sizes or places of levels, which cost more than the word where a processor draws. */
+static void make_words(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
+    size_t bytes = 0;
+    for (int level = 0; level < voxels->levels; level++)
+        bytes += level_bytes(voxels, level);
+    gl->GenBuffers(1, &voxels->buffer);
+    gl->BindBuffer(GL_TEXTURE_BUFFER, voxels->buffer);
+    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)bytes, NULL, GL_STATIC_COPY);
+    gl->GenTextures(1, &voxels->words);
+    gl->BindTexture(GL_TEXTURE_BUFFER, voxels->words);
+    gl->TexBuffer(GL_TEXTURE_BUFFER, GL_R32UI, voxels->buffer);
+    gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
 static bool make_textures(Render *render)
 {
     FrameVoxels *voxels = &render->voxels;
@@ -80,6 +104,7 @@ static bool make_textures(Render *render)
     voxels->within = make_texture(render, GL_RGBA32UI, voxels->layers, 1);
     voxels->surface = make_texture(render, GL_R32UI, size / WORD, 1);
     voxels->map = make_texture(render, GL_RGBA32UI, voxels->layers, voxels->levels);
+    make_words(render);
     render->gl->GenFramebuffers(1, &voxels->framebuffer);
     return gl_check(render->gl, "making room for voxels");
 }
@@ -218,6 +243,21 @@ static void draw_levels(Render *render)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, voxels->levels - 1);
 }
 
+/* On the driver's side; the map stays bound. */
+static void copy_words(const Render *render)
+{
+    const GlContext *gl = render->gl;
+    const FrameVoxels *voxels = &render->voxels;
+    size_t at = 0;
+    bind(gl, voxels->map, 0);
+    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, voxels->buffer);
+    for (int level = 0; level < voxels->levels; level++) {
+        gl->GetTexImage(GL_TEXTURE_2D_ARRAY, level, GL_RGBA_INTEGER, GL_UNSIGNED_INT, (void *)at);
+        at += level_bytes(voxels, level);
+    }
+    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
+}
+
 void pass_voxels_draw(Render *render)
 {
     const GlContext *gl = render->gl;
@@ -230,6 +270,7 @@ void pass_voxels_draw(Render *render)
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     draw_levels(render);
+    copy_words(render);
     render->voxels.drawn = true;
 }
 
@@ -246,11 +287,16 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
     matrix[15] = 1;
     material_set_number(&pass->material, "voxel_off",
                         has(&render->voxels, &render->cache, false) ? OFF_SURFACES : OFF_BODIES);
-    screen_pass_sampler(pass, "voxel_map", unit);
+    screen_pass_sampler(pass, "voxel_words", unit);
+    material_set_number(&pass->material, "voxel_size", (float)grid->size);
     material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
 }
 
-void pass_voxels_bind(const Render *render, int unit) { bind(render->gl, render->voxels.map, unit); }
+void pass_voxels_bind(const Render *render, int unit)
+{
+    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels.words);
+}
 
 void pass_voxels_change(Render *render)
 {
@@ -273,6 +319,8 @@ void pass_voxels_delete(Render *render)
     gl->DeleteTextures(1, &voxels->within);
     gl->DeleteTextures(1, &voxels->surface);
     gl->DeleteTextures(1, &voxels->map);
+    gl->DeleteTextures(1, &voxels->words);
+    gl->DeleteBuffers(1, &voxels->buffer);
     free(voxels->closed);
     free(voxels->open);
     pass_cubes_delete(render);

@@ -1,8 +1,9 @@
-// The slice map, and a ray through it: where it crosses the planes between voxels. Places are in the grid's units: voxels, from the map's lowest corner.
+// The slice map's words, and a ray through it: where it crosses the planes between voxels. Places are in the grid's units: voxels, from the map's lowest corner.
 //
-// A ray is in voxel after voxel, and which is next says one rule: of the planes that it has yet to cross, the one with the least t, and of several with the same
-// t that across z before y before x. t of a plane is one formula of floats, voxelCrossings, whoever asks: so all ways through the map, by single
-// voxels or by blocks of them, meet the same voxel at the same t, bit for bit.
+// A ray is walked as if it went up along each axis: where it goes down, voxels are counted from the other end, and its place is turned. It is in voxel after voxel,
+// and which is next says one rule: of the planes that it has yet to cross, the one with the least t, and of several with the same t that across z before y before x. t of
+// a plane is one formula of floats, voxelCrossings, whoever asks: so all ways through the map, by single voxels or by blocks of them, meet the same voxel at
+// the same t, bit for bit.
 //
 //     from (0.5, 0.5, 0.5) along (1, 1, 0): both planes at 1 are crossed at t = 0.5, y first: voxels (0, 0, 0), (0, 1, 0), (1, 1, 0)
 #if __VERSION__ >= 400
@@ -10,10 +11,10 @@
 #else
 #define VOXEL_EXACT
 #endif
-uniform usampler2DArray voxel_map;
-uniform mat4 voxel_from_eye; // the grid's units from the eye's space
-
-uniform float voxel_off;     // how far off a surface rays begin, in widths of a voxel
+uniform usamplerBuffer voxel_words; // of all levels, the lowest first: texels of a level as the map has them, four words each
+uniform int voxel_size;             // voxels along an edge: a power of two
+uniform mat4 voxel_from_eye;        // the grid's units from the eye's space
+uniform float voxel_off;            // how far off a surface rays begin, in widths of a voxel
 
 // A place, and a direction, of the eye's space. A ray's t is the same in both.
 vec3 voxelPlace(vec3 eye)
@@ -33,46 +34,54 @@ vec3 voxelStart(vec3 place, vec3 normal)
     return place + voxel_off * dot(abs(normal), vec3(1.0)) * normal;
 }
 
+// The word of a level that has a voxel: 32 along z; `at` is in columns of that level.
+uint voxelWord(ivec2 at, int z, int level)
+{
+    int edge = voxel_size >> level, layers = (voxel_size + 127) >> 7;
+    int below = int(uint(voxel_size * voxel_size - edge * edge) * 0xAAAAAAABu) * 4; // texels of a layer, 4/3 of the difference, as 1/3 is that modulo 2^32
+    return texelFetch(voxel_words, ((below * layers + (z >> 7) * edge * edge + at.y * edge + at.x) << 2) + (z >> 5 & 3)).x;
+}
+
 bool voxelIsFull(ivec3 at, int level)
 {
-    uvec4 words = texelFetch(voxel_map, ivec3(at.xy, at.z >> 7), level);
-    return (words[at.z >> 5 & 3] >> uint(at.z & 31) & 1u) != 0u;
+    return (voxelWord(at.xy, at.z, level) >> uint(at.z & 31) & 1u) != 0u;
 }
 
 // A place is in a full voxel; outside of the map nothing is full.
 bool voxelAt(vec3 place)
 {
-    float size = float(textureSize(voxel_map, 0).x);
-    if (!all(greaterThanEqual(place, vec3(0.0))) || !all(lessThan(place, vec3(size)))) return false;
+    if (!all(greaterThanEqual(place, vec3(0.0))) || !all(lessThan(place, vec3(voxel_size)))) return false;
     return voxelIsFull(ivec3(place), 0);
 }
 
 struct VoxelWay {
-    vec3 start;        // in the map: where the ray begins, or comes in
-    vec3 along, over;  // its direction, the greatest lane 1 or -1, none 0; 1 over it
-    bvec3 forward;     // lanes that are greater than 0
+    vec3 start;        // in the map: where the ray begins, or comes in; turned
+    vec3 along, over;  // its direction, turned: the greatest lane 1, none 0 or less; 1 over it
+    ivec3 turn;        // of each axis: a voxel is number i ^ turn
     float scale;       // t of the whole ray times this is a length of this one
     float begin, most; // the length before the start; of what remains
     bool within;       // the ray begins in the map
     int axis;          // across which it comes in; 3: it begins there
 };
 
-// Lanes of a direction that are less than 1e-20 of the greatest count as that, so that none is 0. False: the ray, as long as it is, does not come to the map, or its direction is not between 1e-30 and 1e30 long, or a lane is no number.
+// Lanes of a direction that are less than 1e-20 of the greatest count as that, so that none is 0. False: the ray, as long as it is, does not come to the map, or its
+// direction is not between 1e-30 and 1e30 long, or a lane is no number.
 bool voxelSetOut(vec3 from, vec3 direction, float far, out VoxelWay way)
 {
     const float least = 1e-20, shortest = 1e-30, longest = 1e30;
-    float size = float(textureSize(voxel_map, 0).x);
+    float size = float(voxel_size);
     way.scale = max(max(abs(direction.x), abs(direction.y)), abs(direction.z));
-    way.along = direction / way.scale;
-    way.along = mix(way.along, vec3(least), lessThan(abs(way.along), vec3(least)));
+    bvec3 down = lessThan(direction, vec3(-least * way.scale));
+    vec3 place = mix(from, size - from, down);
+    way.turn = (voxel_size - 1) * ivec3(down);
+    way.along = max(abs(direction) / way.scale, vec3(least));
     way.over = 1.0 / way.along;
-    way.forward = greaterThan(way.along, vec3(0.0));
-    vec3 low = -from * way.over, high = (size - from) * way.over, near = min(low, high), beyond = max(low, high);
+    vec3 near = -place * way.over, beyond = (size - place) * way.over;
     way.begin = max(max(near.x, near.y), max(near.z, 0.0));
     way.within = all(greaterThanEqual(from, vec3(0.0))) && all(lessThanEqual(from, vec3(size)));
     way.axis = way.within ? 3 : way.begin == near.x ? 0 : way.begin == near.y ? 1 : 2;
     if (way.within) way.begin = 0.0;
-    way.start = way.within ? from : clamp(from + way.begin * way.along, vec3(0.0), vec3(size));
+    way.start = clamp(place + way.begin * way.along, vec3(0.0), vec3(size));
     way.most = far * way.scale - way.begin;
     uvec3 bits = max(floatBitsToUint(abs(from)), floatBitsToUint(abs(direction))); // compilers take it that no comparison has a NaN
     bool fit = all(lessThan(bits, uvec3(floatBitsToUint(longest)))) && floatBitsToUint(abs(far)) <= 0x7F800000u && way.scale > shortest;

@@ -11,17 +11,6 @@ struct VoxelMeeting {
     int steps; // words that were read
 };
 
-// Voxels in which a ray is that has gone so far: behind all planes that come before plane `axis` at that length; -1: behind those at it, too.
-ivec3 voxelPassed(VoxelWay way, float gone, int axis)
-{
-    ivec3 guess = ivec3(floor(way.start + gone * way.along)), turn = ivec3(mix(vec3(-1.0), vec3(1.0), way.forward));
-    vec3 enter = voxelCrossings(way, vec3(guess) + 1.0 - vec3(way.forward)), leave = voxelCrossings(way, vec3(guess) + vec3(way.forward));
-    bvec3 first = greaterThan(ivec3(0, 1, 2), ivec3(axis));
-    bvec3 left = bvec3(first.x ? leave.x <= gone : leave.x < gone, first.y ? leave.y <= gone : leave.y < gone, first.z ? leave.z <= gone : leave.z < gone);
-    bvec3 entered = bvec3(first.x ? enter.x <= gone : enter.x < gone, first.y ? enter.y <= gone : enter.y < gone, first.z ? enter.z <= gone : enter.z < gone);
-    return guess + turn * (ivec3(left) - ivec3(not(entered)));
-}
-
 // The lowest bit of a word that is not 0, or its highest.
 int voxelBit(uint word, bool lowest)
 {
@@ -33,62 +22,64 @@ int voxelBit(uint word, bool lowest)
 #endif
 }
 
+// A ray that begins in a full voxel goes on, voxel by voxel, to the first empty one. False: there is none on its way.
+bool voxelLeave(VoxelWay way, inout ivec3 at, inout float entered, inout int steps)
+{
+    for (bool full = true; full; steps++) {
+        vec3 lengths = voxelCrossings(way, vec3(at + 1));
+        int axis = voxelFirst(lengths);
+        entered = min(min(lengths.x, lengths.y), lengths.z);
+        at += ivec3(axis == 0, axis == 1, axis == 2);
+        if (!(entered <= way.most) || any(greaterThanEqual(at, ivec3(voxel_size)))) return false;
+        full = voxelIsFull(at ^ way.turn, 0);
+    }
+    return true;
+}
+
 bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
 {
-    const int most = 8192; // steps; a walk has fewer than 3 * 512, and each can go down once from each level
+    const int most = 8192;      // steps; a walk has fewer than 3 * 512, and each can go down once from each level
+    const float beside = 0.002; // voxels: more than a place of a ray is off that is computed in floats
     VoxelWay way;
     meeting = VoxelMeeting(far, ivec3(0), 0);
     if (!voxelSetOut(from, direction, far, way)) return false;
-    int size = textureSize(voxel_map, 0).x, level = 0;
-    ivec3 at = clamp(ivec3(floor(way.start)), ivec3(0), ivec3(size - 1));
+    ivec3 at = min(ivec3(way.start), voxel_size - 1);
+    int level = 0, steps = 1;
     float entered = 0.0;
-    bool own = way.within;
-    for (meeting.steps = 1; meeting.steps < most; meeting.steps++) {
-        ivec3 edge = ivec3(ivec2(1 << level), 32), low = at & -edge;
-        vec3 lengths = voxelCrossings(way, mix(vec3(low), vec3(low + edge), way.forward));
-        int axis = voxelFirst(lengths);
-        float leave = min(min(lengths.x, lengths.y), lengths.z);
-        bool last = leave > way.most;
-        if (last) {
-            leave = way.most;
-            axis = -1;
-        }
-        ivec3 here = low, there = low + edge - 1; // what the ray can pass of the column
-        here = ivec3(way.forward.x ? at.x : here.x, way.forward.y ? at.y : here.y, way.forward.z ? at.z : here.z);
-        there = ivec3(way.forward.x ? there.x : at.x, way.forward.y ? there.y : at.y, way.forward.z ? there.z : at.z);
-        ivec3 next = clamp(voxelPassed(way, leave, axis), here, there);
-        int lowest = min(at.z, next.z) & 31, highest = max(at.z, next.z) & 31;
-        uint within = (0xFFFFFFFFu << uint(lowest)) & (0xFFFFFFFFu >> uint(31 - highest));
-        uint word = texelFetch(voxel_map, ivec3(at.xy >> level, at.z >> 7), level)[at.z >> 5 & 3];
-        uint met = (own ? ~word : word) & within;
-        if (met != 0u && level > 0) {
-            level--;
-            continue;
-        }
-        if (met != 0u && own) { // the first empty voxel: what comes behind it counts
-            uint bit = 1u << uint(voxelBit(met, way.forward.z));
-            met = word & within & (way.forward.z ? ~(bit - 1u) : bit - 1u);
-            own = false;
-        }
-        if (met != 0u) {
-            int z = (at.z & -32) + voxelBit(met, way.forward.z);
-            if (z != at.z) entered = voxelCrossings(way, vec3(z + (way.forward.z ? 0 : 1))).z;
-            meeting.t = min((way.begin + entered) / way.scale, far);
-            meeting.at = ivec3(at.xy, z);
-            return true;
-        }
-        if (last) return false;
-        at = ivec3(axis == 0 ? (way.forward.x ? low.x + edge.x : low.x - 1) : next.x, axis == 1 ? (way.forward.y ? low.y + edge.y : low.y - 1) : next.y,
-                   axis == 2 ? (way.forward.z ? low.z + edge.z : low.z - 1) : next.z);
-        if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(size)))) return false;
-        entered = leave;
-        if (!own && size >> (level + 1) > 0) level++;
+    if (way.within && voxelIsFull(at ^ way.turn, 0) && !voxelLeave(way, at, entered, steps)) {
+        meeting.steps = steps;
+        return false;
     }
-    return false;
+    vec3 start = way.start - beside;
+    uint met = 0u;
+    for (; steps < most; steps++) {
+        ivec3 last = at | ivec3(ivec2((1 << level) - 1), 31); // of the column
+        vec3 ends = voxelCrossings(way, vec3(last + 1));
+        float leave = min(min(ends.x, ends.y), ends.z);
+        ivec3 next = clamp(ivec3(start + leave * way.along), at, last); // where it leaves, or one voxel before that
+        vec3 passed = voxelCrossings(way, vec3(next + 1));
+        next += ivec3(passed.x < leave || ends.x < min(ends.y, ends.z), passed.y < leave || (passed.y == leave && leave < ends.z), passed.z <= leave);
+        int here = (at.z ^ way.turn.z) & 31, there = (min(next.z, last.z) ^ way.turn.z) & 31;
+        uint within = (0xFFFFFFFFu << uint(min(here, there))) & (0xFFFFFFFFu >> uint(31 - max(here, there)));
+        met = voxelWord((at.xy ^ way.turn.xy) >> level, at.z ^ way.turn.z, level) & within;
+        bool clear = met == 0u;
+        if (!clear && level == 0) break;
+        at = clear ? next : at;
+        entered = clear ? leave : entered;
+        level = clear ? level + int(voxel_size >> level > 1) : level - 1;
+        if (!(entered <= way.most) || ((at.x | at.y | at.z) & voxel_size) != 0) break;
+    }
+    meeting.steps = steps;
+    if (met == 0u || level > 0) return false;
+    int z = ((at.z ^ way.turn.z) & -32 | voxelBit(met, way.turn.z == 0)) ^ way.turn.z;
+    if (z != at.z) entered = voxelCrossings(way, vec3(z)).z;
+    meeting.t = min((way.begin + entered) / way.scale, far);
+    meeting.at = ivec3(at.xy, z) ^ way.turn;
+    return entered <= way.most;
 }
 
 // A ray from a place of the grid along `way`, of any length from 1e-30 to 1e30, meets a full voxel at 0 <= t <= far; t, where it enters it, and far are in multiples of `way`.
-// Full voxels in which it begins do not count, up to the first empty one: what begins half a voxel off a surface does not meet that.
+// Full voxels in which it begins do not count, up to the first empty one: what begins where voxelStart says does not meet the surface that it comes from.
 bool voxelRay(vec3 from, vec3 way, float far, out float t)
 {
     VoxelMeeting meeting;

@@ -3,6 +3,7 @@ struct VoxelHit {
     float way; // to where the ray enters the voxel, in multiples of its direction; less than 0: it meets none
     ivec3 at;
     int axis;  // of the face through which it enters: 0 to 2; 3: it begins there
+    int steps; // voxels that were read
 };
 
 // From a place along a direction, at most so many times it. On a level above, voxels are 2^level wide along x and y. `own`: of a ray that begins in full voxels those
@@ -10,22 +11,21 @@ struct VoxelHit {
 VoxelHit voxelWalk(vec3 from, vec3 direction, float far, int level, bool own)
 {
     VoxelWay way;
-    ivec3 size = ivec3(textureSize(voxel_map, level).xy, textureSize(voxel_map, 0).x);
-    vec3 wide = vec3(vec2(exp2(float(level))), 1.0);
-    if (!voxelSetOut(from, direction, far, way)) return VoxelHit(-1.0, ivec3(0), 3);
-    ivec3 at = clamp(ivec3(floor(way.start / wide)), ivec3(0), size - 1);
+    ivec3 shift = ivec3(level, level, 0), size = ivec3(voxel_size) >> shift;
+    if (!voxelSetOut(from, direction, far, way)) return VoxelHit(-1.0, ivec3(0), 3, 0);
+    ivec3 at = min(ivec3(way.start) >> shift, size - 1), turn = way.turn >> shift;
     int axis = way.axis;
     float entered = 0.0;
     own = own && way.within;
-    for (;;) {
-        bool full = voxelIsFull(at, level);
-        if (full && !own) return VoxelHit(min((way.begin + entered) / way.scale, far), at, axis);
+    for (int steps = 1;; steps++) {
+        bool full = voxelIsFull(at ^ turn, level);
+        if (full && !own) return VoxelHit(min((way.begin + entered) / way.scale, far), at ^ turn, axis, steps);
         own = own && full;
-        vec3 lengths = voxelCrossings(way, (vec3(at) + vec3(way.forward)) * wide);
+        vec3 lengths = voxelCrossings(way, vec3((at + 1) << shift));
         axis = voxelFirst(lengths);
         entered = lengths[axis];
-        if (!(entered <= way.most)) return VoxelHit(-1.0, at, axis);
-        at[axis] += way.forward[axis] ? 1 : -1;
-        if (at[axis] < 0 || at[axis] >= size[axis]) return VoxelHit(-1.0, at, axis);
+        if (!(entered <= way.most)) return VoxelHit(-1.0, at, axis, steps);
+        at[axis]++;
+        if (at[axis] >= size[axis]) return VoxelHit(-1.0, at, axis, steps);
     }
 }

@@ -27,6 +27,7 @@ typedef struct {
     bool *closed, *open;    /* by mesh of the cache: it is; it is not */
     GLuint within, surface; /* of closed meshes, in the form of the map; of others: R32UI, a word in each layer */
     GLuint map;             /* both; a level above has a texel for 2 x 2, where any of them is full */
+    GLuint words, buffer;   /* of all levels, as rays read them: a texture of a buffer's, R32UI */
     GLuint framebuffer;
     Material flip, touch, merge, above; /* into within, surface, the map's lowest level, those above */
     bool drawn;                         /* the map holds the scene */
@@ -38,8 +39,8 @@ bool pass_voxels_make(Render *render);
 void pass_voxels_draw(Render *render);
 /* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
 void pass_voxels_change(Render *render);
-/* Tells a pass that has voxel_map.glsl in its text which unit the map is bound to, and where the eye is in it: when it is made, and when the camera or objects
- * have moved. Binds the map to that unit: before each run. */
+/* Tells a pass that has voxel_map.glsl in its text which unit the words are bound to, and where the eye is in it: when it is made, and when the camera or objects
+ * have moved. Binds them to that unit: before each run. */
 void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
 void pass_voxels_bind(const Render *render, int unit);
 void pass_voxels_delete(Render *render);

@@ -62,6 +62,8 @@ static const struct {
      true},
     {"shadows", bench_shadows, "how far ends of shadows are from the true ones, and what they take, by every method",
      true},
+    {"indirect", bench_indirect, "slice maps, and rays through voxels by levels, voxel by voxel, by the thesis' march",
+     true},
     {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk", true},
 };
 

@@ -49,6 +49,8 @@ int bench_render(int argc, char **argv);
 int bench_shadows(int argc, char **argv);
 /* The rows of grammar/cells.def, measured. */
 int bench_cells(int argc, char **argv);
+/* Voxels and rays through them: --untimed --gl=KIND --mesh=FILE --lift=HEIGHT --voxels=N, names of tables. */
+int bench_indirect(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
 int bench_guards(int argc, char **argv);

@@ -66,7 +66,8 @@ VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line)
         return met;
     bool own = met.t == 0;
     for (int k = 0; k < 3; k++) {
-        const double place = floor(line->from[k] + met.t * line->way[k]);
+        const double at = line->from[k] + met.t * line->way[k];
+        const double place = line->way[k] < 0 ? ceil(at) - 1 : floor(at); /* on a face it is in what it goes into */
         own &= line->from[k] >= 0 && line->from[k] <= words->size;
         met.at[k] = (int)fmin(fmax(place, 0), words->size - 1);
     }
