@@ -151,11 +151,11 @@ static Result compare(void)
 static void make_surfaces(Place *p)
 {
     FrameVoxels *voxels = &p->render->voxels;
-    for (int i = 0; i < p->render->cache.mesh_count; i++) {
-        assert_true(voxels->closed[i]);
-        voxels->closed[i] = false;
-        voxels->open[i] = true;
+    for (int i = 0; i < p->render->cache.place_count; i++) {
+        assert_true(voxels->waves[i] > 0);
+        voxels->waves[i] = 0;
     }
+    voxels->wave_count = 0;
     voxels->drawn = false;
     assert_true(render_frame(p->render));
 }

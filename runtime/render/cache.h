@@ -119,7 +119,8 @@ typedef struct {
     bool mirrored;      /* triangles turn the other way round there */
     Material *solid;    /* draws depth alone (shadow_depth.glsl) */
     int number;         /* of its map: the uniform glass_map of programs that color shadows */
-    const bool *meshes; /* by mesh: it is drawn; NULL: all are */
+    const unsigned char *waves; /* by place: those are drawn that have the number `wave`; NULL: all are */
+    int wave;
     bool varying;       /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
 } CacheLight;
 

@@ -50,7 +50,7 @@ static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *
     int count = 0;
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
-        if (place->transparent == transparent && (!light->meshes || light->meshes[place->mesh]) &&
+        if (place->transparent == transparent && (!light->waves || light->waves[cache->cast_order[i]] == light->wave) &&
             !(light->varying && place->even) &&
             cull_sees(light->volume, &cache->boxes[place->mesh],
                       &source->scene->objects[place->object].world_from_local))

@@ -142,7 +142,7 @@ static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
     const unsigned kept = facet_lights_seen(render) ? SEEN : 0;
-    if (view && pass_cubes_level(view) >= 0)
+    if (view && voxels_view_level(view) >= 0)
         return CUBES;
     if (view && indirect_view_lanes(view))
         return OPEN | kept;
@@ -391,6 +391,7 @@ void frame_delete(Render *render)
     pass_volume_delete(render);
     pass_shadow_delete(render);
     pass_exact_delete(render);
+    pass_cubes_delete(render);
     pass_voxels_delete(render);
     light_table_delete(render);
     gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */

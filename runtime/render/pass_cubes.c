@@ -1,27 +1,13 @@
 /* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and voxel_walk.glsl. */
 #include "runtime/render/frame.h"
-#include <string.h>
 
 extern const char render_text_voxel_map[], render_text_voxel_walk[], render_text_pass_cubes[];
 
-/* No level has two digits: 512 voxels have ten. */
-int pass_cubes_level(const char *view)
-{
-    static const char name[] = "voxels";
-    const char *digit = view + strlen(name);
-    if (strncmp(view, name, strlen(name)) != 0)
-        return -1;
-    return !*digit ? 0 : *digit >= '0' && *digit <= '9' && !digit[1] ? *digit - '0' : -1;
-}
-
-bool pass_cubes_needed(const Render *render)
-{
-    return render->options.view && pass_cubes_level(render->options.view) >= 0;
-}
+bool pass_cubes_needed(const Render *render) { return voxels_view_level(render->options.view) >= 0; }
 
 bool pass_cubes_make(Render *render)
 {
-    const int level = pass_cubes_level(render->options.view);
+    const int level = voxels_view_level(render->options.view);
     const ScreenPassText text = {.body = {render_text_voxel_map, render_text_voxel_walk, render_text_pass_cubes},
                                  .format = frame_format(render, FRAME_TARGET_cubes, 0),
                                  .compute = render->compute};

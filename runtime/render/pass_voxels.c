@@ -1,5 +1,5 @@
-/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Closed meshes turn bits over by an exclusive
- * or of the driver's; surfaces of the others set theirs along each axis; both are merged, then the levels above are made. */
+/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Bodies turn bits over by an exclusive
+ * or of the driver's, in waves of those that are apart; surfaces of the others set theirs along each axis; all are merged, then the levels above are made. */
 #include "runtime/render/frame.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,44 +10,12 @@ extern const char render_text_shadow_depth[], render_text_voxel_flip[], render_t
 /* Where rays begin, voxel_map.glsl: by the table of tests/test_frame_voxel_open.c. */
 #define OFF_BODIES   .5f
 #define OFF_SURFACES .9f
+
 enum { WITHIN_UNIT, SURFACE_UNIT, WORD = 32, LAYER = 128 };
 
-bool pass_voxels_needed(const Render *render) { return pass_cubes_needed(render) || indirect_reads_voxels(render); }
-
-/* -- what there is */
-
-static bool has(const FrameVoxels *voxels, const Cache *cache, bool closed)
+bool pass_voxels_needed(const Render *render)
 {
-    bool found = false;
-    for (int i = 0; i < cache->place_count; i++)
-        found |= !cache->places[i].transparent && voxels->closed[cache->places[i].mesh] == closed;
-    return found;
-}
-
-/* Of each mesh by the first object that has it. False: memory ran out. */
-static bool find_closed(const Render *render, FrameVoxels *voxels)
-{
-    const Cache *cache = &render->cache;
-    const size_t count = (size_t)cache->mesh_count + 1;
-    bool *known = calloc(count, sizeof *known), fine = true;
-    voxels->closed = calloc(count, sizeof *voxels->closed);
-    voxels->open = calloc(count, sizeof *voxels->open);
-    fine = known && voxels->closed && voxels->open;
-    for (int i = 0; fine && i < cache->place_count; i++) {
-        const SceneObject *object = &render->scene->objects[cache->places[i].object];
-        const int mesh = cache->places[i].mesh;
-        Shape made = {0};
-        if (known[mesh])
-            continue;
-        known[mesh] = true;
-        fine = object->kind == SCENE_Mesh || scene_solid(object, &made);
-        const Shape *shape = object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made;
-        voxels->closed[mesh] = fine && shape_is_closed(shape);
-        voxels->open[mesh] = !voxels->closed[mesh];
-        shape_free(&made);
-    }
-    free(known);
-    return fine;
+    return voxels_view_level(render->options.view) >= 0 || indirect_reads_voxels(render);
 }
 
 /* -- textures and programs */
@@ -142,9 +110,9 @@ bool pass_voxels_make(Render *render)
     if (!transparency_has_lists(render->gl))
         return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d", render->gl->major,
                        render->gl->minor);
-    if (!find_closed(render, voxels))
-        return gl_fail(render->gl, "out of memory");
     voxels->grid = voxel_grid(render->scene, &render->cache);
+    if (!voxel_bodies_measure(render, voxels) || !voxel_bodies_sort(render, voxels))
+        return gl_fail(render->gl, "out of memory");
     return make_textures(render) && make_programs(render);
 }
 
@@ -165,29 +133,32 @@ static void use_layers(const Render *render, GLuint texture, int level, int firs
     gl->Viewport(0, 0, size, size);
 }
 
-/* Draws objects whose meshes are marked, seen along an axis. */
-static void cast(Render *render, int axis, const bool *meshes, Material *material)
+/* Draws the objects of a wave, seen along an axis. */
+static void cast(Render *render, int axis, int wave, Material *material)
 {
     static const CullVolume all = {.count = 0};
     const CacheSource source = frame_source(render);
     double clip[16];
     voxel_grid_clip(&render->voxels.grid, axis, render->zero_to_one, clip);
-    cache_cast(render->gl, &source, &render->cache,
-               &(CacheLight){.clip_from_world = clip, .volume = &all, .solid = material, .meshes = meshes}, false);
+    cache_cast(
+        render->gl, &source, &render->cache,
+        &(CacheLight){
+            .clip_from_world = clip, .volume = &all, .solid = material, .waves = render->voxels.waves, .wave = wave},
+        false);
 }
 
-static void draw_within(Render *render)
+static void draw_within(Render *render, int wave)
 {
     const GlContext *gl = render->gl;
     FrameVoxels *voxels = &render->voxels;
     use_layers(render, voxels->within, 0, 0, voxels->layers);
     for (int layer = 0; layer < voxels->layers; layer++)
         gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
-    if (!has(voxels, &render->cache, true))
+    if (!voxel_bodies_has(voxels, &render->cache, wave))
         return;
     gl->Enable(GL_COLOR_LOGIC_OP);
     gl->LogicOp(GL_XOR);
-    cast(render, 2, voxels->closed, &voxels->flip);
+    cast(render, 2, wave, &voxels->flip);
     gl->LogicOp(GL_COPY);
     gl->Disable(GL_COLOR_LOGIC_OP);
 }
@@ -203,14 +174,14 @@ static void draw_surface(Render *render)
         for (int layer = 0; layer < count; layer++)
             gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
     }
-    if (!has(voxels, &render->cache, false))
+    if (!voxel_bodies_has(voxels, &render->cache, 0))
         return;
     use_layers(render, voxels->within, 0, 0, 1); /* its size is all that is taken of it */
     gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
     gl->BindImageTexture(0, voxels->surface, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     for (int axis = 0; axis < 3; axis++) {
         material_set_number(&voxels->touch, "voxel_axis", (float)axis);
-        cast(render, axis, voxels->open, &voxels->touch);
+        cast(render, axis, 0, &voxels->touch);
     }
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
 }
@@ -221,8 +192,8 @@ static void bind(const GlContext *gl, GLuint texture, int unit)
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
 }
 
-/* Reads one level of the map while another is drawn to. */
-static void draw_levels(Render *render)
+/* The first wave, with surfaces, and what later ones have beside it. */
+static void merge(Render *render, int wave)
 {
     const GlContext *gl = render->gl;
     FrameVoxels *voxels = &render->voxels;
@@ -230,7 +201,20 @@ static void draw_levels(Render *render)
     bind(gl, voxels->within, WITHIN_UNIT);
     bind(gl, voxels->surface, SURFACE_UNIT);
     material_use(&voxels->merge);
+    if (wave > 1) {
+        gl->Enable(GL_COLOR_LOGIC_OP);
+        gl->LogicOp(GL_OR);
+    }
     screen_draw(gl, &render->screen);
+    gl->LogicOp(GL_COPY);
+    gl->Disable(GL_COLOR_LOGIC_OP);
+}
+
+/* Reads one level of the map while another is drawn to. */
+static void draw_levels(Render *render)
+{
+    const GlContext *gl = render->gl;
+    FrameVoxels *voxels = &render->voxels;
     bind(gl, voxels->map, 0);
     for (int level = 1; level < voxels->levels; level++) {
         gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BASE_LEVEL, level - 1);
@@ -265,8 +249,11 @@ void pass_voxels_draw(Render *render)
         return;
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    draw_within(render);
     draw_surface(render);
+    for (int wave = 1; wave == 1 || wave <= render->voxels.wave_count; wave++) {
+        draw_within(render, wave);
+        merge(render, wave);
+    }
     if (render->zero_to_one)
         gl->ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     draw_levels(render);
@@ -286,7 +273,7 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
                 (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) / grid->edge);
     matrix[15] = 1;
     material_set_number(&pass->material, "voxel_off",
-                        has(&render->voxels, &render->cache, false) ? OFF_SURFACES : OFF_BODIES);
+                        voxel_bodies_has(&render->voxels, &render->cache, 0) ? OFF_SURFACES : OFF_BODIES);
     screen_pass_sampler(pass, "voxel_words", unit);
     material_set_number(&pass->material, "voxel_size", (float)grid->size);
     material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
@@ -298,13 +285,15 @@ void pass_voxels_bind(const Render *render, int unit)
     render->gl->BindTexture(GL_TEXTURE_BUFFER, render->voxels.words);
 }
 
-void pass_voxels_change(Render *render)
+bool pass_voxels_change(Render *render)
 {
     if (!render->voxels.map)
-        return;
+        return true;
     render->voxels.grid = voxel_grid(render->scene, &render->cache);
+    if (!voxel_bodies_sort(render, &render->voxels))
+        return gl_fail(render->gl, "out of memory");
     render->voxels.drawn = false;
-    pass_cubes_place(render);
+    return true;
 }
 
 void pass_voxels_delete(Render *render)
@@ -321,8 +310,7 @@ void pass_voxels_delete(Render *render)
     gl->DeleteTextures(1, &voxels->map);
     gl->DeleteTextures(1, &voxels->words);
     gl->DeleteBuffers(1, &voxels->buffer);
-    free(voxels->closed);
-    free(voxels->open);
-    pass_cubes_delete(render);
+    free(voxels->shapes);
+    free(voxels->waves);
     *voxels = (FrameVoxels){.layers = 0};
 }

@@ -18,7 +18,7 @@ bool render_view_is_picture(const char *view) { return !strcmp(view, "shown") ||
 static bool is_target(const char *view)
 {
     return render_view_is_picture(view) || !strcmp(view, "light") || !strcmp(view, "depth") ||
-           !strcmp(view, "shadow") || pass_cubes_level(view) >= 0 || indirect_view_lanes(view);
+           !strcmp(view, "shadow") || voxels_view_level(view) >= 0 || indirect_view_lanes(view);
 }
 
 Render *render_open(GlContext *gl, const RenderOptions *options)
@@ -227,10 +227,11 @@ bool render_changed_objects(Render *render, int first, int count)
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
     render->uncounted = true;
-    if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true))
+    if (!cache_move(render->gl, &source, &render->cache, first, count) || !shadow_change(render, true) ||
+        !pass_voxels_change(render))
         return false;
+    pass_cubes_place(render);
     pass_volume_change(render); /* maps are fitted to what has moved */
-    pass_voxels_change(render);
     pass_rays_place(render);
     return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
@@ -271,7 +272,7 @@ int render_lanes(const Render *render)
     const char *view = render->options.view;
     if (view && indirect_view_lanes(view))
         return indirect_view_lanes(view);
-    if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || pass_cubes_level(view) >= 0)
+    if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || voxels_view_level(view) >= 0)
         return 4;
     const int lanes =
         strcmp(view, "depth") && strcmp(view, "shadow") ? type_table[slot_table[render_find_slot(view)].type].lanes : 1;

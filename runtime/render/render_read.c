@@ -43,7 +43,7 @@ static bool read_samples(Render *render, float *rgba)
     if (indirect_view_lanes(view))
         return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_open], 0, rgba) &&
                (indirect_view_lanes(view) > 1 || show_last(render, rgba));
-    if (pass_cubes_level(view) >= 0)
+    if (voxels_view_level(view) >= 0)
         return framebuffer_read(render->gl, &render->draws[FRAME_DRAW_cubes], 0, rgba);
     if (render->has_reader)
         return reader_read(&render->reader, surface, render_find_slot(view), rgba) && read_depth(render, false, rgba);

@@ -5,31 +5,28 @@
 #include <math.h>
 #include <string.h>
 
-typedef struct {
-    double low[3], high[3];
-} Range;
-
-/* A corner of a box, where its object stands. */
-static void add_corner(const CullBox *box, int corner, const SceneMatrix *matrix, Range *range)
+void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, VoxelRange *range)
 {
-    const double *m = matrix->m;
-    double local[3];
-    for (int k = 0; k < 3; k++)
-        local[k] = corner >> k & 1 ? box->high[k] : box->low[k];
-    for (int k = 0; k < 3; k++) {
-        const double world = m[k] * local[0] + m[4 + k] * local[1] + m[8 + k] * local[2] + m[12 + k];
-        range->low[k] = fmin(range->low[k], world);
-        range->high[k] = fmax(range->high[k], world);
+    const double *m = world_from_local->m;
+    for (int corner = 0; corner < 8; corner++) {
+        double local[3];
+        for (int k = 0; k < 3; k++)
+            local[k] = corner >> k & 1 ? box->high[k] : box->low[k];
+        for (int k = 0; k < 3; k++) {
+            const double world = m[k] * local[0] + m[4 + k] * local[1] + m[8 + k] * local[2] + m[12 + k];
+            range->low[k] = fmin(range->low[k], world);
+            range->high[k] = fmax(range->high[k], world);
+        }
     }
 }
 
-static Range range_of(const Scene *scene, const Cache *cache)
+static VoxelRange range_of(const Scene *scene, const Cache *cache)
 {
-    Range range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (int i = 0; i < cache->place_count; i++)
-        for (int corner = 0; corner < 8 && !cache->places[i].transparent; corner++)
-            add_corner(&cache->boxes[cache->places[i].mesh], corner,
-                       &scene->objects[cache->places[i].object].world_from_local, &range);
+        if (!cache->places[i].transparent)
+            voxel_grid_add(&cache->boxes[cache->places[i].mesh],
+                           &scene->objects[cache->places[i].object].world_from_local, &range);
     if (!(range.low[0] <= range.high[0]))
         memset(&range, 0, sizeof range);
     return range;
@@ -38,7 +35,7 @@ static Range range_of(const Scene *scene, const Cache *cache)
 VoxelGrid voxel_grid(const Scene *scene, const Cache *cache)
 {
     const double least = 1e-6; /* of the greatest coordinate: voxels that floats can tell apart */
-    const Range range = range_of(scene, cache);
+    const VoxelRange range = range_of(scene, cache);
     VoxelGrid grid = {.size = scene->voxel_size};
     double longest = 1e-30;
     for (int k = 0; k < 3; k++) {

@@ -1,5 +1,5 @@
 /* Voxels of a scene: cubes that are full or empty, as slice maps. A texel of the map is a column along z; 128 voxels of it are the bits of an RGBA32UI
- * texel: bit b of lane l in layer k is voxel 128 k + 32 l + b. Of bodies that are closed those are full whose middle lies within; of all else, those in which
+ * texel: bit b of lane l in layer k is voxel 128 k + 32 l + b. Of bodies, which are closed, those are full whose middle lies within; of all else, those in which
  * a line through voxels' middles, along x, y or z, meets a triangle. No way from middle to middle gets through a surface without meeting a full one.
  * Private to frame.c, render.c and the passes. */
 #ifndef MATC_RENDER_VOXELS_H
@@ -8,7 +8,7 @@
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
 
-enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10 };
+enum { VOXELS_LAYERS_MOST = 4, VOXELS_LEVELS_MOST = 10, VOXELS_WAVES_MOST = 8 };
 
 /* A cube of cubes around all objects, with one empty layer at least on each side. */
 typedef struct {
@@ -21,10 +21,26 @@ VoxelGrid voxel_grid(const Scene *scene, const Cache *cache);
 /* Clip space from the world: z is depth along an axis (0 to 2, x to z), x and y the axes behind it in turn: 1 has z and x. */
 void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double clip[16]);
 
+/* A box in the world. */
+typedef struct {
+    double low[3], high[3];
+} VoxelRange;
+/* Grows it around another box, where that stands. From INFINITY and -INFINITY on. */
+void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, VoxelRange *range);
+
+/* Of a mesh, in its own space. */
+typedef struct {
+    bool closed;
+    double volume, area; /* within it; of its triangles */
+} VoxelShape;
+
 typedef struct {
     VoxelGrid grid;
     int layers, levels;
-    bool *closed, *open;    /* by mesh of the cache: it is; it is not */
+    VoxelShape *shapes; /* by mesh of the cache */
+    /* By place of the cache: 0, a surface; else a body, and the wave in which it is drawn: bodies of one wave are apart, as what is met twice is empty. */
+    unsigned char *waves;
+    int wave_count;
     GLuint within, surface; /* of closed meshes, in the form of the map; of others: R32UI, a word in each layer */
     GLuint map;             /* both; a level above has a texel for 2 x 2, where any of them is full */
     GLuint words, buffer;   /* of all levels, as rays read them: a texture of a buffer's, R32UI */
@@ -34,19 +50,28 @@ typedef struct {
     ScreenPass view;
 } FrameVoxels;
 
+/* voxel_bodies.c. What meshes are; which objects are bodies, in which waves. False: memory ran out. A body is closed, and at least 1.5 voxels thick: its volume
+ * over half its area. What is thinner has voxels without a middle in it, through which a ray gets. What crosses more than can be apart is a surface. */
+bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels);
+bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
+/* Something opaque is in that wave. */
+bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
+
 bool pass_voxels_needed(const Render *render);
 bool pass_voxels_make(Render *render);
 void pass_voxels_draw(Render *render);
 /* Objects have moved: they may be too far out, or too small, for the voxels that there are. */
-void pass_voxels_change(Render *render);
-/* Tells a pass that has voxel_map.glsl in its text which unit the words are bound to, and where the eye is in it: when it is made, and when the camera or objects
- * have moved. Binds them to that unit: before each run. */
+bool pass_voxels_change(Render *render);
+/* Tells a pass that has voxel_map.glsl in its text which unit the words are bound to, and where the eye is in them: when it is made, and when the camera or
+ * objects have moved. Binds them to that unit: before each run. */
 void pass_voxels_set(const Render *render, int unit, ScreenPass *pass);
 void pass_voxels_bind(const Render *render, int unit);
 void pass_voxels_delete(Render *render);
 
-/* The pass that shows them as cubes. A view "voxels", or "voxels1" and so on, of a level above; -1: it is another. */
-int pass_cubes_level(const char *view);
+/* Of a view "voxels", or "voxels1" and so on, of a level above; -1: it is another, or none. voxels.c */
+int voxels_view_level(const char *view);
+
+/* The pass that shows them as cubes. */
 bool pass_cubes_needed(const Render *render);
 bool pass_cubes_make(Render *render);
 /* The camera, the tile or the voxels are others. */

@@ -109,13 +109,12 @@ static double map_time(const Place *p, int levels)
     return least;
 }
 
-/* Bodies are surfaces, or bodies again. */
-static void turn(const Place *p)
+/* Bodies are surfaces from now on. */
+static void make_surfaces(const Place *p)
 {
-    FrameVoxels *voxels = &p->render->voxels;
-    bool *kept = voxels->closed;
-    voxels->closed = voxels->open;
-    voxels->open = kept;
+    for (int i = 0; i < p->render->cache.place_count; i++)
+        p->render->voxels.waves[i] = 0;
+    p->render->voxels.wave_count = 0;
 }
 
 static bool measure_maps(GlContext *gl, const Arguments *a)
@@ -132,8 +131,8 @@ static bool measure_maps(GlContext *gl, const Arguments *a)
             return false;
         for (int k = 0; k < 4; k++) {
             times[k] = a->timed ? 1e3 * map_time(&p, k % 2 ? p.render->voxels.levels : 1) : NAN;
-            if (k % 2)
-                turn(&p);
+            if (k == 1)
+                make_surfaces(&p);
         }
         printf("%-10d %10s %10s %7s%% %10s %10s\n", triangles_of(&p), NUMBER(2, times[0]),
                NUMBER(2, times[1] - times[0]), NUMBER(1, 100 * (times[1] / times[0] - 1)), NUMBER(2, times[2]),

@@ -8,7 +8,7 @@
     "- { object: Sphere, detail: 24, material: m, transform: { translation: [0, 0, 1.013] } }\n"                       \
     "- { object: Box, material: m, size: [1, 1, .5], transform: { translation: [1.3, .8, .25], rotation: [.2, .3, "    \
     ".4] } }\n"                                                                                                        \
-    "- { object: Box, material: m, size: [.5, .1, .5], transform: { translation: [1.3, -1.2, .4], rotation: [.5, .3, " \
+    "- { object: Box, material: m, size: [.6, .5, .6], transform: { translation: [1.3, -1.2, .4], rotation: [.5, .3, " \
     ".4], scale: [-1, 1, 1] } }\n"                                                                                     \
     "- { object: Cone, detail: 17, material: m, transform: { translation: [-1.3, -.6, 0], rotation: [0, .3, 0] } }\n"  \
     "- { object: Cylinder, detail: 13, material: m, transform: { translation: [-1.1, .9, .3], rotation: [1, .3, 0] } " \
