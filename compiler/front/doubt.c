@@ -134,6 +134,14 @@ static unsigned asked_of_point(const Node *node)
     return coordinates | (groups & ~(1u << GROUP_X | 1u << GROUP_U) ? ASKED_other : 0);
 }
 
+/* Operands are colours of any strength, of slopes and coordinates numbers. */
+static unsigned asked_by_math(unsigned asked)
+{
+    if (asked & (ASKED_shown | ASKED_light))
+        return ASKED_color | ASKED_light;
+    return asked & ASKED_slope ? ASKED_slope : ASKED_other;
+}
+
 /* What a map asks its input for, being asked itself. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
@@ -148,6 +156,8 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
         return asked_by_dimensions(node);
     case SECTION_expression:
         return asked_of_point(node);
+    case SECTION_math:
+        return asked_by_math(asked);
     case SECTION_blend:
         return items ? ASKED_xyz : asked;
     case SECTION_normal:
@@ -162,6 +172,8 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
 {
     if (section_of(node->kind) == SECTION_normal)
         return ASKED_slope;
+    if (section_of(node->kind) == SECTION_math)
+        return asked_by_math(asked);
     if (section_of(node->kind) != SECTION_material)
         return asked;
     if (strstr(param->name, "hininess"))

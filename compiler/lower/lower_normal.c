@@ -124,6 +124,68 @@ Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
     return answer_of(tilted(l, &frame, REFS(ir, build_mul(ir, k, slopes.u), build_mul(ir, k, slopes.v)), group));
 }
 
+static bool is_true(const Node *node, int param)
+{
+    double number[4];
+    value_number(node_param(node, param), TYPE_float, number);
+    return number[0] != 0;
+}
+
+/* What a colour says of the normal, in the space of the tangents. */
+static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref color = build_convert(ir, lower_ask(l, lower_param_node(node, P_NormalMap_normal), GROUP_R, env), TYPE_vec3);
+    Ref t = build_sub(ir, build_scale(ir, color, 2), build_vec3(ir, 1, 1, 1));
+    Ref scale = lower_param(l, node_param(node, P_NormalMap_scale), TYPE_float), xy = build_swizzle(ir, t, "xy");
+    Ref z = build_swizzle(ir, t, "z");
+    if (is_true(node, P_NormalMap_twoChannel)) {
+        Ref rest = build_sub(ir, build_float(ir, 1), build_dot(ir, xy, xy));
+        z = build_sqrt(ir, build_max(ir, rest, build_float(ir, 0)));
+    }
+    xy = build_mul(ir, xy, scale);
+    if (is_true(node, P_NormalMap_flipY))
+        xy = build_mul(ir, xy, ir_const(ir, TYPE_vec2, (double[]){1, -1}));
+    return build_vec(ir, TYPE_vec3, xy, z);
+}
+
+/* v / |v|; 0 where it has no length. */
+static Ref unit(Lower *l, Ref v)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-30;
+    Ref size = build_max(ir, build_length(ir, v), build_float(ir, least));
+    return build_mul(ir, v, build_div(ir, build_float(ir, 1), size));
+}
+
+/* t.x T + t.y B + t.z n, T along Tu and B to the side of Tv, both across n. */
+static Ref from_tangents(Lower *l, const Frame *f, Ref t)
+{
+    Ir *ir = l->ir;
+    Ref along = build_mul(ir, f->unit, build_dot(ir, f->tu, f->unit));
+    Ref tangent = unit(l, build_sub(ir, f->tu, along)), across = build_cross(ir, f->unit, tangent);
+    Ref mirrored = build_lt(ir, build_dot(ir, across, f->tv), build_float(ir, 0));
+    Ref bitangent = build_select(ir, mirrored, build_neg(ir, across), across);
+    return build_linear(ir, REFS(ir, t, tangent, bitangent, f->unit), 4);
+}
+
+Answer lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-3; /* of how far the new normal may lean: tangents of ones that lie flat have no end */
+    const Node *input = lower_param_node(node, P_NormalMap_input);
+    if (!is_frame(group) || !lower_param_node(node, P_NormalMap_normal))
+        return lower_answer(l, input, group, env);
+    Frame frame = input_frame(l, input, env);
+    Ref normal = from_tangents(l, &frame, tangent_normal(l, node, env));
+    if (group == GROUP_N)
+        return answer_of(normal);
+    Ref tangent = group == GROUP_DU ? frame.tu : frame.tv;
+    Ref upright = build_max(ir, build_dot(ir, normal, frame.unit), build_float(ir, least));
+    Ref rise = build_div(ir, build_dot(ir, normal, tangent), upright);
+    return answer_of(build_sub(ir, tangent, build_mul(ir, frame.unit, rise)));
+}
+
 /* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
 typedef struct {
     Ref height, slope;

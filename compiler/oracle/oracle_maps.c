@@ -225,7 +225,7 @@ static Along answering(Along a)
         bool empty = kind == KIND_Blend && (node_param(a.map, P_Blend_blend)->kind != VALUE_items ||
                                             !node_param(a.map, P_Blend_blend)->items->count);
         bool passes = kind == KIND_XYZTransform || kind == KIND_UVTransform || kind == KIND_BumpMap ||
-                      kind == KIND_WaveMap || (kind == KIND_Turbulence && a.group == GROUP_P) || empty;
+                      kind == KIND_WaveMap || kind == KIND_NormalMap || (kind == KIND_Turbulence && a.group == GROUP_P) || empty;
         if (!passes)
             return a;
     }

@@ -1,0 +1,146 @@
+/* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, Combine, Separate. They work on colours, by lane; alpha is that of the
+ * first operand, of Mix the mixed one. What a mean leaves out of an operand goes through what is linear, as a product of means through Multiply. */
+#include "compiler/lower/answer.h"
+
+/* One number, three or four. */
+static Answer colour(Lower *l, const Node *node, int param, const Env *env)
+{
+    Answer answer = lower_answer(l, lower_param_node(node, param), GROUP_R, env);
+    answer.split = NULL;
+    return ir_type(l->ir, answer.value) == TYPE_vec2 ? answer_widened(l, answer, TYPE_vec3) : answer;
+}
+
+/* One number of a colour, its red. */
+static Ref number(Lower *l, const Node *node, int param, const Env *env)
+{
+    return build_swizzle(l->ir, colour(l, node, param, env).value, "x");
+}
+
+static Ref factor(Lower *l, const Node *node, int param)
+{
+    return lower_param(l, node_param(node, param), TYPE_float);
+}
+
+/* With the alpha that another colour has, if it has one. */
+static Answer with_alpha(Lower *l, Answer answer, Ref from)
+{
+    Ir *ir = l->ir;
+    if (ir_type(ir, answer.value) != TYPE_vec4)
+        return answer;
+    Ref alpha = build_convert(ir, from, TYPE_vec4);
+    answer.value = build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.value, "xyz"), build_swizzle(ir, alpha, "w"));
+    if (answer.variance)
+        answer.variance =
+            build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.variance, "xyz"), build_float(ir, 0));
+    return (Answer){answer.value, answer.variance, NULL};
+}
+
+/* Two colours, as wide as the wider. */
+typedef struct {
+    Answer a, b;
+} Pair;
+
+static Pair pair(Lower *l, const Node *node, int param, const Env *env)
+{
+    Answer a = colour(l, node, param, env), b = colour(l, node, param + 1, env);
+    const Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
+    a = answer_widened(l, a, type);
+    b = answer_widened(l, b, type);
+    return (Pair){a, b};
+}
+
+/* As another group's value. */
+static Answer given(Lower *l, Answer answer, Group group) { return answer_as_group(l, answer, group); }
+
+/* a + t (b - a) */
+Answer lower_Mix(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    const Pair p = pair(l, node, P_Mix_a, env);
+    Ref t = number(l, node, P_Mix_amount, env), rest = build_sub(ir, build_float(ir, 1), t);
+    Answer mix = answer_of(build_mix(ir, p.a.value, p.b.value, t));
+    Ref of_a = p.a.variance ? build_mul(ir, p.a.variance, build_square(ir, rest)) : 0;
+    Ref of_b = p.b.variance ? build_mul(ir, p.b.variance, build_square(ir, t)) : 0;
+    mix.variance = build_plus(ir, of_a, of_b);
+    return given(l, mix, group);
+}
+
+Answer lower_Add(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Pair p = pair(l, node, P_Add_a, env);
+    return given(l, with_alpha(l, answer_sum(l, p.a, p.b), p.a.value), group);
+}
+
+Answer lower_Multiply(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    const Pair p = pair(l, node, P_Multiply_a, env);
+    Answer product = answer_of(build_mul(ir, p.a.value, p.b.value));
+    Ref of_a = p.a.variance ? build_mul(ir, p.a.variance, build_square(ir, p.b.value)) : 0;
+    Ref of_b = p.b.variance ? build_mul(ir, p.b.variance, build_square(ir, p.a.value)) : 0;
+    product.variance = build_plus(ir, of_a, of_b);
+    return given(l, with_alpha(l, product, p.a.value), group);
+}
+
+/* Colours less `from`, times `by`, plus `to`. */
+static Answer line(Lower *l, Answer x, Ref from, const Ref by_to[2])
+{
+    Answer moved = answer_moved(l, x, build_neg(l->ir, from));
+    return with_alpha(l, answer_moved(l, answer_scaled(l, moved, by_to[0]), by_to[1]), x.value);
+}
+
+Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    Answer x = colour(l, node, P_Remap_input, env);
+    Ref low = factor(l, node, P_Remap_low), high = factor(l, node, P_Remap_high);
+    Ref to_low = factor(l, node, P_Remap_toLow), to_high = factor(l, node, P_Remap_toHigh);
+    Ref zero = build_float(ir, 0), one = build_float(ir, 1), width = build_sub(ir, high, low);
+    Ref none = build_eq(ir, width, zero);
+    Ref rate = build_div(ir, build_sub(ir, to_high, to_low), build_select(ir, none, one, width));
+    return given(l, line(l, x, low, REFS(ir, build_select(ir, none, zero, rate), to_low)), group);
+}
+
+Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Answer x = colour(l, node, P_Contrast_input, env);
+    Ref amount = factor(l, node, P_Contrast_amount), pivot = factor(l, node, P_Contrast_pivot);
+    return given(l, line(l, x, pivot, REFS(l->ir, amount, pivot)), group);
+}
+
+Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref x = colour(l, node, P_Clamp_input, env).value;
+    Ref low = factor(l, node, P_Clamp_low), high = factor(l, node, P_Clamp_high);
+    Ref kept = build_min(ir, build_max(ir, x, build_splat(ir, low, ir_type(ir, x))),
+                         build_splat(ir, high, ir_type(ir, x)));
+    return given(l, with_alpha(l, answer_of(kept), x), group);
+}
+
+Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-37; /* a float that is no denormal */
+    Ref x = colour(l, node, P_Power_input, env).value, exponent = factor(l, node, P_Power_exponent);
+    const Type type = ir_type(ir, x);
+    Ref base = build_max(ir, x, build_all(ir, type, least));
+    return given(l, with_alpha(l, answer_of(build_pow(ir, base, build_splat(ir, exponent, type))), x), group);
+}
+
+Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref r = number(l, node, P_Combine_r, env), g = number(l, node, P_Combine_g, env),
+        b = number(l, node, P_Combine_b, env);
+    return given(l, answer_of(build_vec(ir, TYPE_vec3, r, g, b)), group);
+}
+
+/* A lane of a colour that is taken to four. */
+Answer lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
+{
+    static const char *const lanes[] = {"x", "y", "z", "w"};
+    const int lane = (int)node_param(node, P_Separate_channel)->number[0] - (int)WORD_Channel_r;
+    Answer x = colour(l, node, P_Separate_input, env);
+    return given(l, answer_swizzle(l, answer_widened(l, x, TYPE_vec4), lanes[lane]), group);
+}

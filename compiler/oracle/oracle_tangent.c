@@ -1,0 +1,57 @@
+/* The answer of NormalMap: a normal in the space of the surface's tangents. */
+#include "compiler/oracle/oracle_maps.h"
+
+static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/* 0 for what has no length. */
+static void make_unit(double v[3])
+{
+    const double size = fmax(sqrt(dot(v, v)), 1e-30);
+    for (int i = 0; i < 3; i++)
+        v[i] /= size;
+}
+
+/* What the picture says, x along Tu, y along Tv, z along the normal. */
+static void tangent_normal(Environment *environment, const Node *node, double t[3])
+{
+    const double scale = oracle_number(node, P_NormalMap_scale);
+    for (int i = 0; i < 3; i++)
+        t[i] = 2 * oracle_ask_param(environment, node, P_NormalMap_normal, channel_id(GROUP_R, i)) - 1;
+    if (oracle_number(node, P_NormalMap_twoChannel) != 0)
+        t[2] = sqrt(fmax(1 - t[0] * t[0] - t[1] * t[1], 0));
+    t[0] *= scale;
+    t[1] *= oracle_number(node, P_NormalMap_flipY) != 0 ? -scale : scale;
+}
+
+/* The normal, in the world, from the unit normal and the tangents of the input. */
+static void turned_normal(const double t[3], const double n[3], double frame[2][3], double normal[3])
+{
+    double along[3];
+    const double leans = dot(frame[0], n);
+    for (int i = 0; i < 3; i++)
+        along[i] = frame[0][i] - leans * n[i];
+    make_unit(along);
+    double across[3] = {n[1] * along[2] - n[2] * along[1], n[2] * along[0] - n[0] * along[2],
+                        n[0] * along[1] - n[1] * along[0]};
+    const double side = dot(across, frame[1]) < 0 ? -1 : 1;
+    for (int i = 0; i < 3; i++)
+        normal[i] = t[0] * along[i] + side * t[1] * across[i] + t[2] * n[i];
+}
+
+double oracle_NormalMap(Environment *environment, const Node *node, int channel)
+{
+    const bool of_frame = in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
+    if (!of_frame || node_param(node, P_NormalMap_normal)->kind == VALUE_none)
+        return oracle_ask_input(environment, node, channel);
+    double n[3], frame[2][3], t[3], normal[3];
+    oracle_ask_input3(environment, node, GROUP_N, n);
+    oracle_ask_input3(environment, node, GROUP_DU, frame[0]);
+    oracle_ask_input3(environment, node, GROUP_DV, frame[1]);
+    make_unit(n);
+    tangent_normal(environment, node, t);
+    turned_normal(t, n, frame, normal);
+    if (group_of(channel) == GROUP_N)
+        return normal[lane_of(channel)];
+    const double *tangent = frame[group_of(channel) == GROUP_DV];
+    return tangent[lane_of(channel)] - n[lane_of(channel)] * dot(normal, tangent) / fmax(dot(normal, n), 1e-3);
+}

@@ -1,0 +1,159 @@
+#version 330 core
+// matc 0.1.0: pass gbuffer, layout compact
+
+in vec3 worldNormal;
+in vec3 worldTangentU;
+in vec3 worldTangentV;
+in vec2 uv;
+in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
+uniform float harder;
+uniform mat3 matc_eyeFromWorld;
+layout(location = 0) out uvec4 fragment0;
+
+// Mean over boxes below 1/2 of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. From the distance to the
+// nearest edge, which does not cancel: error 1e-7 at any width. A box of at most 1e-6 is the point, which at an edge belongs to the
+// upper side.
+vec2 stripesNear2(vec2 q, vec2 edges) {
+    vec2 side = 1.0 - 2.0 * step(0.5, q);
+    vec2 distance = min(min(q, 1.0 - q), abs(q - 0.5));
+    return side * max(min(2.0 * distance / max(edges, 1.0e-6), 1.0), step(edges, vec2(1.0e-6)));
+}
+
+// Mean over boxes of waves that are 1 for q in [0, 1/2) and -1 in [1/2, 1), period 1; q in [0, 1]. For a box of 1/2 and more from the
+// antiderivative. Error 2e-7.
+vec2 stripes2(vec2 q, vec2 edges) {
+    vec2 low = abs(fract(q - 0.5 * edges) - 0.5);
+    vec2 high = abs(fract(q + 0.5 * edges) - 0.5);
+    return mix(stripesNear2(q, edges), (low - high) / max(edges, 0.5), step(0.5, edges));
+}
+
+// ((sin x + sin y + sin z) / 3)^2, in [0, 1]. As accurate as the sine: 3e-7 on llvmpipe up to 1e6; GLSL promises nothing.
+float leopard(vec3 p) {
+    float mean = dot(sin(p), vec3(1.0 / 3.0));
+    return mean * mean;
+}
+
+// Gradient of leopard, then its value. Error 4.3e-7 where sin and cos have 1e-7.
+vec4 leopardGradient(vec3 p) {
+    float mean = dot(sin(p), vec3(1.0 / 3.0));
+    return vec4(cos(p) * (mean * (2.0 / 3.0)), mean * mean);
+}
+
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
+// v by equal steps of its logarithm: code 0 is 0, code 1 is 1/16, the last is 65504 = 2^(19.9992954 - 4); below 1/32 it is 0.
+// bits from 4 to 16.
+uint logarithmBits(float v, int bits) {
+    int steps = (1 << bits) - 2;
+    float place = (log2(clamp(v, 0.0625, 65504.0)) + 4.0) * (float(steps) / 19.9992954);
+    return v < 0.03125 ? 0u : uint(clamp(floor(place + 0.5), 0.0, float(steps))) + 1u;
+}
+
+// Exponent of a Phong lobe for a shininess x: -2 / ln y, y = x (2 - x), 0 for y <= 0, at most 65504. Relative error 8e-7.
+// Near x = 1 the logarithm would lose its digits: there, with w = 1 - y = (1 - x)^2 and s = w / (2 - w), ln y is
+// -2 (s + s^3/3 + s^5/5 + s^7/7 + ...); for w <= 1/4 the rest is below 2e-8 of it.
+float phongExponent(float x) {
+    float y = x * (2.0 - x);
+    float w = min((1.0 - x) * (1.0 - x), 0.25);
+    float s = w / (2.0 - w);
+    float s2 = s * s;
+    float series = s * (1.0 + s2 * (1.0 / 3.0 + s2 * (1.0 / 5.0 + s2 * (1.0 / 7.0))));
+    float logarithm = -0.5 * log(clamp(y, 1.17549435e-38, 0.76));
+    float exponent = min(1.0 / max(y < 0.75 ? logarithm : series, 1.0 / 65504.0), 65504.0);
+    return y > 0.0 ? exponent : 0.0;
+}
+
+// v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
+// no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
+vec3 safeNormalize(vec3 v) {
+    float greatest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    float scale = greatest > 1.0e37 ? 1.0 / 1024.0 : 1.0;
+    vec3 scaled = v * scale / max(greatest * scale, 1.0e-37);
+    vec3 unit = scaled * inversesqrt(max(dot(scaled, scaled), 0.5));
+    return greatest < 1.0e-37 ? vec3(0.0, 0.0, 1.0) : unit;
+}
+
+// A world direction in eye space; the matrix is a rotation, so that lengths and angles stay.
+
+vec3 eyeFromWorld(vec3 d) {
+    return matc_eyeFromWorld * d;
+}
+
+// Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
+// (0, 0), which is +z. No sign(): it is 0 at 0, where the fold wants 1. Error 2e-7.
+vec2 encodeOctahedral(vec3 n) {
+    vec2 p = n.xy / max(abs(n.x) + abs(n.y) + abs(n.z), 1.0e-30);
+    vec2 side = vec2(p.x < 0.0 ? -1.0 : 1.0, p.y < 0.0 ? -1.0 : 1.0);
+    return n.z < 0.0 ? (1.0 - abs(p.yx)) * side : p;
+}
+
+// Unit normal to two whole numbers in [-s, s], s = 2^(bits-1) - 1, by the nearest point of the octahedron. The axes have codes
+// of their own. A half float holds them exactly for bits <= 12. The power is exact: exp2 errs by less than 1/2 for bits <= 16.
+vec2 octahedralWhole(vec3 n, int bits) {
+    float scale = floor(exp2(float(bits - 1)) + 0.5) - 1.0;
+    return floor(encodeOctahedral(n) * scale + 0.5);
+}
+
+// The two whole numbers of octahedralWhole, moved up to begin at 0, in 2 bits bits: x in the lower ones.
+uint octahedralBits(vec3 n, int bits) {
+    float scale = float((1 << (bits - 1)) - 1);
+    uvec2 code = uvec2(octahedralWhole(n, bits) + scale);
+    return code.x | code.y << bits;
+}
+
+void main() {
+    vec2 uvByX = dFdx(uv);
+    vec2 uvByY = dFdy(uv);
+    // arithmetic.yaml:6 Checker
+    vec2 diffuse_checker = fract(uv);
+    vec2 diffuse_checker_2 = stripes2(diffuse_checker, max(abs(uvByY), abs(uvByX)));
+    // arithmetic.yaml:7 Checker
+    float diffuse_checker2 = 0.5 - diffuse_checker_2.y * diffuse_checker_2.x * 0.5;
+    // arithmetic.yaml:7 Leopard
+    float diffuse_leopard = leopard(mix(vec3(1.0), vec3(2.0, 3.0, 4.0), diffuse_checker2));
+    // arithmetic.yaml:7 Clamp
+    float diffuse_clamped = min(max(diffuse_leopard, 0.3), 0.8);
+    // arithmetic.yaml:12 BumpMap
+    vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
+    // arithmetic.yaml:12 Leopard
+    vec4 leopard2 = leopardGradient(localPosition);
+    // arithmetic.yaml:12 Leopard
+    vec4 leopard3 = leopardGradient(localPosition * 2.0);
+    vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
+    // arithmetic.yaml:8 Checker
+    float specular_checker = (0.5 <= diffuse_checker.x) != (0.5 <= diffuse_checker.y) ? 1.0 : 0.0;
+    // arithmetic.yaml:12 Add
+    float sum = leopard2.w + 1.0;
+    // arithmetic.yaml:12 Power
+    float power_1 = max(sum, 1e-37);
+    float power = power_1 * power_1;
+    float power_2 = step(1e-37, sum);
+    float power_3 = power_2 * dot(leopard2.xyz, localTangentU) * power_1;
+    float power_4 = power_2 * dot(leopard2.xyz, localTangentV) * power_1;
+    // arithmetic.yaml:8 Power
+    vec3 specular_power = pow(max(vec3(0.2, leopard2.w, specular_checker), vec3(1e-37)), vec3(1.5));
+    // arithmetic.yaml:11 Remap
+    float shininess_remap = sum * 0.23333333 + 0.1;
+    uint surface_bits = rootBits(specular_power.y, 8) | rootBits(specular_power.z, 8) << 8 | logarithmBits(phongExponent(shininess_remap), 10) << 21;
+    // arithmetic.yaml:6 Contrast
+    float diffuse_contrast = (mix(0.7, 0.1, diffuse_checker2) - 0.5) * harder + 0.5;
+    // arithmetic.yaml:4 Mix
+    vec4 diffuse_mix = mix(vec4(0.2, 0.4, 0.3, 1.0), vec4(vec3(diffuse_contrast), 1.0), diffuse_clamped);
+    uint surface_bits2 = rootBits(diffuse_mix.x, 8) | rootBits(diffuse_mix.y, 8) << 8 | rootBits(diffuse_mix.z, 8) << 16;
+    float bumpMap_3 = (dot(leopard3.xyz, localTangentU * 2.0) * power + (power_3 + power_3) * leopard3.w) * 0.02;
+    float bumpMap_4 = (dot(leopard3.xyz, localTangentV * 2.0) * power + (power_4 + power_4) * leopard3.w) * 0.02;
+    vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
+    vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
+    vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);
+    fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 2348810240u, 1171267648u, surface_bits2 | 1275068416u, surface_bits | 1114112u);
+}
