@@ -119,6 +119,9 @@ typedef enum {
     MATC_DOT = 64,     /* the same as a graph for Graphviz */
     MATC_KEY = 256, /* alone: nothing is written yet, but keys, places and constants are there; matc_emit may follow */
     MATC_LAYOUT = 512, /* the layout as a file that matc_layout_read takes */
+    MATC_TESSVERTEX = 1024,  /* GLSL of the programs that tessellate in the vertex program's stead: attributes handed on, */
+    MATC_TESSCONTROL = 2048, /* levels of a triangle's edges, each by its two ends alone, */
+    MATC_TESSEVAL = 4096,    /* and what the vertex program does at the points between. Targets of GLSL 4 alone */
     MATC_STATS = 128,  /* table of stages and optimiser passes; the choices, and what settled each */
 } MatcOutput;
 

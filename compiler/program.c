@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { OUTPUT_COUNT = 10 }; /* bits of MatcOutput */
+enum { OUTPUT_COUNT = 13 }; /* bits of MatcOutput */
 
 struct MatcProgram {
     Arena arena;
@@ -132,6 +132,27 @@ static void keep_reflection(MatcProgram *p)
     keep_text(p, MATC_REFLECT, emit_reflection(&p->session, p->ir, &p->job, &reflected));
 }
 
+/* All three, or none: they are linked with the fragment program. */
+static bool fill_tessellation(MatcProgram *p, unsigned outputs)
+{
+    const MatcOutput of[] = {MATC_TESSVERTEX, MATC_TESSCONTROL, MATC_TESSEVAL};
+    const char *texts[TESSELLATION_COUNT], *log = "";
+    if (!(outputs & (MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL)))
+        return true;
+    if (!target_table[p->job.target].tessellation || p->job.pass == PASS_plane || p->job.pass == PASS_sky || p->job.instances) {
+        diag_add(&p->session, NO_SPAN, DIAG_no_tessellation, target_table[p->job.target].name, pass_table[p->job.pass].name);
+        return false;
+    }
+    for (int i = 0; i < TESSELLATION_COUNT; i++) {
+        texts[i] = emit_tessellation(&p->session, &p->job, &p->products.interface, (TessellationStage)i);
+        keep_text(p, of[i], texts[i]);
+    }
+    if (!p->session.options->validate || validate_tessellation(&p->session, p->job.target, texts, p->products.fragment, &log))
+        return true;
+    diag_add(&p->session, NO_SPAN, DIAG_not_valid, target_table[p->job.target].name, log);
+    return false;
+}
+
 static void fill_outputs(MatcProgram *p, unsigned outputs)
 {
     Text ir = text_new(&p->arena), dot = text_new(&p->arena), layout = text_new(&p->arena);
@@ -242,7 +263,7 @@ static bool write_program(MatcProgram *p, unsigned outputs)
     p->written = true;
     fill_outputs(p, outputs);
     p->texture_count = texture_list(&p->session, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
-    return !(outputs & MATC_SPIRV) || fill_spirv(p);
+    return fill_tessellation(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p));
 }
 
 /* Options that mean nothing are a fault of the program's. */

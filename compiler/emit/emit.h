@@ -30,6 +30,9 @@ typedef struct VertexMove {
 const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size);
 /* The vertex program that feeds it: only the varyings in use. */
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
+/* The programs that tessellate, in the vertex program's stead. tessellation.c */
+typedef enum { TESSELLATION_vertex, TESSELLATION_control, TESSELLATION_eval, TESSELLATION_COUNT } TessellationStage;
+const char *emit_tessellation(Session *session, const Job *job, const Interface *interface, TessellationStage stage);
 /* GLSL that reads the layout back: struct Surface, unpackTexels() of what the targets hold, unpackSurface() of where. */
 const char *emit_unpack(Session *session, const Job *job);
 /* A program that is made, as its reflection tells of it. */

@@ -16,7 +16,7 @@ static void initialise(void) { glslang_initialize_process(); }
 typedef struct {
     Session *session;
     Target target;
-    glslang_shader_t *shaders[2];
+    glslang_shader_t *shaders[4];
     int shader_count;
     glslang_program_t *program;
     const char *log; /* of what failed */
@@ -115,6 +115,23 @@ bool validate(Session *session, Target target, const ProgramTexts *texts, const 
     bool known = linked_before(linked, key), fine = link_shaders(&v, known ? NULL : texts->vertex, texts->fragment);
     if (fine && !known)
         linked_add(linked, key);
+    *log = v.log;
+    close_validation(&v);
+    return fine;
+}
+
+bool validate_tessellation(Session *session, Target target, const char *const stages[3], const char *fragment, const char **log)
+{
+    static const glslang_stage_t kinds[] = {GLSLANG_STAGE_VERTEX, GLSLANG_STAGE_TESSCONTROL, GLSLANG_STAGE_TESSEVALUATION};
+    Validation v = {.session = session, .target = target, .log = "glslang cannot be started"};
+    pthread_once(&initialised, initialise);
+    v.program = glslang_program_create();
+    bool fine = v.program != NULL;
+    for (int i = 0; i < 3 && fine; i++)
+        fine = parse(&v, kinds[i], stages[i]);
+    fine = fine && parse(&v, GLSLANG_STAGE_FRAGMENT, fragment);
+    const int messages = (int)input_for(target, GLSLANG_STAGE_FRAGMENT, "").messages;
+    fine = fine && (glslang_program_link(v.program, messages) || fail(&v, glslang_program_get_info_log(v.program)));
     *log = v.log;
     close_validation(&v);
     return fine;

@@ -1,6 +1,7 @@
 /* The vertex program that goes with a fragment program: it computes the varyings in use and nothing else. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
+#include "compiler/emit/vertex.h"
 #include "compiler/base/json_write.h"
 #include "compiler/ir/std140.h"
 #include <string.h>
@@ -108,25 +109,6 @@ static void mark_move(const VertexMove *move, bool attribute[MOVE_ATTRIBUTES])
             attribute[move_feeds[i].attribute] = true;
 }
 
-static void put_move_attributes(Text *out, Target target, const VertexMove *move)
-{
-    bool used[MOVE_ATTRIBUTES] = {0};
-    mark_move(move, used);
-    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
-        if (used[i] && !target_table[target].in_out)
-            text_format(out, "attribute %s;\n", displacement_attributes[i]);
-        else if (used[i])
-            text_format(out, "layout(location = %d) in %s;\n", FIRST_MOVE_LOCATION + i, displacement_attributes[i]);
-}
-
-static void put_base(Text *out, Target target)
-{
-    if (target_table[target].in_out)
-        text_format(out, "layout(location = %d) in %s;\n", BASE_LOCATION, base_attribute);
-    else
-        text_format(out, "attribute %s;\n", base_attribute);
-}
-
 /* The displaced position in the world, as matc_worldPosition. */
 static void put_move(Text *out, const VertexMove *move)
 {
@@ -189,15 +171,28 @@ static void put_own(Text *out, const bool *used)
     text_put(out, "    matc_material = matc_instances[matc_instance].material;\n");
 }
 
-static void rasterised(Text *out, const Job *job, const Interface *interface)
+int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAttribute list[VERTEX_ATTRIBUTES])
+{
+    bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0}, move[MOVE_ATTRIBUTES] = {0};
+    int count = 0;
+    mark_used(interface, attribute, uniform);
+    for (int i = 0; i < ATTRIBUTE_COUNT; i++)
+        if (attribute[i])
+            list[count++] = (VertexAttribute){attributes[i], i};
+    if (interface->move)
+        mark_move(interface->move, move);
+    for (int i = 0; i < MOVE_ATTRIBUTES; i++)
+        if (move[i])
+            list[count++] = (VertexAttribute){displacement_attributes[i], FIRST_MOVE_LOCATION + i};
+    if (job->moved && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X]))
+        list[count++] = (VertexAttribute){base_attribute, BASE_LOCATION};
+    return count;
+}
+
+void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface)
 {
     bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
     mark_used(interface, attribute, uniform);
-    put_attributes(out, job->target, attribute);
-    if (interface->move)
-        put_move_attributes(out, job->target, interface->move);
-    if (job->moved && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X]))
-        put_base(out, job->target);
     if (job->instances)
         put_instances(out);
     else
@@ -207,7 +202,14 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
             emit_varying(out, job->target, feeds[i].input, "out");
     if (interface->move)
         text_format(out, "%s\n%s", interface->move->declarations, interface->move->text);
-    text_put(out, interface->move ? "void main() {\n" : "\nvoid main() {\n");
+    else
+        text_char(out, '\n');
+}
+
+void emit_vertex_body(Text *out, const Job *job, const Interface *interface)
+{
+    bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0};
+    mark_used(interface, attribute, uniform);
     if (job->instances)
         put_own(out, uniform);
     for (int i = 0; i < FEED_COUNT; i++)
@@ -218,6 +220,20 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     text_put(out, interface->move
                       ? "    gl_Position = matc_clipFromWorld * vec4(matc_worldPosition, 1.0);\n}\n"
                       : "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
+}
+
+static void rasterised(Text *out, const Job *job, const Interface *interface)
+{
+    VertexAttribute list[VERTEX_ATTRIBUTES];
+    const int count = emit_vertex_attributes(job, interface, list);
+    for (int i = 0; i < count; i++)
+        if (target_table[job->target].in_out)
+            text_format(out, "layout(location = %d) in %s;\n", list[i].location, list[i].declaration);
+        else
+            text_format(out, "attribute %s;\n", list[i].declaration);
+    emit_vertex_declarations(out, job, interface);
+    text_put(out, "void main() {\n");
+    emit_vertex_body(out, job, interface);
 }
 
 /* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes

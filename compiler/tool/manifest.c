@@ -45,6 +45,7 @@ static void put_layout(Text *out, const Batch *b)
 static const char *const file_keys[EMIT_COUNT] = {
     [EMIT_glsl] = "fragment", [EMIT_vertex] = "vertex", [EMIT_reflect] = "reflection",
     [EMIT_spirv] = "spirv",   [EMIT_ir] = "ir",         [EMIT_dot] = "dot",
+    [EMIT_tessvertex] = "tessvertex", [EMIT_tesscontrol] = "tesscontrol", [EMIT_tesseval] = "tesseval",
 };
 
 static void put_files(Text *out, const Batch *b, const char *name)

@@ -20,6 +20,9 @@ const EmitRow emit_table[EMIT_COUNT] = {
     {"ir", ".ir", MATC_IR},
     {"dot", ".dot", MATC_DOT},
     {"layout", ".layout.yaml", MATC_LAYOUT},
+    {"tessvertex", ".tess.vert", MATC_TESSVERTEX},
+    {"tesscontrol", ".tesc", MATC_TESSCONTROL},
+    {"tesseval", ".tese", MATC_TESSEVAL},
     {"tree", ".tree", 0},
 };
 

@@ -16,6 +16,9 @@ typedef enum {
     EMIT_ir,
     EMIT_dot,
     EMIT_layout,
+    EMIT_tessvertex,
+    EMIT_tesscontrol,
+    EMIT_tesseval,
     EMIT_tree,
     EMIT_COUNT
 } Emit;

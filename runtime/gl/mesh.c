@@ -4,8 +4,17 @@
 #include <stdint.h>
 #include <string.h>
 
-const char *const mesh_attribute_names[MESH_ATTRIBUTE_count] = {
-    "position", "normal", "texcoord", "tangentU", "tangentV",
+const char *const mesh_attribute_names[MESH_ATTRIBUTE_end] = {
+    [MESH_ATTRIBUTE_position] = "position",
+    [MESH_ATTRIBUTE_normal] = "normal",
+    [MESH_ATTRIBUTE_texcoord] = "texcoord",
+    [MESH_ATTRIBUTE_tangentU] = "tangentU",
+    [MESH_ATTRIBUTE_tangentV] = "tangentV",
+    [MESH_ATTRIBUTE_displacementNormal] = "displacementNormal",
+    [MESH_ATTRIBUTE_displacementTexcoord] = "displacementTexcoord",
+    [MESH_ATTRIBUTE_displacementTangentU] = "displacementTangentU",
+    [MESH_ATTRIBUTE_displacementTangentV] = "displacementTangentV",
+    [MESH_ATTRIBUTE_basePosition] = "basePosition",
 };
 
 static const struct {

@@ -21,8 +21,8 @@ enum {
     MESH_ATTRIBUTE_end
 };
 
-/* "position", "normal", "texcoord", "tangentU", "tangentV": for programs that declare no locations. */
-extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_count];
+/* "position", "normal", "texcoord", ...: for programs that declare no locations. NULL: such programs draw no instances. */
+extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_end];
 
 typedef struct {
     GLuint array;      /* vertex array */

@@ -25,7 +25,11 @@ static int count_pieces(const char *const *pieces)
 
 static GLuint compile(GlContext *gl, GLenum type, const char *const *pieces)
 {
-    const char *name = type == GL_VERTEX_SHADER ? "vertex" : type == GL_COMPUTE_SHADER ? "compute" : "fragment";
+    const char *name = type == GL_VERTEX_SHADER            ? "vertex"
+                       : type == GL_COMPUTE_SHADER         ? "compute"
+                       : type == GL_TESS_CONTROL_SHADER    ? "tessellation control"
+                       : type == GL_TESS_EVALUATION_SHADER ? "tessellation evaluation"
+                                                           : "fragment";
     int count = count_pieces(pieces);
     if (count == 0)
         return gl_fail(gl, "%s: no text", name), 0;
@@ -48,9 +52,10 @@ static GLuint compile(GlContext *gl, GLenum type, const char *const *pieces)
 static void bind_names(const GlContext *gl, GLuint program, const ProgramText *text)
 {
     const char *const *attributes = text->attributes ? text->attributes : mesh_attribute_names;
-    int attribute_count = text->attributes ? text->attribute_count : MESH_ATTRIBUTE_count;
+    int attribute_count = text->attributes ? text->attribute_count : MESH_ATTRIBUTE_end;
     for (int i = 0; i < attribute_count; i++)
-        gl->BindAttribLocation(program, (GLuint)i, attributes[i]);
+        if (attributes[i])
+            gl->BindAttribLocation(program, (GLuint)i, attributes[i]);
     for (int i = 0; i < text->output_count; i++)
         gl->BindFragDataLocation(program, (GLuint)i, text->outputs[i]);
 }
@@ -68,15 +73,18 @@ static bool link(GlContext *gl, GLuint program)
     return false;
 }
 
-/* A compute shader stands alone: there is no fragment shader then. */
-static GLuint join(GlContext *gl, GLuint vertex, GLuint fragment, const ProgramText *text)
+typedef struct {
+    GLuint at[4]; /* 0: none */
+    int count;
+} Shaders;
+
+static GLuint join(GlContext *gl, const Shaders *shaders, const ProgramText *text)
 {
     GLuint program = gl->CreateProgram();
     if (!program)
         return gl_fail(gl, "link: no program to be had"), 0;
-    gl->AttachShader(program, vertex);
-    if (fragment)
-        gl->AttachShader(program, fragment);
+    for (int i = 0; i < shaders->count; i++)
+        gl->AttachShader(program, shaders->at[i]);
     bind_names(gl, program, text);
     if (link(gl, program))
         return program;
@@ -84,16 +92,29 @@ static GLuint join(GlContext *gl, GLuint vertex, GLuint fragment, const ProgramT
     return 0;
 }
 
+/* False: one does not compile. */
+static bool add(GlContext *gl, GLenum type, const char *const *pieces, Shaders *shaders)
+{
+    const GLuint shader = compile(gl, type, pieces);
+    if (shader)
+        shaders->at[shaders->count++] = shader;
+    return shader != 0;
+}
+
 GLuint program_make(GlContext *gl, const ProgramText *text)
 {
-    const bool alone = text->compute[0] != NULL;
-    GLuint vertex = alone ? compile(gl, GL_COMPUTE_SHADER, text->compute) : compile(gl, GL_VERTEX_SHADER, text->vertex);
-    if (!vertex)
-        return 0;
-    GLuint fragment = alone ? 0 : compile(gl, GL_FRAGMENT_SHADER, text->fragment);
-    GLuint program = fragment || alone ? join(gl, vertex, fragment, text) : 0;
-    gl->DeleteShader(vertex); /* the program keeps what it needs */
-    gl->DeleteShader(fragment);
+    Shaders shaders = {{0}, 0};
+    bool fine;
+    if (text->compute[0]) /* stands alone */
+        fine = add(gl, GL_COMPUTE_SHADER, text->compute, &shaders);
+    else
+        fine = add(gl, GL_VERTEX_SHADER, text->vertex, &shaders) &&
+               (!text->control[0] || (add(gl, GL_TESS_CONTROL_SHADER, (const char *const[PROGRAM_PIECES]){text->control[0]}, &shaders) &&
+                                      add(gl, GL_TESS_EVALUATION_SHADER, (const char *const[PROGRAM_PIECES]){text->evaluation[0]}, &shaders))) &&
+               add(gl, GL_FRAGMENT_SHADER, text->fragment, &shaders);
+    GLuint program = fine ? join(gl, &shaders, text) : 0;
+    for (int i = 0; i < shaders.count; i++)
+        gl->DeleteShader(shaders.at[i]); /* the program keeps what it needs */
     if (program && !gl_check(gl, "making a program")) {
         gl->DeleteProgram(program);
         return 0;

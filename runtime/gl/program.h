@@ -9,6 +9,7 @@ enum { PROGRAM_PIECES = 26 }; /* texts that one shader may be put together from 
 typedef struct {
     const char *vertex[PROGRAM_PIECES]; /* read one after the other; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];
+    const char *control[1], *evaluation[1]; /* both or none: of patches of three corners */
     const char *compute[PROGRAM_PIECES]; /* alone, where the others have none */
     const char *const *attributes; /* name i is bound to vertex attribute i; NULL: those of mesh.h */
     int attribute_count;

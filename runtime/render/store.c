@@ -116,7 +116,7 @@ static Key key_of_text(const char *text) { return text ? key_of_bytes(text, strl
 /* The key of the keys of all parts, so that none runs into the next. */
 static Key key_of_program(const ProgramText *text)
 {
-    enum { LISTS = 3 * PROGRAM_PIECES };
+    enum { LISTS = 3 * PROGRAM_PIECES + 2 };
     Key parts[LISTS + 2 * LONGEST_LIST] = {{0}};
     for (int i = 0; i < PROGRAM_PIECES && text->vertex[i]; i++)
         parts[i] = key_of_text(text->vertex[i]);
@@ -124,6 +124,8 @@ static Key key_of_program(const ProgramText *text)
         parts[PROGRAM_PIECES + i] = key_of_text(text->fragment[i]);
     for (int i = 0; i < PROGRAM_PIECES && text->compute[i]; i++)
         parts[2 * PROGRAM_PIECES + i] = key_of_text(text->compute[i]);
+    parts[LISTS - 2] = key_of_text(text->control[0]);
+    parts[LISTS - 1] = key_of_text(text->evaluation[0]);
     for (int i = 0; i < text->attribute_count; i++)
         parts[LISTS + i] = key_of_text(text->attributes[i]);
     for (int i = 0; i < text->output_count; i++)
