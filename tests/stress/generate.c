@@ -45,7 +45,7 @@ static double any_number(Generator *g)
 static bool may_be_param(const ParamRow *row)
 {
     return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") && strcmp(row->name, "sun") &&
-           strcmp(row->name, "turbidity") && strcmp(row->name, "displacementBound");
+           strcmp(row->name, "turbidity") && strcmp(row->name, "displacementBound") && strcmp(row->name, "dimensions");
 }
 
 static void begin_param(Generator *g) { text_format(g->out, "{ param: p%d, default: ", g->params++); }
