@@ -27,6 +27,13 @@ typedef struct {
     Ref jitter;
 } Cells;
 
+/* A param may be set to anything; the search for points is complete, and its values are bounded, from 0 to 1. */
+static Ref find_jitter(Lower *l, const Node *node, int param)
+{
+    Ref jitter = lower_param(l, node_param(node, param), TYPE_float);
+    return build_clamp(l->ir, jitter, build_float(l->ir, 0), build_float(l->ir, 1));
+}
+
 /* The parabola through the numbers at jitter 0, 1/2 and 1. */
 static Ref by_jitter(Lower *l, const Cells *cells, const double at[3])
 {
@@ -141,7 +148,7 @@ Answer lower_Cells(Lower *l, const Node *node, Group group, const Env *env)
     const Cells cells = {.dimensions = (int)clamp(number[0], FEWEST_DIMENSIONS, MOST_DIMENSIONS),
                          .distance = word_of(node, P_Cells_distance, WORD_Distance_euclidean),
                          .measure = word_of(node, P_Cells_value, WORD_CellsValue_F1),
-                         .jitter = lower_param(l, node_param(node, P_Cells_jitter), TYPE_float)};
+                         .jitter = find_jitter(l, node, P_Cells_jitter)};
     Answer q = lower_answer(l, input, cells.dimensions == 2 ? GROUP_U : GROUP_X, env);
     if (cells.dimensions == 2)
         q = answer_swizzle(l, q, "xy");
@@ -160,7 +167,7 @@ Answer lower_CellCentre(Lower *l, const Node *node, Group group, const Env *env)
     const Cells cells = {.dimensions = group == GROUP_U ? 2 : 3,
                          .distance = word_of(node, P_CellCentre_distance, WORD_Distance_euclidean),
                          .measure = MEASURE_centre,
-                         .jitter = lower_param(l, node_param(node, P_CellCentre_jitter), TYPE_float)};
+                         .jitter = find_jitter(l, node, P_CellCentre_jitter)};
     if (group == GROUP_X)
         return over_pixel(l, &cells, q);
     Answer uv = over_pixel(l, &cells, answer_swizzle(l, q, "xy")), w = answer_swizzle(l, q, "z");

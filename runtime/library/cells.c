@@ -112,13 +112,13 @@ CellsPair cells_nearest(ReferenceNoise noise, const CellsQuestion *q)
     return pair;
 }
 
-/* Arguments: p, a rest that is added to it, jitter, distance. */
+/* Arguments: p, a rest that is added to it, jitter, which is taken to 0 or 1 beyond these, distance. */
 static CellsQuestion question(int dimensions, const double *args)
 {
     CellsQuestion q = {.dimensions = dimensions};
     for (int i = 0; i < dimensions; i++)
         q.p[i] = args[i] + args[dimensions + i];
-    q.jitter = args[2 * dimensions];
+    q.jitter = fmin(fmax(args[2 * dimensions], 0), 1);
     q.how = (CellsDistance)whole_between(args[2 * dimensions + 1], CELLS_EUCLIDEAN, CELLS_CHEBYSHEV);
     return q;
 }
@@ -181,6 +181,6 @@ REFERENCE(cells3Centre) { centre(context, 3, args, result); }
 REFERENCE(cellsLoss)
 {
     (void)context;
-    const double bend = args[0] * (args[1] + args[2] * args[0]);
+    const double bend = fmax(args[0] * (args[1] + args[2] * args[0]), 0);
     result[0] = isinf(bend) ? 1 : fmin(1.43 * bend / (1 + bend), 1);
 }

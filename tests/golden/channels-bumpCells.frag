@@ -94,6 +94,16 @@ vec3 cells3Centre(vec3 p, vec3 rest, float jitter, int metric) {
     return whole + floor(p - whole + rest) + offset + place;
 }
 
+// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
+uint unormBits(float v, int bits) {
+    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
+}
+
+// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
+uint rootBits(float v, int bits) {
+    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
+}
+
 // The distance that cellsFar2 and cellsFar3 compare by.
 float cellsDistance(float far, int metric) {
     return metric == 0 ? sqrt(far) : far;
@@ -116,16 +126,6 @@ vec4 cells3Gradient(vec3 p, vec3 rest, float jitter, int metric, int value) {
     vec4 nearest = vec4(cellsRise3(first, metric), cellsDistance(first.w, metric));
     vec4 next = vec4(cellsRise3(second, metric), cellsDistance(second.w, metric));
     return value == 0 ? nearest : value == 1 ? next : next - nearest;
-}
-
-// v, taken to [0, 1], as the nearest of 2^bits equal steps, bits <= 16.
-uint unormBits(float v, int bits) {
-    return uint(floor(clamp(v, 0.0, 1.0) * float((1 << bits) - 1) + 0.5));
-}
-
-// The square root of v, taken to [0, 1], as the nearest of 2^bits equal steps: steps of v that shrink towards 0, as an eye's do.
-uint rootBits(float v, int bits) {
-    return unormBits(sqrt(clamp(v, 0.0, 1.0)), bits);
 }
 
 // p + rest as a whole square, less whole periods of 2^25, and a place in it in [0, 1). Exact.
@@ -252,17 +252,17 @@ void main() {
     vec3 diffuse_cellCentre = cells3Centre(localPosition * 3.0, vec3(0.0), 0.5, 2);
     // bumpCells.yaml:9 BumpMap
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
-    // bumpCells.yaml:11 Cells
-    vec4 cells = cells3Gradient(localPosition * 2.0, vec3(0.0), 1.0, 0, 2);
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // bumpCells.yaml:7 UVTransform
     vec2 uvTransform = uv * vec2(4.0, 3.0);
     uint diffuse_bits = rootBits(dot(diffuse_cellCentre, vec3(0.3, 0.4, 0.2)), 8);
-    float cells_2 = cos(cells.w);
+    // bumpCells.yaml:11 Cells
+    vec4 cells = cells3Gradient(localPosition * 2.0, vec3(0.0), 1.0, 0, 2);
     // bumpCells.yaml:7 Cells
     float cells4 = cells2Random(uvTransform, vec2(0.0), 1.0, 0);
-    float bumpMap_3 = dot(cells.xyz, localTangentU * 2.0) * cells_2 * 0.06;
-    float bumpMap_4 = dot(cells.xyz, localTangentV * 2.0) * cells_2 * 0.06;
+    float cells_2 = cos(cells.w);
+    float bumpMap_3 = cells_2 * dot(cells.xyz, localTangentU * 2.0) * 0.06;
+    float bumpMap_4 = cells_2 * dot(cells.xyz, localTangentV * 2.0) * 0.06;
     vec3 bumpMap_5 = cross(bumpMap_1, bumpMap_3 * worldTangentV - bumpMap_4 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_5 : bumpMap_5;
     vec3 bumpMap_6 = bumpMap_3 * bumpMap_1 + worldTangentU;

@@ -301,7 +301,7 @@ void main() {
     // cells.yaml:8 Cells
     float emissive_cells = cells2Random(mat2(vec2(5.732019, -0.29552022), vec2(1.7731212, 0.9553365)) * uv, vec2(0.0), 1.0, 0) * 0.5;
     // cells.yaml:7 Cells
-    float specular_cells = cells3(localPosition, vec3(0.0), loose, 1, 2) * 0.5;
+    float specular_cells = cells3(localPosition, vec3(0.0), clamp(loose, 0.0, 1.0), 1, 2) * 0.5;
     uint specular_bits = rootBits(specular_cells, 8);
     // cells.yaml:9 Cells
     float shininess_cells = cells2(uv * vec2(4.0), vec2(0.0), 0.0, 0, 0) * 0.5;
