@@ -3,6 +3,7 @@
  *     defs: { clay: { map: Blend, input: { map: Granite } } }    clay, and below it clay_granite
  *     diffuse: { map: Blend }                                    diffuse_blend
  *     defs: { mix: { map: Blend } }                              blend_mix, as GLSL has a function mix
+ *     a Mix that nobody names                                    mix_map
  *     defs: { "Lehm, naß": { map: Blend } }                      Lehm_na */
 #include "compiler/ir/ir.h"
 #include "compiler/front/reserved.h"
@@ -44,7 +45,7 @@ static const char *join_words(Arena *arena, const char *owner, const char *kind,
     return name.size ? name.at : "";
 }
 
-/* The plainest that GLSL takes. A kind of map is no word of GLSL's. */
+/* The plainest that GLSL takes. */
 static const char *name_of(Arena *arena, const Node *map)
 {
     const char *kind = kind_table[map->kind].function;
@@ -52,7 +53,8 @@ static const char *name_of(Arena *arena, const Node *map)
         map->name ? join_words(arena, NULL, NULL, map->name) : join_words(arena, map->owner, kind, NULL);
     if (is_usable(plain))
         return plain;
-    return join_words(arena, NULL, kind, map->name ? map->name : map->owner);
+    const char *named = join_words(arena, NULL, kind, map->name ? map->name : map->owner);
+    return is_usable(named) ? named : join_words(arena, NULL, kind, "map");
 }
 
 /* A comment takes what is printed, but for the backslash that would join lines. */
