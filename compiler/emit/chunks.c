@@ -96,3 +96,12 @@ bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *j
 {
     return add(session, chunks, name, (int)strlen(name), job);
 }
+
+bool chunks_declare(const Chunks *chunks, const char *name)
+{
+    for (size_t i = 0; i < chunks->count; i++)
+        for (const ChunkUniform *uniform = chunks->at[i]->uniforms; uniform->name; uniform++)
+            if (!strcmp(uniform->name, name))
+                return true;
+    return false;
+}

@@ -14,4 +14,6 @@ typedef struct {
 void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk);
 /* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False if there is none. */
 bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job);
+/* One of them declares a uniform of that name. */
+bool chunks_declare(const Chunks *chunks, const char *name);
 #endif

@@ -16,6 +16,7 @@ typedef struct {
     bool members;        /* it reads numbers from the buffer */
     const struct VertexMove *move; /* NULL: the vertex stages move no point */
     const bool *fragment_textures; /* of `textures`, those of the fragment program; where a vertex stage has others */
+    Chunks fragment_chunks;        /* the same of `chunks` */
 } Interface;
 
 /* What the vertex stages have for a material that displaces its surface, all but attributes and main(). */

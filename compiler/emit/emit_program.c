@@ -248,6 +248,7 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job, const
     move->declarations = declarations.size ? declarations.at : "";
     all.move = move;
     all.fragment_textures = fragment->textures;
+    all.fragment_chunks = fragment->chunks;
     return all;
 }
 

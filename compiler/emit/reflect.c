@@ -129,6 +129,14 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, "}");
 }
 
+/* A vertex stage samples it, and the fragment program does not. */
+static bool is_of_vertices(const Interface *interface, const MatcTexture *texture, int made_by)
+{
+    if (!interface->fragment_textures)
+        return false;
+    return made_by >= 0 ? !interface->fragment_textures[made_by] : !chunks_declare(&interface->fragment_chunks, texture->name);
+}
+
 /* Down to one texel. */
 static int level_count(const MatcTexture *t)
 {
@@ -161,7 +169,7 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
         if (target_table[job->target].locations)
             text_format(out, "\"binding\": %d, ",
                         made_by[i] >= 0 ? emit_texture_binding(i) : emit_table_binding(ir, interface, t->name));
-        if (made_by[i] >= 0 && interface->fragment_textures && !interface->fragment_textures[made_by[i]])
+        if (is_of_vertices(interface, t, made_by[i]))
             text_put(out, "\"stage\": \"vertex\", ");
         if (t->path)
             json_member(out, "file", t->path);

@@ -58,15 +58,6 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
     return texture;
 }
 
-static bool declares(const Interface *interface, const char *name)
-{
-    for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++)
-            if (!strcmp(uniform->name, name))
-                return true;
-    return false;
-}
-
 int texture_list(Session *session, const Ir *ir, const Interface *interface, MatcTexture **list, int **made_by)
 {
     enum { TABLE_COUNT = sizeof tables / sizeof *tables };
@@ -80,7 +71,7 @@ int texture_list(Session *session, const Ir *ir, const Interface *interface, Mat
             (*list)[count++] = of_document(session, ir, (int)i, averaged[i]);
         }
     for (int i = 0; interface && i < TABLE_COUNT; i++)
-        if (declares(interface, tables[i].name)) {
+        if (chunks_declare(&interface->chunks, tables[i].name)) {
             (*made_by)[count] = tables[i].number;
             (*list)[count++] = (MatcTexture){.name = tables[i].name,
                                              .width = tables[i].width,
