@@ -75,6 +75,13 @@ static const char *sample_value(const ParamRow *param)
     }
 }
 
+/* A material's example is flat: its shape is no part of it. */
+static bool is_in_example(const ParamRow *param, bool material)
+{
+    static const char moves[] = "displacement";
+    return (param->lanes || sample_value(param)) && !(material && !strncmp(param->name, moves, sizeof moves - 1));
+}
+
 void describe_example(Text *out, Kind kind, const char *name)
 {
     const KindRow *row = &kind_table[kind];
@@ -89,14 +96,13 @@ void describe_example(Text *out, Kind kind, const char *name)
         text_format(out, "%s:\n  map: %s\n", section_of(kind) == SECTION_normal ? "input" : "diffuse", name);
     for (int i = row->first; i < row->first + row->count; i++) {
         const ParamRow *param = &param_table[i];
-        const char *sample = sample_value(param);
-        if (!param->lanes && !sample)
+        if (!is_in_example(param, material))
             continue;
         text_format(out, "%s%s: ", indent, param->name);
         if (param->lanes)
             describe_default(out, param, name);
         else
-            text_put(out, sample);
+            text_put(out, sample_value(param));
         text_char(out, '\n');
     }
 }
