@@ -72,9 +72,9 @@ void main() {
     vec3 bumpMap_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     vec3 bumpMap_2 = cross(worldTangentU, worldTangentV);
     // bumpCheckerOfMaps.yaml:9 Carpenter
-    float carpenter = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
-    vec2 carpenter_1 = floor(uv);
-    vec2 carpenter_2 = uv - (carpenter_1 - clamp(carpenter_1, vec2(-2.0), vec2(1.0)));
+    float carpenter_map = carpenterRelief(carpenterTexture0, uv, vec2(256.0));
+    vec2 carpenter_map_1 = floor(uv);
+    vec2 carpenter_map_2 = uv - (carpenter_map_1 - clamp(carpenter_map_1, vec2(-2.0), vec2(1.0)));
     // bumpCheckerOfMaps.yaml:8 Checker
     vec2 checker = fract(uv * vec2(4.0, 2.0));
     bool checker_2 = (0.5 <= checker.x) != (0.5 <= checker.y);
@@ -83,9 +83,9 @@ void main() {
     vec2 checker_5 = fract(checker + vec2(0.0, 0.05));
     float checker_6 = (((0.5 <= checker_3.x) != (0.5 <= checker_3.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 4.0;
     float checker_7 = (((0.5 <= checker_5.x) != (0.5 <= checker_5.y) ? 1.0 : 0.0) - checker_4) * 20.0 * 2.0;
-    float checker_8 = carpenter - 0.4;
-    float checker_9 = checker_8 * checker_6 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter) * 200.0 : 0.0);
-    float checker_10 = checker_8 * checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter) * 200.0 : 0.0);
+    float checker_8 = carpenter_map - 0.4;
+    float checker_9 = checker_8 * checker_6 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.005, 0.0), vec2(256.0)) - carpenter_map) * 200.0 : 0.0);
+    float checker_10 = checker_8 * checker_7 + (checker_2 ? (carpenterRelief(carpenterTexture0, carpenter_map_2 + vec2(0.0, 0.005), vec2(256.0)) - carpenter_map) * 200.0 : 0.0);
     vec3 bumpMap_3 = cross(bumpMap_1, checker_9 * 0.04 * worldTangentV - checker_10 * 0.04 * worldTangentU) + bumpMap_2;
     vec3 bumpMap = dot(bumpMap_2, bumpMap_1) < 0.0 ? -bumpMap_3 : bumpMap_3;
     vec3 normal = safeNormalize(eyeFromWorld(bumpMap)) * (gl_FrontFacing ? 1.0 : -1.0);

@@ -35,14 +35,6 @@ float waveExpm1(float v) {
     return abs(v) < 0.5 ? series : exp(v) - 1.0;
 }
 
-// tanh v in [-1, 1]. With t = e^(-2|v|) - 1 it is -t / (2 + t), where the denominator is at least 1: error of waveExpm1,
-// 5e-7 on llvmpipe.
-float waveTanh(float v) {
-    float t = waveExpm1(-2.0 * min(abs(v), 40.0));
-    float s = -t / (2.0 + t);
-    return v < 0.0 ? -s : s;
-}
-
 // sinh v, |v| taken to at most 88. With t = e^|v| - 1 it is (t + t / (1 + t)) / 2, a sum of positive terms: error of waveExpm1.
 float waveSinh(float v) {
     float t = waveExpm1(abs(v));
@@ -55,6 +47,14 @@ float waveSinh(float v) {
 float waveCosh(float v) {
     float e = exp(min(abs(v), 88.0));
     return 0.5 * (e + 1.0 / e);
+}
+
+// tanh v in [-1, 1]. With t = e^(-2|v|) - 1 it is -t / (2 + t), where the denominator is at least 1: error of waveExpm1,
+// 5e-7 on llvmpipe.
+float waveTanh(float v) {
+    float t = waveExpm1(-2.0 * min(abs(v), 40.0));
+    float s = -t / (2.0 + t);
+    return v < 0.0 ? -s : s;
 }
 
 // Unit normal to the plane of an octahedron in [-1, 1]^2: n / (|x| + |y| + |z|), its lower half folded outward. (0, 0, 0) gives
@@ -81,8 +81,8 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // expressionAngles.yaml:3 Expression
-    vec3 diffuse_expression_1 = vec3(asin(clamp(uv.x, -1.0, 1.0)), acos(clamp(uv.y, -1.0, 1.0)), atan(localPosition.z)) * 0.2;
-    vec3 diffuse_expression = diffuse_expression_1 + vec3(sin(localPosition.x), cos(localPosition.y), tan(uv.x) * 0.1);
+    vec3 diffuse_expression_1 = vec3(asin(clamp(uv.x, -1.0, 1.0)), acos(clamp(uv.y, -1.0, 1.0)), atan(localPosition.z) * 500.0);
+    vec3 diffuse_expression = diffuse_expression_1 * 0.0002 + vec3(sin(localPosition.x), cos(localPosition.y), tan(uv.x) * 0.1);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     // expressionAngles.yaml:5 Expression
     float ambient_expression = uv.x + 1.0;
@@ -91,7 +91,8 @@ void main() {
     vec2 ambient_expression_4 = mat2(vec2(ambient_expression_2, ambient_expression_3), vec2(-ambient_expression_3, ambient_expression_2)) * uv;
     uint surface_bits = rootBits(diffuse_expression.x, 8) | rootBits(diffuse_expression.y, 8) << 8 | rootBits(diffuse_expression.z, 8) << 16;
     // expressionAngles.yaml:4 Expression
-    vec3 specular_expression = vec3(waveTanh(localPosition.x), waveTanh(localPosition.y), waveTanh(localPosition.z)) + vec3(atan(ambient_expression, uv.y + 1.0), waveSinh(uv.x), waveCosh(uv.y)) * 0.3;
+    vec3 specular_expression_1 = vec3(atan(ambient_expression, uv.y + 1.0), waveSinh(fract(uv.x)), waveCosh(fract(uv.y)));
+    vec3 specular_expression = vec3(waveTanh(localPosition.x), waveTanh(localPosition.y), waveTanh(localPosition.z)) * 0.1 + specular_expression_1 * 0.1;
     uvec4 surface_bits2 = uvec4(octahedralBits(normal, 12) << 2 | rootBits(ambient_expression_4.x, 5) << 27 | 67108864u, rootBits(ambient_expression_4.y, 5) << 26, surface_bits | rootBits(specular_expression.x, 8) << 24, rootBits(specular_expression.y, 8) | rootBits(specular_expression.z, 8) << 8 | 647364608u);
     fragment0 = surface_bits2;
 }

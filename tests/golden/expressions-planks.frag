@@ -117,12 +117,12 @@ uint octahedralBits(vec3 n, int bits) {
 void main() {
     // planks.yaml:4 Expression
     vec3 diffuse_expression_1 = localPosition * vec3(1.0, 4.0, 1.0);
-    float diffuse_expression_2 = fract(sin(floor(diffuse_expression_1.y) * 91.7) * 437.5) * 7.0;
+    float diffuse_expression_2 = fract(floor(diffuse_expression_1.y) * 0.618) * 7.0;
     float diffuse_expression_3 = fract(diffuse_expression_1.y);
     float diffuse_expression_4 = (diffuse_expression_3 - 0.5) * 0.6;
     float diffuse_expression_5 = diffuse_expression_1.z * 0.3 + 0.4;
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    float diffuse_expression_6 = sqrt(diffuse_expression_5 * diffuse_expression_5 + diffuse_expression_4 * diffuse_expression_4) * 9.0 + diffuse_expression_2 + turbulence(diffuse_expression_1 * vec3(1.5, 8.0, 8.0) + diffuse_expression_2, 4, 2.0, 0.5) * 0.35;
+    float diffuse_expression_6 = sqrt(diffuse_expression_5 * diffuse_expression_5 + diffuse_expression_4 * diffuse_expression_4) * 9.0 + diffuse_expression_2 + turbulence(diffuse_expression_1 * vec3(1.5, 8.0, 8.0) + diffuse_expression_2, 3, 2.0, 0.5) * 0.15;
     float diffuse_expression_7 = fract(diffuse_expression_6);
     float diffuse_expression_8 = clamp(diffuse_expression_7 / 0.7, 0.0, 1.0);
     float diffuse_expression_9 = clamp((diffuse_expression_7 - 0.8) / 0.2, 0.0, 1.0);

@@ -117,13 +117,13 @@ uint octahedralBits(vec3 n, int bits) {
 
 void main() {
     // runningBond.yaml:5 Expression
-    vec2 diffuse_expression_1 = uv * vec2(6.0, 12.0);
+    vec2 diffuse_expression_1 = uv * vec2(6.0, 12.0) + 0.013;
     float diffuse_expression_2 = floor(diffuse_expression_1.y);
     float diffuse_expression_3 = mod(diffuse_expression_2, 2.0) * 0.5 + diffuse_expression_1.x;
     vec2 diffuse_expression_4 = vec2(fract(diffuse_expression_3), fract(diffuse_expression_1.y));
     vec2 diffuse_expression_5 = min(1.0 - diffuse_expression_4, diffuse_expression_4) / vec2(0.04, 0.08);
-    float diffuse_expression_6 = fract(sin(dot(vec2(floor(diffuse_expression_3), diffuse_expression_2), vec2(12.9898, 78.233))) * 43758.547) * 0.35;
-    vec3 diffuse_expression = mix(vec3(0.47932017, 0.43415365, 0.3712377), turbulence(localPosition * 24.0, 4, 2.0, 0.5) * 0.05 + (diffuse_expression_6 + 0.75) * vec3(0.33245152, 0.06847817, 0.031896032), clamp(min(diffuse_expression_5.y, diffuse_expression_5.x), 0.0, 1.0));
+    vec3 diffuse_expression_6 = (fract(dot(vec2(floor(diffuse_expression_3), diffuse_expression_2), vec2(0.755, 0.57))) * 0.35 + 0.75) * vec3(0.33245152, 0.06847817, 0.031896032);
+    vec3 diffuse_expression = mix(vec3(0.47932017, 0.43415365, 0.3712377), turbulence(localPosition * 24.0, 4, 2.0, 0.5) * 0.05 + diffuse_expression_6, clamp(min(diffuse_expression_5.y, diffuse_expression_5.x), 0.0, 1.0));
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
     uint surface_bits = rootBits(diffuse_expression.x, 8) | rootBits(diffuse_expression.y, 8) << 8 | rootBits(diffuse_expression.z, 8) << 16;
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, surface_bits | 956301312u, 534788409u);

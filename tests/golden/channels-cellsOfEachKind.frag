@@ -290,30 +290,30 @@ uint sharedExponentBits(vec3 v, int bits) {
 }
 
 void main() {
-    // cells.yaml:6 Cells
+    // cellsOfEachKind.yaml:6 Cells
     float diffuse_cells = cells3(localPosition * vec3(3.0, 2.0, 4.0), vec3(0.0), 0.5, 2, 0);
-    // cells.yaml:4 Blend
+    // cellsOfEachKind.yaml:4 Blend
     float diffuse_blend_1 = clamp(diffuse_cells, 0.0, 1.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // cells.yaml:10 Checker
+    // cellsOfEachKind.yaml:10 Checker
     vec2 ambient_checker = fract(cells2Centre(uv * vec2(9.0), vec2(0.0), 0.0, 0));
     bool ambient_checker_2 = (0.5 <= ambient_checker.x) != (0.5 <= ambient_checker.y);
-    // cells.yaml:8 Cells
+    // cellsOfEachKind.yaml:8 Cells
     float emissive_cells = cells2Random(mat2(vec2(5.732019, -0.29552022), vec2(1.7731212, 0.9553365)) * uv, vec2(0.0), 1.0, 0) * 0.5;
-    // cells.yaml:7 Cells
+    // cellsOfEachKind.yaml:7 Cells
     float specular_cells = cells3(localPosition, vec3(0.0), clamp(loose, 0.0, 1.0), 1, 2) * 0.5;
     uint specular_bits = rootBits(specular_cells, 8);
-    // cells.yaml:9 Cells
+    // cellsOfEachKind.yaml:9 Cells
     float shininess_cells = cells2(uv * vec2(4.0), vec2(0.0), 0.0, 0, 0) * 0.5;
     uint surface_bits = specular_bits | specular_bits << 8 | (ambient_checker_2 ? 1310720u : 655360u) | logarithmBits(phongExponent(shininess_cells), 10) << 21;
-    // cells.yaml:5 Cells
+    // cellsOfEachKind.yaml:5 Cells
     float diffuse_cells2;
     if (diffuse_cells < 1.0) {
         diffuse_cells2 = sin(cells3Random(localPosition, vec3(0.0), 1.0, 0) * 3.0 + 0.2);
     } else {
         diffuse_cells2 = 0.0;
     }
-    // cells.yaml:5 Cells
+    // cellsOfEachKind.yaml:5 Cells
     float diffuse_cells3;
     if (0.0 < diffuse_cells) {
         diffuse_cells3 = cells2(uv * vec2(5.0, 7.0), vec2(0.0), 1.0, 1, 1);

@@ -200,24 +200,24 @@ uint octahedralBits(vec3 n, int bits) {
 }
 
 void main() {
-    // bricks.yaml:31 UVTransform
-    vec2 walls_uvTransform = uv * vec2(8.0, 4.0);
-    // bricks.yaml:26 walls
+    // brickwork.yaml:31 UVTransform
+    vec2 walls_uvTransform = (uv - vec2(0.003, 0.0)) * vec2(8.0, 4.0);
+    // brickwork.yaml:26 walls
     float walls = cells2((walls_uvTransform - vec2(0.5, 0.0)) * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
-    // bricks.yaml:39 VolumeTurbulence
+    // brickwork.yaml:39 VolumeTurbulence
     float course_volumeTurbulence = turbulence(localPosition * 9.0, 3, 2.0, 0.5) * 0.5 + 0.5;
-    // bricks.yaml:37 Blend
+    // brickwork.yaml:37 Blend
     vec3 course_blend = mix(vec3(0.23074006, 0.04231141, 0.019382361), vec3(0.55201143, 0.1682694, 0.07818742), clamp(course_volumeTurbulence, 0.0, 1.0));
-    // bricks.yaml:18 course
+    // brickwork.yaml:18 course
     float course_1 = clamp((walls - 0.05) * 10.0, 0.0, 1.0);
-    // bricks.yaml:26 walls
+    // brickwork.yaml:26 walls
     float walls2 = cells2(walls_uvTransform * vec2(1.0, 2.0), vec2(0.0), 0.0, 2, 2);
-    // bricks.yaml:18 course
+    // brickwork.yaml:18 course
     float course2_1 = clamp((walls2 - 0.05) * 10.0, 0.0, 1.0);
     vec3 normal = safeNormalize(eyeNormal) * (gl_FrontFacing ? 1.0 : -1.0);
-    // bricks.yaml:11 bricks
+    // brickwork.yaml:11 bricks
     bool bricks_1 = 0.5 <= fract(uv.y * 4.0);
-    // bricks.yaml:11 bricks
+    // brickwork.yaml:11 bricks
     float bricks2 = bricks_1 ? course_1 * 0.12 : course2_1 * 0.12;
     uint specular_bits = rootBits(bricks2, 8);
     vec3 bricks = bricks_1 ? mix(vec3(0.48514995, 0.4452012, 0.3712377), course_blend, course_1) : mix(vec3(0.48514995, 0.4452012, 0.3712377), course_blend, course2_1);
