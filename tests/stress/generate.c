@@ -333,13 +333,22 @@ static Kind choose_material(Choices *c, bool nested)
     return chance(c, 1, 4) ? others[choose(c, nested ? 2 : 4)] : KIND_Phong;
 }
 
+/* Surfaces stay where they are: the judge has no vertices. tests/test_displacement.c has what moves them. */
+static bool moves_surface(const ParamRow *row)
+{
+    static const char moves[] = "displacement";
+    return !strncmp(row->name, moves, sizeof moves - 1);
+}
+
+enum { OWN_MANY = 10 }; /* parameters of a material, those of displacement among them, from which on fewer are given */
+
 static void put_material(Generator *g, bool nested)
 {
     const KindRow *row = &kind_table[choose_material(g->c, nested)];
     const char *separator = nested ? ", " : "\n";
     text_format(g->out, nested ? "{ material: %s" : "material: %s", row->name);
     for (int i = 0; i < row->count; i++)
-        if (chance(g->c, row->count > 6 ? 2 : 4, 6))
+        if (!moves_surface(&param_table[row->first + i]) && chance(g->c, row->count > OWN_MANY ? 2 : 4, 6))
             put_material_parameter(g, &param_table[row->first + i], separator);
     text_put(g->out, nested ? " }" : "\n");
 }
