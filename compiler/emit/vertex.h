@@ -1,4 +1,4 @@
-/* Parts of the vertex program, of which the programs that tessellate are made, too. Private to vertex.c and tessellation.c. */
+/* The vertex program's parts. The programs that tessellate are made of them, too. Private to vertex.c and tessellation.c. */
 #ifndef MATC_VERTEX_H
 #define MATC_VERTEX_H
 #include "compiler/emit/emit.h"

@@ -86,7 +86,7 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 bool resolve_expression(Resolver *r, const Tree *tree, Value *params);
 /* The same of a text, whose names are those of `with`, NULL for none, and of the document's definitions. */
 bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params);
-/* A formula in the place of numbers: it must be known here, and has one lane or as many as those may have. */
+/* Reads a formula that stands where numbers are wanted. Its value must be known here; it has one lane, or as many as the numbers may have. */
 bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value);
 /* A text that begins with '='. */
 bool resolve_is_formula(const Tree *tree);

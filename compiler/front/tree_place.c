@@ -14,7 +14,7 @@ typedef struct {
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/* A backslash and what it is for: so many bytes, of which the text has *made. */
+/* Counts the bytes of a backslash and what belongs to it; *made is how many the text has for them. */
 static int escape_size(const Walk *w, int *made)
 {
     const char *at = w->at + 1;

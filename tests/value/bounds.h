@@ -30,7 +30,7 @@ const char *subject_name(int subject);
 void subjects_of(const Node *material, Slot slot, Subjects *subjects);
 /* The subject whose bound counts with that choice of functions: the one with the greatest. */
 int subject_governing(const Subjects *subjects, Choice trigonometry);
-/* Whether slopes of a displacement are, of which the oracle has differences. */
+/* Whether a displacement's slopes are among them. The oracle has differences for these. */
 bool subjects_slopes(const Subjects *subjects, Choice derivatives);
 /* Whether lattice noise is among them. */
 bool subjects_noise(const Subjects *subjects);
