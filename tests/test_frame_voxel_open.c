@@ -66,22 +66,6 @@ static void forget(Place *p)
 
 /* -- points of the picture, and rays from them */
 
-static bool is_blocked(const Tracer *tracer, const double from[3], const double way[3], double far)
-{
-    struct RTCIntersectContext context;
-    struct RTCRay ray = {.org_x = (float)from[0],
-                         .org_y = (float)from[1],
-                         .org_z = (float)from[2],
-                         .dir_x = (float)way[0],
-                         .dir_y = (float)way[1],
-                         .dir_z = (float)way[2],
-                         .tfar = (float)far,
-                         .mask = ~0u};
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(tracer->traced, &context, &ray);
-    return ray.tfar < 0;
-}
-
 static double open_by_rays(const Place *p, const Tracer *tracer, const Hit *hit, int number)
 {
     float(*texels)[4] = points.texels[number];
@@ -93,7 +77,7 @@ static double open_by_rays(const Place *p, const Tracer *tracer, const Hit *hit,
         double way[3];
         for (int i = 0; i < 3; i++)
             way[i] = d[0] * texels[1][i] + d[1] * texels[2][i] + d[2] * texels[3][i];
-        open += !is_blocked(tracer, from, way, p->radius);
+        open += !reference_is_blocked(tracer, from, way, p->radius);
     }
     return open / points.rays;
 }

@@ -117,6 +117,22 @@ void reference_plane(const SceneObject *object, const Ray *world, double behind,
     memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }
 
+bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3], double far)
+{
+    struct RTCIntersectContext context;
+    struct RTCRay ray = {.org_x = (float)from[0],
+                         .org_y = (float)from[1],
+                         .org_z = (float)from[2],
+                         .dir_x = (float)way[0],
+                         .dir_y = (float)way[1],
+                         .dir_z = (float)way[2],
+                         .tfar = (float)far,
+                         .mask = ~0u};
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(tracer->traced, &context, &ray);
+    return ray.tfar < 0;
+}
+
 Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind)
 {
     const Scene *scene = tracer->scene;

@@ -39,6 +39,8 @@ void reference_close(Tracer *tracer);
 Ray reference_ray(const Scene *scene, double x, double y);
 /* What is met behind a distance, as multiples of the ray's direction. */
 Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind);
+/* Something but a plane is met before a distance, in multiples of the direction. */
+bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3], double far);
 /* *hit becomes the plane z = 0 of the object's space, if that is met behind a distance and before *hit. */
 void reference_plane(const SceneObject *object, const Ray *world, double behind, Hit *hit);
 /* Whether a pixel's neighbours meet something else, in any of the layers that its own ray met: other objects, or another face. */

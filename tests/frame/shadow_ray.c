@@ -37,23 +37,12 @@ bool shadow_is_behind_plane(const Scene *scene, const double from[3], const doub
 
 bool shadow_is_lit(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3])
 {
-    struct RTCIntersectContext context;
     double way[3], from[3];
     const double distance = shadow_way_to(light, point, way);
     const double off = (reference_dot(facet, way) < 0 ? -1 : 1) * 3e-5;
     for (int i = 0; i < 3; i++)
         from[i] = point[i] + off * facet[i];
-    struct RTCRay ray = {.org_x = (float)from[0],
-                         .org_y = (float)from[1],
-                         .org_z = (float)from[2],
-                         .dir_x = (float)way[0],
-                         .dir_y = (float)way[1],
-                         .dir_z = (float)way[2],
-                         .tfar = (float)distance,
-                         .mask = ~0u};
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(tracer->traced, &context, &ray);
-    return ray.tfar > 0 && !shadow_is_behind_plane(tracer->scene, from, way, distance);
+    return !reference_is_blocked(tracer, from, way, distance) && !shadow_is_behind_plane(tracer->scene, from, way, distance);
 }
 
 void shadow_beside(const Hit *hit, const double way[3], double step, double angle, double moved[3])
