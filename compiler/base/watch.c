@@ -307,7 +307,8 @@ static int report(Watch *watch)
 
 int watch_wait(Watch *watch, int timeout_ms)
 {
-    const long end = timeout_ms < 0 ? LONG_MAX : milliseconds_now() + timeout_ms;
+    /* Both readings of the clock are rounded down: one more, and no wait is shorter than was asked for. */
+    const long end = timeout_ms < 0 ? LONG_MAX : milliseconds_now() + timeout_ms + (timeout_ms > 0);
     for (;;) {
         look(watch);
         if (any_dirty(watch)) {

@@ -1,5 +1,5 @@
 /* The list of passes, and the targets between them. */
-#include "runtime/render/frame.h"
+#include "runtime/render/frame_memory.h"
 #include "runtime/render/light_far.h"
 #include <string.h>
 
@@ -185,92 +185,6 @@ void frame_request(const Render *render, FramePlanRows *made)
         (FramePlanRequest){made->passes, PASS_COUNT_HERE, allowed, wanted(render), made->targets, FRAME_TARGET_COUNT};
 }
 
-/* The piece, made for the first target that lies in it; for another format a view of it. */
-static bool make_texture(Render *render, FrameMemory *memory, const TargetSpec *spec, GLuint *made)
-{
-    if (!memory->texture)
-        *memory = (FrameMemory){framebuffer_target(render->gl, spec), spec->format};
-    const bool as_it_is = !memory->texture || !strcmp(memory->format, spec->format);
-    *made = as_it_is ? memory->texture : framebuffer_view(render->gl, memory->texture, spec->format);
-    return *made != 0;
-}
-
-static bool make_memory(Render *render)
-{
-    bool fine = true;
-    for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++)
-        for (int i = 0; fine && i < FRAMEBUFFER_COLORS && render->plan.memory[target][i] >= 0; i++) {
-            const TargetSpec spec = {frame_edge(render, target, 0), frame_edge(render, target, 1),
-                                     frame_format(render, target, i)};
-            fine = make_texture(render, &render->memory[render->plan.memory[target][i]], &spec,
-                                &render->textures[target][i]);
-        }
-    return fine;
-}
-
-static void delete_memory(Render *render)
-{
-    const GlContext *gl = render->gl;
-    for (int target = 0; target < FRAME_TARGET_COUNT; target++)
-        for (int i = 0; i < FRAMEBUFFER_COLORS; i++) {
-            const int piece = render->plan.memory[target][i];
-            if (render->textures[target][i] && render->textures[target][i] != render->memory[piece].texture)
-                gl->DeleteTextures(1, &render->textures[target][i]);
-        }
-    for (int piece = 0; piece < FRAME_PLAN_PIECES; piece++)
-        gl->DeleteTextures(1, &render->memory[piece].texture); /* GL ignores the name 0 */
-    memset(render->textures, 0, sizeof render->textures);
-    memset(render->memory, 0, sizeof render->memory);
-}
-
-static int least(int a, int b) { return a < b ? a : b; }
-
-/* What stays together: blocks of 2 x 2, and the samples of a pixel. */
-static int step_of(const Render *render) { return render->samples % 2 ? 2 * render->samples : render->samples; }
-
-/* Whole rows that the memory holds; blocks of far lights stay together, too. */
-static size_t rows_in_memory(const Render *render, int width)
-{
-    const size_t memory = render->options.memory ? render->options.memory : RENDER_MEMORY;
-    const size_t block = (size_t)light_far_block(render), step = (size_t)step_of(render);
-    const size_t across = ((size_t)width + block - 1) / block * block;
-    size_t down = step; /* the least multiple of both */
-    while (down % block)
-        down += step;
-    return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
-}
-
-/* The samples of a tile: as many rows as there is memory for. */
-static void find_tile(const Render *render, int margin, int tile[2])
-{
-    const RenderOptions *options = &render->options;
-    const int step = step_of(render), most = render->gl->max_texture_size / step * step - 2 * margin;
-    const int width = least(render->whole[0], most), beside = width + 2 * margin;
-    const int height = least(least(render->whole[1], most), light_far_rows(render, beside) - 2 * margin);
-    const size_t rows =
-        render->plan.there & OPEN ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
-    const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
-    const int fewest = RENDER_TILE_LEAST * render->samples;
-    tile[0] = least(width, options->tile[0] ? options->tile[0] * render->samples : width);
-    tile[1] = least(height, options->tile[1] ? options->tile[1] * render->samples : spare < fewest ? fewest : spare);
-    for (int i = 0; i < 2; i++)
-        tile[i] -= tile[i] % render->samples;
-}
-
-/* Edges look at pixels beside them, which have to be drawn with a tile, too. */
-static void set_size(Render *render)
-{
-    const int margin = render->plan.there & EDGE ? step_of(render) : 0;
-    int tile[2];
-    find_tile(render, margin, tile);
-    render->margin = tile[0] < render->whole[0] || tile[1] < render->whole[1] ? margin : 0;
-    for (int i = 0; i < 2; i++) {
-        render->size[i] = tile[i] + 2 * render->margin;
-        render->at[i] = -render->margin;
-    }
-    view_space_place(&render->space, render->whole, render->at);
-}
-
 void frame_place(Render *render)
 {
     view_space_place(&render->space, render->whole, render->at);
@@ -340,8 +254,8 @@ bool frame_make(Render *render)
     FramePlanRows made;
     frame_request(render, &made);
     frame_plan(&made.request, &render->plan);
-    set_size(render);
-    bool fine = make_memory(render);
+    frame_memory_size(render);
+    bool fine = frame_memory_make(render);
     for (int draw = 0; fine && draw < FRAME_DRAW_COUNT; draw++)
         fine = frame_make_draw(render, (FrameDraw)draw);
     for (int i = 0; fine && i < PASS_COUNT_HERE; i++)
@@ -387,7 +301,7 @@ void frame_delete(Render *render)
     pass_peel_delete(render);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)
         framebuffer_delete(gl, &render->draws[draw]);
-    delete_memory(render);
+    frame_memory_delete(render);
     pass_volume_delete(render);
     pass_shadow_delete(render);
     pass_exact_delete(render);

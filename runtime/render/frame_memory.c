@@ -1,0 +1,90 @@
+/* The memory of a frame's targets: textures by the plan's pieces, and how large a tile they hold. */
+#include "runtime/render/frame_memory.h"
+#include "runtime/render/light_far.h"
+#include <string.h>
+
+/* The piece, made for the first target that lies in it; for another format a view of it. */
+static bool make_texture(Render *render, FrameMemory *memory, const TargetSpec *spec, GLuint *made)
+{
+    if (!memory->texture)
+        *memory = (FrameMemory){framebuffer_target(render->gl, spec), spec->format};
+    const bool as_it_is = !memory->texture || !strcmp(memory->format, spec->format);
+    *made = as_it_is ? memory->texture : framebuffer_view(render->gl, memory->texture, spec->format);
+    return *made != 0;
+}
+
+bool frame_memory_make(Render *render)
+{
+    bool fine = true;
+    for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++)
+        for (int i = 0; fine && i < FRAMEBUFFER_COLORS && render->plan.memory[target][i] >= 0; i++) {
+            const TargetSpec spec = {frame_edge(render, target, 0), frame_edge(render, target, 1),
+                                     frame_format(render, target, i)};
+            fine = make_texture(render, &render->memory[render->plan.memory[target][i]], &spec,
+                                &render->textures[target][i]);
+        }
+    return fine;
+}
+
+void frame_memory_delete(Render *render)
+{
+    const GlContext *gl = render->gl;
+    for (int target = 0; target < FRAME_TARGET_COUNT; target++)
+        for (int i = 0; i < FRAMEBUFFER_COLORS; i++) {
+            const int piece = render->plan.memory[target][i];
+            if (render->textures[target][i] && render->textures[target][i] != render->memory[piece].texture)
+                gl->DeleteTextures(1, &render->textures[target][i]);
+        }
+    for (int piece = 0; piece < FRAME_PLAN_PIECES; piece++)
+        gl->DeleteTextures(1, &render->memory[piece].texture); /* GL ignores the name 0 */
+    memset(render->textures, 0, sizeof render->textures);
+    memset(render->memory, 0, sizeof render->memory);
+}
+
+static int least(int a, int b) { return a < b ? a : b; }
+
+/* What stays together: blocks of 2 x 2, and the samples of a pixel. */
+static int step_of(const Render *render) { return render->samples % 2 ? 2 * render->samples : render->samples; }
+
+/* Whole rows that the memory holds; blocks of far lights stay together, too. */
+static size_t rows_in_memory(const Render *render, int width)
+{
+    const size_t memory = render->options.memory ? render->options.memory : RENDER_MEMORY;
+    const size_t block = (size_t)light_far_block(render), step = (size_t)step_of(render);
+    const size_t across = ((size_t)width + block - 1) / block * block;
+    size_t down = step; /* the least multiple of both */
+    while (down % block)
+        down += step;
+    return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
+}
+
+/* The samples of a tile: as many rows as there is memory for. */
+static void find_tile(const Render *render, int margin, int tile[2])
+{
+    const RenderOptions *options = &render->options;
+    const int step = step_of(render), most = render->gl->max_texture_size / step * step - 2 * margin;
+    const int width = least(render->whole[0], most), beside = width + 2 * margin;
+    const int height = least(least(render->whole[1], most), light_far_rows(render, beside) - 2 * margin);
+    const size_t rows =
+        render->plan.there & 1u << FRAME_TARGET_open ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
+    const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
+    const int fewest = RENDER_TILE_LEAST * render->samples;
+    tile[0] = least(width, options->tile[0] ? options->tile[0] * render->samples : width);
+    tile[1] = least(height, options->tile[1] ? options->tile[1] * render->samples : spare < fewest ? fewest : spare);
+    for (int i = 0; i < 2; i++)
+        tile[i] -= tile[i] % render->samples;
+}
+
+/* Edges look at pixels beside them, which have to be drawn with a tile, too. */
+void frame_memory_size(Render *render)
+{
+    const int margin = render->plan.there & 1u << FRAME_TARGET_edge ? step_of(render) : 0;
+    int tile[2];
+    find_tile(render, margin, tile);
+    render->margin = tile[0] < render->whole[0] || tile[1] < render->whole[1] ? margin : 0;
+    for (int i = 0; i < 2; i++) {
+        render->size[i] = tile[i] + 2 * render->margin;
+        render->at[i] = -render->margin;
+    }
+    view_space_place(&render->space, render->whole, render->at);
+}
