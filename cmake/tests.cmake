@@ -136,7 +136,10 @@ if(NOT CMAKE_C_FLAGS MATCHES "sanitize")
 endif()
 
 # A first run starts those that take longest first, so that none of them runs alone at the end; later runs go by what they took.
-set(LONG test_value=300 add=20 test_valid=90 test_kill_failure=60 test_kill=40 test_shared=40 test_valid_spirv=40 order=40 test_layout=20 test_layout_claims=40 test_layout_valid=10 batch=30 suites=30 figures=30
+set(LONG test_value=300 add=20 test_valid=90 test_kill_failure=60 test_kill=40 test_shared=40 test_valid_spirv=40 order=40 test_layout=20 test_layout_claims=40
+  test_layout_valid=10 batch=30 suites=30 figures=30
+  test_frame_cast=80 test_statistics_cells=75 test_mended=70 test_frame_glass=60 test_frame_soft=45 test_displacement=40 test_frame=30
+  test_reference_pictures=27 test_voxel_ray=25 test_frame_lights=20 test_frame_many=20 test_frame_cast_lists=20 test_filtered_mean=20 test_emit=20
   test_function=25 test_stack=25 test_growth=25 command_line=20 test_equiv=20 test_normal=20 test_text=20 schema=20
   install=15 install_make=15 subproject=15 package=15 test_slope=15 test_stress=15 depfile=15 pages=15 pictures=15 view=10)
 foreach(pair ${LONG})
