@@ -224,3 +224,17 @@ bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, Ma
     oracle_close(oracle);
     return fine;
 }
+
+bool matc_set_default(MatcDocument *d, const char *param, const double *lanes, int count, double *before)
+{
+    for (int i = 0; d->graph && i < d->graph->uniform_count; i++) {
+        Uniform *uniform = d->graph->uniforms[i];
+        if (strcmp(uniform->name, param) != 0 || type_table[uniform->type].lanes != count)
+            continue;
+        if (before)
+            memcpy(before, uniform->initial, sizeof uniform->initial);
+        memcpy(uniform->initial, lanes, (size_t)count * sizeof *lanes);
+        return true;
+    }
+    return false;
+}

@@ -157,6 +157,10 @@ typedef struct {
  * faults, or a value takes too many operations. */
 MATC_API bool matc_move(const MatcDocument *document, int material, const MatcOptions *options, MatcPoint *points, int count);
 
+/* Gives a param of the document another default, of as many lanes as it has; `before`, of four lanes, is told the one it had first, or is NULL. It holds for what is
+ * compiled, evaluated and moved from now on, and no other thread uses the document meanwhile. False: it has no param of that name and so many lanes. */
+MATC_API bool matc_set_default(MatcDocument *document, const char *param, const double *lanes, int count, double *before);
+
 /* Programs with one key are one program: a hash, as 32 hexadecimal digits, of all that its text depends on but for names of
  * materials and of temporaries. Numbers that come from a buffer do not count. */
 MATC_API const char *matc_key(MatcProgram *program);

@@ -1,4 +1,4 @@
-/* The renderer as a library (matc_render.h), on a context that somebody else made: the same pictures as on one of its own, changes, what is
+/* The renderer as a library (matc_render.h), on a context that somebody else made: the same pictures as on one of its own, changes, of displaced meshes too, what is
  * refused, and that the context stays its owner's. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -32,11 +32,11 @@ static MatcRenderProc load(void *user, const char *name)
     return gl_backend_osmesa.load(((const GlContext *)user)->state, name);
 }
 
-static Host open_host(void)
+static Host open_host_of(const char *document_text)
 {
     char error[512] = "";
     Host h = {.owner = frame_context()};
-    h.scene = matc_scene_read("scene.yaml", text, sizeof text - 1, NULL, &h.document);
+    h.scene = matc_scene_read("scene.yaml", document_text, strlen(document_text), NULL, &h.document);
     assert_non_null(h.scene);
     h.render = matc_render_open(&(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, NULL, 0, 0}, error,
                                 sizeof error);
@@ -44,6 +44,8 @@ static Host open_host(void)
         fail_msg("%s", error);
     return h;
 }
+
+static Host open_host(void) { return open_host_of(text); }
 
 /* The context goes on. */
 static void close_host(Host *h)
@@ -128,6 +130,48 @@ static void draws_and_changes(void **state)
     close_host(&h);
 }
 
+/* Two of one mesh, whose height goes by a param; one whose height goes by where it is; and one that is as it was. */
+#define DISPLACED(height, paint, first, scale, third)                                                                       \
+    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"          \
+    "lights: [{ light: Directional, direction: [1, 1, -1], intensity: 0.9 }]\ndisplacement: { triangles: 2000 }\n"          \
+    "materials:\n  wave: { material: Phong, diffuse: { param: paint, default: [" paint "] }, displacementScale: { param: height, default: " height " },\n" \
+    "    displacement: { map: Gradient, direction: [7, 0, 5], waveForm: Sin } }\n"                                          \
+    "  rock: { material: Phong, diffuse: .7, displacementScale: 0.3, displacement: { map: VolumeTurbulence, input: { map: XYZTransform, useGlobal: true, transform: { scale: 2 } } } }\n" \
+    "objects:\n- { object: Sphere, radius: .8, material: wave, transform: { translation: [" first "] } }\n"                  \
+    "- { object: Sphere, radius: .8, material: wave, transform: { translation: [1, 0, 0], scale: " scale " } }\n"            \
+    "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                                           \
+    "- { object: Cone, material: { material: Phong }, transform: { translation: [0, 1, 0] } }\n"
+
+/* What is displaced by a param, by where it is, or how large, has another shape when that changes. */
+static void displaces_again(void **state)
+{
+    (void)state;
+    double matrix[16];
+    Host h = open_host_of(DISPLACED("0.1", "1, 1, 1", "-1, 0, 0", "1", "0, 0, 0"));
+    assert_true(matc_render_scene(h.render, h.scene));
+    assert_as_own(&h, DISPLACED("0.1", "1, 1, 1", "-1, 0, 0", "1", "0, 0, 0"));
+    assert_true(matc_render_param(h.render, 0, "paint", (float[]){1, .5f, .25f}, 3));
+    assert_true(matc_render_param(h.render, 0, "height", (float[]){.25f}, 1));
+    assert_true(matc_render_param(h.render, 0, "height", (float[]){.25f}, 1));
+    assert_as_own(&h, DISPLACED("0.25", "1, .5, .25", "-1, 0, 0", "1", "0, 0, 0"));
+    matc_scene_matrix(h.scene, 2, matrix);
+    matrix[12] = .5;
+    assert_true(matc_render_move(h.render, 2, matrix));
+    assert_as_own(&h, DISPLACED("0.25", "1, .5, .25", "-1, 0, 0", "1", "0.5, 0, 0"));
+    matc_scene_matrix(h.scene, 0, matrix);
+    matrix[12] = -.5;
+    assert_true(matc_render_move(h.render, 0, matrix));
+    matc_scene_matrix(h.scene, 1, matrix);
+    matrix[0] = matrix[5] = matrix[10] = .5;
+    assert_true(matc_render_move(h.render, 1, matrix));
+    assert_as_own(&h, DISPLACED("0.25", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
+    assert_false(matc_render_param(h.render, 0, "height", (float[]){1, 2}, 2));
+    assert_true(matc_render_param(h.render, 0, "height", (float[]){0}, 1));
+    assert_true(matc_render_param(h.render, 0, "height", (float[]){.1f}, 1));
+    assert_as_own(&h, DISPLACED("0.10000000149011612", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
+    close_host(&h);
+}
+
 static void refused(void **state)
 {
     (void)state;
@@ -161,6 +205,6 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(draws_and_changes), cmocka_unit_test(refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(draws_and_changes), cmocka_unit_test(displaces_again), cmocka_unit_test(refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

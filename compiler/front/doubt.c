@@ -240,12 +240,40 @@ static void doubt_lack(const Doubts *d, const Node *node)
     }
 }
 
+/* The material that displaces where this one shows its front: itself, or one within switches. NULL: none. */
+static const Node *displaced_front(const Node *material)
+{
+    while (material && !graph_displaces(material)) {
+        const Value *front = material->kind == KIND_SideSwitch ? node_param(material, P_SideSwitch_frontShader) : NULL;
+        material = front && front->kind == VALUE_node ? front->node : NULL;
+    }
+    return material;
+}
+
+/* A surface has one shape, which is not its back's, unless that is the same. */
+static void doubt_back(const Doubts *d, const Node *node)
+{
+    const Value *back = node_param(node, P_SideSwitch_backShader);
+    const Node *shape = displaced_front(node), *other = back->kind == VALUE_node ? displaced_front(back->node) : NULL;
+    if (!other || other == shape)
+        return;
+    const Displacement has = graph_displacement(other);
+    const Value *height = has.height->kind == VALUE_node ? has.height : has.vector;
+    const Displacement seen = shape ? graph_displacement(shape) : has;
+    if (!shape || seen.height->kind != has.height->kind || seen.vector->kind != has.vector->kind ||
+        (has.height->kind == VALUE_node && seen.height->node != has.height->node) ||
+        (has.vector->kind == VALUE_node && seen.vector->node != has.vector->node))
+        diag_add(d->session, height->span, DIAG_back_displacement);
+}
+
 /* In the order of the document, inputs before their users. */
 static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
         doubt_components(d, node);
+    if (node->kind == KIND_SideSwitch)
+        doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
         doubt_use(d, node);
     doubt_lack(d, node);

@@ -111,7 +111,7 @@ typedef struct {
     const NamedMaterial *materials;
     int material_count;
     int node_count;
-    const Uniform *const *uniforms;
+    Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
     Names uniform_names; /* theirs, in the same order */
     const Image *const *images;

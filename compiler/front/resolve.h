@@ -18,7 +18,7 @@ typedef struct {
     Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     size_t def_count, def_room;
-    const Uniform **uniforms;
+    Uniform **uniforms;
     size_t uniform_count, uniform_room;
     Names uniform_names;
     const Image **images;

@@ -79,8 +79,7 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
     Uniform *uniform = ARENA_NEW(r->session->arena, Uniform);
     *uniform = (Uniform){.name = name->text, .type = value->type, .span = name->span, .index = (int)r->uniform_count};
     memcpy(uniform->initial, value->number, sizeof value->number);
-    const Uniform *kept = uniform;
-    ARENA_PUSH(r->session->arena, r->uniforms, r->uniform_count, r->uniform_room, kept);
+    ARENA_PUSH(r->session->arena, r->uniforms, r->uniform_count, r->uniform_room, uniform);
     names_add(r->session->arena, &r->uniform_names, uniform->name);
     value->uniform = uniform;
     return true;

@@ -104,6 +104,13 @@ typedef struct {
     bool full;      /* they would take more than there may be */
 } FrameLists;
 
+/* A param of a material that was set. */
+typedef struct {
+    int material, count;
+    char *name;
+    float lanes[4];
+} RenderParam;
+
 struct Render {
     GlContext *gl;
     Store *store;
@@ -112,6 +119,8 @@ struct Render {
     const SurfaceModel *surface;
     const VolumeView *look; /* the view, if it is one of these; or NULL */
     const Scene *scene;
+    RenderParam *params; /* that were set since the scene was given */
+    int param_count;
     int samples;  /* of a pixel, across and down: what follows counts these */
     int size[2];  /* of the targets: of a tile */
     int whole[2]; /* of the picture */
@@ -169,6 +178,10 @@ void light_sky_bind(const Render *render, int unit);
 /* Whether there is something to count; it begins, goes on in each tile, where what the pass reads is drawn then, once more in all tiles where `again`
  * says so, and ends. */
 typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_again, FRAME_COUNT_end } FrameCount;
+
+/* Sets what was set before in a scene that is made again; forgets it. render_param.c */
+void render_param_again(Render *render);
+void render_param_forget(Render *render);
 
 Slot render_find_slot(const char *name); /* SLOT_COUNT: there is none */
 

@@ -113,6 +113,13 @@ static bool has(const MatcRender *r, int number, int count, const char *what)
     return (number >= 0 && number < count) || gl_fail(r->gl, "there is no %s %d", what, number);
 }
 
+static bool not_displaced(const MatcRender *r)
+{
+    const SceneMaterial *of;
+    const char *why = scene_displace_fault(r->scene, &of);
+    return gl_fail(r->gl, "the material '%s': its displacement %s", matc_material_name(of->document, of->index), why);
+}
+
 bool matc_render_move(MatcRender *r, int object, const double matrix[16])
 {
     if (!has(r, object, r->scene ? r->scene->object_count : 0, "object"))
@@ -120,8 +127,15 @@ bool matc_render_move(MatcRender *r, int object, const double matrix[16])
     for (int i = 0; i < 16; i++)
         if (!isfinite(matrix[i]))
             return gl_fail(r->gl, "the matrix has what is no number");
-    memcpy(r->scene->objects[object].world_from_local.m, matrix, sizeof(SceneMatrix));
-    return render_changed_objects(r->render, object, 1);
+    SceneMatrix *at = &r->scene->objects[object].world_from_local;
+    const SceneMatrix before = *at;
+    memcpy(at->m, matrix, sizeof *at);
+    const SceneDisplaced meshes = scene_displace_moved(r->scene, object, 1);
+    if (meshes == SCENE_DISPLACED_failed) {
+        *at = before;
+        return not_displaced(r);
+    }
+    return meshes == SCENE_DISPLACED_anew ? render_changed_meshes(r->render) : render_changed_objects(r->render, object, 1);
 }
 
 bool matc_render_look(MatcRender *r, const double position[3], const double target[3], const double up[3])
@@ -157,8 +171,16 @@ bool matc_render_light(MatcRender *r, int light, const double position[3], const
 
 bool matc_render_param(MatcRender *r, int material, const char *name, const float *lanes, int count)
 {
-    return has(r, material, r->scene ? r->scene->material_count : 0, "material") &&
-           render_param(r->render, material, name, lanes, count);
+    double values[4] = {0};
+    if (!has(r, material, r->scene ? r->scene->material_count : 0, "material"))
+        return false;
+    for (int i = 0; i < count && i < 4; i++)
+        values[i] = (double)lanes[i];
+    const SceneDisplaced meshes = scene_displace_param(r->scene, material, name, values, count);
+    if (meshes == SCENE_DISPLACED_failed)
+        return not_displaced(r);
+    const bool drawn = render_param(r->render, material, name, lanes, count);
+    return meshes == SCENE_DISPLACED_anew ? render_changed_meshes(r->render) : drawn || meshes == SCENE_DISPLACED_same;
 }
 
 /* -- frames */

@@ -84,6 +84,7 @@ void render_close(Render *render)
         screen_delete(gl, &render->screen);
     store_free(render->store);
     gl->ActiveTexture(GL_TEXTURE0);
+    render_param_forget(render);
     free(render);
 }
 
@@ -180,7 +181,7 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
 }
 
 /* What the scene before was drawn with goes when all is there for the next: programs and pictures of both are not made again. */
-bool render_scene(Render *render, const Scene *scene)
+static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
     ScreenPass passes[] = {render->light, render->far.groups, render->far.gather,
@@ -196,6 +197,12 @@ bool render_scene(Render *render, const Scene *scene)
     if (!done)
         forget_scene(render);
     return done;
+}
+
+bool render_scene(Render *render, const Scene *scene)
+{
+    render_param_forget(render);
+    return make_again(render, scene);
 }
 
 static bool has_scene(const Render *render)
@@ -236,17 +243,12 @@ bool render_changed_objects(Render *render, int first, int count)
     return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
-bool render_param(Render *render, int material, const char *name, const float *lanes, int count)
+bool render_changed_meshes(Render *render)
 {
-    if (!has_scene(render))
+    if (!has_scene(render) || !make_again(render, render->scene))
         return false;
-    const CacheSource source = frame_source(render);
-    render->uncounted = true; /* a cut-out may be another */
-    render->shadows.drawn = false;
-    const MaterialValue value = {name, count, lanes};
-    const bool sheets = shadow_sheet_set(render, material, &value);
-    return cache_set(&source, &render->cache, material, &value) || sheets ||
-           gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
+    render_param_again(render);
+    return true;
 }
 
 /* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again. */
@@ -254,7 +256,7 @@ static bool recount(Render *render)
 {
     render->uncounted = false;
     return (frame_count(render) && pass_shadow_count(render)) ||
-           ((transparency_falls_back(render) || shadow_parts_fall_back(render)) && render_scene(render, render->scene));
+           ((transparency_falls_back(render) || shadow_parts_fall_back(render)) && render_changed_meshes(render));
 }
 
 bool render_frame(Render *render)

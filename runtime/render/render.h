@@ -69,6 +69,8 @@ typedef enum {
 bool render_changed(Render *render, unsigned what);
 /* So many objects from `first` on have other matrices. */
 bool render_changed_objects(Render *render, int first, int count);
+/* Objects have other meshes, or other ones have changed: what is made of them is made anew. Params stay as they were set. */
+bool render_changed_meshes(Render *render);
 /* Sets a param of a material, by its place in scene->materials. False: none of its programs has a param of that name and so many lanes, 1 to 4. */
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count);
 /* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was changed since the one before. */

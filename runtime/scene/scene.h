@@ -95,6 +95,8 @@ typedef struct {
     double gain;
 } SceneIndirect;
 
+typedef struct SceneDisplacer SceneDisplacer;
+
 typedef struct Scene {
     int width, height; /* pixels */
     SceneCamera camera;
@@ -122,7 +124,8 @@ typedef struct Scene {
     double shadow_offset;   /* texels, of a blurred volume */
     bool shadow_stretched;  /* its outermost texels lie at the map's edge */
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
-    int displaced;          /* objects whose meshes were displaced: scene_displacement.c */
+    int displaced;          /* objects whose meshes were displaced: scene_displace.c */
+    SceneDisplacer *displacer;
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
     int voxel_size;         /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;
@@ -150,6 +153,16 @@ const char *scene_indirect_name(Word word);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
+
+/* What a change is to meshes: nothing; they go by it, and are what they were; objects have others, which whoever draws the scene takes by drawing it as a new
+ * one; or those could not be made, and objects have what they had. scene_displace.c */
+typedef enum { SCENE_DISPLACED_none, SCENE_DISPLACED_same, SCENE_DISPLACED_anew, SCENE_DISPLACED_failed } SceneDisplaced;
+/* So many objects from `first` on have other matrices. */
+SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
+/* A param of a material has another value. */
+SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name, const double *lanes, int count);
+/* Why none could be made, and of which material. */
+const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material);
 
 /* Axes of an eye that stands, looks and is upright as the camera says. What has no direction: */
 typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;

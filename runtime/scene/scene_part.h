@@ -38,8 +38,10 @@ int scene_material_read(SceneReader *r, Tree *tree);
 void scene_material_open(SceneReader *r, const Tree *document);
 /* Resolves those of the document that were met or named, after all are read. */
 void scene_material_resolve(SceneReader *r, const Tree *document);
-/* Objects whose materials displace them become meshes that are displaced. False: a diagnostic says why. scene_displacement.c */
+/* Objects whose materials displace them become meshes that are displaced. False: a diagnostic says why. scene_displace.c */
 bool scene_displace(SceneReader *r, const MatcOptions *options);
+/* What it has beside the document's memory. */
+void scene_displace_free(Scene *scene);
 /* The place in scene->meshes of a file, read when it is met first; or -1. scene_mesh.c */
 int scene_mesh_read(SceneReader *r, const Tree *path);
 #endif

@@ -181,6 +181,7 @@ void scene_free(Scene *scene)
 {
     if (!scene)
         return;
+    scene_displace_free(scene);
     for (int i = 0; i < scene->mesh_count; i++)
         shape_free(&scene->meshes[i].shape);
     for (int i = 0; i < scene->document_count; i++)

@@ -1,0 +1,68 @@
+/* Params of materials: set in what is drawn with, and kept, so that they are set again where that is made again. */
+#include "runtime/render/frame.h"
+#include <stdlib.h>
+#include <string.h>
+
+static bool set(Render *render, int material, const MaterialValue *value)
+{
+    const CacheSource source = frame_source(render);
+    const bool sheets = shadow_sheet_set(render, material, value);
+    return cache_set(&source, &render->cache, material, value) || sheets;
+}
+
+static RenderParam *find(const Render *render, int material, const char *name)
+{
+    int i = 0;
+    while (i < render->param_count &&
+           (render->params[i].material != material || strcmp(render->params[i].name, name) != 0))
+        i++;
+    return i < render->param_count ? &render->params[i] : NULL;
+}
+
+static bool keep(Render *render, int material, const MaterialValue *value)
+{
+    RenderParam *param = find(render, material, value->name);
+    if (!param) {
+        RenderParam *params = realloc(render->params, ((size_t)render->param_count + 1) * sizeof *params);
+        char *name = strdup(value->name);
+        render->params = params ? params : render->params;
+        if (!params || !name) {
+            free(name);
+            return gl_fail(render->gl, "out of memory");
+        }
+        param = &params[render->param_count++];
+        *param = (RenderParam){.material = material, .name = name};
+    }
+    param->count = value->lanes;
+    memcpy(param->lanes, value->values, (size_t)value->lanes * sizeof *param->lanes);
+    return true;
+}
+
+bool render_param(Render *render, int material, const char *name, const float *lanes, int count)
+{
+    if (!render->scene)
+        return gl_fail(render->gl, "there is no scene to change");
+    render->uncounted = true; /* a cut-out may be another */
+    render->shadows.drawn = false;
+    const MaterialValue value = {name, count, lanes};
+    if (!set(render, material, &value))
+        return gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
+    return keep(render, material, &value);
+}
+
+void render_param_again(Render *render)
+{
+    for (int i = 0; i < render->param_count; i++) {
+        const RenderParam *param = &render->params[i];
+        set(render, param->material, &(MaterialValue){param->name, param->count, param->lanes});
+    }
+}
+
+void render_param_forget(Render *render)
+{
+    for (int i = 0; i < render->param_count; i++)
+        free(render->params[i].name);
+    free(render->params);
+    render->params = NULL;
+    render->param_count = 0;
+}

@@ -1,0 +1,335 @@
+/* Which meshes displaced objects have: one for all that are displaced alike. What changes afterwards, a param or where an object is, gives those that it changes
+ * another mesh, and takes away what no object has any more. */
+#include "compiler/base/hash_index.h"
+#include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_part.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What of an object is displaced. */
+typedef struct {
+    SceneKind kind; /* SCENE_Plane: nothing is */
+    int mesh;       /* of a Mesh */
+} Base;
+
+/* A param of a material that has another value than its document says. */
+typedef struct {
+    int material;
+    char *name;
+    double lanes[4];
+    int count;
+} Param;
+
+struct SceneDisplacer {
+    MatcOptions options;
+    MatcMoves *moves; /* by material */
+    Base *bases;      /* by object */
+    Key *keys;        /* by mesh of the scene: what it was made of */
+    int *users;       /* by mesh: so many objects have it */
+    int first;        /* meshes that were displaced: from there on */
+    int vacant;       /* none before it is free for another */
+    Param *params;
+    int param_count;
+    int fault; /* the material of which `why` is */
+    const char *why;
+};
+
+/* One way through all objects: what each shall have, before any has it. */
+typedef struct {
+    Scene *scene;
+    SceneDisplacer *by;
+    HashIndex index; /* of meshes, by their keys */
+    int *next;       /* by object: its mesh */
+    int64_t triangles;
+} Maker;
+
+static Key param_key(const SceneDisplacer *by, int material)
+{
+    Key key = {(uint64_t)material, 0};
+    for (int i = 0; i < by->param_count; i++)
+        if (by->params[i].material == material) {
+            const Key parts[] = {key, key_of_bytes(by->params[i].name, strlen(by->params[i].name)),
+                                 key_of_bytes(by->params[i].lanes, sizeof by->params[i].lanes)};
+            key = key_of_bytes(parts, sizeof parts);
+        }
+    return key;
+}
+
+/* What the shape depends on: the object's own, the material, and of the matrix what it measures, to a millionth, which turns and places leave as it is;
+ * or all of it. */
+static Key key_of(const SceneDisplacer *by, const SceneObject *object, const Base *base)
+{
+    const double *m = object->world_from_local.m, parts_of_one = 1e6;
+    double measure[12] = {0}, size = 0;
+    SceneObject before = *object;
+    before.kind = base->kind;
+    before.mesh = base->mesh;
+    for (int i = 0; i < 3; i++)
+        size += scene_vector_dot(&m[4 * i], &m[4 * i]);
+    if (by->moves[object->material] == MATC_MOVES_world)
+        for (int i = 0; i < 12; i++)
+            measure[i] = m[i / 3 * 4 + i % 3];
+    else
+        for (int i = 0; i < 9; i++)
+            measure[i] = rint(parts_of_one * scene_vector_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
+    measure[9] += by->moves[object->material] == MATC_MOVES_world ? 0 : rint(parts_of_one * log(size));
+    const Key parts[] = {scene_solid_key(&before), param_key(by, object->material),
+                         key_of_bytes(measure, sizeof measure)};
+    return key_of_bytes(parts, sizeof parts);
+}
+
+static int known_mesh(const Maker *k, Key key)
+{
+    HashProbe probe = hash_probe(&k->index, (uint32_t)key.low);
+    while (hash_probe_next(&probe))
+        if (key_equal(k->by->keys[probe.number], key))
+            return (int)probe.number;
+    return -1;
+}
+
+static bool fail(SceneDisplacer *by, int material, const char *why)
+{
+    by->fault = material;
+    by->why = why;
+    return false;
+}
+
+/* The values of a material's params become its document's defaults, and back. */
+static void swap_params(const Maker *k, int material)
+{
+    for (int i = 0; i < k->by->param_count; i++) {
+        Param *param = &k->by->params[i];
+        double before[4];
+        if (param->material != material)
+            continue;
+        matc_set_default(k->scene->materials[material].document, param->name, param->lanes, param->count, before);
+        memcpy(param->lanes, before, (size_t)param->count * sizeof *before);
+    }
+}
+
+static bool make_shape(Maker *k, const SceneObject *object, const Base *base, Shape *made)
+{
+    Scene *scene = k->scene;
+    const SceneMaterial *of = &scene->materials[object->material];
+    const SceneDisplacing how = {of->document, of->index, &k->by->options, object->world_from_local,
+                                 scene->displaced_triangles};
+    SceneObject before = *object;
+    Shape solid = {0};
+    before.kind = base->kind;
+    if (base->kind != SCENE_Mesh && !scene_solid(&before, &solid))
+        return fail(k->by, object->material, "takes more memory than there is");
+    swap_params(k, object->material);
+    const bool fine =
+        scene_displaced_shape(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
+    swap_params(k, object->material);
+    shape_free(&solid);
+    k->triangles += fine ? made->index_count / 3 : 0;
+    if (k->triangles > SCENE_TRIANGLES) {
+        shape_free(made);
+        return fail(k->by, object->material,
+                    "makes too many triangles: `displacement: { triangles: 10000 }` makes fewer of each mesh");
+    }
+    return fine || fail(k->by, object->material, "takes too many operations, or more memory than there is");
+}
+
+/* A place for one more: each object that is displaced may have two, one until the other is there. */
+static int vacant_mesh(SceneDisplacer *by)
+{
+    while (by->users[by->vacant])
+        by->vacant++;
+    return by->vacant;
+}
+
+static bool displace(Maker *k, int number)
+{
+    SceneDisplacer *by = k->by;
+    const SceneObject *object = &k->scene->objects[number];
+    const Key key = key_of(by, object, &by->bases[number]);
+    int mesh = known_mesh(k, key);
+    if (mesh < 0) {
+        Shape shape;
+        if (!make_shape(k, object, &by->bases[number], &shape))
+            return false;
+        mesh = vacant_mesh(by);
+        k->scene->meshes[mesh] = (SceneMesh){"", shape};
+        k->scene->mesh_count = mesh < k->scene->mesh_count ? k->scene->mesh_count : mesh + 1;
+        by->keys[mesh] = key;
+        hash_index_add(NULL, &k->index, (uint32_t)key.low, (uint32_t)mesh);
+    }
+    by->users[mesh]++;
+    k->next[number] = mesh;
+    return true;
+}
+
+/* One object fewer has the mesh: the last takes it away. */
+static void leave(Scene *scene, int mesh)
+{
+    SceneDisplacer *by = scene->displacer;
+    if (--by->users[mesh])
+        return;
+    by->vacant = mesh < by->vacant ? mesh : by->vacant;
+    shape_free(&scene->meshes[mesh].shape);
+    scene->meshes[mesh].shape = (Shape){0};
+}
+
+/* Objects get the meshes that they shall have; or, where something failed, keep theirs. */
+static bool settle(Maker *k, bool fine)
+{
+    Scene *scene = k->scene;
+    bool changed = false;
+    for (int i = 0; i < scene->object_count; i++) {
+        if (k->next[i] < 0)
+            continue;
+        SceneObject *object = &scene->objects[i];
+        const bool first = object->kind != SCENE_Mesh || object->mesh < k->by->first;
+        if (!fine || (!first && object->mesh == k->next[i])) {
+            leave(scene, k->next[i]); /* it was counted twice */
+            continue;
+        }
+        if (!first)
+            leave(scene, object->mesh);
+        object->kind = SCENE_Mesh;
+        object->mesh = k->next[i];
+        changed = true;
+    }
+    return changed;
+}
+
+/* Those of `count` objects from `first` on that a material displaces: that one, or, -1, any. */
+static SceneDisplaced displace_objects(Scene *scene, int material, int first, int count)
+{
+    SceneDisplacer *by = scene->displacer;
+    Maker k = {.scene = scene, .by = by, .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next)};
+    bool fine = k.next != NULL || fail(by, scene->objects[first].material, "takes more memory than there is"),
+         changed = false;
+    for (int i = by->first; fine && i < scene->mesh_count; i++)
+        if (by->users[i]) {
+            hash_index_add(NULL, &k.index, (uint32_t)by->keys[i].low, (uint32_t)i);
+            k.triangles += scene->meshes[i].shape.index_count / 3;
+        }
+    for (int i = 0; k.next && i < scene->object_count; i++)
+        k.next[i] = -1;
+    for (int i = first; fine && i < first + count; i++)
+        if (by->bases[i].kind != SCENE_Plane && (material < 0 || scene->objects[i].material == material))
+            fine = displace(&k, i);
+    if (k.next)
+        changed = settle(&k, fine);
+    hash_index_free(&k.index);
+    free(k.next);
+    return !fine ? SCENE_DISPLACED_failed : changed ? SCENE_DISPLACED_anew : SCENE_DISPLACED_same;
+}
+
+/* So many objects are displaced. */
+static int find_bases(Scene *scene, const MatcOptions *options)
+{
+    SceneDisplacer *by = scene->displacer;
+    int count = 0;
+    for (int i = 0; i < scene->material_count; i++)
+        by->moves[i] = matc_moves(scene->materials[i].document, scene->materials[i].index, options);
+    for (int i = 0; i < scene->object_count; i++) {
+        const SceneObject *object = &scene->objects[i];
+        const bool moves = by->moves[object->material] != MATC_MOVES_none;
+        by->bases[i] = moves ? (Base){object->kind, object->mesh} : (Base){SCENE_Plane, 0};
+        count += by->bases[i].kind != SCENE_Plane;
+    }
+    return count;
+}
+
+bool scene_displace(SceneReader *r, const MatcOptions *options)
+{
+    Scene *scene = r->scene;
+    Arena *arena = r->session->arena;
+    SceneDisplacer *by = scene->displacer = ARENA_NEW(arena, SceneDisplacer);
+    *by = (SceneDisplacer){.options = *options, .first = scene->mesh_count, .vacant = scene->mesh_count};
+    by->moves = ARENA_ARRAY(arena, MatcMoves, scene->material_count + 1);
+    by->bases = ARENA_ARRAY(arena, Base, scene->object_count + 1);
+    scene->displaced = find_bases(scene, options);
+    if (!scene->displaced)
+        return true;
+    const size_t room = (size_t)scene->mesh_count + 2 * (size_t)scene->displaced + 1;
+    SceneMesh *meshes = ARENA_ARRAY(arena, SceneMesh, room);
+    if (scene->mesh_count)
+        memcpy(meshes, scene->meshes, (size_t)scene->mesh_count * sizeof *meshes);
+    scene->meshes = meshes;
+    by->keys = ARENA_ARRAY(arena, Key, room);
+    by->users = ARENA_ARRAY(arena, int, room);
+    if (displace_objects(scene, -1, 0, scene->object_count) != SCENE_DISPLACED_failed)
+        return true;
+    const SceneMaterial *of = &scene->materials[by->fault];
+    diag_add(r->session, NO_SPAN, DIAG_scene_displaced, matc_material_name(of->document, of->index), by->why);
+    return false;
+}
+
+void scene_displace_free(Scene *scene)
+{
+    for (int i = 0; scene->displacer && i < scene->displacer->param_count; i++)
+        free(scene->displacer->params[i].name);
+    if (scene->displacer)
+        free(scene->displacer->params);
+}
+
+const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material)
+{
+    *material = &scene->materials[scene->displacer->fault];
+    return scene->displacer->why;
+}
+
+SceneDisplaced scene_displace_moved(Scene *scene, int first, int count)
+{
+    return scene->displaced ? displace_objects(scene, -1, first, count) : SCENE_DISPLACED_none;
+}
+
+/* What moves the material's points reads the param. */
+static bool reads_param(const Scene *scene, int material, const char *name, int count)
+{
+    const SceneMaterial *of = &scene->materials[material];
+    MatcOptions options = scene->displacer->options;
+    bool reads = false;
+    options.pass = "depth";
+    options.moved = false;
+    MatcProgram *program = matc_compile(of->document, of->index, MATC_KEY, &options);
+    for (int i = 0; matc_ok(program) && i < matc_uniform_count(program); i++)
+        reads |= !strcmp(matc_uniform(program, i)->param, name) && matc_uniform(program, i)->lanes == count;
+    matc_program_free(program);
+    return reads;
+}
+
+/* NULL: memory ran out. */
+static Param *find_param(Scene *scene, int material, const char *name, int count)
+{
+    SceneDisplacer *by = scene->displacer;
+    for (int i = 0; i < by->param_count; i++)
+        if (by->params[i].material == material && !strcmp(by->params[i].name, name))
+            return &by->params[i];
+    Param *params = realloc(by->params, ((size_t)by->param_count + 1) * sizeof *params);
+    char *copy = strdup(name);
+    by->params = params ? params : by->params;
+    if (!params || !copy) {
+        free(copy);
+        return NULL;
+    }
+    Param *param = &params[by->param_count++];
+    *param = (Param){material, copy, {0}, count};
+    const SceneMaterial *of = &scene->materials[material];
+    matc_set_default(of->document, name, param->lanes, count, param->lanes); /* gives what it is, and gets that back */
+    return param;
+}
+
+SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name, const double *lanes, int count)
+{
+    SceneDisplacer *by = scene->displacer;
+    double before[4];
+    if (!scene->displaced || by->moves[material] == MATC_MOVES_none || !reads_param(scene, material, name, count))
+        return SCENE_DISPLACED_none;
+    Param *param = find_param(scene, material, name, count);
+    if (!param)
+        return fail(by, material, "takes more memory than there is"), SCENE_DISPLACED_failed;
+    memcpy(before, param->lanes, sizeof before);
+    memcpy(param->lanes, lanes, (size_t)count * sizeof *lanes);
+    const SceneDisplaced made = displace_objects(scene, material, 0, scene->object_count);
+    if (made == SCENE_DISPLACED_failed)
+        memcpy(param->lanes, before, sizeof before);
+    return made;
+}
