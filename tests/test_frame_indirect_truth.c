@@ -88,11 +88,11 @@ static void methods_against_rays(void **state)
         double open, light; /* at most */
     } methods[] = {{"method: march, rays: 32, steps: 32", 0.09, 0.5},
                    {"method: screen, rays: 32, steps: 16", 0.075, 0.55},
-                   {"method: voxels", 0.02, 0.2},
-                   {"method: hybrid", 0.015, 0.2},
-                   {"method: hybrid, rays: 64", 0.0125, 0.2},
-                   {"method: hybrid, rays: 32, resolution: half", 0.025, 0.22},
-                   {"method: hybrid, rays: 64, resolution: quarter", 0.045, 0.2}};
+                   {"method: voxels", 0.0145, 0.16},
+                   {"method: hybrid", 0.0095, 0.15},
+                   {"method: hybrid, rays: 64", 0.0082, 0.15},
+                   {"method: hybrid, rays: 32, resolution: half", 0.018, 0.18},
+                   {"method: hybrid, rays: 64, resolution: quarter", 0.038, 0.16}};
     static const double radii[2] = {.5, 4};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();

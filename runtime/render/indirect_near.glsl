@@ -19,6 +19,27 @@ bool indirectShows(vec3 point, out ivec2 pixel)
     return abs(dot(indirectNormal(pixel), beside)) <= indirect_models.z && dot(beside, beside) <= 64.0 * indirect_models.z * indirect_models.z;
 }
 
+// Where a ray goes on in voxels: off the surface, where voxelStart says.
+struct IndirectStart {
+    vec3 place;  // in the grid's units
+    float begin; // where the ray is then
+};
+
+// Off the surface by h, but along the ray, as far as h may take it, and only for the rest along the normal: of what is met from a place beside the ray, the distance is another, up
+// to h. Along the ray it must not get into what stands beside the point, a wall at a corner: then it is along the normal alone. What is at a place h off along the normal,
+// t along a way with a cosine of c, is as far from the point as t + h c along it, but for terms of h^2.
+//
+//     straight up, c = 1: begins h along the ray; at 60 degrees off the normal, c = 1/2: h along the ray, then h / 2 along the normal, begin = h + h / 4
+IndirectStart indirectStart(vec3 point, vec3 normal, vec3 way)
+{
+    vec3 place = voxelPlace(point), up = voxelDirection(normal);
+    float size = length(up), cosine = dot(way, normal), h = distance(voxelStart(place, up / size), place) / size;
+    float aside = h - h * cosine;
+    vec3 along = place + voxelDirection(h * way + aside * normal);
+    if (voxelAt(along)) return IndirectStart(place + h * up, h * cosine);
+    return IndirectStart(along, h + aside * cosine);
+}
+
 IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
 {
     float t, radius = indirect_reach.x;
@@ -38,8 +59,9 @@ IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
         if (indirectPoint(ivec2(at), depth).z - place.z <= indirect_models.y) return IndirectHit(s / radius, ivec2(at));
     }
 #endif
-    vec3 start = voxelStart(voxelPlace(point), normalize(voxelDirection(normal)));
-    if (!voxelRay(start, voxelDirection(way), radius, t)) return IndirectHit(-1.0, pixel);
+    IndirectStart start = indirectStart(point, normal, way);
+    if (!voxelRay(start.place, voxelDirection(way), radius - start.begin, t)) return IndirectHit(-1.0, pixel);
+    t += start.begin;
 #ifdef INDIRECT_LIGHT
     if (!indirectShows(point + t * way, pixel)) pixel = ivec2(-1);
 #endif
