@@ -31,8 +31,10 @@ static double lane_of_move(Environment *environment, const Node *displaced, int 
 
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
 {
+    const bool along_normal = graph_displacement(displaced).vector->kind != VALUE_node; /* the other lanes are 0 */
+    *d = (OracleDisplacement){0};
     oracle_move_by(environment, displaced, d->by);
-    for (int lane = 0; lane < 3; lane++) {
+    for (int lane = along_normal ? ALONG_N : 0; lane < 3; lane++) {
         double slope[2];
         oracle_slopes(environment, &(Height){lane_of_move, displaced, lane}, slope);
         d->by_u[lane] = slope[0];

@@ -4,10 +4,18 @@
 in vec3 worldNormal;
 in vec3 worldTangentU;
 in vec3 worldTangentV;
-in vec2 uv;
+in vec3 localPosition;
+in vec3 localTangentU;
+in vec3 localTangentV;
 uniform float swell;
 uniform mat3 matc_eyeFromWorld;
 layout(location = 0) out uvec4 fragment0;
+
+// sin(x / 2) / (x / 2), x not negative: what is left of a sine over a box of edge x. Error 2e-7.
+float sincMean(float x) {
+    float h = 0.5 * x;
+    return h < 1.0e-2 ? 1.0 - h * h * (1.0 / 6.0) : sin(h) / max(h, 1.0e-2);
+}
 
 // v / |v| for every finite v; (0, 0, 1) where no component reaches 1e-37. v is divided by its greatest component first, so that
 // no square over- or underflows, and a great one is scaled down before, so that its reciprocal does not. Relative error 2e-7.
@@ -47,87 +55,24 @@ uint octahedralBits(vec3 n, int bits) {
     return code.x | code.y << bits;
 }
 
-float smooth3DInput1(vec2 st) {
-    // displacementBound.yaml:9 Checker
-    vec2 checker_1 = fract(st * vec2(3.0, 2.0));
-    float checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 1.0 : 0.0;
-    return checker;
-}
-
-float smooth3DInput2(vec2 st) {
-    // displacementBound.yaml:9 Checker
-    vec2 checker_1 = fract(st * vec2(3.0, 2.0));
-    vec2 checker_2 = fract(checker_1 + vec2(0.05, 0.0));
-    float checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 1.0 : 0.0;
-    float checker_3 = (((0.5 <= checker_2.x) != (0.5 <= checker_2.y) ? 1.0 : 0.0) - checker) * 20.0 * 3.0;
-    return checker_3;
-}
-
-float smooth3DInput3(vec2 st) {
-    // displacementBound.yaml:9 Checker
-    vec2 checker_1 = fract(st * vec2(3.0, 2.0));
-    float checker = (0.5 <= checker_1.x) != (0.5 <= checker_1.y) ? 1.0 : 0.0;
-    vec2 checker_2 = fract(checker_1 + vec2(0.0, 0.05));
-    float checker_3 = (((0.5 <= checker_2.x) != (0.5 <= checker_2.y) ? 1.0 : 0.0) - checker) * 20.0 * 2.0;
-    return checker_3;
-}
-
 void main() {
+    vec3 localPositionByX = dFdx(localPosition);
+    vec3 localPositionByY = dFdy(localPosition);
+    // displacementBound.yaml:9 Gradient
+    float gradient_1 = dot(localPosition, vec3(3.0, 0.0, 1.0));
+    float gradient_2 = dot(localPositionByX, vec3(3.0, 0.0, 1.0));
+    float gradient_3 = dot(localPositionByY, vec3(3.0, 0.0, 1.0));
+    float gradient_4 = cos(gradient_1);
     vec3 normal_1 = 1.0 / max(length(worldNormal), 1e-30) * worldNormal;
     vec3 normal_2 = cross(worldTangentU, worldTangentV);
-    // displacementBound.yaml:9 Smooth3D
-    vec2 smooth3D_1 = uv - vec2(0.1);
-    vec2 smooth3D_2 = uv + vec2(-0.1, 0.0);
-    vec2 smooth3D_3 = uv + vec2(-0.1, 0.1);
-    vec2 smooth3D_4 = uv + vec2(0.0, -0.1);
-    vec2 smooth3D_5 = uv + vec2(0.0, 0.1);
-    vec2 smooth3D_6 = uv + vec2(0.1, -0.1);
-    vec2 smooth3D_7 = uv + vec2(0.1, 0.0);
-    vec2 smooth3D_8 = uv + vec2(0.1);
-    float smooth3D_9 = smooth3DInput1(smooth3D_1);
-    float smooth3D_10 = smooth3DInput1(smooth3D_2);
-    float smooth3D_11 = smooth3DInput1(smooth3D_3);
-    float smooth3D_12 = smooth3D_11 + (smooth3D_10 + (smooth3D_9 + smooth3D_9 + smooth3D_9) + smooth3D_10 + smooth3D_10) + smooth3D_11;
-    float smooth3D_13 = smooth3DInput1(smooth3D_4);
-    float smooth3D_14 = smooth3DInput1(uv);
-    float smooth3D_15 = smooth3D_14 + (smooth3D_13 + (smooth3D_12 + smooth3D_11) + smooth3D_13 + smooth3D_13) + smooth3D_14 + smooth3D_14;
-    float smooth3D_16 = smooth3DInput1(smooth3D_5);
-    float smooth3D_17 = smooth3DInput1(smooth3D_6);
-    float smooth3D_18 = smooth3DInput1(smooth3D_7);
-    float smooth3D_19 = smooth3D_18 + (smooth3D_17 + (smooth3D_16 + smooth3D_15 + smooth3D_16 + smooth3D_16) + smooth3D_17 + smooth3D_17);
-    float smooth3D_20 = smooth3DInput1(smooth3D_8);
-    float smooth3D = (smooth3D_20 + (smooth3D_19 + smooth3D_18 + smooth3D_18) + smooth3D_20 + smooth3D_20) * 0.037037037;
-    float normal_3 = smooth3D * swell;
-    float smooth3D_21 = smooth3DInput2(smooth3D_1);
-    float smooth3D_22 = smooth3DInput2(smooth3D_2);
-    float smooth3D_23 = smooth3DInput2(smooth3D_3);
-    float smooth3D_24 = smooth3D_23 + (smooth3D_22 + (smooth3D_21 + smooth3D_21 + smooth3D_21) + smooth3D_22 + smooth3D_22) + smooth3D_23;
-    float smooth3D_25 = smooth3DInput2(smooth3D_4);
-    float smooth3D_26 = smooth3DInput2(uv);
-    float smooth3D_27 = smooth3D_26 + (smooth3D_25 + (smooth3D_24 + smooth3D_23) + smooth3D_25 + smooth3D_25) + smooth3D_26 + smooth3D_26;
-    float smooth3D_28 = smooth3DInput2(smooth3D_5);
-    float smooth3D_29 = smooth3DInput2(smooth3D_6);
-    float smooth3D_30 = smooth3DInput2(smooth3D_7);
-    float smooth3D_31 = smooth3D_30 + (smooth3D_29 + (smooth3D_28 + smooth3D_27 + smooth3D_28 + smooth3D_28) + smooth3D_29 + smooth3D_29);
-    float smooth3D_32 = smooth3DInput2(smooth3D_8);
-    float normal_4 = (smooth3D_32 + (smooth3D_31 + smooth3D_30 + smooth3D_30) + smooth3D_32 + smooth3D_32) * 0.037037037 * swell;
-    float normal_5 = step(-0.25, normal_3);
-    float normal_6 = step(normal_3, 0.25);
-    float smooth3D_33 = smooth3DInput3(smooth3D_1);
-    float smooth3D_34 = smooth3DInput3(smooth3D_2);
-    float smooth3D_35 = smooth3DInput3(smooth3D_3);
-    float smooth3D_36 = smooth3D_35 + (smooth3D_34 + (smooth3D_33 + smooth3D_33 + smooth3D_33) + smooth3D_34 + smooth3D_34) + smooth3D_35;
-    float smooth3D_37 = smooth3DInput3(smooth3D_4);
-    float smooth3D_38 = smooth3DInput3(uv);
-    float smooth3D_39 = smooth3D_38 + (smooth3D_37 + (smooth3D_36 + smooth3D_35) + smooth3D_37 + smooth3D_37) + smooth3D_38 + smooth3D_38;
-    float smooth3D_40 = smooth3DInput3(smooth3D_5);
-    float smooth3D_41 = smooth3DInput3(smooth3D_6);
-    float smooth3D_42 = smooth3DInput3(smooth3D_7);
-    float smooth3D_43 = smooth3D_42 + (smooth3D_41 + (smooth3D_40 + smooth3D_39 + smooth3D_40 + smooth3D_40) + smooth3D_41 + smooth3D_41);
-    float smooth3D_44 = smooth3DInput3(smooth3D_8);
-    float normal_7 = (smooth3D_44 + (smooth3D_43 + smooth3D_42 + smooth3D_42) + smooth3D_44 + smooth3D_44) * 0.037037037 * swell;
-    vec3 normal_8 = normal_6 * normal_4 * normal_5 * worldTangentV - normal_7 * normal_6 * normal_5 * worldTangentU;
-    vec3 normal_9 = cross(normal_1, normal_8) + normal_2;
-    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_9 : normal_9)) * (gl_FrontFacing ? 1.0 : -1.0);
+    float gradient_5 = sincMean(sqrt(gradient_3 * gradient_3 + gradient_2 * gradient_2));
+    float gradient = gradient_5 * sin(gradient_1);
+    float normal_3 = gradient * swell;
+    float normal_4 = step(-0.25, normal_3);
+    float normal_5 = step(normal_3, 0.25);
+    vec3 normal_6 = normal_5 * (gradient_5 * (gradient_4 * dot(localTangentU, vec3(3.0, 0.0, 1.0))) * swell) * normal_4 * worldTangentV;
+    vec3 normal_7 = dot(localTangentV, vec3(3.0, 0.0, 1.0)) * gradient_4 * gradient_5 * swell * normal_5 * normal_4 * worldTangentU;
+    vec3 normal_8 = cross(normal_1, normal_6 - normal_7) + normal_2;
+    vec3 normal = safeNormalize(eyeFromWorld(dot(normal_2, normal_1) < 0.0 ? -normal_8 : normal_8)) * (gl_FrontFacing ? 1.0 : -1.0);
     fragment0 = uvec4(octahedralBits(normal, 12) << 2 | 67108864u, 0u, 11842740u, 645922816u);
 }
