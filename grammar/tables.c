@@ -18,6 +18,18 @@ const SlotRow slot_table[SLOT_COUNT] = {
 #include "slots.def"
 };
 
+Mixing slot_mixing(Slot slot)
+{
+    switch (slot) {
+#define MIXED(slot, how)                                                                                               \
+    case SLOT_##slot:                                                                                                  \
+        return MIXING_##how;
+#include "slots.def"
+    default:
+        return MIXING_LINEAR;
+    }
+}
+
 #define NONE                                                                                                           \
     0, { 0 }
 #define D(x)                                                                                                           \

@@ -52,6 +52,9 @@ typedef struct {
     const char *doc;
 } SlotRow;
 extern const SlotRow slot_table[SLOT_COUNT];
+/* How two materials' values are mixed, as slots.def says. */
+typedef enum { MIXING_LINEAR, MIXING_DIRECTION, MIXING_EXPONENT } Mixing;
+Mixing slot_mixing(Slot slot);
 
 /* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come first. */
 typedef enum {

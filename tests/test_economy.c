@@ -79,6 +79,43 @@ static void costly_arms_are_branches(void **state)
     free(text);
 }
 
+/* A costly slot of one side of a Mix is in a branch; what the mask alone decides of is not computed for the other side. */
+static void mixed_sides_are_branches(void **state)
+{
+    (void)state;
+    MatcOptions options = quick();
+#define MIX(mask) "material: Mix\nmask: " mask "\na: { material: Phong, diffuse: { map: Granite } }\nb: { material: RGBA, r: 1 }\n"
+    char *text = compile_text(MIX("{ map: Checker }"), MATC_FRAGMENT, &options);
+    const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
+    assert_true(branch && call && branch < call);
+    free(text);
+    text = compile_text(MIX("1"), MATC_FRAGMENT, &options);
+    assert_null(strstr(text, "granite"));
+    free(text);
+    text = compile_text(MIX("{ map: Clamp, input: { map: Granite }, low: 2, high: 3 }"), MATC_FRAGMENT, &options);
+    assert_null(strstr(text, "granite"));
+    free(text);
+}
+
+/* 2^40 ways lead to the innermost material, and each slot of every material is made once. */
+static void mixes_of_mixes_are_asked_once(void **state)
+{
+    (void)state;
+    enum { LEVELS = 40, ROOM = 16384 };
+    MatcOptions options = quick();
+    char document[ROOM];
+    size_t size = (size_t)snprintf(document, sizeof document, "defs:\n  k0: { material: RGBA }\n  j0: { material: Phong, shininess: 0.7 }\n");
+    for (int i = 0; i < LEVELS; i++)
+        size += (size_t)snprintf(document + size, sizeof document - size,
+                                 "  k%d: { material: Mix, a: { ref: k%d }, b: { ref: j%d } }\n"
+                                 "  j%d: { material: Mix, mask: { map: Wood }, a: { ref: k%d }, b: { ref: j%d } }\n",
+                                 i + 1, i, i, i + 1, i, i);
+    snprintf(document + size, sizeof document - size, "material: Mix\na: { ref: k%d }\nb: { ref: j%d }\n", LEVELS, LEVELS);
+    char *text = compile_text(document, MATC_FRAGMENT, &options);
+    assert_int_equal(count(text, "wood(localPosition)"), 1);
+    free(text);
+}
+
 static void inputs_are_minimal(void **state)
 {
     (void)state;
@@ -101,6 +138,8 @@ int main(void)
         cmocka_unit_test(a_filter_is_one_function),
         cmocka_unit_test(dead_parts_are_pruned),
         cmocka_unit_test(costly_arms_are_branches),
+        cmocka_unit_test(mixed_sides_are_branches),
+        cmocka_unit_test(mixes_of_mixes_are_asked_once),
         cmocka_unit_test(inputs_are_minimal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -228,6 +228,43 @@ static void test_side_switch(void **state)
     build_free(&b);
 }
 
+/* From 0.25 of a: colours linearly, the normal by directions, exponents by (2 / (n + 2))^(1/4). */
+static void test_mix(void **state)
+{
+    (void)state;
+    Builder b = {0};
+    Node *mix = build_node(&b, KIND_MixMaterial), *first = build_node(&b, KIND_Phong), *second = build_node(&b, KIND_Phong);
+    Surface s = at_uv(0, 0);
+    close_to(red_of(&b, mix, true), 128. / 255, 0);
+    build_link(mix, P_MixMaterial_a, first);
+    build_link(mix, P_MixMaterial_b, second);
+    build_link(mix, P_MixMaterial_mask, build_constant(&b, build_lanes(3, .25, 9, 9, 0)));
+    build_link(first, P_Phong_input, build_constant(&b, build_lanes(3, 3, 0, 0, 0)));
+    build_link(second, P_Phong_input, build_constant(&b, build_lanes(3, 0, 0, 7, 0)));
+    build_link(first, P_Phong_diffuse, build_constant(&b, build_lanes(4, 2, 3, 4, .5)));
+    build_link(second, P_Phong_shininess, build_constant(&b, build_number(1)));
+    SlotValues v = slots_at(&b, mix, &s);
+    const double size = sqrt(.75 * .75 + .25 * .25);
+    expect3(&v, SLOT_normal, .75 / size, 0, .25 / size);
+    expect3(&v, SLOT_diffuse, 1.625, 2.375, 3.125);
+    expect1(&v, SLOT_alpha, .625);
+    expect3(&v, SLOT_transparency, .375, .375, .375);
+    const double r = .75 * pow(2. / 6, .25) + .25 * pow(2. / 65506, .25);
+    expect1(&v, SLOT_shininess, 2 / pow(r, 4) - 2);
+    s.front = false;
+    v = slots_at(&b, mix, &s);
+    expect3(&v, SLOT_normal, -.75 / size, 0, -.25 / size);
+    s.front = true;
+    build_link(mix, P_MixMaterial_mask, build_constant(&b, build_number(-3)));
+    v = slots_at(&b, mix, &s);
+    expect3(&v, SLOT_diffuse, 2, 3, 4);
+    expect1(&v, SLOT_shininess, 4);
+    build_link(mix, P_MixMaterial_mask, build_constant(&b, build_number(3)));
+    v = slots_at(&b, mix, &s);
+    close_to(v.lane[SLOT_shininess][0], 65504, 1e-9);
+    build_free(&b);
+}
+
 static void test_algorithm_switch(void **state)
 {
     (void)state;
@@ -277,6 +314,7 @@ int main(void)
         cmocka_unit_test(test_phong_input),
         cmocka_unit_test(test_rgba),
         cmocka_unit_test(test_side_switch),
+        cmocka_unit_test(test_mix),
         cmocka_unit_test(test_algorithm_switch),
         cmocka_unit_test(test_sky),
     };

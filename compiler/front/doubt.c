@@ -266,12 +266,24 @@ static void doubt_back(const Doubts *d, const Node *node)
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
+/* A Mix of materials one of which would move the surface. */
+static void doubt_mixed(const Doubts *d, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    for (int i = 0; i < row->count; i++) {
+        const Value *value = &node->params[i];
+        if (node->kind == KIND_MixMaterial && param_table[row->first + i].type == PARAM_Material &&
+            value->kind == VALUE_node && graph_displaces(value->node))
+            diag_add(d->session, value->node->span, DIAG_mixed_displacement, "Mix", "Mix");
+    }
+}
+
 /* In the order of the document, inputs before their users. */
 static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node);
+        doubt_components(d, node), doubt_mixed(d, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)

@@ -32,26 +32,26 @@ static const char *name_of_group(const void *material, int i)
 /* The kind a name stands for; *preset is the name if it is one. */
 static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, const char **preset)
 {
-    *preset = NULL;
     if (name->kind != TREE_scalar) {
         diag_add(r->session, name->span, DIAG_wrong_type, material ? "`material:`" : "`map:`", "a name",
                  tree_describe(r->session, name));
         return false;
     }
+    bool other = false; /* a map has the name of a material that is wanted, or a material that of a map */
     for (int i = 0; i < kind_name_count(); i++) {
         if (strcmp(kind_name(i, kind), name->text) != 0)
             continue;
-        if (i >= KIND_COUNT + alias_count)
-            *preset = name->text;
-        if (is_material(*kind) == material)
+        other |= is_material(*kind) != material;
+        if (is_material(*kind) == material) {
+            *preset = i >= KIND_COUNT + alias_count ? name->text : NULL;
             return true;
-        diag_add(r->session, name->span, material ? DIAG_map_not_material : DIAG_material_not_map, name->text, "");
-        return false;
+        }
     }
-    const char *near = diag_suggest_or_list(
+    const DiagKind unknown = material ? DIAG_unknown_material : DIAG_unknown_map;
+    const char *near = other ? "" : diag_suggest_or_list(
         r->session, name->text, &(NameChoice){name_of_group, &material, material ? KIND_COUNT : kind_name_count()},
         material ? "; there are " : NULL);
-    diag_add(r->session, name->span, material ? DIAG_unknown_material : DIAG_unknown_map, name->text, near);
+    diag_add(r->session, name->span, !other ? unknown : material ? DIAG_map_not_material : DIAG_material_not_map, name->text, near);
     return false;
 }
 

@@ -83,6 +83,7 @@ typedef struct {
     size_t to_differ_count, to_differ_room;
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
+    struct SlotMemo *slots; /* by node and slot: what mixed materials answered; lower_material.c */
     Affine affine;                   /* affine.c */
     uint8_t *uniform_use;            /* by uniform: 1 as a count, 2 as a number */
     const struct Crossing *crossing; /* Blends whose coordinates are to be looked at, the last first; lower_doubt.c */

@@ -3,7 +3,10 @@
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/stack.h"
 #include "runtime/library/sky.h"
+#include <math.h>
 #include <string.h>
+
+static void answer(Environment *environment, const Node *material, SlotValues *result);
 
 typedef void OracleShader(Environment *environment, const Node *material, SlotValues *result);
 typedef const Node *OracleSwitch(const Node *material, bool front);
@@ -182,6 +185,43 @@ const Node *oracle_displaced(const Node *material)
     while (material && !graph_displaces(material))
         material = switches[material->kind] ? switches[material->kind](material, true) : NULL;
     return material;
+}
+
+static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
+
+/* From a slot of a's to that of b's. */
+static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t, SlotValues *result)
+{
+    const double *a = sides[0].lane[slot], *b = sides[1].lane[slot];
+    double *mean = result->lane[slot];
+    if (!memcmp(a, b, sizeof sides[0].lane[slot])) {
+        memcpy(mean, a, sizeof sides[0].lane[slot]);
+        return;
+    }
+    for (int i = 0; i < 3; i++)
+        mean[i] = a[i] * (1 - t) + b[i] * t;
+    if (slot_mixing(slot) == MIXING_DIRECTION) {
+        const double side = environment->surface->front ? 1 : -1;
+        const double turned[3] = {side * mean[0], side * mean[1], side * mean[2]};
+        set_normal(environment, turned, result);
+    } else if (slot_mixing(slot) == MIXING_EXPONENT) {
+        const double r = roughness_of(a[0]) * (1 - t) + roughness_of(b[0]) * t;
+        mean[0] = fmin(fmax(2 / (r * r * r * r) - 2, 0), GREATEST_EXPONENT);
+    }
+}
+
+/* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded as all work is. */
+void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
+{
+    SlotValues sides[2];
+    oracle_spend(environment, ANSWER_WORK);
+    if (oracle_spent(environment->oracle))
+        return;
+    const double red = oracle_ask_param(environment, material, P_MixMaterial_mask, channel_id(GROUP_R, 0));
+    answer(environment, material_of(material, P_MixMaterial_a), &sides[0]);
+    answer(environment, material_of(material, P_MixMaterial_b), &sides[1]);
+    for (int slot = 0; slot < SLOT_COUNT; slot++)
+        mix_slot(environment, (Slot)slot, sides, fmin(fmax(red, 0), 1), result);
 }
 
 static void answer(Environment *environment, const Node *material, SlotValues *result)

@@ -311,26 +311,27 @@ static void map_value(Generator *g)
         put_constant(g);
 }
 
-static void put_material(Generator *g, bool nested);
+static void put_material(Generator *g, int depth);
 
-static void put_material_parameter(Generator *g, const ParamRow *row, const char *separator)
+static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
 {
+    const char *separator = depth ? ", " : "\n";
     text_format(g->out, "%s%s: ", separator, row->name);
     if (row->type == PARAM_Map)
         map_value(g);
     else if (row->type == PARAM_Material)
-        put_material(g, true);
+        put_material(g, depth + 1);
     else if (row->type == PARAM_Bool)
         text_put(g->out, chance(g->c, 1, 2) ? "true" : "false");
     else
         put_numeric(g, row);
 }
 
-/* Mostly a Phong. */
-static Kind choose_material(Choices *c, bool nested)
+/* Mostly a Phong. Mixes may stand in one another, switches stand outermost. */
+static Kind choose_material(Choices *c, int depth)
 {
-    static const Kind others[] = {KIND_RGBA, KIND_SunSkyLight, KIND_SideSwitch, KIND_AlgorithmSwitch};
-    return chance(c, 1, 4) ? others[choose(c, nested ? 2 : 4)] : KIND_Phong;
+    static const Kind others[] = {KIND_RGBA, KIND_SunSkyLight, KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
+    return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 2 : depth ? 3 : 5)] : KIND_Phong;
 }
 
 /* Surfaces stay where they are: the judge has no vertices. tests/test_displacement.c has what moves them. */
@@ -342,15 +343,14 @@ static bool moves_surface(const ParamRow *row)
 
 enum { OWN_MANY = 10 }; /* parameters of a material, those of displacement among them, from which on fewer are given */
 
-static void put_material(Generator *g, bool nested)
+static void put_material(Generator *g, int depth)
 {
-    const KindRow *row = &kind_table[choose_material(g->c, nested)];
-    const char *separator = nested ? ", " : "\n";
-    text_format(g->out, nested ? "{ material: %s" : "material: %s", row->name);
+    const KindRow *row = &kind_table[choose_material(g->c, depth)];
+    text_format(g->out, depth ? "{ material: %s" : "material: %s", row->name);
     for (int i = 0; i < row->count; i++)
         if (!moves_surface(&param_table[row->first + i]) && chance(g->c, row->count > OWN_MANY ? 2 : 4, 6))
-            put_material_parameter(g, &param_table[row->first + i], separator);
-    text_put(g->out, nested ? " }" : "\n");
+            put_material_parameter(g, &param_table[row->first + i], depth);
+    text_put(g->out, depth ? " }" : "\n");
 }
 
 void generate_document(Choices *c, Text *out)
@@ -373,7 +373,7 @@ void generate_document(Choices *c, Text *out)
     }
     g.left = size;
     g.filters = 0;
-    put_material(&g, false);
+    put_material(&g, 0);
 }
 
 void generate_relief(Choices *c, Text *out)
