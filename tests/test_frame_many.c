@@ -11,6 +11,7 @@
 #include "tests/frame/frame_random.h"
 #include <math.h>
 #include <stdio.h>
+#include <unistd.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -55,23 +56,56 @@ static int count_turned(const float *normals, int width, int height)
     return turned;
 }
 
-/* A sphere from four places. A rasteriser, which rounds corners, shows its inside at a pixel of its rim now and then; the first place is one of these. */
+/* A sphere as a file has it: vertices only, each triangle's corners by number. */
+static void write_ball(const char *path)
+{
+    enum { AROUND = 48, UP = 24 };
+    const double pi = acos(-1);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    for (int i = 1; i < UP; i++)
+        for (int k = 0; k < AROUND; k++)
+            fprintf(file, "v %.9g %.9g %.9g\n", sin(pi * i / UP) * cos(2 * pi * k / AROUND),
+                    sin(pi * i / UP) * sin(2 * pi * k / AROUND), -cos(pi * i / UP));
+    fprintf(file, "v 0 0 -1\nv 0 0 1\n");
+    for (int i = 0; i < UP; i++)
+        for (int k = 1; k <= AROUND; k++) {
+            const int next = k % AROUND + 1, south = (UP - 1) * AROUND + 1, below = (i - 1) * AROUND, above = i * AROUND;
+            const int a = i ? below + k : south, b = i ? below + next : south;
+            const int c = i < UP - 1 ? above + next : south + 1, d = i < UP - 1 ? above + k : south + 1;
+            if (i)
+                fprintf(file, "f %d %d %d\n", a, b, c);
+            if (i < UP - 1)
+                fprintf(file, "f %d %d %d\n", a, c, d);
+        }
+    assert_int_equal(fclose(file), 0);
+}
+
+/* A sphere, the renderer's and a file's, from four places. A rasteriser, which rounds corners, shows its inside at a pixel of its rim now and then; the
+ * first place is one of these, of the mesh the second. */
 static void no_inside_at_a_rim(void **unused)
 {
     (void)unused;
     enum { WIDTH = 300, HEIGHT = 225 };
     static const double places[][3] = {{2, -5, 3}, {3, 4, 3.3}, {-5, 1, 2}, {-2, -4, -1}};
+    char folder[] = "/tmp/matc_ball_XXXXXX", ball[64], mesh[96];
+    const char *const solids[] = {"Sphere", mesh};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+    assert_non_null(mkdtemp(folder));
+    snprintf(ball, sizeof ball, "%s/ball.obj", folder);
+    snprintf(mesh, sizeof mesh, "Mesh, file: %s", ball);
+    write_ball(ball);
+    for (size_t i = 0; i < 2 * sizeof places / sizeof *places; i++) {
+        const double *from = places[i / 2];
         MatcDocument *document;
         char text[512];
         snprintf(text, sizeof text,
                  "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [%g, %g, %g], target: [0, "
                  "0, .6] }\n"
                  "materials: { m: { material: Phong } }\nobjects:\n"
-                 "- { object: Sphere, material: m, transform: { translation: [0, 0, 1] } }\n",
-                 WIDTH, HEIGHT, places[i][0], places[i][1], places[i][2]);
+                 "- { object: %s, material: m, transform: { translation: [0, 0, 1] } }\n",
+                 WIDTH, HEIGHT, from[0], from[1], from[2], solids[i % 2]);
         Scene *scene = frame_scene(text, &options, &document);
         float *normals = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
         assert_true(normals[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + 3] > 0);
@@ -79,6 +113,7 @@ static void no_inside_at_a_rim(void **unused)
         free(normals);
         frame_forget(scene, document);
     }
+    assert_true(!remove(ball) && !rmdir(folder));
     gl_close(gl);
 }
 

@@ -148,7 +148,7 @@ static void what_is_closed_stays_closed(void **state)
                          heights[h], triangles[t], solids[s]);
                 Scene *scene = read_scene(text, &document);
                 const Shape *shape = &scene->meshes[scene->objects[0].mesh].shape;
-                if (!shape_is_closed(shape))
+                if (shape_body(shape) == SHAPE_BODY_none)
                     fail_msg("%s: open", text);
                 MatcProgram *program = matc_compile(scene->materials[0].document, scene->materials[0].index, MATC_KEY, &by);
                 const double bound = matc_displacement_bound(program), *m = scene->objects[0].world_from_local.m;

@@ -7,6 +7,7 @@
 #include "runtime/gl/matrix.h"
 #include "runtime/gl/mesh.h"
 #include <math.h>
+#include <stdlib.h>
 
 /* The vertex of a shape that is nearest to (u, v) in a patch. */
 static const ShapeVertex *vertex_at(const Shape *shape, float u, float v)
@@ -92,8 +93,8 @@ static void matrices_invert(void **state)
 
 static bool same_place(const float a[3], const float b[3]) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
-/* Which shapes enclose something is plain to see; without any one of its triangles none does. */
-static void closed_shapes_are_known(void **state)
+/* Which shapes enclose something is plain to see; without any one of its triangles none does, and with one turned round none has an outside. */
+static void bodies_are_known(void **state)
 {
     (void)state;
     static const bool closed[SHAPE_count] = {[SHAPE_sphere] = true, [SHAPE_cube] = true, [SHAPE_torus] = true};
@@ -101,18 +102,74 @@ static void closed_shapes_are_known(void **state)
         Shape shape;
         const int steps[2] = {
             7, kind == SHAPE_cube ? 7 : 5}; /* faces of a cube meet; a pole has an odd number of triangles */
+        const ShapeBody body = closed[kind] ? SHAPE_BODY_solid : SHAPE_BODY_none;
         assert_true(shape_make_detailed((ShapeKind)kind, steps, &shape));
-        assert_int_equal(shape_is_closed(&shape), closed[kind]);
+        assert_int_equal(shape_body(&shape), body);
         for (int i = 0; i < shape.index_count; i += 3) {
             uint32_t *corner = shape.indices + i;
-            const uint32_t kept = corner[2];
-            const float *a = shape.vertices[corner[0]].position, *b = shape.vertices[kept].position;
+            const uint32_t kept[3] = {corner[0], corner[1], corner[2]};
+            const float *a = shape.vertices[corner[0]].position, *b = shape.vertices[corner[2]].position;
             const float *c = shape.vertices[corner[1]].position;
             const bool flat = same_place(a, b) || same_place(a, c) || same_place(b, c); /* at a pole */
             corner[2] = corner[1];
-            assert_int_equal(shape_is_closed(&shape), closed[kind] && flat);
-            corner[2] = kept;
+            assert_int_equal(shape_body(&shape), flat ? body : SHAPE_BODY_none);
+            corner[1] = kept[2];
+            corner[2] = kept[1];
+            assert_int_equal(shape_body(&shape), !closed[kind] ? SHAPE_BODY_none
+                                                 : flat        ? SHAPE_BODY_solid
+                                                               : SHAPE_BODY_closed);
+            corner[1] = kept[1];
+            corner[2] = kept[2];
         }
+        shape_free(&shape);
+    }
+}
+
+/* A copy of a shape at 4 on an axis, its triangles turned or not, and as large as is said; behind it in the lists. */
+static void add_copy(Shape *shape, double size, bool turned)
+{
+    const int vertices = shape->vertex_count, indices = shape->index_count;
+    shape->vertices = realloc(shape->vertices, 2 * (size_t)vertices * sizeof *shape->vertices);
+    shape->indices = realloc(shape->indices, 2 * (size_t)indices * sizeof *shape->indices);
+    assert_true(shape->vertices && shape->indices);
+    for (int i = 0; i < vertices; i++) {
+        shape->vertices[vertices + i] = shape->vertices[i];
+        for (int k = 0; k < 3; k++)
+            shape->vertices[vertices + i].position[k] =
+                (float)(size * shape->vertices[i].position[k] + (k == 0 ? 4 : 0));
+    }
+    for (int i = 0; i < indices; i++) {
+        const int corner = turned ? 2 - i % 3 : i % 3;
+        shape->indices[indices + i] = shape->indices[i - i % 3 + corner] + (uint32_t)vertices;
+    }
+    shape->vertex_count *= 2;
+    shape->index_count *= 2;
+}
+
+/* Each part has an outside of its own: a small one that is inside out is found beside a large one, far from the origin, and within it. */
+static void each_part_is_looked_at(void **state)
+{
+    (void)state;
+    static const struct {
+        double size;
+        bool turned;
+        ShapeBody body;
+    } cases[] = {{1, false, SHAPE_BODY_solid}, {.1, true, SHAPE_BODY_closed},  {8, false, SHAPE_BODY_solid},
+                 {8, true, SHAPE_BODY_closed}, {-1, false, SHAPE_BODY_closed}, {-1, true, SHAPE_BODY_solid}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        Shape shape;
+        assert_true(shape_make_detailed(SHAPE_torus, (int[]){9, 7}, &shape));
+        add_copy(&shape, cases[i].size, cases[i].turned);
+        assert_int_equal(shape_body(&shape), cases[i].body);
+        for (int k = 0; k < shape.vertex_count; k++)
+            shape.vertices[k].position[1] =
+                shape.vertices[k].position[1] * 64 + 65536; /* rounded, what is in one place alike */
+        for (int k = 0; k < shape.index_count; k += 3) {    /* and all of it turned round */
+            const uint32_t kept = shape.indices[k];
+            shape.indices[k] = shape.indices[k + 1];
+            shape.indices[k + 1] = kept;
+        }
+        assert_int_equal(shape_body(&shape), SHAPE_BODY_closed);
         shape_free(&shape);
     }
 }
@@ -120,9 +177,8 @@ static void closed_shapes_are_known(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shapes_are_oriented),
-        cmocka_unit_test(derivatives_are_those_of_the_position),
-        cmocka_unit_test(closed_shapes_are_known),
+        cmocka_unit_test(shapes_are_oriented), cmocka_unit_test(derivatives_are_those_of_the_position),
+        cmocka_unit_test(bodies_are_known),    cmocka_unit_test(each_part_is_looked_at),
         cmocka_unit_test(matrices_invert),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

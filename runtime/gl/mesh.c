@@ -70,6 +70,7 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     gl->GenBuffers(shape->base ? 3 : 2, made->buffers);
     upload(gl, made, shape);
     made->index_count = shape->index_count;
+    made->body = shape_body(shape);
     if (gl_check(gl, "making a mesh"))
         return true;
     mesh_delete(gl, made);

@@ -28,6 +28,7 @@ typedef struct {
     GLuint array;      /* vertex array */
     GLuint buffers[3]; /* vertices, indices, base positions where they are others */
     GLsizei index_count;
+    ShapeBody body; /* what it encloses */
 } Mesh;
 
 /* On false *made is empty, see gl->error. */

@@ -42,7 +42,12 @@ bool shape_make(ShapeKind kind, Shape *made);
 bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made);
 void shape_free(Shape *shape);
 
-/* Whether it encloses what lies within: each edge has an even number of triangles, vertices in one place taken together. Of two bodies that touch, or
- * cross, each does. Wrong about one of 2^64 that do not. shape_closed.c */
-bool shape_is_closed(const Shape *shape);
+/* What a shape's triangles enclose, vertices in one place taken together. Wrong about one of 2^63 that enclose less. shape_closed.c */
+typedef enum {
+    SHAPE_BODY_none,
+    SHAPE_BODY_closed, /* each edge has an even number of triangles: of two bodies that touch, or cross, each does */
+    SHAPE_BODY_solid /* each edge has as many triangles one way as the other, and the volume of each part, whose triangles share corners, is greater
+                          than 0: from outside the first that a ray meets shows its front, but where a part crosses itself and is inside out there */
+} ShapeBody;
+ShapeBody shape_body(const Shape *shape);
 #endif

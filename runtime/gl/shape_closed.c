@@ -1,8 +1,11 @@
-/* An edge is known by the places of its ends, as a number of 64 bits that looks like chance; what is met an even number of times leaves nothing of an
- * exclusive or. So it takes no table, and as long as reading the triangles.
+/* An edge is known by the places of its ends, as a number of 64 bits that looks like chance. What is met an even number of times leaves nothing of an
+ * exclusive or; what is met as often one way as the other, nothing of a sum that counts one way as less than 0. So it takes no table of edges.
  *
- *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the three of its edges are left */
+ *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the three of its edges are left; with one turned round,
+ *     the exclusive or is 0, and of the sum twice these three */
 #include "runtime/gl/shape.h"
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The finaliser of SplitMix64: each bit of the result goes by each bit of the argument. */
@@ -25,17 +28,111 @@ static uint64_t place_number(const float position[3])
     return number;
 }
 
-bool shape_is_closed(const Shape *shape)
+/* Numbers of the places of all vertices, and what vertices belong to: each to one of lower number, or, if it is the first of its part, to itself. */
+typedef struct {
+    uint64_t *places;
+    int *owners;
+    double (*sums)[2]; /* of a part: its volume, and of what that is summed up, without signs */
+} Parts;
+
+/* Edges without an extent are none. */
+static ShapeBody look_at_edges(const Shape *shape, const uint64_t *places)
 {
-    uint64_t left = 0;
-    for (int i = 0; i < shape->index_count; i += 3) {
-        uint64_t corners[3];
-        for (int k = 0; k < 3; k++)
-            corners[k] = place_number(shape->vertices[shape->indices[i + k]].position);
-        for (int k = 0; k < 3; k++) {
-            const uint64_t from = corners[k], to = corners[(k + 1) % 3];
-            left ^= from == to ? 0 : mix(from + to); /* without an extent it is no edge */
-        }
+    uint64_t odd = 0, turned = 0;
+    for (int i = 0; i < shape->index_count; i++) {
+        const int next = i % 3 == 2 ? i - 2 : i + 1;
+        const uint64_t from = places[shape->indices[i]], to = places[shape->indices[next]];
+        const uint64_t edge = from == to ? 0 : mix(from + to);
+        odd ^= edge;
+        turned += from < to ? edge : -edge;
     }
-    return left == 0;
+    return odd ? SHAPE_BODY_none : turned ? SHAPE_BODY_closed : SHAPE_BODY_solid;
+}
+
+/* The first of its part, which later walks find sooner. */
+static int part_of(int *owners, int vertex)
+{
+    while (owners[vertex] != vertex) {
+        owners[vertex] = owners[owners[vertex]];
+        vertex = owners[vertex];
+    }
+    return vertex;
+}
+
+static void join(int *owners, int a, int b)
+{
+    const int x = part_of(owners, a), y = part_of(owners, b);
+    owners[x > y ? x : y] = x > y ? y : x;
+}
+
+/* Vertices in one place belong to the first of them: each place has a slot from its number's lowest bits on. */
+static bool join_places(const Shape *shape, Parts *parts)
+{
+    size_t mask = 1;
+    while (mask < 2 * (size_t)shape->vertex_count)
+        mask = 2 * mask + 1;
+    int *firsts = calloc(mask + 1, sizeof *firsts); /* counted from 1 */
+    for (int i = 0; firsts && i < shape->vertex_count; i++) {
+        size_t slot = parts->places[i] & mask;
+        while (firsts[slot] && parts->places[firsts[slot] - 1] != parts->places[i])
+            slot = (slot + 1) & mask;
+        firsts[slot] = firsts[slot] ? firsts[slot] : i + 1;
+        parts->owners[i] = firsts[slot] - 1;
+    }
+    const bool done = firsts != NULL;
+    free(firsts);
+    return done;
+}
+
+/* Six times the volume of the pyramid from a point over a triangle. */
+static double volume_over(const float from[3], const float *const corners[3])
+{
+    double v[3][3];
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            v[i][k] = (double)corners[i][k] - from[k];
+    return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) + v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+           v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
+}
+
+/* Pyramids from a part's first vertex over its triangles have its volume, greater than 0 if fronts are outside. */
+static bool all_face_outwards(const Shape *shape, Parts *parts)
+{
+    const double rounding = 1e-12;
+    if (!join_places(shape, parts))
+        return false;
+    for (int i = 0; i < shape->index_count; i++)
+        join(parts->owners, (int)shape->indices[i], (int)shape->indices[i - i % 3]);
+    for (int i = 0; i < shape->index_count; i += 3) {
+        const float *corners[3];
+        const int part = part_of(parts->owners, (int)shape->indices[i]);
+        for (int k = 0; k < 3; k++)
+            corners[k] = shape->vertices[shape->indices[i + k]].position;
+        const double volume = volume_over(shape->vertices[part].position, corners);
+        parts->sums[part][0] += volume;
+        parts->sums[part][1] += fabs(volume);
+    }
+    bool outwards = true;
+    for (int i = 0; i < shape->vertex_count; i++)
+        outwards = outwards && parts->sums[i][0] >= rounding * parts->sums[i][1];
+    return outwards;
+}
+
+ShapeBody shape_body(const Shape *shape)
+{
+    const size_t count = (size_t)shape->vertex_count + 1;
+    Parts parts = {malloc(count * sizeof *parts.places), malloc(count * sizeof *parts.owners),
+                   calloc(count, sizeof *parts.sums)};
+    ShapeBody body = SHAPE_BODY_none;
+    if (parts.places && parts.owners && parts.sums) {
+        for (int i = 0; i < shape->vertex_count; i++)
+            parts.places[i] = place_number(shape->vertices[i].position);
+        body = look_at_edges(shape, parts.places);
+        if (body == SHAPE_BODY_solid && !all_face_outwards(shape, &parts))
+            body = SHAPE_BODY_closed;
+    }
+    free(parts.places);
+    free(parts.owners);
+    free(parts.sums);
+    return body;
 }

@@ -128,7 +128,7 @@ static bool list_seen(const CacheSource *source, Cache *cache)
         Drawable *drawable = &cache->surfaces[i];
         const int first = next;
         drawable->first_seen = cache->place_count + first;
-        drawable->solid = scene_solid_is_closed(&source->scene->objects[cache->places[drawable->first].object]);
+        drawable->solid = cache->meshes[drawable->mesh].body == SHAPE_BODY_solid;
         for (int k = drawable->first; k < drawable->first + drawable->count; k++) {
             const SceneMatrix *matrix = &source->scene->objects[cache->places[k].object].world_from_local;
             if (source->volume && !cull_sees(source->volume, &cache->boxes[drawable->mesh], matrix))

@@ -19,9 +19,9 @@ static void cross(const float *a, const float *b, const float *c, double out[3])
 }
 
 /* Pyramids from the first vertex over all triangles have the volume. */
-static VoxelShape measure(const Shape *shape)
+static VoxelShape measure(const Shape *shape, ShapeBody body)
 {
-    VoxelShape made = {.closed = shape_is_closed(shape)};
+    VoxelShape made = {.closed = body != SHAPE_BODY_none};
     for (int i = 0; i < shape->index_count; i += 3) {
         const float *first = shape->vertices[0].position, *a = shape->vertices[shape->indices[i]].position;
         double face[3];
@@ -54,7 +54,8 @@ bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
         fine = object->kind == SCENE_Mesh || scene_solid(object, &made);
         if (fine)
             voxels->shapes[mesh] =
-                measure(object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made);
+                measure(object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made,
+                        cache->meshes[mesh].body);
         shape_free(&made);
     }
     free(known);

@@ -173,8 +173,6 @@ bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera 
 
 /* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has its own. */
 bool scene_solid(const SceneObject *object, Shape *made);
-/* It encloses what lies within, and its front is outside: a sphere, box, cylinder or cone. */
-bool scene_solid_is_closed(const SceneObject *object);
 /* Objects with one key have the same ones, those of a file too. */
 Key scene_solid_key(const SceneObject *object);
 /* How many they are, without making them. */

@@ -172,9 +172,3 @@ bool scene_solid(const SceneObject *object, Shape *made)
         return true; /* a Plane has no triangles, a Mesh its own */
     }
 }
-
-bool scene_solid_is_closed(const SceneObject *object)
-{
-    return object->kind == SCENE_Sphere || object->kind == SCENE_Box || object->kind == SCENE_Cylinder ||
-           object->kind == SCENE_Cone;
-}
