@@ -11,6 +11,7 @@
 #define VALUE_Vec3            PLAIN(Vec3)
 #define VALUE_Shadows         PLAIN(Shadows)
 #define VALUE_Volume          PLAIN(Volume)
+#define VALUE_Displacing      PLAIN(Displacing)
 #define VALUE_Path            PLAIN(Path)
 #define VALUE_Indirect        PLAIN(Indirect)
 #define VALUE_Weight          PLAIN(Weight)

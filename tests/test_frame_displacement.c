@@ -18,13 +18,14 @@ enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT };
     "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: Gradient, direction: "   \
     "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n"             \
     "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n"                                                                        \
-    "displacement: { triangles: 20000 }\n"
+    "displacement: { triangles: 20000, method: %s }\n"
 static const char *const bodies[] = {
     "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
     "- { object: Sphere, radius: 0.9, material: tiles, detail: 48 }\n",
     "- { object: Cylinder, radius: 0.6, height: 1.2, detail: 40, material: leaning, transform: { translation: [0, 0, -0.6] } }\n",
     "- { object: Cone, radius: 0.8, height: 1.5, detail: 40, material: rock, transform: { translation: [0, 0, -0.5], rotation: [2, 0, 0] } }\n",
 };
+static const char *const methods[] = {"mesh", "bisection"};
 enum { BODIES = sizeof bodies / sizeof *bodies, VIEWS = 16 };
 
 /* Whether a ray and four beside it, a fiftieth of a pixel away, all meet something, or all nothing; -1: they do not agree. */
@@ -53,7 +54,7 @@ static void nothing_shows_through_what_is_closed(void **state)
         snprintf(text, sizeof text,
                  "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [%g, %g, %g], angle: 40 }\n" MATERIALS
                  "objects:\n%s",
-                 WIDTH, HEIGHT, 4 * r * cos(turn), 4 * r * sin(turn), 4 * z, bodies[view / VIEWS]);
+                 WIDTH, HEIGHT, 4 * r * cos(turn), 4 * r * sin(turn), 4 * z, methods[view % 2], bodies[view / VIEWS]);
         Scene *scene = frame_scene(text, &options, &document);
         float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
         Tracer tracer = reference_open(scene);
@@ -98,7 +99,7 @@ static void light_is_that_of_the_oracle(void **state)
         snprintf(text, sizeof text,
                  "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n" MATERIALS
                  "lights:\n- { light: Point, position: [2, -2, 3], intensity: 12 }\nobjects:\n%s",
-                 WIDTH, HEIGHT, bodies[body]);
+                 WIDTH, HEIGHT, methods[body % 2], bodies[body]);
         Scene *scene = frame_scene(text, &options, &document);
         float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
         Tracer tracer = reference_open(scene);
@@ -129,10 +130,10 @@ static void light_is_that_of_the_oracle(void **state)
 static void shadows_are_those_of_the_displaced_shape(void **state)
 {
     (void)state;
-    static const char *const methods[] = {"map", "silhouette", "exact", "hybrid"};
+    static const char *const shadows[] = {"map", "silhouette", "exact", "hybrid"};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+    for (size_t m = 0; m < sizeof shadows / sizeof *shadows; m++) {
         char text[4000];
         MatcDocument *document;
         int wrong = 0, dark = 0, all = 0;
@@ -140,7 +141,7 @@ static void shadows_are_those_of_the_displaced_shape(void **state)
                  "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -5, 4], angle: 45 }\n" MATERIALS
                  "shadowMaps: { size: 2048, filter: 0 }\nlights:\n- { light: Directional, direction: [1, -0.6, -1], shadows: %s }\n"
                  "objects:\n%s- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { translation: [-4, -4, -1] } }\n",
-                 WIDTH, HEIGHT, methods[m], bodies[0]);
+                 WIDTH, HEIGHT, methods[m % 2], shadows[m], bodies[0]);
         Scene *scene = frame_scene(text, &options, &document);
         float *with = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
         float *without = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
@@ -162,7 +163,7 @@ static void shadows_are_those_of_the_displaced_shape(void **state)
             dark += !lit;
             wrong += lit != (with[4 * i] > .9f * without[4 * i]);
         }
-        print_message("%-10s %d pixels of the floor, %d dark, %d wrong\n", methods[m], all, dark, wrong);
+        print_message("%-10s %d pixels of the floor, %d dark, %d wrong\n", shadows[m], all, dark, wrong);
         assert_true(all > 3000 && dark > 150);
         assert_int_equal(wrong, 0);
         reference_close(&tracer);

@@ -135,17 +135,18 @@ static const char *const solids[] = {
 static void what_is_closed_stays_closed(void **state)
 {
     (void)state;
-    static const int triangles[] = {1, 500, 777, 4000, 20000};
+    static const char *const division[] = {"triangles: 1", "triangles: 500", "triangles: 777", "triangles: 4000", "triangles: 20000",
+                                           "method: bisection, triangles: 1", "method: bisection, triangles: 5000"};
     int shapes = 0;
     double nearest = 0;
     for (size_t h = 0; h < sizeof heights / sizeof *heights; h++)
         for (size_t s = 0; s < sizeof solids / sizeof *solids; s++)
-            for (size_t t = 0; t < sizeof triangles / sizeof *triangles; t++, shapes++) {
+            for (size_t t = 0; t < sizeof division / sizeof *division; t++, shapes++) {
                 char text[2000];
                 MatcDocument *document;
                 const MatcOptions by = options();
-                snprintf(text, sizeof text, "materials: { m: { material: Phong, %s } }\ndisplacement: { triangles: %d }\nobjects:\n%s\n",
-                         heights[h], triangles[t], solids[s]);
+                snprintf(text, sizeof text, "materials: { m: { material: Phong, %s } }\ndisplacement: { %s }\nobjects:\n%s\n",
+                         heights[h], division[t], solids[s]);
                 Scene *scene = read_scene(text, &document);
                 const Shape *shape = &scene->meshes[scene->objects[0].mesh].shape;
                 if (shape_body(shape) == SHAPE_BODY_none)

@@ -126,6 +126,7 @@ typedef struct Scene {
     bool shadow_colored;    /* what is transparent colours the light that goes through it */
     int displaced;          /* objects whose meshes were displaced: scene_displace.c */
     SceneDisplacer *displacer;
+    Word displaced_by;       /* how: WORD_Displacing_mesh, ... */
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
     int voxel_size;         /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;

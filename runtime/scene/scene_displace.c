@@ -113,8 +113,9 @@ static bool make_shape(Maker *k, const SceneObject *object, const Base *base, Sh
 {
     Scene *scene = k->scene;
     const SceneMaterial *of = &scene->materials[object->material];
-    const SceneDisplacing how = {of->document, of->index, &k->by->options, object->world_from_local,
-                                 scene->displaced_triangles};
+    const SceneDisplacing how = {of->document,        of->index,
+                                 &k->by->options,     object->world_from_local,
+                                 scene->displaced_by, scene->displaced_triangles};
     SceneObject before = *object;
     Shape solid = {0};
     before.kind = base->kind;

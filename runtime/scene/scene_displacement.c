@@ -1,11 +1,12 @@
-/* True displacement by meshes: triangles are divided, alike, and each place is moved once, by the C reference in double. What draws the scene then sees meshes
+/* True displacement by meshes: triangles are divided, alike or by error (scene_refine.c), and each place is moved once, by the C reference in double. What draws the scene then sees meshes
  * like any other, whatever it draws them for: shadows of each method, voxels, edges of the picture.
  *
- * No crack: triangles that share an edge divide it alike (scene_divide.c), and all vertices of one place move together: along the unit sum of their normals, where
+ * No crack: triangles that share an edge divide it alike (scene_divide.c, scene_bisection.c), and all vertices of one place move together: along the unit sum of their normals, where
  * those are several, and by the texture coordinates and tangents of the first. So what was closed stays closed, bit for bit. */
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_refine.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,60 +57,88 @@ static void join_normals(const Shape *shape, const int *first, ShapeVertex *join
     }
 }
 
-/* The points of all places, moved; `at` tells the place of a vertex. */
-static MatcPoint *moved_places(const SceneDisplacing *how, const Shape *shape, const int *first, int *at)
+typedef struct {
+    const SceneDisplacing *how;
+    SceneMatrix local_from_world;
+} Mover;
+
+/* By the C reference, in the world and back. */
+static bool move_points(void *user, const ShapeVertex *at, int count, double (*to)[3])
 {
-    SceneMatrix inverse;
+    const Mover *mover = user;
+    const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
+    MatcPoint *points = malloc(((size_t)count + 1) * sizeof *points);
+    for (int i = 0; points && i < count; i++)
+        points[i] = point_of(&at[i], m, inverse);
+    const bool fine = points && matc_move(mover->how->document, mover->how->material, mover->how->options, points, count);
+    for (int i = 0; fine && i < count; i++) {
+        double from[3];
+        for (int lane = 0; lane < 3; lane++)
+            from[lane] = points[i].position[lane] - m->m[12 + lane];
+        for (int lane = 0; lane < 3; lane++)
+            to[i][lane] =
+                inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] + inverse->m[8 + lane] * from[2];
+    }
+    free(points);
+    return fine;
+}
+
+/* Where all places go; `at` tells the place of a vertex. From malloc; NULL: it cannot be. */
+static double (*moved_places(Mover *mover, const Shape *shape, const int *first, int *at))[3]
+{
     ShapeVertex *joined = calloc((size_t)shape->vertex_count + 1, sizeof *joined);
-    MatcPoint *points = calloc((size_t)shape->vertex_count + 1, sizeof *points);
+    double(*to)[3] = calloc((size_t)shape->vertex_count + 1, sizeof *to);
     int count = 0;
-    bool fine = joined && points && scene_matrix_invert(&how->world_from_local, &inverse);
+    bool fine = joined && to;
     if (fine)
         join_normals(shape, first, joined);
     for (int i = 0; fine && i < shape->vertex_count; i++) {
         at[i] = first[i] == i ? count : at[first[i]];
         if (first[i] == i)
-            points[count++] = point_of(&joined[i], &how->world_from_local, &inverse);
+            joined[count++] = joined[i];
     }
-    fine = fine && matc_move(how->document, how->material, how->options, points, count);
-    for (int i = 0; fine && i < count; i++) { /* back to the object's space */
-        double from[3], to[3];
-        for (int lane = 0; lane < 3; lane++)
-            from[lane] = points[i].position[lane] - how->world_from_local.m[12 + lane];
-        for (int lane = 0; lane < 3; lane++)
-            to[lane] = inverse.m[lane] * from[0] + inverse.m[4 + lane] * from[1] + inverse.m[8 + lane] * from[2];
-        memcpy(points[i].position, to, sizeof to);
-    }
+    fine = fine && move_points(mover, joined, count, to);
     free(joined);
     if (!fine)
-        free(points);
-    return fine ? points : NULL;
+        free(to);
+    return fine ? to : NULL;
 }
 
-static bool move_shape(const SceneDisplacing *how, Shape *shape)
+static bool move_shape(Mover *mover, Shape *shape)
 {
     int *first = scene_places(shape), *at = calloc((size_t)shape->vertex_count + 1, sizeof *at);
-    MatcPoint *points = first && at ? moved_places(how, shape, first, at) : NULL;
+    double(*to)[3] = first && at ? moved_places(mover, shape, first, at) : NULL;
     shape->base = calloc((size_t)shape->vertex_count + 1, sizeof *shape->base);
-    const bool fine = points && shape->base;
+    const bool fine = to && shape->base;
     for (int i = 0; fine && i < shape->vertex_count; i++) {
         memcpy(shape->base[i], shape->vertices[i].position, sizeof shape->base[i]);
         for (int lane = 0; lane < 3; lane++)
-            shape->vertices[i].position[lane] = (float)points[at[i]].position[lane];
+            shape->vertices[i].position[lane] = (float)to[at[i]][lane];
     }
-    free(points);
+    free(to);
     free(at);
     free(first);
     return fine;
 }
 
-bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape *made)
+static bool divide_alike(Mover *mover, const Shape *from, Shape *made)
 {
-    const double parts = ceil(sqrt((double)how->triangles / fmax(from->index_count / 3., 1)));
+    const double parts = ceil(sqrt((double)mover->how->triangles / fmax(from->index_count / 3., 1)));
     if (!scene_divide(from, parts > 1 ? (int)parts : 1, made))
         return false;
-    if (move_shape(how, made))
+    if (move_shape(mover, made))
         return true;
     shape_free(made);
     return false;
+}
+
+bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape *made)
+{
+    Mover mover = {.how = how};
+    *made = (Shape){0};
+    if (!scene_matrix_invert(&how->world_from_local, &mover.local_from_world))
+        return false;
+    return how->method == WORD_Displacing_bisection
+               ? scene_refine(from, &(SceneRefining){move_points, &mover, how->triangles}, made)
+               : divide_alike(&mover, from, made);
 }

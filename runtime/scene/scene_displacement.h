@@ -3,12 +3,13 @@
 #define MATC_SCENE_DISPLACEMENT_H
 #include "runtime/scene/scene.h"
 
-/* By which material, with whose options, where in the world, and to how many triangles it is divided, at least. */
+/* By which material, with whose options, where in the world, how it is divided, and to how many triangles at least. */
 typedef struct {
     const MatcDocument *document;
     int material;
     const MatcOptions *options;
     SceneMatrix world_from_local;
+    Word method; /* WORD_Displacing_mesh, ... */
     int triangles;
 } SceneDisplacing;
 

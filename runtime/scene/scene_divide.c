@@ -110,6 +110,15 @@ static uint32_t *put_rows(const uint32_t *rows, int n, uint32_t *next)
     return next;
 }
 
+ShapeVertex scene_divide_point(const Shape *shape, int triangle, const int weights[3], int n)
+{
+    const uint32_t *index = &shape->indices[3 * (size_t)triangle];
+    const ShapeVertex *corner[3];
+    for (int k = 0; k < 3; k++)
+        corner[k] = &shape->vertices[index[k]];
+    return between(corner, weights, n);
+}
+
 bool scene_divide(const Shape *shape, int n, Shape *made)
 {
     const size_t triangles = (size_t)shape->index_count / 3, each = (size_t)(n + 1) * (size_t)(n + 2) / 2;

@@ -6,6 +6,9 @@
 /* Every triangle as n^2 in rows, its vertices on planes between its corners: normals have unit length, the rest is mixed. Vertices on an edge stand in
  * one place, whichever of its triangles they are of. False: memory ran out, *made is empty. */
 bool scene_divide(const Shape *shape, int n, Shape *made);
+/* The point of a triangle whose corners count by these weights, which sum up to n: as such a division would have it. On an edge it is the same, whichever of its
+ * triangles is asked. */
+ShapeVertex scene_divide_point(const Shape *shape, int triangle, const int weights[3], int n);
 /* By vertex: the first that stands in the same place. From malloc; NULL: memory ran out. */
 int *scene_places(const Shape *shape);
 #endif

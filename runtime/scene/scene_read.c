@@ -88,6 +88,7 @@ static void read_displacement(SceneReader *r, Tree *tree)
         scene_thing_default(r, SCENE_SORT_displacement, &thing);
     else if (!scene_thing_read(r, tree, SCENE_SORT_displacement, &thing))
         return;
+    r->scene->displaced_by = (Word)scene_thing_number(&thing, S_Displacement_method);
     r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
 }
 

@@ -1,0 +1,378 @@
+/* Bisection by error. Each triangle has a few sample points within; where they are moved to differs from where the triangle has them, as it mixes what its corners
+ * are moved to. The mean square of that distance, times the area, is the triangle's share of the whole error, and the largest are divided, an eighth of all
+ * triangles at a time; samples go to the half that they lie in, and those that a half lacks are added.
+ *
+ *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the halves that the ridge does not cross have 0, and stay as they are
+ *
+ * What no sample meets is not found. So the first sixteenth of the triangles goes by area alone: a part of the surface that is as large as two triangles of an
+ * even division has a sample within. */
+#include "runtime/scene/scene_refine.h"
+#include "runtime/scene/scene_bisection.h"
+#include "runtime/scene/scene_divide.h"
+#include "runtime/scene/scene_room.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    SAMPLES = 8,      /* of a triangle, at least */
+    EVEN_SHARE = 16,  /* one of so many triangles is made by area */
+    ROUND_SHARE = 8,  /* a round divides one of so many, */
+    ROUND_LEAST = 32, /* and as many as that */
+    BATCH = 4096      /* points that are moved at once */
+};
+
+typedef struct {
+    int weights[3]; /* in the base triangle */
+    uint32_t next;  /* of the same triangle; NONE */
+    double to[3];
+} Sample;
+
+static const uint32_t NONE = UINT32_MAX;
+
+typedef struct {
+    double error;
+    uint32_t triangle, stamp;
+} Rank;
+
+typedef struct {
+    SceneBisection b;
+    const SceneRefining *how;
+    Sample *samples;
+    size_t sample_count, sample_room, sample_moved;
+    uint32_t *first; /* sample of a triangle */
+    uint32_t *stamp; /* of a triangle: the round that changed it last */
+    uint32_t round;
+    size_t state_count, first_room, stamp_room;
+    double (*to)[3]; /* by place */
+    size_t to_count, to_room;
+    uint32_t *touched; /* triangles that are others since the last round */
+    size_t touched_count, touched_room;
+    Rank *ranks; /* a heap, the largest first */
+    size_t rank_count, rank_room;
+    double least; /* mean square: below, floats have no better */
+    bool fine;
+} Refiner;
+
+/* -- ranks */
+
+static bool put_rank(Refiner *r, Rank rank)
+{
+    if (!scene_room(&r->ranks, r->rank_count + 1, &r->rank_room, sizeof *r->ranks))
+        return false;
+    size_t at = r->rank_count++;
+    for (; at && r->ranks[(at - 1) / 2].error < rank.error; at = (at - 1) / 2)
+        r->ranks[at] = r->ranks[(at - 1) / 2];
+    r->ranks[at] = rank;
+    return true;
+}
+
+/* There is one. */
+static Rank take_rank(Refiner *r)
+{
+    const Rank top = r->ranks[0], last = r->ranks[--r->rank_count];
+    size_t at = 0;
+    for (size_t next = 1; next < r->rank_count; next = 2 * at + 1) {
+        if (next + 1 < r->rank_count && r->ranks[next + 1].error > r->ranks[next].error)
+            next++;
+        if (r->ranks[next].error <= last.error)
+            break;
+        r->ranks[at] = r->ranks[next];
+        at = next;
+    }
+    r->ranks[at] = last;
+    return top;
+}
+
+/* -- samples */
+
+/* Twice the area of a triangle within its base, in parts squared; its sign tells how it turns. */
+static double turn(const int a[3], const int b[3], const int c[3])
+{
+    return (double)(b[0] - a[0]) * (c[1] - a[1]) - (double)(b[1] - a[1]) * (c[0] - a[0]);
+}
+
+/* Where a triangle has the point that is moved. */
+static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int weights[3], double result[3])
+{
+    const double whole = turn(t->weights[0], t->weights[1], t->weights[2]);
+    const double a = turn(weights, t->weights[1], t->weights[2]) / whole,
+                 b = turn(weights, t->weights[2], t->weights[0]) / whole;
+    const double *to[3];
+    for (int i = 0; i < 3; i++)
+        to[i] = r->to[r->b.place_of[t->vertex[i]]];
+    for (int lane = 0; lane < 3; lane++)
+        result[lane] = a * to[0][lane] + b * to[1][lane] + (1 - a - b) * to[2][lane];
+}
+
+static double base_area(const Refiner *r, int base)
+{
+    const uint32_t *index = &r->b.shape->indices[3 * (size_t)base];
+    double e[2][3], sum = 0;
+    for (int i = 0; i < 2; i++)
+        for (int lane = 0; lane < 3; lane++)
+            e[i][lane] = (double)r->b.shape->vertices[index[i + 1]].position[lane] -
+                         r->b.shape->vertices[index[0]].position[lane];
+    for (int i = 0; i < 3; i++) {
+        const double x = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+        sum += x * x;
+    }
+    return sqrt(sum) / 2;
+}
+
+static double area_of(const Refiner *r, const SceneBisectionTriangle *t)
+{
+    const double parts = SCENE_BISECTION_PARTS;
+    return base_area(r, t->base) * fabs(turn(t->weights[0], t->weights[1], t->weights[2])) / (parts * parts);
+}
+
+static double error_of(const Refiner *r, uint32_t triangle)
+{
+    const SceneBisectionTriangle *t = &r->b.triangles[triangle];
+    double sum = 0;
+    int count = 0;
+    for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next, count++) {
+        double at[3];
+        mixed(r, t, r->samples[i].weights, at);
+        for (int lane = 0; lane < 3; lane++)
+            sum += (at[lane] - r->samples[i].to[lane]) * (at[lane] - r->samples[i].to[lane]);
+    }
+    return sum > count * r->least ? sum / count * area_of(r, t) : 0;
+}
+
+/* Half a step of a float, of the farthest point. */
+static double least_square(const Shape *shape)
+{
+    double most = 0;
+    for (int i = 0; i < shape->vertex_count; i++)
+        for (int lane = 0; lane < 3; lane++)
+            most = fmax(most, fabs((double)shape->vertices[i].position[lane]));
+    return most * most * ldexp(1, -48);
+}
+
+/* Evenly over a triangle: points of a lattice whose steps are 1 over the plastic number and its square, the far half of the square turned over (Roberts,
+ * The unreasonable effectiveness of quasirandom sequences, 2018). */
+static void place_sample(const SceneBisectionTriangle *t, size_t number, int weights[3])
+{
+    const double steps[2] = {0.7548776662466927, 0.5698402909980532};
+    double x[2];
+    for (int i = 0; i < 2; i++)
+        x[i] = fmod(.5 + steps[i] * (double)(number % (1u << 24)), 1);
+    if (x[0] + x[1] > 1) {
+        x[0] = 1 - x[0];
+        x[1] = 1 - x[1];
+    }
+    for (int lane = 0; lane < 2; lane++)
+        weights[lane] = (int)lrint(t->weights[2][lane] + x[0] * (t->weights[0][lane] - t->weights[2][lane]) +
+                                   x[1] * (t->weights[1][lane] - t->weights[2][lane]));
+    weights[2] = SCENE_BISECTION_PARTS - weights[0] - weights[1];
+}
+
+static bool fill_samples(Refiner *r, uint32_t triangle)
+{
+    int count = 0;
+    for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next)
+        count++;
+    if (!scene_room(&r->samples, r->sample_count + SAMPLES, &r->sample_room, sizeof *r->samples))
+        return false;
+    for (; count < SAMPLES; count++) {
+        Sample *made = &r->samples[r->sample_count];
+        place_sample(&r->b.triangles[triangle], r->sample_count, made->weights);
+        made->next = r->first[triangle];
+        r->first[triangle] = (uint32_t)r->sample_count++;
+    }
+    return true;
+}
+
+/* Triangles that have no samples yet. */
+static bool add_states(Refiner *r)
+{
+    if (!scene_room(&r->first, r->b.count, &r->first_room, sizeof *r->first) ||
+        !scene_room(&r->stamp, r->b.count, &r->stamp_room, sizeof *r->stamp))
+        return false;
+    for (; r->state_count < r->b.count; r->state_count++) {
+        r->first[r->state_count] = NONE;
+        r->stamp[r->state_count] = 0;
+    }
+    return true;
+}
+
+static bool touch(Refiner *r, uint32_t triangle)
+{
+    if (r->stamp[triangle] == r->round)
+        return true;
+    if (!scene_room(&r->touched, r->touched_count + 1, &r->touched_room, sizeof *r->touched))
+        return false;
+    r->touched[r->touched_count++] = triangle;
+    r->stamp[triangle] = r->round;
+    return true;
+}
+
+/* (c, a, m) and (b, c, m): samples go to the one whose side of the line from c to m they lie on. */
+static void share_samples(void *user, uint32_t triangle, uint32_t made)
+{
+    Refiner *r = user;
+    r->fine = r->fine && add_states(r) && touch(r, triangle) && touch(r, made);
+    if (!r->fine)
+        return;
+    const SceneBisectionTriangle *t = &r->b.triangles[triangle];
+    const double side = turn(t->weights[0], t->weights[2], t->weights[1]);
+    uint32_t next = r->first[triangle];
+    r->first[triangle] = r->first[made] = NONE;
+    while (next != NONE) {
+        Sample *sample = &r->samples[next];
+        const uint32_t at = next,
+                       to = turn(t->weights[0], t->weights[2], sample->weights) * side >= 0 ? triangle : made;
+        next = sample->next;
+        sample->next = r->first[to];
+        r->first[to] = at;
+    }
+}
+
+/* -- points */
+
+/* The vertex that moves a place. */
+static ShapeVertex place_vertex(const SceneBisection *b, size_t place)
+{
+    ShapeVertex vertex = b->vertices[b->places[place].first];
+    memcpy(vertex.normal, b->places[place].normal, sizeof vertex.normal);
+    return vertex;
+}
+
+static bool move_places(Refiner *r, ShapeVertex *at)
+{
+    if (!scene_room(&r->to, r->b.place_count, &r->to_room, sizeof *r->to))
+        return false;
+    while (r->to_count < r->b.place_count) {
+        int count = 0;
+        for (; count < BATCH && r->to_count + (size_t)count < r->b.place_count; count++)
+            at[count] = place_vertex(&r->b, r->to_count + (size_t)count);
+        if (!r->how->move(r->how->user, at, count, r->to + r->to_count))
+            return false;
+        r->to_count += (size_t)count;
+    }
+    return true;
+}
+
+/* Those of the triangles that were touched which are new, by their triangles. */
+static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
+{
+    uint32_t waiting[BATCH];
+    int count = 0;
+    for (size_t i = 0; i <= r->touched_count; i++) {
+        const bool all = i == r->touched_count;
+        for (uint32_t k = all ? NONE : r->first[r->touched[i]]; k != NONE; k = r->samples[k].next)
+            if (k >= r->sample_moved && count < BATCH) {
+                waiting[count] = k;
+                at[count++] = scene_divide_point(r->b.shape, r->b.triangles[r->touched[i]].base, r->samples[k].weights,
+                                                 SCENE_BISECTION_PARTS);
+            }
+        if ((!all && count + SAMPLES <= BATCH) || !count)
+            continue;
+        if (!r->how->move(r->how->user, at, count, to))
+            return false;
+        for (int k = 0; k < count; k++)
+            memcpy(r->samples[waiting[k]].to, to[k], sizeof to[k]);
+        count = 0;
+    }
+    r->sample_moved = r->sample_count;
+    return true;
+}
+
+/* -- rounds */
+
+/* What was touched is ranked anew. */
+static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3])
+{
+    bool fine = true;
+    for (size_t i = 0; fine && !by_area && i < r->touched_count; i++)
+        fine = fill_samples(r, r->touched[i]);
+    fine = fine && (by_area || (move_places(r, at) && move_samples(r, at, to)));
+    for (size_t i = 0; fine && i < r->touched_count; i++) {
+        const uint32_t triangle = r->touched[i];
+        const double error = by_area ? area_of(r, &r->b.triangles[triangle]) : error_of(r, triangle);
+        if (r->b.triangles[triangle].depth < SCENE_BISECTION_DEPTH - 2 && error > 0)
+            fine = put_rank(r, (Rank){error, triangle, r->stamp[triangle]});
+    }
+    r->touched_count = 0;
+    return fine;
+}
+
+static bool divide_most(Refiner *r, size_t triangles)
+{
+    const size_t share = r->b.count / ROUND_SHARE;
+    const size_t round = r->b.count + (share > ROUND_LEAST ? share : ROUND_LEAST),
+                 to = round < triangles ? round : triangles;
+    bool fine = true;
+    r->round++;
+    while (fine && r->b.count < to && r->rank_count) {
+        const Rank rank = take_rank(r);
+        if (rank.stamp == r->stamp[rank.triangle])
+            fine = scene_bisection_split(&r->b, rank.triangle) && r->fine;
+    }
+    return fine;
+}
+
+/* Until there are so many, or no error. */
+static bool refine_to(Refiner *r, size_t triangles, bool by_area)
+{
+    ShapeVertex *at = malloc(BATCH * sizeof *at);
+    double(*to)[3] = malloc(BATCH * sizeof *to);
+    bool fine = at && to && add_states(r);
+    r->rank_count = 0;
+    r->round++;
+    for (uint32_t i = 0; fine && i < r->b.count; i++)
+        fine = touch(r, i);
+    fine = fine && end_round(r, by_area, at, to);
+    while (fine && r->b.count < triangles && r->rank_count)
+        fine = divide_most(r, triangles) && end_round(r, by_area, at, to);
+    fine = fine && move_places(r, at);
+    free(at);
+    free(to);
+    return fine;
+}
+
+static bool put_shape(const Refiner *r, Shape *made)
+{
+    const SceneBisection *b = &r->b;
+    *made = (Shape){.vertices = calloc(b->vertex_count + 1, sizeof *made->vertices),
+                    .indices = calloc(3 * b->count + 1, sizeof *made->indices),
+                    .vertex_count = (int)b->vertex_count,
+                    .index_count = (int)(3 * b->count),
+                    .base = calloc(b->vertex_count + 1, sizeof *made->base)};
+    if (!made->vertices || !made->indices || !made->base) {
+        shape_free(made);
+        return false;
+    }
+    for (size_t i = 0; i < b->vertex_count; i++) {
+        made->vertices[i] = b->vertices[i];
+        memcpy(made->base[i], b->vertices[i].position, sizeof made->base[i]);
+        for (int lane = 0; lane < 3; lane++)
+            made->vertices[i].position[lane] = (float)r->to[b->place_of[i]][lane];
+    }
+    for (size_t i = 0; i < b->count; i++)
+        memcpy(made->indices + 3 * i, b->triangles[i].vertex, sizeof b->triangles[i].vertex);
+    return true;
+}
+
+bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
+{
+    Refiner r = {.how = how, .fine = true};
+    const size_t triangles = (size_t)how->triangles;
+    bool fine = scene_bisection_begin(shape, &r.b);
+    r.least = least_square(shape);
+    r.b.divided = share_samples;
+    r.b.user = &r;
+    fine = fine && (r.b.count >= triangles / EVEN_SHARE || refine_to(&r, triangles / EVEN_SHARE, true));
+    fine = fine && refine_to(&r, triangles, false) && put_shape(&r, made);
+    scene_bisection_end(&r.b);
+    free(r.samples);
+    free(r.first);
+    free(r.stamp);
+    free(r.to);
+    free(r.touched);
+    free(r.ranks);
+    if (!fine)
+        *made = (Shape){0};
+    return fine;
+}

@@ -1,0 +1,17 @@
+/* A shape that is divided where what moves its points is not what its triangles have. */
+#ifndef MATC_SCENE_REFINE_H
+#define MATC_SCENE_REFINE_H
+#include "runtime/gl/shape.h"
+
+/* Moves so many points, in the shape's space: to[i] is where at[i] goes. False: it cannot. */
+typedef bool (*SceneMove)(void *user, const ShapeVertex *at, int count, double (*to)[3]);
+
+typedef struct {
+    SceneMove move;
+    void *user;
+    int triangles; /* to as many, or a few more, or as many as there are */
+} SceneRefining;
+
+/* The refined shape, moved, with where its vertices were (Shape.base). False: memory ran out, or points could not be moved; *made is empty. */
+bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made);
+#endif
