@@ -129,7 +129,7 @@ static void a_second_frame_only_draws(void **state)
         int draws;
     } cases[] = {{"lists", "all", OPAQUE + 2 + 1},
                  {"peeling", "all", OPAQUE + LAYERS * (2 + 1)},
-                 {"lists", "bounded", OPAQUE + 2 + 1 + 2 /* groups of pixels, and what is far from them */}};
+                 {"lists", "bounded", OPAQUE + 2 + 1 + 3 /* groups of pixels, what is near them, and the rest */}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(busy, &options, &document);
@@ -207,7 +207,7 @@ static void views_need_less(void **state)
                  {NULL, "gather depth, gbuffer far not run: all lights are asked for", "all"},
                  {NULL, "gather depth, gbuffer far lights are many, and far ones are taken together", "bounded"},
                  {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
-                 {"light", "far two buffers 3: 2128 bytes for blocks of 32 x 32", "bounded"}};
+                 {"light", "far two buffers 4: 3536 bytes for blocks of 32 x 32", "bounded"}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene =

@@ -1,5 +1,5 @@
 // A group of pixels of a block: those that lie near each other and are alike, as pass_groups.glsl leaves them where pass_gather.glsl puts sums. Before it
-// stand lighting.glsl, far_terms.glsl and far_blocks.glsl, and FAR_GATHERERS, the invocations that both passes have for a group: some software renderers
+// stand lighting.glsl, far_terms.glsl and far_blocks.glsl, and FAR_INVOCATIONS, the invocations that a pass has for a group: some software renderers
 // go through what invocations share for one after the other, so that few are faster there.
 layout(std430, binding = 4) buffer FarWords {
     uint far_words[];
@@ -26,8 +26,9 @@ const int GROUP_NUMBERS = 29;
 
 int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
 
-// Where the numbers of a group begin.
+// Where the numbers of a group begin, and its bits.
 int farPlace(int number) { return (farBlock() * FAR_GROUPS + number) * FAR_TEXELS * 4; }
+int farBits(int number) { return farBlock() * FAR_WORDS + FAR_MAP + number * FAR_MARKS; }
 
 // The cosines that a direction can have with one that is within an angle of an axis: x the least, y the most.
 vec2 farCosines(float along, float cosine, float sine)

@@ -1,4 +1,4 @@
-// Gloss of a light that is taken together, for pass_gather.glsl. Before it stand far_terms.glsl and far_group.glsl.
+// Gloss of a light that is taken together, for pass_near.glsl and pass_gather.glsl. Before it stand far_terms.glsl and far_group.glsl.
 
 // A light as the group sees it: the way to the centre, of length 1; the group's radius over its distance, 0 if that is infinite, and the most that a point
 // is above or below the centre, along its normal, over the distance; what arrives at the centre; of n.(l - p) over the distance the least and the most

@@ -1,84 +1,126 @@
 // The light of many points around c, at points p that are nearer to c than any of them. Without the cosine's clamp, a lamp at l gives a surface n.V, where
-// V = (l - p) / |l - p|^3 is the slope of 1 / |l - p|, in p. With u = p - c and d = |l - c| that is a sum over n from 0 on of
-// |u|^n / d^(n + 1) P_n(cos(u, l - c)), and P_n a sum of products of 2 n + 1 harmonics of each direction: so lamps add up in their harmonics alone.
-// FAR_TERMS are those of n = 1 to 4. What is left out: the slope of |u|^n P_n is at most n |u|^(n - 1) (Bernstein's and Szego's inequality for P_n as
-// a polynomial of the angle's cosine), and with q = |u| / d the sum of n q^(n - 1) from n = 5 on is q^4 (5 - 4 q) / (1 - q)^2, times 1 / d^2.
-// For example a lamp at (0, 0, 2), u = (0, 0, 1), n = (0, 0, 1): 1 is the truth, and 1/4 (1 + 2/2 + 3/4 + 4/8) = 0.8125; left out is 0.1875, and the
-// bound says (5 - 2) / 16 / (1/4) / 4 = 0.1875: so it is met where all lie on one line.
-#define FAR_TERMS 24
+// V = (l - p) / |l - p|^3 is the slope of 1 / |l - p|, in p. With u = p - c and d = |l - c| that is a sum over k from 0 on of
+// |u|^k / d^(k + 1) P_k(cos(u, l - c)), and P_k a sum of products of 2 k + 1 harmonics of each direction: so lamps add up in their harmonics alone.
+// FAR_TERMS are those of k = 1 to N = 6. What is left out: the slope of |u|^k P_k is at most k |u|^(k - 1) (Bernstein's and Szego's
+// inequality for P_k as a polynomial of the angle's cosine), and with q = |u| / d the sum of k q^(k - 1) from N + 1 on is
+// q^N (N + 1 - N q) / (1 - q)^2, times 1 / d^2.
+// For example a lamp at (0, 0, 2), u = (0, 0, 1), n = (0, 0, 1): 1 is the truth, and 1/4 (1 + 2/2 + 3/4 + 4/8 + 5/16 + 6/32) = 0.9375; left out is 0.0625,
+// and the bound says (7 - 3) / 64 / (1/4) / 4 = 0.0625: so it is met where all lie on one line.
+//
+// Harmonics are complex, real and imaginary part in a vec2, as recurrences have them (Epton and Dembart, 1995; P_km without (-1)^m):
+//   R_km(u) = |u|^k P_km(cos t) e^(i m f) / (k + m)!, and S_km(w) = (k - m)! P_km(cos t) e^(i m f) of a direction w
+//   1 / |l - p| = sum of q^k / d (R_k0 S_k0 + 2 Re R_km Re S_km + 2 Im R_km Im S_km), m from 1 to k, where u is in units of the greatest |u|
+//   along z: ((k + 1)^2 - m^2) R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k + 1) z S_km - (k^2 - m^2) S_(k-1)m
+//   slopes: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy) R_km = -R_(k-1)(m+1)
+#define FAR_TERMS 48
 // By name: a loop that some compiler leaves as it is would keep an array in memory.
-#define FAR_EACH(f)                                                                                                    \
-    f(0) f(1) f(2) f(3) f(4) f(5) f(6) f(7) f(8) f(9) f(10) f(11) f(12) f(13) f(14) f(15) f(16) f(17) f(18) f(19)      \
-        f(20) f(21) f(22) f(23)
+#define FAR_EACH_OF_24(f, k)                                                                                           \
+    f(k) f(k + 1) f(k + 2) f(k + 3) f(k + 4) f(k + 5) f(k + 6) f(k + 7) f(k + 8) f(k + 9) f(k + 10) f(k + 11) f(k + 12)  \
+        f(k + 13) f(k + 14) f(k + 15) f(k + 16) f(k + 17) f(k + 18) f(k + 19) f(k + 20) f(k + 21) f(k + 22) f(k + 23)
+#define FAR_EACH(f) FAR_EACH_OF_24(f, 0) FAR_EACH_OF_24(f, 24)
 #define FAR_EACH_LOBE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6)
+
+// More or less than what the terms give, at most, of a lamp that gives 1 at c.
+float farLeftOut(float q)
+{
+    float nearer = 1.0 / (1.0 - q), qq = q * q;
+    return qq * qq * qq * (7.0 - 6.0 * q) * nearer * nearer;
+}
+
+vec2 farTimes(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x); }
+
+#define FAR_ADD(at, s) sums[at] += p * (s);
+#define FAR_ADD2(at, s) sums[at] += pp * (s).x; sums[at + 1] += pp * (s).y;
 
 // A lamp that gives `power` at c, from the direction w, where the greatest |u| is `ratio` of its distance.
 void farAdd(vec3 w, float ratio, vec3 power, inout vec3 sums[FAR_TERMS])
 {
-    float x = w.x, y = w.y, z = w.z, xx = x * x, yy = y * y, zz = z * z, a = xx + yy, b = xx - yy, xy = x * y;
-    vec3 p = power;
-    sums[0] += p * x;
-    sums[1] += p * y;
-    sums[2] += p * z;
-    p *= ratio;
-    sums[3] += p * (zz - 0.5 * a);
-    sums[4] += p * (1.7320508 * x * z);
-    sums[5] += p * (1.7320508 * y * z);
-    sums[6] += p * (0.8660254 * b);
-    sums[7] += p * (1.7320508 * xy);
-    p *= ratio;
-    float c = x * (xx - 3.0 * yy), s = y * (3.0 * xx - yy);
-    sums[8] += p * (z * (zz - 1.5 * a));
-    sums[9] += p * (0.6123724 * x * (4.0 * zz - a));
-    sums[10] += p * (0.6123724 * y * (4.0 * zz - a));
-    sums[11] += p * (1.9364917 * z * b);
-    sums[12] += p * (3.8729833 * z * xy);
-    sums[13] += p * (0.7905694 * c);
-    sums[14] += p * (0.7905694 * s);
-    p *= ratio;
-    sums[15] += p * (zz * (zz - 3.0 * a) + 0.375 * a * a);
-    sums[16] += p * (0.7905694 * x * z * (4.0 * zz - 3.0 * a));
-    sums[17] += p * (0.7905694 * y * z * (4.0 * zz - 3.0 * a));
-    sums[18] += p * (0.5590170 * b * (6.0 * zz - a));
-    sums[19] += p * (1.1180340 * xy * (6.0 * zz - a));
-    sums[20] += p * (2.0916501 * z * c);
-    sums[21] += p * (2.0916501 * z * s);
-    sums[22] += p * (0.7395100 * (x * c - y * s));
-    sums[23] += p * (2.9580399 * xy * b);
+    vec2 xy = w.xy;
+    float z = w.z, z3 = 3.0 * z, z5 = 5.0 * z, z7 = 7.0 * z;
+    vec3 p = power, pp = 2.0 * p;
+    FAR_ADD(0, z) FAR_ADD2(1, xy)
+    p *= ratio, pp *= ratio;
+    float s20 = z3 * z - 1.0;
+    vec2 s21 = z3 * xy, s22 = 3.0 * farTimes(xy, xy);
+    FAR_ADD(3, s20) FAR_ADD2(4, s21) FAR_ADD2(6, s22)
+    p *= ratio, pp *= ratio;
+    float s30 = z5 * s20 - 4.0 * z;
+    vec2 s31 = z5 * s21 - 3.0 * xy, s32 = z5 * s22, s33 = 5.0 * farTimes(xy, s22);
+    FAR_ADD(8, s30) FAR_ADD2(9, s31) FAR_ADD2(11, s32) FAR_ADD2(13, s33)
+    p *= ratio, pp *= ratio;
+    float s40 = z7 * s30 - 9.0 * s20;
+    vec2 s41 = z7 * s31 - 8.0 * s21, s42 = z7 * s32 - 5.0 * s22, s43 = z7 * s33, s44 = 7.0 * farTimes(xy, s33);
+    FAR_ADD(15, s40) FAR_ADD2(16, s41) FAR_ADD2(18, s42) FAR_ADD2(20, s43) FAR_ADD2(22, s44)
+    float z9 = 9.0 * z, z11 = 11.0 * z;
+    p *= ratio, pp *= ratio;
+    float s50 = z9 * s40 - 16.0 * s30;
+    vec2 s51 = z9 * s41 - 15.0 * s31, s52 = z9 * s42 - 12.0 * s32, s53 = z9 * s43 - 7.0 * s33, s54 = z9 * s44,
+         s55 = 9.0 * farTimes(xy, s44);
+    FAR_ADD(24, s50) FAR_ADD2(25, s51) FAR_ADD2(27, s52) FAR_ADD2(29, s53) FAR_ADD2(31, s54) FAR_ADD2(33, s55)
+    p *= ratio, pp *= ratio;
+    FAR_ADD(35, z11 * s50 - 25.0 * s40)
+    FAR_ADD2(36, z11 * s51 - 24.0 * s41)
+    FAR_ADD2(38, z11 * s52 - 21.0 * s42)
+    FAR_ADD2(40, z11 * s53 - 16.0 * s43)
+    FAR_ADD2(42, z11 * s54 - 9.0 * s44)
+    FAR_ADD2(44, z11 * s55)
+    FAR_ADD2(46, 11.0 * farTimes(xy, s55))
 }
+
+// Along n: of R_k0, by those of k - 1; of R_km.
+float farSlope(vec3 n, float same, vec2 above) { return n.z * same - dot(n.xy, above); }
+
+vec2 farSlope(vec3 n, vec2 below, vec2 same, vec2 above)
+{
+    return n.z * same + 0.5 * (farTimes(n.xy, below) - farTimes(vec2(n.x, -n.y), above));
+}
+
+#define FAR_SLOPE(at, same, above) slopes[at] = farSlope(n, same, above);
+#define FAR_SLOPE2(at, below, same, above) slope = farSlope(n, below, same, above); slopes[at] = slope.x; slopes[at + 1] = slope.y;
 
 // The harmonics' slopes along n, at u, which is of length 1 at most.
 void farSlopes(vec3 u, vec3 n, out float slopes[FAR_TERMS])
 {
-    float x = u.x, y = u.y, z = u.z, xx = x * x, yy = y * y, zz = z * z, a = xx + yy, b = xx - yy, xy = x * y;
-    float c = x * (xx - 3.0 * yy), s = y * (3.0 * xx - yy);
-    float da = 2.0 * (x * n.x + y * n.y), db = 2.0 * (x * n.x - y * n.y), dxy = n.x * y + x * n.y; // slopes of a, b, xy
-    float dc = 3.0 * (b * n.x - 2.0 * xy * n.y), ds = 3.0 * (2.0 * xy * n.x + b * n.y);           // and of c, s
-    slopes[0] = n.x;
-    slopes[1] = n.y;
-    slopes[2] = n.z;
-    slopes[3] = 2.0 * z * n.z - 0.5 * da;
-    slopes[4] = 1.7320508 * (n.x * z + x * n.z);
-    slopes[5] = 1.7320508 * (n.y * z + y * n.z);
-    slopes[6] = 0.8660254 * db;
-    slopes[7] = 1.7320508 * dxy;
-    float e = 4.0 * zz - a, de = 8.0 * z * n.z - da;
-    slopes[8] = n.z * (3.0 * zz - 1.5 * a) - 1.5 * z * da;
-    slopes[9] = 0.6123724 * (n.x * e + x * de);
-    slopes[10] = 0.6123724 * (n.y * e + y * de);
-    slopes[11] = 1.9364917 * (n.z * b + z * db);
-    slopes[12] = 3.8729833 * (n.z * xy + z * dxy);
-    slopes[13] = 0.7905694 * dc;
-    slopes[14] = 0.7905694 * ds;
-    float f = z * (4.0 * zz - 3.0 * a), df = n.z * (12.0 * zz - 3.0 * a) - 3.0 * z * da;
-    float g = 6.0 * zz - a, dg = 12.0 * z * n.z - da;
-    slopes[15] = n.z * z * (4.0 * zz - 6.0 * a) + da * (0.75 * a - 3.0 * zz);
-    slopes[16] = 0.7905694 * (n.x * f + x * df);
-    slopes[17] = 0.7905694 * (n.y * f + y * df);
-    slopes[18] = 0.5590170 * (db * g + b * dg);
-    slopes[19] = 1.1180340 * (dxy * g + xy * dg);
-    slopes[20] = 2.0916501 * (n.z * c + z * dc);
-    slopes[21] = 2.0916501 * (n.z * s + z * ds);
-    slopes[22] = 0.7395100 * (n.x * c + x * dc - n.y * s - y * ds);
-    slopes[23] = 2.9580399 * (dxy * b + xy * db);
+    const vec2 NONE = vec2(0.0);
+    vec2 xy = u.xy, slope;
+    float z = u.z, uu = dot(u, u), z5 = 5.0 * z;
+    FAR_SLOPE(0, 1.0, NONE)
+    FAR_SLOPE2(1, vec2(1.0, 0.0), NONE, NONE)
+    vec2 r11 = 0.5 * xy;
+    FAR_SLOPE(3, z, r11)
+    FAR_SLOPE2(4, vec2(z, 0.0), r11, NONE)
+    FAR_SLOPE2(6, r11, NONE, NONE)
+    float r20 = (3.0 * z * z - uu) / 4.0;
+    vec2 r21 = z * r11, r22 = farTimes(xy, r11) / 4.0;
+    FAR_SLOPE(8, r20, r21)
+    FAR_SLOPE2(9, vec2(r20, 0.0), r21, r22)
+    FAR_SLOPE2(11, r21, r22, NONE)
+    FAR_SLOPE2(13, r22, NONE, NONE)
+    float r30 = (z5 * r20 - uu * z) / 9.0;
+    vec2 r31 = (z5 * r21 - uu * r11) / 8.0, r32 = z * r22, r33 = farTimes(xy, r22) / 6.0;
+    FAR_SLOPE(15, r30, r31)
+    FAR_SLOPE2(16, vec2(r30, 0.0), r31, r32)
+    FAR_SLOPE2(18, r31, r32, r33)
+    FAR_SLOPE2(20, r32, r33, NONE)
+    FAR_SLOPE2(22, r33, NONE, NONE)
+    float z7 = 7.0 * z, z9 = 9.0 * z;
+    float r40 = (z7 * r30 - uu * r20) / 16.0;
+    vec2 r41 = (z7 * r31 - uu * r21) / 15.0, r42 = (z7 * r32 - uu * r22) / 12.0, r43 = z * r33,
+         r44 = farTimes(xy, r33) / 8.0;
+    FAR_SLOPE(24, r40, r41)
+    FAR_SLOPE2(25, vec2(r40, 0.0), r41, r42)
+    FAR_SLOPE2(27, r41, r42, r43)
+    FAR_SLOPE2(29, r42, r43, r44)
+    FAR_SLOPE2(31, r43, r44, NONE)
+    FAR_SLOPE2(33, r44, NONE, NONE)
+    float r50 = (z9 * r40 - uu * r30) / 25.0;
+    vec2 r51 = (z9 * r41 - uu * r31) / 24.0, r52 = (z9 * r42 - uu * r32) / 21.0, r53 = (z9 * r43 - uu * r33) / 16.0,
+         r54 = z * r44, r55 = farTimes(xy, r44) / 10.0;
+    FAR_SLOPE(35, r50, r51)
+    FAR_SLOPE2(36, vec2(r50, 0.0), r51, r52)
+    FAR_SLOPE2(38, r51, r52, r53)
+    FAR_SLOPE2(40, r52, r53, r54)
+    FAR_SLOPE2(42, r53, r54, r55)
+    FAR_SLOPE2(44, r54, r55, NONE)
+    FAR_SLOPE2(46, r55, NONE, NONE)
 }

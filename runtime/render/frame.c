@@ -266,7 +266,7 @@ bool frame_make(Render *render)
 
 bool frame_change(Render *render, unsigned what)
 {
-    ScreenPass *passes[] = {&render->light, &render->far.groups,       &render->far.gather,
+    ScreenPass *passes[] = {&render->light, &render->far.groups, &render->far.near,         &render->far.gather,
                             &render->blend, &render->indirect.combine, &render->peel};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
     pass_volume_change(render);

@@ -74,7 +74,7 @@ typedef struct {
 
 /* Of pass_gather.c, where lights are many. */
 typedef struct {
-    ScreenPass groups, gather; /* one after the other */
+    ScreenPass groups, near, gather; /* one after the other */
     GLuint numbers, words;     /* storage buffers of far_blocks.glsl */
     GLuint texels, bits;       /* the same as textures, which the pass light reads */
 } FrameFar;
@@ -313,7 +313,7 @@ typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around } LightingOf;
 
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
 typedef struct {
-    const char *body[6];
+    const char *body[7];
     bool over; /* it is passOver() */
     int block; /* of screen_pass.h */
     LightingOf of;

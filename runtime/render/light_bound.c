@@ -1,5 +1,5 @@
 /* Many lights: which are summed at each pixel, and which are taken together, so that the picture as it is shown is within half a step of 8 bits,
- * 1/510, of the sum of all. pass_groups.glsl and pass_gather.glsl do it, for each block of 32 x 32 pixels by itself:
+ * 1/510, of the sum of all. pass_groups.glsl, pass_near.glsl and pass_gather.glsl do it, for each block of 32 x 32 pixels by itself:
  *
  *  1. Pixels that lie near each other are a group, with a centre c, a greatest distance from it, a cone of normals. Most blocks have one; a
  *     block that shows a box has one for each side, as a light that one side sees another may not.

@@ -4,13 +4,16 @@
 
 /* As far_blocks.glsl has them. */
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
-enum { GATHERERS_HARDWARE = 32 /* a warp: sums wait for nobody else */, GATHERERS_SOFTWARE = 8 /* llvmpipe's lanes */ };
+/* Of a group of pixels or of lights. What sums a series has few: each needs many registers, and sums wait for nobody but a warp. */
+static const int invocations_hardware[] = {
+    [LIGHT_FAR_groups] = 64, [LIGHT_FAR_near] = 64, [LIGHT_FAR_gather] = 32, [LIGHT_FAR_light] = 0};
+enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's lanes */ };
 enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 
-void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS])
+void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS])
 {
-    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n#define FAR_GATHERERS %d\n%s",
-             light_far_most(render), render->gl->hardware ? GATHERERS_HARDWARE : GATHERERS_SOFTWARE,
+    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s",
+             light_far_most(render), render->gl->hardware ? invocations_hardware[use] : INVOCATIONS_SOFTWARE,
              render->light_counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
 }
 

@@ -23,9 +23,13 @@ int light_far_rows(const Render *render, int width);
 void light_far_put(Text *out, const Render *render);
 bool light_far_make(Render *render);
 void light_far_delete(Render *render);
+/* Sorts so many lights of two texels, the first of which begins with a place, so that neighbours in space are neighbours. False: out of memory.
+ * light_order.c */
+bool light_order(float (*lights)[2][4], int count);
 /* What the GLSL of both passes goes by; told to one; bound for the pass gather, and for the pass light. */
 enum { LIGHT_FAR_DEFINITIONS = 128 };
-void light_far_define(const Render *render, char defined[LIGHT_FAR_DEFINITIONS]);
+typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse; /* in this order */
+void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS]);
 void light_far_set(const Render *render, ScreenPass *pass);
 void light_far_bind(const Render *render);
 void light_far_bind_read(const Render *render);

@@ -3,7 +3,7 @@
 #include <limits.h>
 
 /* As far_blocks.glsl has them. */
-enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = 25, MAP = 64, WORD = 32 };
+enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = 43, MAP = 64, WORD = 32 };
 
 /* Of a block. */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
@@ -11,7 +11,7 @@ static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
 static size_t words_bytes(const Render *render)
 {
     const size_t bits = (size_t)light_far_most(render) / WORD, tops = (bits + WORD - 1) / WORD;
-    return (MAP + GROUPS * (tops + bits)) * sizeof(GLuint);
+    return (MAP + GROUPS * (tops + 2 * bits)) * sizeof(GLuint);
 }
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
@@ -89,6 +89,7 @@ bool light_far_make(Render *render)
 void light_far_delete(Render *render)
 {
     screen_pass_delete(&render->far.groups);
+    screen_pass_delete(&render->far.near);
     screen_pass_delete(&render->far.gather);
     render->gl->DeleteTextures(1, &render->far.texels); /* GL ignores the name 0 */
     render->gl->DeleteTextures(1, &render->far.bits);

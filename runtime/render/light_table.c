@@ -48,6 +48,8 @@ bool light_table_write(Render *render, int unit)
     if (!lights->texels)
         return gl_fail(render->gl, "out of memory");
     view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels, render->light_counts);
+    if (light_far_used(render) && !light_order((float(*)[2][4])lights->texels, render->light_counts[VIEW_SPACE_PLAIN]))
+        return gl_fail(render->gl, "out of memory");
     shadow_put_lights(render, lights->texels);
     if (render->far.numbers && others != (render->light_counts[VIEW_SPACE_POINTS] > 0))
         return gl_fail(render->gl, "lights cast shadows, or do not, where none did otherwise: this is another scene");

@@ -128,7 +128,8 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 
 static void set_all_numbers(Render *render)
 {
-    ScreenPass *passes[] = {&render->light, &render->far.groups, &render->far.gather, &render->blend, &render->peel};
+    ScreenPass *passes[] = {&render->light,      &render->far.groups, &render->far.near,
+                            &render->far.gather, &render->blend,      &render->peel};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         if (passes[i]->material.store)
             set_numbers(render, passes[i]);

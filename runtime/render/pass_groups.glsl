@@ -1,8 +1,8 @@
 // Before the pass gather: groups of a block's pixels, and bounds of what they are. Before it stands far_group.glsl.
-layout(local_size_x = FAR_GATHERERS) in;
+layout(local_size_x = FAR_INVOCATIONS) in;
 uniform sampler2D light_depth;
 
-const int GROUP = FAR_GATHERERS, SETS = FAR_MAP / GROUP; // invocations; sets of pixels that one goes through
+const int GROUP = FAR_INVOCATIONS, SETS = FAR_MAP / GROUP; // invocations; sets of pixels that one goes through
 const int PIXELS = FAR_SPAN * FAR_SPAN;                  // of a set: 8 apart, so that neighbours are of neighbouring invocations
 
 // The pixel that a group is made around: its point, normal and mirrored view, and the exponent of its gloss.

@@ -10,7 +10,7 @@ bool pass_light_needed(const Render *render) { return render->scene != NULL; }
 static bool make_far(Render *render)
 {
     char defined[LIGHT_FAR_DEFINITIONS];
-    light_far_define(render, defined);
+    light_far_define(render, LIGHT_FAR_light, defined);
     const LightingText text = {
         {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far}, false, 0, LIGHTING_nearest};
     if (!lighting_make(render, &text, &render->light))

@@ -16,11 +16,13 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
     float s[FAR_TERMS];
     farSlopes((point - centre.xyz) * centre.w, normal, s);
     vec3 sum = vec3(0.0);
+    vec4 four;
+    const int LANE = FAR_TERMS / 4; // texels
 #define FAR_FOUR(k)                                                                                                    \
-    sum += vec3(dot(farTexel(at + 1 + k), vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])),                 \
-                dot(farTexel(at + 7 + k), vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])),                 \
-                dot(farTexel(at + 13 + k), vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3])));
+    four = vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3]);                                                   \
+    sum += vec3(dot(farTexel(at + 1 + k), four), dot(farTexel(at + 1 + LANE + k), four), dot(farTexel(at + 1 + 2 * LANE + k), four));
     FAR_FOUR(0) FAR_FOUR(1) FAR_FOUR(2) FAR_FOUR(3) FAR_FOUR(4) FAR_FOUR(5)
+    FAR_FOUR(6) FAR_FOUR(7) FAR_FOUR(8) FAR_FOUR(9) FAR_FOUR(10) FAR_FOUR(11)
     return max(sum, 0.0);
 }
 
@@ -36,7 +38,7 @@ vec3 farGloss(int at, vec3 point, vec3 mirror)
 }
 #endif
 
-// The group of its block that a pixel is in, as pass_gather.glsl counts pixels: those of an invocation are 8 apart.
+// The group of its block that a pixel is in, as pass_groups.glsl counts pixels: those of an invocation are 8 apart.
 int farGroup(int block, ivec2 pixel)
 {
     ivec2 p = pixel % FAR_BLOCK, q = p / 8, own = p % 8;
@@ -90,7 +92,7 @@ vec4 passPixel(ivec2 pixel)
 #ifdef SURFACE_HAS_specular
         sum += surfaceGloss(seen.m) * farGloss(at, seen.point, surfaceMirror(seen.m));
 #endif
-        sum += farNear(block * FAR_WORDS + FAR_MAP + group * FAR_NEAR, seen);
+        sum += farNear(block * FAR_WORDS + FAR_MAP + group * FAR_MARKS, seen);
     }
     return vec4(sum, 1.0);
 }

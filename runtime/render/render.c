@@ -184,11 +184,11 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
 static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
-    ScreenPass passes[] = {render->light, render->far.groups, render->far.gather,
+    ScreenPass passes[] = {render->light, render->far.groups, render->far.near, render->far.gather,
                            render->tone,  render->blend,      render->peel};
     render->cache = (Cache){0};
-    render->light = render->far.groups = render->far.gather = render->tone = render->blend = render->peel =
-        (ScreenPass){0};
+    render->light = render->far.groups = render->far.near = render->far.gather = render->tone = render->blend =
+        render->peel = (ScreenPass){0};
     forget_scene(render);
     const bool done = make_next(render, scene, &before);
     cache_delete(render->gl, &before);

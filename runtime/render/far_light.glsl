@@ -1,0 +1,58 @@
+// A light as a group of pixels sees it, for pass_near.glsl and pass_gather.glsl, each group having invocations of its own. Before it stand lighting.glsl,
+// far_group.glsl and far_lobe.glsl.
+layout(local_size_x = FAR_INVOCATIONS) in;
+const int GROUP = FAR_INVOCATIONS, PITCH = GROUP + 1; // invocations; between rows of parts of sums, so that neighbours in a column are in other banks
+
+shared float far_group[GROUP_NUMBERS]; // as pass_groups.glsl keeps it
+
+int farCount() { return light_plain + light_points; }
+
+// What a spot's cone lets through, at least and at most, from the group.
+vec2 farCone(int light, vec3 way, float ratio)
+{
+    vec2 cone = lightTexel(light, 3).xy;
+    float sine = min(ratio, 1.0);
+    vec2 cosines = ratio < 1.0 ? farCosines(-dot(way, lightTexel(light, 2).xyz), sqrt(1.0 - sine * sine), sine)
+                               : vec2(-1.0, 1.0);
+    return clamp(cone.x * cosines + cone.y, 0.0, 1.0);
+}
+
+Far farLight(int light, Group group)
+{
+    Far far;
+    vec4 place = lightTexel(light, 0);
+    vec3 way = place.xyz - place.w * group.centre;
+    float over = inversesqrt(max(dot(way, way), 1e-30)), finite = place.w > 0.0 ? over : 0.0;
+    far.way = way * over;
+    far.ratio = group.radius * finite;
+    far.power = lightTexel(light, 1).xyz * (place.w > 0.0 ? over * over : 1.0);
+    vec2 cosines = farCosines(dot(far.way, group.axis), group.cosine, group.sine);
+    far.least = cosines.x - group.above * finite;
+    far.most = cosines.y - group.below * finite;
+    far.high = max(max(cosines.y, far.most), -cosines.x);
+    far.lift = max(group.above, -group.below) * finite;
+    far.whole = true;
+#ifdef FAR_OTHERS
+    if (light >= light_plain) {
+        vec2 cone = farCone(light, far.way, far.ratio);
+        far.whole = cone.x >= 1.0 && lightTexel(light, 3).w < 0.0;
+        if (cone.y <= 0.0) far.power = vec3(0.0);
+    }
+#endif
+    return far;
+}
+
+// No pixel of the group sees it.
+bool farIsDark(Far far, Group group) { return far.power == vec3(0.0) || (far.most <= 0.0 && !group.behind); }
+
+vec3 farTake(int i) { return vec3(far_group[i], far_group[i + 1], far_group[i + 2]); }
+
+Group farLoad(int number)
+{
+    for (int i = int(gl_LocalInvocationIndex); i < GROUP_NUMBERS; i += GROUP)
+        far_group[i] = far_numbers[farPlace(number) + i];
+    barrier();
+    return Group(farTake(0), farTake(3), farTake(6), far_group[9], far_group[10], far_group[11], far_group[12], far_group[13],
+                 far_group[14], far_group[24], far_group[25], far_group[26], far_group[27], farTake(15), farTake(18),
+                 farTake(21), far_group[28] > 0.0);
+}
