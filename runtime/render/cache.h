@@ -116,12 +116,13 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 typedef struct {
     const double *clip_from_world; /* 16, by columns */
     const CullVolume *volume;
-    bool mirrored;      /* triangles turn the other way round there */
-    Material *solid;    /* draws depth alone (shadow_depth.glsl) */
-    int number;         /* of its map: the uniform glass_map of programs that color shadows */
+    bool mirrored;              /* triangles turn the other way round there */
+    Material *solid;            /* draws depth alone (shadow_depth.glsl) */
+    Material *kept;             /* by kind, draws what is opaque in its place (radiance.h); or NULL */
+    int number;                 /* of its map: the uniform glass_map of programs that color shadows */
     const unsigned char *waves; /* by place: those are drawn that have the number `wave`; NULL: all are */
     int wave;
-    bool varying;       /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
+    bool varying; /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */

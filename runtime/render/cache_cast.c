@@ -82,13 +82,15 @@ static void set_object(const SceneMatrix *world_from_local, Spaces *spaces, Mate
 }
 
 /* How many places from the first on one call draws. */
-static int group_of(const Cache *cache, const uint32_t *list, int count)
+static int group_of(const Cache *cache, const uint32_t *list, int count, bool by_kind)
 {
+    const int kind = cache->places[list[0]].kind;
     const Cast head = cast_of(cache, list[0]);
     int group = 1;
     for (; group < count && cache->instances; group++) {
         const Cast next = cast_of(cache, list[group]);
-        if (next.caster != head.caster || next.mesh != head.mesh || next.mirrored != head.mirrored)
+        if (next.caster != head.caster || next.mesh != head.mesh || next.mirrored != head.mirrored ||
+            (by_kind && cache->places[list[group]].kind != kind))
             break;
     }
     return group;
@@ -122,9 +124,11 @@ void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const Ca
         write_buffers(gl, cache, &spaces, count);
     for (int i = 0, group; i < count; i += group) {
         const CachePlace *place = &cache->places[list[i]];
-        CacheKind *caster = place->caster < 0 ? NULL : &cache->casters[place->caster];
-        Material *material = caster ? &caster->material : light->solid;
-        group = group_of(cache, list + i, count - i);
+        CacheKind *caster = light->kept         ? &cache->kinds[place->kind]
+                            : place->caster < 0 ? NULL
+                                                : &cache->casters[place->caster];
+        Material *material = light->kept ? &light->kept[place->kind] : caster ? &caster->material : light->solid;
+        group = group_of(cache, list + i, count - i, light->kept != NULL);
         if (material != before || !cache->instances)
             set_object(&source->scene->objects[place->object].world_from_local, &spaces, material);
         material_set_number(material, "glass_map", (float)light->number);

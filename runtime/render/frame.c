@@ -3,23 +3,24 @@
 #include "runtime/render/light_far.h"
 #include <string.h>
 
-#define DEPTH   (1u << FRAME_TARGET_depth)
-#define GBUFFER (1u << FRAME_TARGET_gbuffer)
-#define SHADOW  (1u << FRAME_TARGET_shadow)
-#define FAR     (1u << FRAME_TARGET_far)
-#define VOXELS  (1u << FRAME_TARGET_voxels)
-#define CUBES   (1u << FRAME_TARGET_cubes)
-#define SEEN    (1u << FRAME_TARGET_seen)
-#define LIGHT   (1u << FRAME_TARGET_light)
-#define RAYS    (1u << FRAME_TARGET_rays)
-#define SMOOTH  (1u << FRAME_TARGET_smooth)
-#define OPEN    (1u << FRAME_TARGET_open)
-#define EDGE    (1u << FRAME_TARGET_edge)
-#define MASK    (1u << FRAME_TARGET_mask)
-#define LISTS   (1u << FRAME_TARGET_lists)
-#define LAYER   (1u << FRAME_TARGET_layer | 1u << FRAME_TARGET_layer_depth | 1u << FRAME_TARGET_layer_keys)
-#define TOOLS   (1u << FRAME_TARGET_tools)
-#define SHOWN   (1u << FRAME_TARGET_shown)
+#define DEPTH    (1u << FRAME_TARGET_depth)
+#define GBUFFER  (1u << FRAME_TARGET_gbuffer)
+#define SHADOW   (1u << FRAME_TARGET_shadow)
+#define FAR      (1u << FRAME_TARGET_far)
+#define VOXELS   (1u << FRAME_TARGET_voxels)
+#define CUBES    (1u << FRAME_TARGET_cubes)
+#define RADIANCE (1u << FRAME_TARGET_radiance)
+#define SEEN     (1u << FRAME_TARGET_seen)
+#define LIGHT    (1u << FRAME_TARGET_light)
+#define RAYS     (1u << FRAME_TARGET_rays)
+#define SMOOTH   (1u << FRAME_TARGET_smooth)
+#define OPEN     (1u << FRAME_TARGET_open)
+#define EDGE     (1u << FRAME_TARGET_edge)
+#define MASK     (1u << FRAME_TARGET_mask)
+#define LISTS    (1u << FRAME_TARGET_lists)
+#define LAYER    (1u << FRAME_TARGET_layer | 1u << FRAME_TARGET_layer_depth | 1u << FRAME_TARGET_layer_keys)
+#define TOOLS    (1u << FRAME_TARGET_tools)
+#define SHOWN    (1u << FRAME_TARGET_shown)
 
 const FramePass frame_passes[] = {
     /*  name       reads            fills            changes          own */
@@ -43,6 +44,12 @@ const FramePass frame_passes[] = {
      "voxels are looked at; once, then they are kept",
      NULL},
     {{"cubes", VOXELS, CUBES, 0, 0}, pass_cubes_needed, pass_cubes_make, pass_cubes_draw, "voxels are looked at", NULL},
+    {{"radiance", VOXELS | SHADOW, RADIANCE, 0, 0},
+     radiance_needed,
+     pass_radiance_make,
+     pass_radiance_draw,
+     "indirect light comes from what is not shown; once, then it is kept",
+     NULL},
     {{"volume", DEPTH | SHADOW, MASK, 0, 0},
      volume_lights_cast,
      pass_volume_make,
@@ -61,7 +68,7 @@ const FramePass frame_passes[] = {
      pass_light_draw,
      "always: what is not lit is black",
      NULL},
-    {{"rays", DEPTH | GBUFFER | LIGHT | VOXELS, RAYS, 0, 0},
+    {{"rays", DEPTH | GBUFFER | LIGHT | VOXELS | RADIANCE, RAYS, 0, 0},
      pass_rays_needed,
      pass_rays_make,
      pass_rays_draw,
@@ -266,9 +273,10 @@ bool frame_make(Render *render)
 
 bool frame_change(Render *render, unsigned what)
 {
-    ScreenPass *passes[] = {&render->light, &render->far.groups, &render->far.near,         &render->far.gather,
-                            &render->blend, &render->indirect.combine, &render->peel};
+    ScreenPass *passes[] = {&render->light, &render->far.groups,       &render->far.near, &render->far.gather,
+                            &render->blend, &render->indirect.combine, &render->peel,     &render->radiance.light};
     bool fine = !(what & RENDER_CAMERA) || pass_edge_change(render);
+    render->radiance.drawn &= !(what & RENDER_LIGHTS);
     pass_volume_change(render);
     volume_shown_place(render);
     pass_cubes_place(render);
@@ -307,6 +315,7 @@ void frame_delete(Render *render)
     pass_exact_delete(render);
     pass_cubes_delete(render);
     pass_voxels_delete(render);
+    radiance_delete(render);
     light_table_delete(render);
     gl->DeleteTextures(1, &render->sky.map); /* GL ignores the name 0 */
     render->sky = (SkyLight){0};

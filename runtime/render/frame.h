@@ -6,6 +6,7 @@
 #include "runtime/render/frame_plan.h"
 #include "runtime/render/indirect.h"
 #include "runtime/render/measure.h"
+#include "runtime/render/radiance.h"
 #include "runtime/render/reader.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
@@ -16,12 +17,13 @@
 typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
-    FRAME_TARGET_shadow, /* maps of their own size: pass_shadow.c has them */
-    FRAME_TARGET_voxels, /* of their own size, too: pass_voxels.c */
-    FRAME_TARGET_cubes,  /* a view of them */
-    FRAME_TARGET_seen,   /* numbers of triangles, or how steep they are */
-    FRAME_TARGET_lists,  /* no texture, but a buffer */
-    FRAME_TARGET_far,    /* the same: what the pass gather sums */
+    FRAME_TARGET_shadow,   /* maps of their own size: pass_shadow.c has them */
+    FRAME_TARGET_voxels,   /* of their own size, too: pass_voxels.c */
+    FRAME_TARGET_cubes,    /* a view of them */
+    FRAME_TARGET_radiance, /* buffers: pass_radiance.c */
+    FRAME_TARGET_seen,     /* numbers of triangles, or how steep they are */
+    FRAME_TARGET_lists,    /* no texture, but a buffer */
+    FRAME_TARGET_far,      /* the same: what the pass gather sums */
     FRAME_TARGET_light,
     FRAME_TARGET_rays,   /* the same, of the pixels for which rays go out */
     FRAME_TARGET_smooth, /* smoothed along rows */
@@ -158,6 +160,7 @@ struct Render {
     ExactShadows exact;
     FrameVoxels voxels;
     FrameIndirect indirect;
+    FrameRadiance radiance;
     SkyLight sky;
     Reader reader; /* of a slot that is viewed */
     bool has_reader;
@@ -308,8 +311,9 @@ void pass_surface_end(const Render *render);
 void pass_plane_planes(Render *render, bool transparent);
 
 /* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, at which hybrid shadows were counted, by all lights but
- * those that indirect light dims; or that by light from all around alone, without any that has a place, and without shadows. */
-typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around } LightingOf;
+ * those that indirect light dims; or that by light from all around alone, without any that has a place, and without shadows; nodes of cached radiance, by the lights of what is
+ * nearest. */
+typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_nodes } LightingOf;
 
 /* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
 typedef struct {

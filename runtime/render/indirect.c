@@ -19,13 +19,17 @@ bool indirect_is(const Render *render)
     return in && in->rays > 0 && in->method != WORD_Indirect_none;
 }
 
-bool indirect_is_repeated(const Render *render) { return indirect_is(render) && render->scene->indirect.bounces > 1; }
+/* Cached radiance has further bounces in it. */
+bool indirect_is_repeated(const Render *render)
+{
+    return indirect_is(render) && !indirect_reads_voxels(render) && render->scene->indirect.bounces > 1;
+}
 
 bool indirect_is_smoothed(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
     const bool filtered = in->filter != WORD_Filter_none && in->filter_size > 0;
-    return indirect_is(render) && (in->coarse > 1 || in->bounces > 1 || filtered);
+    return indirect_is(render) && (in->coarse > 1 || indirect_is_repeated(render) || filtered);
 }
 
 bool indirect_reads_voxels(const Render *render)

@@ -2,22 +2,8 @@
 // and beside it, but nothing finer than themselves, and rays begin a little off. So the picture is asked for the ray's first voxels, and takes part only where its depth is
 // conclusive: a place that lies behind what is shown by no more than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
 //
-// What a hit sends is the light of the pixel that shows it, if one does: if the hit is no farther off the plane of what the pixel shows than indirect_models.z, and no
-// farther along it than 8 times that: voxels end before the surface, and what is seen flatly is then shown far beside.
-
-// The pixel that shows a point, if it is shown.
-bool indirectShows(vec3 point, out ivec2 pixel)
-{
-    pixel = ivec2(0);
-    if (!indirectIsOrthographic() && -point.z <= indirect_view.x) return false;
-    vec2 place = indirectPlace(point);
-    if (any(lessThan(place, vec2(0.0))) || any(greaterThanEqual(place, indirect_picture.xy))) return false;
-    pixel = ivec2(place);
-    float depth = texelFetch(indirect_depth, pixel, 0).x;
-    if (depth <= 0.0) return false;
-    vec3 beside = indirectPoint(pixel, depth) - point;
-    return abs(dot(indirectNormal(pixel), beside)) <= indirect_models.z && dot(beside, beside) <= 64.0 * indirect_models.z * indirect_models.z;
-}
+// A hit of the picture sends the light of its pixel, one of voxels cached radiance: that is nearer to what paths of light give than pixels that show something close to
+// the hit, and does not change with the camera.
 
 // Where a ray goes on in voxels: off the surface, where voxelStart says.
 struct IndirectStart {
@@ -40,6 +26,21 @@ IndirectStart indirectStart(vec3 point, vec3 normal, vec3 way)
     return IndirectStart(along, h + aside * cosine);
 }
 
+#ifdef INDIRECT_RADIANCE
+// What is sent from the end of a ray; where a pixel shows that: of bounces behind the first.
+vec3 indirectCached(vec3 point, vec3 normal, IndirectHit hit, vec3 way)
+{
+    float far = hit.t * indirect_reach.x;
+    vec3 place = voxelPlace(point);
+    IndirectStart start = IndirectStart(place, 0.0);
+    bool shown = hit.pixel.x >= 0;
+    if (shown && RADIANCE_TEXELS < 3) return vec3(0.0);
+    if (!shown) start = indirectStart(point, normal, way);
+    RadianceSum sum = radianceAlong(place, start.place, voxelDirection(way), far - start.begin);
+    return (shown ? sum.further : sum.direct + sum.further) / max(sum.weight, 1e-6);
+}
+#endif
+
 IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
 {
     float t, radius = indirect_reach.x;
@@ -60,10 +61,9 @@ IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
     }
 #endif
     IndirectStart start = indirectStart(point, normal, way);
-    if (!voxelRay(start.place, voxelDirection(way), radius - start.begin, t)) return IndirectHit(-1.0, pixel);
-    t += start.begin;
-#ifdef INDIRECT_LIGHT
-    if (!indirectShows(point + t * way, pixel)) pixel = ivec2(-1);
+#ifdef INDIRECT_RADIANCE
+    if (radianceBegins(voxelPlace(point), start.place, voxelDirection(way))) return IndirectHit(start.begin / radius, pixel);
 #endif
-    return IndirectHit(t / radius, pixel);
+    if (!voxelRay(start.place, voxelDirection(way), radius - start.begin, t)) return IndirectHit(-1.0, pixel);
+    return IndirectHit((t + start.begin) / radius, pixel);
 }

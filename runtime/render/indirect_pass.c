@@ -33,17 +33,16 @@ const char *indirect_surface_text(const Render *render)
     return render->set.unpack ? render->set.unpack : "struct Surface { float nothing; };\n";
 }
 
-/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y, z: a voxel of the map may be off by its diagonal. */
+/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y: a voxel of the map may be off by its diagonal. */
 static void set_models(const Render *render, float models[4])
 {
-    const double near = 4, thick = 2, shown = 2, part = .5; /* voxels, but the last */
+    const double near = 4, thick = 2, part = .5; /* voxels, but the last */
     const SceneIndirect *in = &render->scene->indirect;
     const bool voxels = indirect_reads_voxels(render);
     const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
     const double radius = indirect_radius(render->scene, &render->cache);
     models[0] = (float)(near * edge);
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
-    models[2] = (float)(shown * edge);
 }
 
 /* Where no offset is said, rays begin so far off that the surface which they leave is not met: a place of it is up to sqrt(1/2) of a pixel beside the middle of

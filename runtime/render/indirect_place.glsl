@@ -4,7 +4,7 @@ uniform sampler2D indirect_depth; // near over distance, or 1 to 0 where orthogr
 layout(std140) uniform Indirect {
     vec4 indirect_ray, indirect_view; // of view_space.h
     vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
-    vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is; z: how far a hit is from the surface that shows it
+    vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is
     vec4 indirect_picture;            // xy: its size in pixels
     vec4 indirect_samples[INDIRECT_RAYS];
 };

@@ -15,6 +15,9 @@ vec4 indirectAround(ivec2 pixel, vec3 shift, vec3 point, vec3 normal, out vec3 o
 #ifdef INDIRECT_LIGHT
         float share = INDIRECT_SHARE(local.z);
         if (met && hit.pixel.x >= 0) light += share * indirectSent(hit.pixel, way);
+#ifdef INDIRECT_RADIANCE
+        if (met) light += share * indirectCached(point, normal, hit, way);
+#endif
 #endif
     }
     return vec4(light, kept) / float(INDIRECT_RAYS);

@@ -76,7 +76,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     if ((!render->lights.texels && !lighting_lights(render)) || !shadow_make_tables(render))
         return false;
     const bool around_only = own->of == LIGHTING_around;
-    light_table_define(render, own->block > 0, table);
+    light_table_define(render, own->block > 0 && own->of != LIGHTING_nodes, table);
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0 && !around_only,
                sky = light_sky_shines(render->scene);
     const bool soft = shadow_is_soft(render) && !around_only;
@@ -108,7 +108,9 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
                  silhouette_layers(render) && !around_only ? render_text_silhouette : "",
                  exact[2],
                  table,
-                 own->of == LIGHTING_nearest && indirect_is(render) ? "#define LIGHT_AROUND_LATER\n" : "",
+                 own->of == LIGHTING_nearest && indirect_is(render) ? "#define LIGHT_AROUND_LATER\n"
+                 : own->of == LIGHTING_nodes ? "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* of pixels */
+                                             : "",
                  backdrop_light_text(render),
                  render_text_lighting,
                  soft ? render_text_shadow_soft : "",
@@ -120,7 +122,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
                  own->body[5],
                  own->body[6]},
         .format = frame_format(render, FRAME_TARGET_light, 0),
-        .compute = render->compute,
+        .compute = render->compute || own->of == LIGHTING_nodes,
         .over = own->over,
         .block = own->block};
     if (!screen_pass_make(render->store, &text, made))

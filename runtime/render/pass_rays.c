@@ -4,9 +4,9 @@
 
 extern const char render_text_indirect_place[], render_text_indirect_march[], render_text_indirect_near[],
     render_text_indirect_mask[], render_text_indirect_rays[], render_text_pass_rays[], render_text_voxel_map[],
-    render_text_voxel_ray[];
+    render_text_voxel_ray[], render_text_radiance[];
 
-enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT };
+enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT, RADIANCE_UNIT };
 
 bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 
@@ -17,18 +17,23 @@ void pass_rays_place(Render *render)
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
     for (size_t i = 0; i < 2 && indirect_reads_voxels(render); i++)
-        if (passes[i]->material.store)
+        if (passes[i]->material.store) {
             pass_voxels_set(render, VOXEL_UNIT, passes[i]);
+            radiance_set(render, RADIANCE_UNIT, passes[i]);
+        }
 }
 
 static bool make(Render *render, bool again, ScreenPass *pass)
 {
-    char defined[INDIRECT_DEFINITIONS];
+    char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS];
+    const bool kept = radiance_needed(render);
     const bool voxels = indirect_reads_voxels(render), mask = indirect_method(render) == WORD_Indirect_screen;
     indirect_define(render, defined);
+    radiance_define(render, cached);
     const ScreenPassText text = {.body = {indirect_surface_text(render), again ? render->surface->text : "", defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "", render_text_indirect_place,
                                           voxels ? render_text_voxel_map : "", voxels ? render_text_voxel_ray : "",
+                                          kept ? cached : "", kept ? render_text_radiance : "",
                                           mask     ? render_text_indirect_mask
                                           : voxels ? render_text_indirect_near
                                                    : render_text_indirect_march,
@@ -58,6 +63,8 @@ static void run(Render *render, ScreenPass *pass)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_light, 0), LIGHT_UNIT);
     if (indirect_reads_voxels(render))
         pass_voxels_bind(render, VOXEL_UNIT);
+    if (radiance_needed(render))
+        radiance_bind(render, RADIANCE_UNIT);
     screen_pass_run(pass, &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open], &render->screen);
 }
 

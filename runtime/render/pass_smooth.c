@@ -40,7 +40,7 @@ void pass_smooth_draw(Render *render) { run(render, &render->indirect.smooth, FR
 void pass_spread_draw(Render *render)
 {
     run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open);
-    for (int i = 1; i < render->scene->indirect.bounces; i++) {
+    for (int i = 1; indirect_is_repeated(render) && i < render->scene->indirect.bounces; i++) {
         pass_rays_draw_again(render);
         pass_smooth_draw(render);
         run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open);

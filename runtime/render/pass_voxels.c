@@ -292,7 +292,7 @@ bool pass_voxels_change(Render *render)
     render->voxels.grid = voxel_grid(render->scene, &render->cache);
     if (!voxel_bodies_sort(render, &render->voxels))
         return gl_fail(render->gl, "out of memory");
-    render->voxels.drawn = false;
+    render->voxels.drawn = render->radiance.drawn = false;
     return true;
 }
 

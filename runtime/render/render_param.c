@@ -7,7 +7,8 @@ static bool set(Render *render, int material, const MaterialValue *value)
 {
     const CacheSource source = frame_source(render);
     const bool sheets = shadow_sheet_set(render, material, value);
-    return cache_set(&source, &render->cache, material, value) || sheets;
+    const bool nodes = radiance_param(render, material, value);
+    return cache_set(&source, &render->cache, material, value) || sheets || nodes;
 }
 
 static RenderParam *find(const Render *render, int material, const char *name)

@@ -213,6 +213,8 @@ static void put_memory(Text *out, const Render *render)
                     render->samples);
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
+    if (render->voxels.map)
+        voxels_put(out, render);
     put_soft(out, render);
     put_unshadowed(out, render);
     if (render->exact.corners)
@@ -264,7 +266,8 @@ char *render_diagnostics(const Render *render)
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
-    render->shadows.drawn = render->exact.seen = false; /* to be timed with the others */
+    render->shadows.drawn = render->exact.seen = render->voxels.drawn = render->radiance.drawn =
+        false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
         const double start = session_now();
         times[i] = (RenderPassTime){frame_passes[i].plan.name, 0};

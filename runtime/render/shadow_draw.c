@@ -58,7 +58,12 @@ static void cast_view(Render *render, const CacheSource *source, const ShadowVie
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
-               &(CacheLight){clip, &volume, view->mirrored, &render->shadows.solid, number, NULL, 0, view->transparent},
+               &(CacheLight){.clip_from_world = clip,
+                             .volume = &volume,
+                             .mirrored = view->mirrored,
+                             .solid = &render->shadows.solid,
+                             .number = number,
+                             .varying = view->transparent},
                transparent);
 }
 

@@ -7,6 +7,7 @@
  *     vec3 surfaceOwn(Lit m)                         what it sends without any light: emissive
  *     vec3 surfaceAmbient(Lit m, vec3 ambient)       what it sends of ambient light
  *     vec3 surfaceEven(Lit m)                        the share of light from the surfaces around it that it sends evenly; for indirect light
+ *     Lit surfaceMatt(Lit m)                         the same without light that it does not send evenly; for indirect light
  *     vec3 surfaceLobe(Lit m, vec3 l)                the share of light from the direction l, the cosine counted in
  *     vec3 surfaceThrough(Surface s)                 the share of the light behind it that passes
  *     vec3 surfaceSky(Lit m)                         of the sky all around, by light_sky.glsl; under #ifdef LIGHT_HAS_SKY

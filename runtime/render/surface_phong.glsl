@@ -61,6 +61,12 @@ vec3 surfaceAmbient(Lit m, vec3 ambient) { return m.ambient * ambient; }
 
 bool surfaceLetsThrough(Lit m) { return any(greaterThan(m.behind + m.through, vec3(0.0))); }
 vec3 surfaceEven(Lit m) { return m.diffuse; }
+Lit surfaceMatt(Lit m)
+{
+    m.specular = m.through = vec3(0.0);
+    return m;
+}
+
 vec3 surfaceGloss(Lit m) { return m.specular; }
 vec3 surfaceMirror(Lit m) { return m.reflected; }
 float surfaceExponent(Lit m) { return m.shininess; }

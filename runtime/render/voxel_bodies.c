@@ -99,6 +99,19 @@ static bool meets(const VoxelRange *a, const VoxelRange *b)
     return true;
 }
 
+VoxelKind voxel_bodies_kind(const Render *render, int number)
+{
+    const FrameVoxels *voxels = &render->voxels;
+    const CachePlace *place = &render->cache.places[number];
+    const VoxelShape *shape = &voxels->shapes[place->mesh];
+    if (!shape->closed)
+        return VOXEL_open;
+    const double thick = thickness(shape, &render->scene->objects[place->object].world_from_local);
+    if (!(thick >= THINNEST * voxels->grid.edge))
+        return VOXEL_thin;
+    return voxels->waves[number] ? VOXEL_body : VOXEL_crossing;
+}
+
 static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bodies)
 {
     const Cache *cache = &render->cache;

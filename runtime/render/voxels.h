@@ -4,6 +4,7 @@
  * Private to frame.c, render.c and the passes. */
 #ifndef MATC_RENDER_VOXELS_H
 #define MATC_RENDER_VOXELS_H
+#include "compiler/base/text.h"
 #include "runtime/render/cache.h"
 #include "runtime/render/render.h"
 #include "runtime/render/screen_pass.h"
@@ -54,6 +55,9 @@ typedef struct {
  * over half its area. What is thinner has voxels without a middle in it, through which a ray gets. What crosses more than can be apart is a surface. */
 bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels);
 bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
+/* What an opaque place of the cache is: a body; or a surface, and why: its mesh is open, it is too thin, it crosses too many others. */
+typedef enum { VOXEL_body, VOXEL_open, VOXEL_thin, VOXEL_crossing, VOXEL_KINDS } VoxelKind;
+VoxelKind voxel_bodies_kind(const Render *render, int place);
 /* Something opaque is in that wave. */
 bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
 
@@ -70,6 +74,9 @@ void pass_voxels_delete(Render *render);
 
 /* Of a view "voxels", or "voxels1" and so on, of a level above; -1: it is another, or none. voxels.c */
 int voxels_view_level(const char *view);
+
+/* Lines on them, for --stats. */
+void voxels_put(Text *out, const Render *render);
 
 /* The pass that shows them as cubes. */
 bool pass_cubes_needed(const Render *render);

@@ -1,0 +1,40 @@
+// One more bounce of cached radiance: each node sends rays through the voxels, as the pass rays does for pixels, and finds what nodes there send; what it sends of that is written
+// beside what it sent before, and put in its place when all are done. Before it stand voxel_ray.glsl, radiance.glsl, radiance_place.glsl.
+uniform int bounce_step;   // 0: rays; 1: put in place
+uniform float bounce_far;  // of the map's voxels
+
+vec3 bounceDirection(int ray, uint number, vec3 normal)
+{
+    uint random = number * 747796405u + 2891336453u; // O'Neill's PCG
+    random = ((random >> (random >> 28 & 15u) + 4u) ^ random) * 277803737u;
+    random ^= random >> 22;
+    vec2 s = fract(vec2(float(ray) / float(RADIANCE_RAYS), float(bitfieldReverse(uint(ray)) >> 8) / 16777216.0) +
+                   vec2(random & 65535u, random >> 16) / 65536.0);
+    float side = normal.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (side + normal.z), b = normal.x * normal.y * a; // Duff et al. 2017
+    vec3 u = vec3(1.0 + side * normal.x * normal.x * a, side * b, -side * normal.x), v = vec3(b, side + normal.y * normal.y * a, -normal.y);
+    float turn = 6.28318530717959 * s.y, r = sqrt(s.x);
+    return r * cos(turn) * u + r * sin(turn) * v + sqrt(1.0 - s.x) * normal;
+}
+
+void main()
+{
+    uint number = radianceNumber(), first = number * RADIANCE_TEXELS;
+    if (number >= radiance_count) return;
+    if (bounce_step == 1) {
+        radiance_texels[first + 1u].xyz = radiance_texels[first + 3u].xyz;
+        return;
+    }
+    vec3 even = radiance_texels[first + 2u].xyz, sum = vec3(0.0);
+    if (radiance_texels[first].w < 0.0) return; // within a body
+    vec3 normal = normalize(radianceNormal(radiance_texels[first].w));
+    vec3 place = float(1 << radiance_shift) * radiancePlace(number * LISTS_STRIDE, radiance_size);
+    vec3 start = voxelStart(place, normal);
+    for (int i = 0; i < RADIANCE_RAYS && even != vec3(0.0); i++) {
+        float t = 0.0;
+        vec3 way = bounceDirection(i, number, normal);
+        if (!radianceBegins(place, start, way) && !voxelRay(start, way, bounce_far, t)) continue;
+        RadianceSum met = radianceAlong(place, start, way, t);
+        sum += (met.direct + met.further) / max(met.weight, 1e-6);
+    }
+    radiance_texels[first + 3u] = vec4(even * sum / float(RADIANCE_RAYS), 0.0);
+}

@@ -1,0 +1,40 @@
+// The end of an opaque material's program that is seen along an axis: its fragment becomes a node of cached radiance (radiance.h). Three times over: voxels are told
+// from which sides they have a fragment; nodes, which one is the nearest; that one is kept.
+layout(std430, binding = 2) buffer RadianceFaces {
+    uint radiance_room;  // nodes
+    uint radiance_count; // of them asked for
+    uint radiance_nothing[2];
+    uint radiance_faces[];
+};
+layout(std430, binding = 4) buffer RadianceNodes {
+    uint radiance_nodes[];
+};
+uniform int radiance_step; // 0 to 2
+uniform int radiance_side; // twice the axis; and 1: seen from its upper end
+uniform int radiance_size; // voxels along an edge
+uniform bool radiance_body; // it is of a body
+
+const uint RADIANCE_NEAREST = 0x3F800001u; // less the bits of a depth from 0 to 1: greater is nearer, and more than 0
+
+void main()
+{
+    float depth = clamp(gl_FragCoord.z, 0.0, 1.0), along = (radiance_side & 1) == 1 ? 1.0 - depth : depth;
+    ivec3 seen = clamp(ivec3(gl_FragCoord.xy, along * float(radiance_size)), 0, radiance_size - 1);
+    ivec3 at = radiance_side < 2 ? seen.zxy : radiance_side < 4 ? seen.yzx : seen;
+    uint voxel = uint((at.z * radiance_size + at.y) * radiance_size + at.x), side = 1u << uint(radiance_side);
+    if (radiance_step == 0) {
+        atomicOr(radiance_faces[voxel], side);
+        return;
+    }
+    if (radiance_step == 2) surfaceMain(); // in all pixels, as it takes slopes between them
+    uint word = radiance_faces[voxel], nearness = RADIANCE_NEAREST - floatBitsToUint(depth);
+    uint node = ((word >> 6) + uint(bitCount(word & 63u & (side - 1u)))) * LISTS_STRIDE;
+    if (radiance_step == 1) {
+        atomicMax(radiance_nodes[node + 1u], nearness);
+        return;
+    }
+    if (radiance_nodes[node + 1u] != nearness) return;
+    radiance_nodes[node] = voxel << 3 | uint(radiance_side) | uint(radiance_body) << 31;
+    uint packed_words[] = uint[](LISTS_PACK);
+    for (int i = 0; i < packed_words.length(); i++) radiance_nodes[node + 2u + uint(i)] = packed_words[i];
+}
