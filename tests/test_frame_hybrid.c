@@ -9,7 +9,7 @@
 #include "runtime/render/screen_pass.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame/shadow_band.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -61,20 +61,13 @@ typedef struct {
     int lit, dark, band, wrong;
 } Count;
 
-/* 1 or 0; -1: an end of a shadow is near. */
 static int expected(const Tracer *tracer, const Hit *hit, const Case *c)
 {
     const SceneLight *light = &tracer->scene->lights[0];
-    double way[3], moved[3];
+    double way[3];
     const double distance = shadow_way_to(light, hit->world, way);
-    const double step = c->band * c->reach * (light->kind == SCENE_Directional ? 1 : distance) / SIZE;
-    const bool lit = shadow_is_lit(tracer, light, hit->world, hit->facet);
-    for (int i = 0; i < 24; i++) {
-        shadow_beside(hit, way, step * (i / 8 + 1) / 3, 3.14159265 / 4 * i + i / 8, moved);
-        if (shadow_is_lit(tracer, light, moved, hit->facet) != lit)
-            return -1;
-    }
-    return lit;
+    return shadow_band_expected(tracer, hit,
+                                c->band * c->reach * (light->kind == SCENE_Directional ? 1 : distance) / SIZE);
 }
 
 static void add(const Tracer *tracer, const Case *c, int pixel, double share, Count *count)
@@ -131,6 +124,7 @@ static void rays(void **state)
         LIGHTS("plain", 2.5),
         LIGHTS("perfect", 2.5),
         LIGHTS("blurred", 5),
+        LIGHTS("silhouette", 1),
         {"Directional, direction: [.5, .6, -1]", 4.5, "perfect", 2.5, VIEW},
         {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5, VIEW},
         /* the camera looks as some of their rays go, or across them; walls go on beyond its farthest */
@@ -138,7 +132,8 @@ static void rays(void **state)
         {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, "perfect", 2.5,
          ORTHOGRAPHIC},
         {"Point, position: [0, .6, 1.1]", 2, "plain", 2.5, ORTHOGRAPHIC},
-        {"Directional", 4.5, "perfect", 2.5, LEVEL}};
+        {"Directional", 4.5, "perfect", 2.5, LEVEL},
+        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "silhouette", 1, VIEW}};
     GlContext *gl = frame_context_of(kind);
     int wrong = 0, lit = 0, dark = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -209,6 +204,8 @@ static void ends(void **state)
     for (int stretched = 0; stretched < 2; stretched++) {
         end_is_at(gl, "plain", stretched, end_of_shadow(stretched));
         end_is_at(gl, "perfect", stretched, end_of_shadow(stretched));
+        if (!stretched)
+            end_is_at(gl, "silhouette", false, .5);
         end_is_at(gl, "blurred", stretched,
                   end_of_shadow(stretched) + 2 * texel * (stretched ? SIZE / (SIZE - 1.0) : 1));
     }

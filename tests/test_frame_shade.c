@@ -7,7 +7,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame/shadow_band.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,17 +47,8 @@ static double band_of(const Scene *scene) { return 3.0 * (scene->shadow_filter +
 /* The share of light there: 0 or 1; or -1, an end of a shadow is near. */
 static int share_of(const Tracer *tracer, const Hit *hit)
 {
-    const SceneLight *light = &tracer->scene->lights[0];
-    const double step = band_of(tracer->scene) * shadow_texel(tracer->scene, light, hit->world, REACH);
-    double way[3], moved[3];
-    const bool lit = shadow_is_lit(tracer, light, hit->world, hit->facet);
-    shadow_way_to(light, hit->world, way);
-    for (int i = 0; i < 24; i++) {
-        shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
-        if (shadow_is_lit(tracer, light, moved, hit->facet) != lit)
-            return -1;
-    }
-    return lit;
+    const double texel = shadow_texel(tracer->scene, &tracer->scene->lights[0], hit->world, REACH);
+    return shadow_band_expected(tracer, hit, band_of(tracer->scene) * texel);
 }
 
 /* Both normals are on one side of the light, which is not the case where a triangle stands for a round surface at its terminator. */

@@ -5,8 +5,9 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/frame/shadow_band.h"
 #include "tests/frame/shadow_ends.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame/shadow_knot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,60 +25,16 @@ static bool sides_agree(const SceneLight *light, const Hit *hit)
 
 /* -- how far ends are off */
 
-/* A tube of radius .3 along x = (2 + cos 3t) cos 2t, y = (2 + cos 3t) sin 2t, z = sin 3t, all over 3: 69,960 triangles. */
-enum { ALONG = 795, AROUND = 44 };
-
-static void knot_at(double t, double at[3])
-{
-    at[0] = (2 + cos(3 * t)) * cos(2 * t) / 3;
-    at[1] = (2 + cos(3 * t)) * sin(2 * t) / 3;
-    at[2] = sin(3 * t) / 3;
-}
-
-static void put_vertex(int ring, int side, ShapeVertex *vertex)
-{
-    const double t = 2 * PI * ring / ALONG, angle = 2 * PI * side / AROUND;
-    double middle[3], next[3], way[3], x[3], y[3];
-    knot_at(t, middle);
-    knot_at(t + 1e-6, next);
-    for (int i = 0; i < 3; i++)
-        way[i] = next[i] - middle[i];
-    reference_cross(way, (double[]){0, 0, 1}, x);
-    reference_normalize(x);
-    reference_cross(way, x, y);
-    reference_normalize(y);
-    for (int i = 0; i < 3; i++) {
-        vertex->normal[i] = (float)(cos(angle) * x[i] + sin(angle) * y[i]);
-        vertex->position[i] = (float)(middle[i] + .13 * (double)vertex->normal[i]);
-    }
-}
-
-static Shape knot(void)
-{
-    Shape shape = {.vertices = calloc((size_t)ALONG * AROUND, sizeof *shape.vertices),
-                   .indices = calloc((size_t)ALONG * AROUND * 6, sizeof *shape.indices)};
-    assert_true(shape.vertices && shape.indices);
-    for (int i = 0; i < ALONG * AROUND; i++) {
-        const int ring = i / AROUND, side = i % AROUND;
-        const int corners[4] = {i, (ring + 1) % ALONG * AROUND + side, ring * AROUND + (side + 1) % AROUND,
-                                (ring + 1) % ALONG * AROUND + (side + 1) % AROUND};
-        put_vertex(ring, side, &shape.vertices[shape.vertex_count++]);
-        for (int k = 0; k < 6; k++)
-            shape.indices[shape.index_count++] = (uint32_t)corners[(int[]){0, 2, 1, 1, 2, 3}[k]];
-    }
-    return shape;
-}
-
 static void ends_are_true(void **state)
 {
     (void)state;
     ShadowPair pair;
-    Shape shape = knot();
+    Shape shape = shadow_knot();
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
         const ShadowEndsReceiver receiver = (ShadowEndsReceiver)i;
-        const double distance = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false});
-        const double all = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true});
+        const double distance = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false, 0});
+        const double all = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true, 0});
         print_message("ends on %s: %.4f texels off; %.4f with triangles that look away\n", shadow_ends_receivers[i],
                       distance, all);
         assert_true(distance <= .01 && all <= .02);
@@ -126,20 +83,10 @@ typedef struct {
 /* Across all objects of a scene; texels around a point in which all has to agree. */
 static const double REACH = 11.5, BAND = 1;
 
-/* 1 or 0; -1: an end of a shadow is near. */
 static int expected(const Tracer *tracer, const Hit *hit)
 {
-    const SceneLight *light = &tracer->scene->lights[0];
-    const double step = BAND * shadow_texel(tracer->scene, light, hit->world, REACH);
-    double way[3], moved[3];
-    const bool lit = shadow_is_lit(tracer, light, hit->world, hit->facet);
-    shadow_way_to(light, hit->world, way);
-    for (int i = 0; i < 24; i++) {
-        shadow_beside(hit, way, step * (i / 8 + 1) / 3, PI / 4 * i + i / 8, moved);
-        if (shadow_is_lit(tracer, light, moved, hit->facet) != lit)
-            return -1;
-    }
-    return lit;
+    return shadow_band_expected(tracer, hit,
+                                BAND * shadow_texel(tracer->scene, &tracer->scene->lights[0], hit->world, REACH));
 }
 
 static void add_pixel(const Tracer *tracer, int pixel, double share, Count *count)

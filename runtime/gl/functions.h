@@ -104,6 +104,7 @@
     F(CLEARBUFFERSUBDATA, ClearBufferSubData)                                                                          \
     F(CLIPCONTROL, ClipControl)                                                                                        \
     F(DISPATCHCOMPUTE, DispatchCompute)                                                                                \
+    F(DRAWARRAYSINDIRECT, DrawArraysIndirect)                                                                          \
     F(DRAWELEMENTSINSTANCEDBASEINSTANCE, DrawElementsInstancedBaseInstance)                                            \
     F(MEMORYBARRIER, MemoryBarrier)                                                                                    \
     F(GETACTIVEUNIFORMBLOCKIV, GetActiveUniformBlockiv)                                                                \

@@ -3,15 +3,15 @@
 #define MATC_GL_PROGRAM_H
 #include "runtime/gl/context.h"
 
-enum { PROGRAM_PIECES = 26 }; /* texts that one shader may be put together from */
+enum { PROGRAM_PIECES = 28 }; /* texts that one shader may be put together from */
 
 /* What a program is made of. Locations that a text itself declares need no names here. */
 typedef struct {
     const char *vertex[PROGRAM_PIECES]; /* read one after the other; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];
     const char *control[1], *evaluation[1]; /* both or none: of patches of three corners */
-    const char *compute[PROGRAM_PIECES]; /* alone, where the others have none */
-    const char *const *attributes; /* name i is bound to vertex attribute i; NULL: those of mesh.h */
+    const char *compute[PROGRAM_PIECES];    /* alone, where the others have none */
+    const char *const *attributes;          /* name i is bound to vertex attribute i; NULL: those of mesh.h */
     int attribute_count;
     const char *const *outputs; /* name i is bound to colour target i: `out` variables of GLSL 1.30 to 3.20;
                                              gl_FragData and layout(location) need none */

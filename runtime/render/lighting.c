@@ -4,7 +4,7 @@
 
 extern const char render_text_light_area[], render_text_light_sky[], render_text_light_hemisphere[],
     render_text_lighting[], render_text_facet[], render_text_shadow_volume[], render_text_silhouette[],
-    render_text_shadow_soft[];
+    render_text_shadow_soft[], render_text_volume_cells[];
 
 /* Units behind those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
@@ -80,6 +80,8 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     const bool areas = render->light_counts[VIEW_SPACE_AREAS] > 0 && !around_only,
                sky = light_sky_shines(render->scene);
     const bool soft = shadow_is_soft(render) && !around_only;
+    const bool cells =
+        volume_lights_cast(render) && volume_cells_are(render) && own->of != LIGHTING_nearest && !around_only;
     const char *shadows = shadow_text(render, own->of == LIGHTING_nearest, defined);
     pass_exact_texts(render, own->of == LIGHTING_nearest, exact);
     if (own->of == LIGHTING_nearest && facet_lights_cast(render)) { /* never beside exact ones */
@@ -105,7 +107,8 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
                  defined,
                  volume_lights_cast(render) && !around_only ? render_text_shadow_volume : "",
                  shadows,
-                 silhouette_layers(render) && !around_only ? render_text_silhouette : "",
+                 cells ? render_text_volume_cells : "",
+                 shadow_has_silhouettes(render) && !around_only ? render_text_silhouette : "",
                  exact[2],
                  table,
                  own->of == LIGHTING_nearest && indirect_is(render) ? "#define LIGHT_AROUND_LATER\n"

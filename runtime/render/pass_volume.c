@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-extern const char render_text_shadow_volume[], render_text_volume_vertex[];
+extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_vertex[];
 
 enum { BITS = 8 /* of a lane of the mask */ };
 
@@ -124,9 +124,13 @@ static bool make_view(Render *render, int number)
 {
     FrameVolumes *volumes = &render->volumes;
     const char *const head = pass_volume_head(render);
-    const ProgramText sheet = {
-        .vertex = {head, volume_data_text(render), render_text_shadow_volume, render_text_volume_vertex},
-        .fragment = {head, "void main() {}\n"}};
+    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
+                                                                                      volume_cells_are(render)
+                                                                                          ? render_text_volume_cells
+                                                                                          : "";
+    const ProgramText sheet = {.vertex = {head, volume_data_text(render, false), maps, render_text_shadow_volume, cells,
+                                          render_text_volume_vertex},
+                               .fragment = {head, "void main() {}\n"}};
     const ProgramText cap = {.vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
                              .fragment = {head, "void main() {}\n"}};
     if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
@@ -195,14 +199,12 @@ void pass_volume_change(Render *render)
 
 /* -- drawing */
 
-/* The number of the view is that among those of hybrid lights. */
-static void draw_view(Render *render, int view, int number)
+static void draw_view(Render *render, int view)
 {
     const GlContext *gl = render->gl;
     FrameVolumes *volumes = &render->volumes;
     gl->FrontFace(render->shadows.views.views[view].mirrored ? GL_CW : GL_CCW);
-    material_use(&volumes->sheets[view]);
-    volume_data_draw(render, number);
+    volume_data_draw(render, view, false);
     if (volumes->caps[view].store) {
         gl->BindVertexArray(volumes->array);
         material_use(&volumes->caps[view]);
@@ -211,7 +213,7 @@ static void draw_view(Render *render, int view, int number)
     gl->BindVertexArray(0);
 }
 
-static void count_faces(Render *render, const ShadowLight *light, int number)
+static void count_faces(Render *render, const ShadowLight *light)
 {
     const GlContext *gl = render->gl;
     gl->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -222,7 +224,7 @@ static void count_faces(Render *render, const ShadowLight *light, int number)
     gl->Enable(GL_PRIMITIVE_RESTART);
     gl->PrimitiveRestartIndex(~0u);
     for (int i = 0; i < light->count; i++)
-        draw_view(render, light->first + i, number + i);
+        draw_view(render, light->first + i);
     gl->Disable(GL_PRIMITIVE_RESTART);
     gl->FrontFace(GL_CCW);
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -246,7 +248,7 @@ static void mark(Render *render, int number)
 void pass_volume_draw(Render *render)
 {
     const GlContext *gl = render->gl;
-    int number = 0, view = 0;
+    int number = 0;
     pass_surface_begin(render, &render->draws[FRAME_DRAW_mask], GL_GEQUAL);
     gl->ClearBufferfv(GL_COLOR, 0, (float[4]){0});
     gl->Clear(GL_STENCIL_BUFFER_BIT);
@@ -257,9 +259,8 @@ void pass_volume_draw(Render *render)
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows.maps);
     for (int i = 0; i < render->scene->light_count; i++)
         if (volume_lights_has(render, i)) {
-            count_faces(render, &render->shadows.views.lights[i], view);
+            count_faces(render, &render->shadows.views.lights[i]);
             mark(render, number++);
-            view += render->shadows.views.lights[i].count;
         }
     gl->Disable(GL_DEPTH_CLAMP);
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);

@@ -6,7 +6,7 @@
 #include "runtime/gl/screen.h"
 #include "runtime/render/material.h"
 
-enum { SCREEN_PASS_PIECES = 24 };
+enum { SCREEN_PASS_PIECES = 25 };
 
 typedef struct {
     const char *body[SCREEN_PASS_PIECES]; /* GLSL, read one after the other; NULL ends the list */

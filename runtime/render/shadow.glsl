@@ -57,6 +57,9 @@ SHARE shadowNone()
 #ifdef SHADOW_MAPS
 uniform sampler2DArray shadow_maps;
 uniform sampler2D shadow_views;
+#if defined SHADOW_SILHOUETTES || defined SHADOW_CUT
+uniform sampler2DArray silhouette_crossings;
+#endif
 
 const float SHADOW_LIFT = 0.70711 * float(SHADOW_FILTER + 1) + 0.25; // texels
 
@@ -252,6 +255,10 @@ float volumeHeight(vec3 abc, vec2 part, bool parallel)
     return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x + (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
 }
 
+#ifdef SHADOW_CUT
+bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel); // volume_cells.glsl
+#endif
+
 // Whether the volume of a view has a point in it: the same triangles.
 bool volumeHas(int view, vec3 point)
 {
@@ -263,6 +270,9 @@ bool volumeHas(int view, vec3 point)
     vec2 at = (parallel ? place.xy : place.xy / place.z) * 0.5 + 0.5;
     at = SHADOW_STRETCHED ? at * (size - 1.0) : at * size - 0.5;
     if (!all(greaterThanEqual(at, vec2(0.0))) || !all(lessThan(at, vec2(size - 1.0)))) return false;
+#ifdef SHADOW_CUT
+    return volumeCellHas(ivec2(view, int(how.w) - 1), at, depth, parallel);
+#else
     ivec2 texel = ivec2(at);
     vec2 part = at - vec2(texel);
     vec4 quad = vec4(texelFetch(shadow_maps, ivec3(texel, view), 0).x,
@@ -272,6 +282,7 @@ bool volumeHas(int view, vec3 point)
     if (SHADOW_QUADS && !volumeTurned(quad)) // b-d: mirrored, it is a-c
         quad = quad.yxwz, part.x = 1.0 - part.x;
     return depth < (part.x >= part.y ? volumeHeight(quad.xyz, part, parallel) : volumeHeight(quad.xwz, part.yx, parallel));
+#endif
 }
 
 // What is transparent is in no pixel's count.

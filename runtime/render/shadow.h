@@ -95,6 +95,7 @@ bool shadow_make_views(Render *render);
 bool shadow_change(Render *render, bool drawn_again);
 /* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
 enum { SHADOW_DEFINITIONS = 512, SHADOW_UNITS = 6 };
+bool shadow_has_silhouettes(const Render *render);
 const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS]);
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. Behind its light: 1 + the layer of what

@@ -21,7 +21,7 @@ const int SOFT_WORDS = (SOFT_POINTS * SOFT_POINTS + 31) / 32;
 struct Soft {
     vec3 corner, u, v; // in the eye's space
     vec3 eye;          // the point there
-    vec2 across[2];    // u and v
+    vec2 along_u, along_v;
     vec3 point, normal;
     float pixel;  // the size of one of the picture, there
     bool through; // light from behind the surface counts, too
@@ -38,7 +38,7 @@ Soft softOf(int light, Seen seen)
 #ifdef SHADOW_MAPS
     near = shadowRow(layer, 3).x;
 #endif
-    return Soft(corner.xyz, u.xyz, v.xyz, seen.point, vec2[2](vec2(length(u.xyz), 0.0), vec2(dot(v.xyz, x), dot(v.xyz, y))),
+    return Soft(corner.xyz, u.xyz, v.xyz, seen.point, vec2(length(u.xyz), 0.0), vec2(dot(v.xyz, x), dot(v.xyz, y)),
                 vec3(dot(x, way), dot(y, way), abs(dot(z, way))),
                 vec3(dot(x, seen.m.normal), dot(y, seen.m.normal), side * dot(z, seen.m.normal)), seen.pixelSize,
                 any(greaterThan(surfaceLobe(seen.m, -seen.m.normal), vec3(0.0))), layer, near);
@@ -46,7 +46,7 @@ Soft softOf(int light, Seen seen)
 
 vec2 softPart(ivec2 point) { return clamp(vec2(point) / float(SOFT_CELLS), SOFT_INSET, 1.0 - SOFT_INSET); }
 
-vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.across[0] + part.y * s.across[1], 0.0); }
+vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.along_u + part.y * s.along_v, 0.0); }
 
 // What a place of the light counts for a matt surface, but for a factor that is the light's and the point's own.
 float softWeight(Soft s, vec3 place)
@@ -68,10 +68,12 @@ ivec2 softTexel(vec3 way, out float away)
     vec2 at = way.xy / away;
     ivec2 low = ivec2(SOFT_QUARTER), high = ivec2(3 * SOFT_QUARTER - 1);
     if (side > way.z) {
-        int axis = size.x >= size.y ? 0 : 1;
-        at[axis] *= 2.0 - max(way.z, 0.0) / side;
-        low[axis] = at[axis] < 0.0 ? 0 : 3 * SOFT_QUARTER;
-        high[axis] = low[axis] + SOFT_QUARTER - 1;
+        bool x = size.x >= size.y; // no lane is indexed by a variable: some drivers keep what is so in memory
+        float beyond = 2.0 - max(way.z, 0.0) / side;
+        int first = (x ? at.x : at.y) < 0.0 ? 0 : 3 * SOFT_QUARTER, last = first + SOFT_QUARTER - 1;
+        at = x ? vec2(at.x * beyond, at.y) : vec2(at.x, at.y * beyond);
+        low = x ? ivec2(first, low.y) : ivec2(low.x, first);
+        high = x ? ivec2(last, high.y) : ivec2(high.x, last);
     }
     return clamp(ivec2(floor((at + 2.0) * float(SOFT_QUARTER))), low, high);
 }
@@ -129,30 +131,64 @@ SHARE softPlanes(Soft s, vec2 part)
 #endif
 }
 
+// A bit for each point. Words are gone through, not indexed by a variable, for the same reason.
+struct SoftBits {
+    uint words[SOFT_WORDS];
+};
+
+SoftBits softNoBits()
+{
+    SoftBits bits;
+    for (int i = 0; i < SOFT_WORDS; i++)
+        bits.words[i] = 0u;
+    return bits;
+}
+
+void softSet(inout SoftBits bits, int point, bool set)
+{
+    for (int i = 0; i < SOFT_WORDS; i++)
+        bits.words[i] |= set && i == point / 32 ? 1u << uint(point % 32) : 0u;
+}
+
+int softBit(SoftBits bits, int point)
+{
+    uint word = 0u;
+    for (int i = 0; i < SOFT_WORDS; i++)
+        word |= i == point / 32 ? bits.words[i] : 0u;
+    return int(word >> uint(point % 32) & 1u);
+}
+
 // What a light's points know of a surface.
 struct SoftPoints {
-    uint dim[SOFT_WORDS], dark[SOFT_WORDS]; // bits: less than all arrives, or nothing
-    float along[SOFT_POINTS * SOFT_POINTS]; // where what is on the way stands; 0: no map knows
+    SoftBits dim, dark;     // less than all arrives, or nothing
     int asked, dims, darks; // numbers of points: of those that are not behind the surface
 };
 
+// The share of a point's light that arrives; `along`: where what is on the way stands, or 0: no map knows.
+SHARE softPointShare(Soft s, ivec2 point, out float along)
+{
+    vec2 part = softPart(point);
+    SHARE share = softPlanes(s, part);
+    along = 0.0;
+#ifdef SHADOW_MAPS
+    share *= softWayShare(s, point, s.point - softPlace(s, part), 1.0, along);
+#endif
+    return share;
+}
+
+bool softIsAsked(Soft s, ivec2 point) { return softWeight(s, softPlace(s, softPart(point))) > 0.0; }
+
 SoftPoints softAsk(Soft s)
 {
-    SoftPoints points;
-    points.asked = points.dims = points.darks = 0;
-    for (int i = 0; i < SOFT_WORDS; i++)
-        points.dim[i] = points.dark[i] = 0u;
+    SoftPoints points = SoftPoints(softNoBits(), softNoBits(), 0, 0, 0);
     for (int i = 0; i < SOFT_POINTS * SOFT_POINTS; i++) {
         ivec2 point = ivec2(i % SOFT_POINTS, i / SOFT_POINTS);
-        points.along[i] = 0.0;
-        if (softWeight(s, softPlace(s, softPart(point))) <= 0.0) continue;
-        SHARE share = softPlanes(s, softPart(point));
-#ifdef SHADOW_MAPS
-        share *= softWayShare(s, point, s.point - softPlace(s, softPart(point)), 1.0, points.along[i]);
-#endif
-        uint less = uint(share != SHARE(1.0)), none = uint(share == SHARE(0.0));
-        points.dim[i / 32] |= less << uint(i % 32);
-        points.dark[i / 32] |= none << uint(i % 32);
+        if (!softIsAsked(s, point)) continue;
+        float along;
+        SHARE share = softPointShare(s, point, along);
+        bool less = share != SHARE(1.0), none = share == SHARE(0.0);
+        softSet(points.dim, i, less);
+        softSet(points.dark, i, none);
         points.asked++;
         points.dims += int(less);
         points.darks += int(none);
@@ -160,31 +196,40 @@ SoftPoints softAsk(Soft s)
     return points;
 }
 
-// Of a cell's corners: how many are dim, and dark; where what stands before them is, as the mean; 1: no map knows.
-ivec2 softCorners(SoftPoints points, ivec2 cell, out float along)
+// Of a cell's corners: how many are dim, and dark.
+ivec2 softCorners(SoftPoints points, ivec2 cell)
 {
     ivec2 count = ivec2(0);
-    float sum = 0.0, known = 0.0;
     for (int i = 0; i < 4; i++) {
         int point = (cell.y + (i >> 1)) * SOFT_POINTS + cell.x + (i & 1);
-        count.x += int(points.dim[point / 32] >> uint(point % 32) & 1u);
-        count.y += int(points.dark[point / 32] >> uint(point % 32) & 1u);
-        sum += points.along[point];
-        known += points.along[point] > 0.0 ? 1.0 : 0.0;
+        count += ivec2(softBit(points.dim, point), softBit(points.dark, point));
     }
-    along = known > 0.0 ? clamp(sum / known, 0.01, 1.0) : 1.0;
     return count;
 }
 
-// The share of a cell's light that arrives. No two ways from any cells of a row, or of a column, start at one height.
-SHARE softCell(Soft s, ivec2 cell, float along)
+// Where what stands before a cell's corners is, as the mean; 1: no map knows. They are asked once more, as few cells are so.
+float softAlong(Soft s, ivec2 cell)
 {
-    const int REVERSED[SOFT_WAYS] = int[SOFT_WAYS](0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15);
+    float sum = 0.0, known = 0.0;
+    for (int i = 0; i < 4; i++) {
+        ivec2 point = cell + ivec2(i & 1, i >> 1);
+        float along = 0.0;
+        if (softIsAsked(s, point)) softPointShare(s, point, along);
+        sum += along;
+        known += along > 0.0 ? 1.0 : 0.0;
+    }
+    return known > 0.0 ? clamp(sum / known, 0.01, 1.0) : 1.0;
+}
+
+// The share of a cell's light that arrives. No two ways from any cells of a row, or of a column, start at one height.
+SHARE softCell(Soft s, ivec2 cell)
+{
     vec2 shift = (vec2(cell.yx) + 0.5) / float(SOFT_CELLS);
     SHARE sum = SHARE(0.0);
-    float all = 0.0;
+    float along = softAlong(s, cell), all = 0.0;
     for (int i = 0; i < SOFT_WAYS; i++) {
-        vec2 inside = (vec2(i, REVERSED[i]) + shift) / float(SOFT_WAYS), part = (vec2(cell) + inside) / float(SOFT_CELLS);
+        int reversed = (i & 1) << 3 | (i & 2) << 1 | (i & 4) >> 1 | (i & 8) >> 3;
+        vec2 inside = (vec2(i, reversed) + shift) / float(SOFT_WAYS), part = (vec2(cell) + inside) / float(SOFT_CELLS);
         float weight = softWeight(s, softPlace(s, part));
         if (weight <= 0.0) continue;
         SHARE share = softPlanes(s, part);
@@ -211,11 +256,11 @@ vec3 softLight(int light, Seen seen)
     SHARE lost = SHARE(1.0);
     for (int i = -1; i < SOFT_CELLS * SOFT_CELLS; i++) {
         ivec2 cell = ivec2(max(i, 0) % SOFT_CELLS, max(i, 0) / SOFT_CELLS);
-        float cells = i < 0 ? 1.0 : float(SOFT_CELLS), along;
+        float cells = i < 0 ? 1.0 : float(SOFT_CELLS);
         if (i >= 0) {
-            ivec2 count = softCorners(points, cell, along);
+            ivec2 count = softCorners(points, cell);
             if (count.x == 0) continue;
-            lost = count.y == 4 ? SHARE(-1.0) : softCell(s, cell, along) - 1.0;
+            lost = count.y == 4 ? SHARE(-1.0) : softCell(s, cell) - 1.0;
         }
         vec2 part = vec2(cell) / cells;
         sum += lost * surfaceArea(seen.m, areaSeen(corner.xyz + part.x * u.xyz + part.y * v.xyz - seen.point, u.xyz / cells,

@@ -30,7 +30,8 @@ static void put_view(const Render *render, const ShadowView *view, int layer, fl
 {
     for (int row = 0; row < 3; row++)
         from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
-    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel, (float)layer}, sizeof texels[3]);
+    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel, view->hybrid ? 0 : (float)layer, (float)layer},
+           sizeof texels[3]);
 }
 
 /* Its normal, and what makes points of it 0. */
@@ -181,6 +182,24 @@ bool shadow_change(Render *render, bool drawn_again)
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
 
+/* Some view is looked up in with its crossings, rather than made a volume of. */
+bool shadow_has_silhouettes(const Render *render)
+{
+    bool has = false;
+    for (int i = 0; i < render->shadows.views.count; i++)
+        has |= render->shadows.views.views[i].silhouettes && !render->shadows.views.views[i].hybrid;
+    return has;
+}
+
+/* What is transparent asks a volume's cells; for the rest it is counted. */
+static const char *cells_text(const Render *render, bool opaque)
+{
+    return volume_cells_are(render) && !opaque
+               ? "#define SHADOW_CUT\n#define VOLUME_HAS\n#define VOLUME_DEPTHS shadow_maps\n"
+                 "#define VOLUME_CROSSINGS silhouette_crossings\n"
+               : "";
+}
+
 const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS])
 {
     const bool maps = pass_shadow_needed(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
@@ -195,12 +214,12 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
                          "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
                          render->scene->shadow_size, render->scene->shadow_filter);
-    if (silhouette_layers(render))
+    if (shadow_has_silhouettes(render))
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SILHOUETTES\n");
     if (volume_lights_cast(render))
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_HYBRID\n%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
-                         opaque ? "#define SHADOW_MASK\n" : "",
+                         "#define SHADOW_HYBRID\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
+                         opaque ? "#define SHADOW_MASK\n" : "", cells_text(render, opaque),
                          render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
                          render->scene->shadow_stretched ? "true" : "false");
     if (shadow_is_soft(render))

@@ -278,7 +278,8 @@ static void fit_light(Fit *fit, int number)
     fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
     for (int i = 0; i < fit->made->lights[number].count; i++) {
         views[i].transparent = exact;
-        views[i].silhouettes = light->shadows == WORD_Shadows_silhouette;
+        views[i].silhouettes = light->shadows == WORD_Shadows_silhouette ||
+                               (hybrid && fit->scene->shadow_volume == WORD_Volume_silhouette);
     }
     fit->made->count += fit->made->lights[number].count;
     for (ShadowView *view = views; hybrid && view < fit->made->views + fit->made->count; view++)

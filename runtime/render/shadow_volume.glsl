@@ -18,3 +18,9 @@ vec2 volumePlace(ivec2 texel, float size, bool stretched)
 {
     return vec2(2 * texel + (stretched ? 0 : 1)) / (stretched ? size - 1.0 : size) - 1.0;
 }
+
+// And what lies between centres, in texels from the first one's.
+vec2 volumePlace(vec2 texel, float size, bool stretched)
+{
+    return (2.0 * texel + (stretched ? 0.0 : 1.0)) / (stretched ? size - 1.0 : size) - 1.0;
+}

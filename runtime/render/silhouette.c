@@ -10,13 +10,15 @@ extern const char render_text_silhouette_find[], render_text_silhouette_pack[];
 enum { PLACES_BINDING = 1, EDGES_BINDING, EXTENTS_BINDING, GROUP = 64, SQUARE = 8, MOST_GROUPS = 65535 };
 enum { MOST_EDGES = MOST_GROUPS * GROUP /* one dispatch has so many */ };
 
-int silhouette_layers(const Render *render)
+int silhouette_layer(const Render *render, int view)
 {
     int count = 0;
-    for (int i = 0; i < render->shadows.views.count; i++)
+    for (int i = 0; i < view; i++)
         count += render->shadows.views.views[i].silhouettes;
     return count;
 }
+
+int silhouette_layers(const Render *render) { return silhouette_layer(render, render->shadows.views.count); }
 
 /* -- edges of meshes */
 

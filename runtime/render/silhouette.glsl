@@ -41,8 +41,6 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 }
 
 #ifdef SHADOW_SILHOUETTES // behind shadow.glsl
-uniform sampler2DArray silhouette_crossings;
-
 const float SILHOUETTE_LIFT = 1.0 / 16.0, SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
 // What a view shows of a point: its place there, and how depth changes from texel to texel on its plane.

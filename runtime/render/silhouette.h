@@ -25,6 +25,8 @@ typedef struct {
 
 /* How many views have crossings. */
 int silhouette_layers(const Render *render);
+/* Which of their layers a view has. */
+int silhouette_layer(const Render *render, int view);
 /* False: see the context's error. */
 bool silhouette_make(Render *render);
 /* In all views that have some; their maps are drawn. */

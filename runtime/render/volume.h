@@ -17,7 +17,7 @@ typedef struct {
     Material *marks;         /* of each hybrid light */
     Material *shown;         /* as sheets, to be looked at; NULL: they are not */
     int view_count, light_count;
-    GLuint array; /* of caps, whose vertices have no numbers but their own */
+    GLuint array; /* of caps and cells, whose vertices have no numbers but their own */
     Word path;    /* of volume_data.c, as is what follows; never auto */
     GLuint *arrays;
     int array_count;          /* one, or as many as views of hybrid lights */
@@ -26,7 +26,8 @@ typedef struct {
     Material writer;
     Framebuffer corners; /* of quads, two by two texels each, before they are copied */
     Material blur;
-    GLuint sharp; /* depths before they are blurred */
+    GLuint sharp;           /* depths before they are blurred */
+    GLuint cells, commands; /* of volume_cells.c: buffers of lists of cells, and of draws */
 } FrameVolumes;
 
 /* A light casts hybrid shadows; how many do; one does, and there is something that casts. volume_lights.c */
@@ -40,14 +41,26 @@ void volume_blur_use(const Render *render);
 void volume_blur_draw(Render *render);
 void volume_blur_delete(Render *render);
 
-/* Vertices by the scene's path: made; written, when maps have been drawn; what the vertex program goes by; a view's drawn, which is that number among
- * those of hybrid lights; a line on them; deleted. volume_data.c */
+/* Vertices by the scene's path: made; written, when maps have been drawn; what the vertex program goes by, which is to be looked at or not; a view's drawn; a line
+ * on them; deleted. volume_data.c */
 bool volume_data_make(Render *render);
 void volume_data_write(Render *render);
-const char *volume_data_text(const Render *render);
-void volume_data_draw(const Render *render, int number);
+const char *volume_data_text(const Render *render, bool shown);
+void volume_data_draw(const Render *render, int view, bool shown);
 void volume_data_put(Text *out, const Render *render);
 void volume_data_delete(Render *render);
+
+/* The same where silhouettes cut volumes: whether they do; the samplers that volume_cells.glsl reads; only cells in lists are drawn, or all of them, in one
+ * order, for a view that mixes colours; bytes of the lists. volume_cells.c */
+bool volume_cells_are(const Render *render);
+bool volume_cells_make(Render *render);
+void volume_cells_write(Render *render);
+const char *volume_cells_head(bool listed);
+const char *volume_cells_maps(void);
+void volume_cells_draw(const Render *render, int view, int number);
+void volume_cells_draw_all(const Render *render, int view, int number);
+size_t volume_cells_bytes(const Render *render);
+void volume_cells_delete(Render *render);
 
 /* A view of the picture in which the volumes are seen, or objects are lines. */
 typedef enum { VOLUME_VIEW_none, VOLUME_VIEW_faces, VOLUME_VIEW_lines } VolumeViewHow;

@@ -98,14 +98,18 @@ static bool choose(Render *render)
     if (volumes->path != WORD_Path_auto)
         return true;
     volumes->path = WORD_Path_compute;
+    if (volume_cells_are(render))
+        return true;
     if (!has_compute(render->gl) || bytes_of(render) > most)
         volumes->path = WORD_Path_fetch;
     return true;
 }
 
-const char *volume_data_text(const Render *render)
+const char *volume_data_text(const Render *render, bool shown)
 {
     const Word path = render->volumes.path;
+    if (volume_cells_are(render))
+        return volume_cells_head(!shown);
     if (path == WORD_Path_copy)
         return is_perfect(render) ? "#define CORNERS\n" : "#define DEPTHS\n";
     return path == WORD_Path_compute ? "#define DEPTHS\n" : is_perfect(render) ? "#define QUADS\n" : "";
@@ -209,6 +213,8 @@ bool volume_data_make(Render *render)
 {
     if (!volume_lights_cast(render))
         return true;
+    if (volume_cells_are(render))
+        return choose(render) && volume_cells_make(render);
     return choose(render) && make_indices(render) && make_vertices(render) && make_arrays(render) &&
            make_writer(render);
 }
@@ -259,6 +265,8 @@ void volume_data_write(Render *render)
     const GlContext *gl = render->gl;
     const Word path = render->volumes.path;
     int number = 0;
+    if (render->volumes.cells)
+        volume_cells_write(render);
     if (!render->volumes.vertices)
         return;
     gl->ActiveTexture(GL_TEXTURE0);
@@ -281,11 +289,26 @@ void volume_data_write(Render *render)
 
 /* -- drawing */
 
-void volume_data_draw(const Render *render, int number)
+/* Among views of hybrid lights. */
+static int number_of(const Render *render, int view)
+{
+    int number = 0;
+    for (int i = 0; i < view; i++)
+        number += render->shadows.views.views[i].hybrid;
+    return number;
+}
+
+void volume_data_draw(const Render *render, int view, bool shown)
 {
     const GlContext *gl = render->gl;
     const FrameVolumes *volumes = &render->volumes;
+    const int number = number_of(render, view);
+    if (volumes->cells) {
+        (shown ? volume_cells_draw_all : volume_cells_draw)(render, view, number);
+        return;
+    }
     const size_t first = writes_indices(render) ? (size_t)number * (size_t)volumes->index_count : 0;
+    material_use(shown ? &volumes->shown[view] : &volumes->sheets[view]);
     gl->BindVertexArray(volumes->arrays[volumes->vertices ? number : 0]);
     gl->DrawElements(is_perfect(render) ? GL_TRIANGLES : GL_TRIANGLE_STRIP, volumes->index_count, GL_UNSIGNED_INT,
                      offset_of(first));
@@ -293,6 +316,9 @@ void volume_data_draw(const Render *render, int number)
 
 void volume_data_put(Text *out, const Render *render)
 {
+    if (render->volumes.cells)
+        text_format(out, "shadow    volumes cut by silhouettes: %lu bytes of cells\n",
+                    (unsigned long)volume_cells_bytes(render));
     if (render->volumes.arrays)
         text_format(out, "shadow    volumes by the path %s: %lu bytes\n", word_table[render->volumes.path].name,
                     (unsigned long)bytes_of(render));
@@ -305,6 +331,7 @@ void volume_data_delete(Render *render)
     if (volumes->arrays)
         gl->DeleteVertexArrays(volumes->array_count, volumes->arrays);
     free(volumes->arrays);
+    volume_cells_delete(render);
     gl->DeleteBuffers(1, &volumes->indices); /* GL ignores the name 0 */
     gl->DeleteBuffers(1, &volumes->vertices);
     framebuffer_delete(gl, &volumes->corners);

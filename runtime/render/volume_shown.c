@@ -3,7 +3,8 @@
 #include "runtime/render/frame.h"
 #include <stdlib.h>
 
-extern const char render_text_shadow_volume[], render_text_volume_vertex[], render_text_volume_shown[];
+extern const char render_text_shadow_volume[], render_text_volume_cells[], render_text_volume_vertex[],
+    render_text_volume_shown[];
 
 static void place(const Render *render, int view)
 {
@@ -32,9 +33,13 @@ static const char *define_look(const Render *render)
 static bool make_view(Render *render, int view)
 {
     const char *const head = pass_volume_head(render), *const defined = define_look(render);
-    const ProgramText text = {
-        .vertex = {head, defined, volume_data_text(render), render_text_shadow_volume, render_text_volume_vertex},
-        .fragment = {head, defined, render_text_volume_shown}};
+    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
+                                                                                      volume_cells_are(render)
+                                                                                          ? render_text_volume_cells
+                                                                                          : "";
+    const ProgramText text = {.vertex = {head, defined, volume_data_text(render, true), maps, render_text_shadow_volume,
+                                         cells, render_text_volume_vertex},
+                              .fragment = {head, defined, render_text_volume_shown}};
     if (!material_make(render->store, NULL, &text, &render->volumes.shown[view]))
         return false;
     place(render, view);
@@ -91,7 +96,6 @@ static void end(const Render *render)
 
 void volume_shown_draw(Render *render)
 {
-    int number = 0;
     if (!volume_view_has_volume(render))
         return;
     begin(render);
@@ -99,8 +103,7 @@ void volume_shown_draw(Render *render)
         if (!render->volumes.shown[i].store)
             continue;
         render->gl->FrontFace(render->shadows.views.views[i].mirrored ? GL_CW : GL_CCW);
-        material_use(&render->volumes.shown[i]);
-        volume_data_draw(render, number++);
+        volume_data_draw(render, i, true);
     }
     render->gl->BindVertexArray(0);
     end(render);

@@ -1,12 +1,21 @@
 // The shadow volume of a depth map: the vertex program. A vertex is a texel, or, of the perfect triangulation, a corner of a quad, four each;
 // behind CAP it is one of a fan that closes the volume infinitely far away, over the map's border. Behind DEPTHS its depth comes out of a buffer; behind
-// CORNERS, too, four vertices a quad, and is negative where the quad is turned (volume_corners.glsl).
+// CORNERS, too, four vertices a quad, and is negative where the quad is turned (volume_corners.glsl). Behind CELLS it is a corner of a cell's triangles
+// (volume_cells.glsl): of all cells, VOLUME_MOST triangles each; or, behind LISTED, of those in a list (volume_list.glsl). Triangles that a cell lacks are one point.
+#ifndef CELLS
 uniform sampler2DArray volume_depths;
+#endif
 layout(std140) uniform Volume {
     vec4 volume_x, volume_y, volume_z, volume_w; // clip space from a place: columns
     vec4 volume_map;                             // its layer, its size, 1: of parallel light, 1: stretched
     vec4 volume_far;                             // of parallel light, where it goes; else the least depth
+#ifdef CELLS
+    vec4 volume_cells; // its layer of crossings; the view among those that are volumes; 1: what is crossed is drawn, 0: the rest
+#endif
 };
+#ifdef LISTED
+layout(std430, binding = 0) readonly buffer Cells { uint listed_cells[]; };
+#endif
 #if defined DEPTHS || defined CORNERS
 layout(location = 0) in float volume_depth;
 #endif
@@ -15,7 +24,9 @@ invariant gl_Position; // caps and sheets meet
 out float volume_away; // 1 where there is no depth (volume_shown.glsl)
 #endif
 
+#ifndef CELLS
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
+#endif
 
 // Perspective depth is near / z: a homogeneous point. What has no depth is as far away as pass_volume.c says.
 vec4 volumePoint(vec2 place, float depth)
@@ -36,6 +47,26 @@ ivec2 volumeBorder(int k)
 }
 #endif
 
+#ifdef CELLS
+vec3 volumeVertex()
+{
+    int row = int(volume_map.y) - 1, most = 3 * VOLUME_MOST;
+    bool cut = true; // it may be
+#ifdef LISTED
+    cut = volume_cells.z > 0.0;
+    most = cut ? most : 6;
+    int all = row * row, first = int(volume_cells.y) * all, place = gl_VertexID / most;
+    int number = int(listed_cells[cut ? first + all - 1 - place : first + place]);
+#else
+    int number = gl_VertexID / most;
+#endif
+    ivec2 cell = ivec2(number % row, number / row), layers = ivec2(volume_map.x, volume_cells.x);
+    ivec2 parted = volumeParted(layers, cell, cut ? volumeCrossed(layers, cell) : 0);
+    int corner = gl_VertexID % most;
+    return volumeCorner(layers, cell, parted, corner < 3 * VOLUME_TRIANGLES[parted.x] ? corner : 0);
+}
+#endif
+
 void main()
 {
     bool stretched = volume_map.w > 0.0;
@@ -43,6 +74,9 @@ void main()
     int corner = gl_VertexID % 3;
     ivec2 texel = volumeBorder(gl_VertexID / 3 + 2 - corner);
     gl_Position = volumePoint(corner == 0 ? vec2(0.0) : volumePlace(texel, volume_map.y, stretched), 0.0);
+#elif defined CELLS
+    vec3 vertex = volumeVertex();
+    gl_Position = volumePoint(volumePlace(vertex.xy, volume_map.y, stretched), vertex.z);
 #elif defined CORNERS
     const ivec2 corners[4] = ivec2[](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 1));
     int edge = 2 * (int(volume_map.y) - 1);

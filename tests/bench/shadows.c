@@ -14,6 +14,7 @@ typedef struct {
     const char *plot; /* or NULL */
     GlKind kind;
     const char *mesh; /* a file, or a name of tests/meshes; or NULL */
+    const char *only; /* the word of the methods that are measured beside PCF; or NULL */
     int triangles;    /* else, of a ball with bumps, about */
     int map_size;
     bool timed;
@@ -119,7 +120,9 @@ static bool read_argument(const char *text, Arguments *made)
         made->mesh = text + 7;
     if (!strncmp(text, "--plot=", 7))
         made->plot = text + 7;
-    return made->mesh == text + 7 || made->plot == text + 7 ||
+    if (!strncmp(text, "--only=", 7))
+        made->only = text + 7;
+    return made->only == text + 7 || made->mesh == text + 7 || made->plot == text + 7 ||
            (!strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &made->kind)) ||
            sscanf(text, "--triangles=%d", &made->triangles) == 1 || sscanf(text, "--maps=%d", &made->map_size) == 1;
 }
@@ -150,6 +153,24 @@ static bool open_mesh(const Arguments *arguments, Shape *made)
     return fine;
 }
 
+/* None, PCF, and those that a light's `shadows:` calls so. */
+static bool keep_only(const char *name, Shadows *s)
+{
+    int count = 0, pcf = 0;
+    bool found = !name;
+    for (int i = 0; i < s->method_count; i++) {
+        const bool named = !name || !strcmp(scene_shadows_name(s->methods[i].shadows), name);
+        found |= named;
+        if (i == s->pcf)
+            pcf = count;
+        if (i == 0 || i == s->pcf || named)
+            s->methods[count++] = s->methods[i];
+    }
+    s->method_count = count;
+    s->pcf = pcf;
+    return found || fprintf(stderr, "matbench: no light casts shadows by '%s'\n", name) < 0;
+}
+
 static int run(const Arguments *arguments)
 {
     char error[4096];
@@ -161,6 +182,7 @@ static int run(const Arguments *arguments)
     s.gl = gl_open(arguments->kind, true, error, sizeof error);
     bool fine = s.gl || fprintf(stderr, "matbench: %s\n", error) < 0;
     s.method_count = shadows_methods(s.methods, &s.pcf);
+    fine = fine && keep_only(arguments->only, &s);
     if (fine && arguments->timed)
         printf("%s, ", s.gl->renderer);
     if (fine)
@@ -178,7 +200,7 @@ int bench_shadows(int argc, char **argv)
     if (read_arguments(argc, argv, &arguments))
         return run(&arguments);
     fputs("usage: matbench shadows [--untimed] [--gl=osmesa|egl] [--triangles=N] [--mesh=FILE|NAME] [--maps=TEXELS] "
-          "[--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims]\n",
+          "[--only=METHOD] [--plot=BASENAME] [errors] [steps] [times] [paths] [polygons] [claims]\n",
           stderr);
     return 2;
 }

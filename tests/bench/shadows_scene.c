@@ -17,6 +17,7 @@ static const ShadowsMethod known[] = {
     {{"hybrid", "plain"}, WORD_Shadows_hybrid, 1, WORD_Volume_plain, false, WORD_Path_auto},
     {{"hybrid", "blurred"}, WORD_Shadows_hybrid, 1, WORD_Volume_blurred, false, WORD_Path_auto},
     {{"hybrid", "perfect"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, false, WORD_Path_auto},
+    {{"hybrid", "silhouette"}, WORD_Shadows_hybrid, 1, WORD_Volume_silhouette, false, WORD_Path_auto},
     {{"hybrid", "stretched"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, true, WORD_Path_auto},
 };
 enum { KNOWN = sizeof known / sizeof *known, PCF = 3 };

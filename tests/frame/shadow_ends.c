@@ -103,6 +103,8 @@ double shadow_ends_distance(const ShadowPair *pair, const ShadowEnds *ends)
     Scene *scene = frame_scene(text, &pair->options, &document);
     scene->meshes = &mesh;
     scene->mesh_count = 1;
+    if (ends->volume)
+        scene->shadow_volume = ends->volume;
     for (int i = 0; i < documents[ends->receiver].casters; i++) {
         scene->objects[i].kind = SCENE_Mesh;
         scene->objects[i].mesh = 0;

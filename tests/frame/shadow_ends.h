@@ -16,7 +16,8 @@ typedef struct {
     const Shape *mesh;  /* at most 1 from the origin */
     const char *method; /* of the list Shadows */
     ShadowEndsReceiver receiver;
-    bool all; /* also points where the facet and the normal are on different sides of the light */
+    bool all;    /* also points where the facet and the normal are on different sides of the light */
+    Word volume; /* of hybrid shadows, of the list Volume; 0: it is another method */
 } ShadowEnds;
 
 /* The area of points that are lit and should not be, or the other way round, over the length of the true ends: in texels. */

@@ -1,0 +1,209 @@
+/* Shadow volumes that silhouettes cut: the triangles of a cell close it, however it is crossed; ends of shadows beside those of plain volumes; what is transparent, what
+ * changes, and what is refused. test_frame_hybrid.c has them by rays, and an end by its closed form. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/shadow_ends.h"
+#include "tests/frame/shadow_knot.h"
+#include "runtime/scene/scene.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* -- the triangles of a cell */
+
+extern const char render_text_volume_cells[];
+
+enum { ROWS = 7, MOST = 10, RING = 12, NUMBERS = ROWS * 3 * MOST };
+
+/* The numbers of an array of the text, without its comments. */
+static int read_numbers(const char *name, int *numbers, int most)
+{
+    const char *at = strstr(render_text_volume_cells, name);
+    int count = 0;
+    at = at ? strchr(at, '(') : NULL;
+    assert_non_null(at);
+    for (at++; *at && *at != ')' && count < most; at += strcspn(at, ",)/") + (at[strcspn(at, ",)/")] == ',')) {
+        while (*at == '/' || *at == ' ' || *at == '\n')
+            at += *at == '/' ? strcspn(at, "\n") : 1;
+        numbers[count++] = (int)strtol(at, NULL, 10);
+    }
+    return count;
+}
+
+/* Which segments of a row's cells are crossed. */
+static const int crossed_of[ROWS] = {0, 1, 1, 1 | 8, 1 | 4, 1 | 2 | 8, 15};
+
+/* The corners that surround a cell, in order. */
+static int ring_of(int crossed, int ring[RING])
+{
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        ring[count++] = 3 * i;
+        for (int side = 1; side < 3 && crossed >> i & 1; side++)
+            ring[count++] = 3 * i + side;
+    }
+    return count;
+}
+
+/* Each edge of the ring is one triangle's, in its order; all others are two triangles', once each way round; and there are as many as it takes. */
+static void triangles_close_cells(void **state)
+{
+    (void)state;
+    int counts[ROWS], corners[NUMBERS];
+    assert_int_equal(read_numbers("VOLUME_TRIANGLES[7] = int[7]", counts, ROWS), ROWS);
+    assert_int_equal(read_numbers("VOLUME_CORNERS[210] = int[210]", corners, NUMBERS), NUMBERS);
+    for (int row = 0; row < ROWS; row++) {
+        int edges[RING][RING] = {{0}}, ring[RING];
+        const int length = ring_of(crossed_of[row], ring);
+        assert_int_equal(counts[row], length - 2);
+        for (int i = 0; i < 3 * counts[row]; i++) {
+            const int from = corners[3 * MOST * row + i], to = corners[3 * MOST * row + i / 3 * 3 + (i + 1) % 3];
+            assert_in_range(from, 0, RING - 1);
+            edges[from][to]++;
+        }
+        for (int i = 0; i < length; i++)
+            edges[ring[(i + 1) % length]][ring[i]]++; /* the cell beside has it the other way round */
+        for (int from = 0; from < RING; from++)
+            for (int to = 0; to < RING; to++)
+                assert_true(edges[from][to] == edges[to][from] && edges[from][to] <= 1);
+    }
+}
+
+/* -- ends */
+
+static void ends_are_near(void **state)
+{
+    (void)state;
+    static const double most[SHADOW_ENDS_RECEIVERS] = {.01, .01, .02, .03};
+    ShadowPair pair;
+    Shape knot = shadow_knot();
+    shadow_pair_open(GL_KIND_osmesa, &pair);
+    for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
+        ShadowEnds ends = {&knot, "hybrid", (ShadowEndsReceiver)i, false, WORD_Volume_plain};
+        const double plain = shadow_ends_distance(&pair, &ends);
+        ends.volume = WORD_Volume_silhouette;
+        const double cut = shadow_ends_distance(&pair, &ends);
+        print_message("ends on %s: %.4f texels off, plain volumes %.4f\n", shadow_ends_receivers[i], cut, plain);
+        assert_true(cut <= most[i] && cut < .05 * plain);
+    }
+    shadow_pair_close(&pair);
+    shape_free(&knot);
+}
+
+/* -- what is transparent */
+
+#define SEEN                                                                                                           \
+    "image: { width: 96, height: 72 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "    \
+    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 }, g: { material: Phong, diffuse: .5, transparency: " \
+    "%s, interpolatedTransparency: false } }\n"
+#define THINGS                                                                                                         \
+    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n"                     \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .9], rotation: [0, 0, .3] } }\n"
+
+/* A floor of glass is lit as a solid one: its fragments look up the triangles that the stencil counts. */
+static void glass_is_lit_as_floors_are(void **state)
+{
+    (void)state;
+    static const char *const lights[] = {"Directional, direction: [1, .2, -.8]", "Point, position: [-1, -1, 3]"};
+    ShadowPair pair;
+    shadow_pair_open(GL_KIND_osmesa, &pair);
+    for (int k = 0; k < 2; k++) {
+        float *shares[2];
+        int pixels = 0, dark = 0, other = 0;
+        for (int glass = 0; glass < 2; glass++) {
+            MatcDocument *document;
+            char text[4096];
+            snprintf(text, sizeof text,
+                     SEEN "shadowMaps: { size: 64, volume: silhouette }\nlights: [{ light: %s, shadows: hybrid }]\n"
+                          "objects:\n- { object: Parallelogram, u: [5, 0, 0], v: [0, 5, 0], material: g, transform: { "
+                          "translation: [-2.5, -2.5, 0] } }\n" THINGS,
+                     glass ? ".5" : "0", lights[k]);
+            Scene *scene = frame_scene(text, &pair.options, &document);
+            shares[glass] = shadow_pair_shares(&pair, scene);
+            pixels = scene->width * scene->height;
+            frame_forget(scene, document);
+        }
+        for (int i = 0; i < pixels; i++) {
+            dark += shares[0][i] >= 0 && shares[0][i] < .5f;
+            other += shares[0][i] >= 0 && fabsf(shares[0][i] - shares[1][i]) > .01f;
+        }
+        print_message("%s: %d of %d pixels dark, %d other by glass\n", lights[k], dark, pixels, other);
+        assert_true(dark > 200 && other <= dark / 50);
+        free(shares[0]);
+        free(shares[1]);
+    }
+    shadow_pair_close(&pair);
+}
+
+/* -- what changes, and what is refused */
+
+#define CHANGING                                                                                                       \
+    "shadowMaps: { size: 64, volume: silhouette }\nlights: [{ light: Directional, direction: [1, .2, -.6], shadows: "  \
+    "hybrid },\n  { light: Point, position: [0, .6, 2.5], shadows: hybrid },\n"                                        \
+    "  { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: silhouette }]\n"           \
+    "objects:\n- { object: Plane, material: m }\n" THINGS
+
+static void what_moves_is_as_new(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    const RenderOptions how = {.compile = &options, .view = "light"};
+    GlContext *gl = frame_context_of(GL_KIND_osmesa);
+    MatcDocument *document;
+    char text[4096];
+    snprintf(text, sizeof text, SEEN CHANGING, "0");
+    Scene *scene = frame_scene(text, &options, &document);
+    Render *render = render_open(gl, &how);
+    const size_t floats = 4 * (size_t)scene->width * (size_t)scene->height;
+    float *changed = malloc(floats * sizeof *changed);
+    assert_true(changed && render && render_scene(render, scene) && render_frame(render));
+    for (int step = 0; step < 2; step++) {
+        scene->objects[1].world_from_local.m[12] += step ? 0 : .7;
+        scene->lights[1].position[0] += step ? .4 : 0;
+        assert_true(step ? render_changed(render, RENDER_LIGHTS) : render_changed_objects(render, 1, 1));
+        assert_true(render_frame(render) && render_read(render, changed));
+        float *anew = frame_floats(gl, scene, &how);
+        assert_memory_equal(changed, anew, floats * sizeof *anew);
+        free(anew);
+    }
+    render_close(render);
+    free(changed);
+    frame_forget(scene, document);
+    gl_close(gl);
+}
+
+/* Only the path compute lists cells. */
+static void other_paths_are_refused(void **state)
+{
+    (void)state;
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context_of(GL_KIND_osmesa);
+    for (int k = 0; k < 2; k++) {
+        MatcDocument *document;
+        char text[4096];
+        snprintf(text, sizeof text,
+                 SEEN "shadowMaps: { size: 64, volume: silhouette, path: %s }\nlights: [{ light: Directional, shadows: "
+                      "hybrid }]\nobjects:\n" THINGS,
+                 "0", k ? "copy" : "fetch");
+        Scene *scene = frame_scene(text, &options, &document);
+        Render *render = render_open(gl, &(RenderOptions){.compile = &options});
+        assert_false(render_scene(render, scene));
+        assert_string_equal(gl->error, "shadow volumes that silhouettes cut come by the path compute, or auto");
+        render_close(render);
+        frame_forget(scene, document);
+    }
+    gl_close(gl);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(triangles_close_cells), cmocka_unit_test(ends_are_near),
+                                       cmocka_unit_test(glass_is_lit_as_floors_are),
+                                       cmocka_unit_test(what_moves_is_as_new),
+                                       cmocka_unit_test(other_paths_are_refused)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
