@@ -1,4 +1,4 @@
-/* Light of what the picture does not show: nothing of it gets through walls, what is behind the camera sends what rays in double say, and what changes is as if it were made
+/* Light of what the picture does not show: nothing of it gets through walls, what is behind the camera sends what rays in double say, as infinite planes do, and what changes is as if it were made
  * anew. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -119,41 +119,84 @@ static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *
     shares[0] = shares[1] = shares[2] = lit;
 }
 
-static void what_is_behind_the_camera_sends(void **state)
+typedef struct {
+    double mean, is, square; /* of the truth, of the picture; root of the mean square of the difference */
+    int count;
+} Off;
+
+/* Of pixels of object 0, 5 apart, against so many rays squared: openness, or light. */
+static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
 {
-    (void)state;
-    enum { APART = 8, ACROSS = 32 };
+    enum { APART = 5 };
     const MatcOptions options = frame_exact_options();
-    GlContext *gl = frame_context();
+    Off off = {.count = 0};
     MatcDocument *document;
-    Scene *scene = frame_scene(behind, &options, &document);
+    Scene *scene = frame_scene(text, &options, &document);
     Tracer tracer = reference_open(scene);
     tracer.shares = shares_of;
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "indirect"});
-    double mean = 0, is = 0, square = 0;
-    int count = 0;
+    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
     for (int y = APART / 2; y < EDGE; y += APART)
         for (int x = APART / 2; x < EDGE; x += APART) {
             const Ray ray = reference_ray(scene, x + .5, y + .5);
             const Hit hit = reference_hit(&tracer, &ray, 0);
-            OpenRays rays = {.across = ACROSS, .radius = 9, .bounces = 1, .state = (uint64_t)(y * EDGE + x)};
             if (hit.object != 0)
                 continue;
-            const Open open = open_ray(&tracer, &hit, &rays, &options);
-            for (int k = 0; k < 3; k++, count++) {
-                const double off = (double)rgba[LANES * (y * EDGE + x) + k] - open.light[k];
-                mean += open.light[k];
-                is += rgba[LANES * (y * EDGE + x) + k];
-                square += off * off;
+            rays.state = (uint64_t)(y * EDGE + x);
+            const Open open = open_ray(&tracer, &hit, &rays, light ? &options : NULL);
+            for (int k = 0; k < (light ? 3 : 1); k++, off.count++) {
+                const double is = rgba[LANES * (y * EDGE + x) + k], truth = light ? open.light[k] : open.open;
+                off.mean += truth;
+                off.is += is;
+                off.square += (is - truth) * (is - truth);
             }
         }
-    print_message("of a mean of %.3g: %.3f off in the mean, %.3f its root of the mean square, of %d numbers\n",
-                  mean / count, is / mean - 1, sqrt(square / count) / (mean / count), count);
-    assert_true(count > 100 && mean / count > .01);
-    assert_true(fabs(is / mean - 1) < .05 && sqrt(square / count) / (mean / count) < .1);
+    off.mean /= off.count;
+    off.is /= off.count;
+    off.square = sqrt(off.square / off.count);
+    print_message("%s: mean %.3g of %.3g, root of the mean square %.3g, of %d numbers\n", light ? "light" : "openness",
+                  off.is, off.mean, off.square, off.count);
     reference_close(&tracer);
     free(rgba);
     frame_forget(scene, document);
+    return off;
+}
+
+static void what_is_behind_the_camera_sends(void **state)
+{
+    (void)state;
+    GlContext *gl = frame_context();
+    const Off off = off_by(gl, behind, true, (OpenRays){.across = 32, .radius = 9, .bounces = 1});
+    assert_true(off.count > 100 && off.mean > .01);
+    assert_true(fabs(off.is / off.mean - 1) < .05 && off.square < .1 * off.mean);
+    gl_close(gl);
+}
+
+/* -- infinite planes */
+
+/* A wall on a ground and beside another, of which all that is near it is seen. */
+static const char grounded[] =
+    IMAGE "camera: { camera: Perspective, position: [1.2, -6, 2.5], target: [-.3, 0, .9], angle: 60 }\nlights:\n- { "
+          "light: Point, position: [0, -2, 2.5], intensity: 10, shadows: exact }\nindirect: { rays: 64, radius: 2, "
+          "method: %s }\nobjects:\n"
+          "- { object: Box, size: [3, .5, 2], material: { material: Phong, diffuse: .8, specular: 0 }, transform: { "
+          "translation: [0, 0, 1] } }\n"
+          "- { object: Plane, material: { material: Phong, diffuse: [.8, .3, .1], specular: 0 } }\n"
+          "- { object: Plane, material: { material: Phong, diffuse: [.1, .3, .8], specular: 0 }, transform: { "
+          "translation: [-2.2, 0, 0], rotation: [0, 1.5, 0] } }\n";
+
+static void rays_meet_infinite_planes(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"voxels", "hybrid"};
+    GlContext *gl = frame_context();
+    for (int i = 0; i < 2; i++) {
+        char text[TEXT];
+        snprintf(text, sizeof text, grounded, methods[i]);
+        const Off open = off_by(gl, text, false, (OpenRays){.across = 32, .radius = 2});
+        const Off light = off_by(gl, text, true, (OpenRays){.across = 32, .radius = 2, .bounces = 1});
+        assert_true(open.count > 10 && open.mean < .9 && open.square < .015);
+        assert_true(light.mean > .02 && fabs(light.is / light.mean - 1) < .03 && light.square < .06 * light.mean);
+    }
     gl_close(gl);
 }
 
@@ -196,6 +239,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_shines_through_walls),
         cmocka_unit_test(what_is_behind_the_camera_sends),
+        cmocka_unit_test(rays_meet_infinite_planes),
         cmocka_unit_test(what_changes_is_as_new),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -59,5 +59,10 @@ void pass_combine_place(Render *render);
 bool pass_combine_needed(const Render *render);
 bool pass_combine_make(Render *render);
 void pass_combine_draw(Render *render);
+/* Opaque infinite planes that rays meet where they go through voxels, as many as there may be; GLSL for it, "" without any; told to a pass. indirect_planes.c */
+enum { INDIRECT_PLANES_MOST = 16, INDIRECT_PLANES_DEFINITION = 48 };
+int indirect_planes_count(const Render *render);
+void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFINITION]);
+void indirect_planes_set(const Render *render, ScreenPass *pass);
 void indirect_delete(Render *render);
 #endif

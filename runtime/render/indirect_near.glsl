@@ -34,17 +34,29 @@ vec3 indirectCached(vec3 point, vec3 normal, IndirectHit hit, vec3 way)
     vec3 place = voxelPlace(point);
     IndirectStart start = IndirectStart(place, 0.0);
     bool shown = hit.pixel.x >= 0;
-    if (shown && RADIANCE_TEXELS < 3) return vec3(0.0);
+    if (hit.pixel.x < -1 || (shown && RADIANCE_TEXELS < 3)) return vec3(0.0);
     if (!shown) start = indirectStart(point, normal, way);
     RadianceSum sum = radianceAlong(place, start.place, voxelDirection(way), far - start.begin);
     return (shown ? sum.further : sum.direct + sum.further) / max(sum.weight, 1e-6);
 }
 #endif
 
-IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
+// What it meets in voxels.
+IndirectHit indirectVoxel(vec3 point, vec3 normal, vec3 way)
 {
     float t, radius = indirect_reach.x;
     ivec2 pixel = ivec2(-1);
+    IndirectStart start = indirectStart(point, normal, way);
+#ifdef INDIRECT_RADIANCE
+    if (radianceBegins(voxelPlace(point), start.place, voxelDirection(way))) return IndirectHit(start.begin / radius, pixel);
+#endif
+    if (!voxelRay(start.place, voxelDirection(way), radius - start.begin, t)) return IndirectHit(-1.0, pixel);
+    return IndirectHit((t + start.begin) / radius, pixel);
+}
+
+IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
+{
+    float radius = indirect_reach.x;
 #ifdef INDIRECT_NEAR
     float near = min(indirect_models.x, radius);
     vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
@@ -60,10 +72,11 @@ IndirectHit indirectMeet(vec3 point, vec3 normal, vec3 way, float less)
         if (indirectPoint(ivec2(at), depth).z - place.z <= indirect_models.y) return IndirectHit(s / radius, ivec2(at));
     }
 #endif
-    IndirectStart start = indirectStart(point, normal, way);
-#ifdef INDIRECT_RADIANCE
-    if (radianceBegins(voxelPlace(point), start.place, voxelDirection(way))) return IndirectHit(start.begin / radius, pixel);
+    IndirectHit hit = indirectVoxel(point, normal, way);
+#ifdef INDIRECT_PLANES
+    float far = hit.t < 0.0 ? radius : min(hit.t * radius, radius);
+    int plane = indirectPlane(point, way, far);
+    if (plane >= 0) return IndirectHit(far / radius, indirectShown(plane, point + far * way));
 #endif
-    if (!voxelRay(start.place, voxelDirection(way), radius - start.begin, t)) return IndirectHit(-1.0, pixel);
-    return IndirectHit((t + start.begin) / radius, pixel);
+    return hit;
 }

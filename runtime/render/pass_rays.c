@@ -4,7 +4,7 @@
 
 extern const char render_text_indirect_place[], render_text_indirect_march[], render_text_indirect_near[],
     render_text_indirect_mask[], render_text_indirect_rays[], render_text_pass_rays[], render_text_voxel_map[],
-    render_text_voxel_ray[], render_text_radiance[];
+    render_text_voxel_ray[], render_text_radiance[], render_text_indirect_planes[];
 
 enum { LIGHT_UNIT = INDIRECT_FREE_UNIT, VOXEL_UNIT, BEFORE_UNIT, RADIANCE_UNIT };
 
@@ -20,20 +20,23 @@ void pass_rays_place(Render *render)
         if (passes[i]->material.store) {
             pass_voxels_set(render, VOXEL_UNIT, passes[i]);
             radiance_set(render, RADIANCE_UNIT, passes[i]);
+            indirect_planes_set(render, passes[i]);
         }
 }
 
 static bool make(Render *render, bool again, ScreenPass *pass)
 {
-    char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS];
+    char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
     const bool kept = radiance_needed(render);
     const bool voxels = indirect_reads_voxels(render), mask = indirect_method(render) == WORD_Indirect_screen;
     indirect_define(render, defined);
     radiance_define(render, cached);
+    indirect_planes_define(render, planes);
     const ScreenPassText text = {.body = {indirect_surface_text(render), again ? render->surface->text : "", defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "", render_text_indirect_place,
                                           voxels ? render_text_voxel_map : "", voxels ? render_text_voxel_ray : "",
-                                          kept ? cached : "", kept ? render_text_radiance : "",
+                                          kept ? cached : "", kept ? render_text_radiance : "", planes,
+                                          *planes ? render_text_indirect_planes : "",
                                           mask     ? render_text_indirect_mask
                                           : voxels ? render_text_indirect_near
                                                    : render_text_indirect_march,

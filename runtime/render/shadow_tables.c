@@ -34,8 +34,7 @@ static void put_view(const Render *render, const ShadowView *view, int layer, fl
            sizeof texels[3]);
 }
 
-/* Its normal, and what makes points of it 0. */
-static void put_plane(const Render *render, const SceneMatrix *m, float texel[4])
+void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])
 {
     double row[4];
     scene_vector_cross(m->m, m->m + 4, row);
@@ -105,7 +104,7 @@ static bool write_planes(Render *render)
             const CachePlane *plane = &cache->planes[i];
             if (glass ? !is_glass(plane) : plane->transparent)
                 continue;
-            put_plane(render, &render->scene->objects[plane->object].world_from_local, texels[count++]);
+            shadow_plane(render, &render->scene->objects[plane->object].world_from_local, texels[count++]);
             if (glass)
                 put_through(render, plane->program, texels[count++]);
         }
