@@ -214,7 +214,7 @@ static void error_is_less(void **state)
     assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         Height *height = rows[i].height;
-        const SceneRefining how = {lift, &height, 8192};
+        const SceneRefining how = {.move = lift, .user = &height, .triangles = 8192};
         Shape made;
         assert_true(scene_refine(&square, &how, &made));
         assert_true(made.index_count / 3 >= 8192 && made.index_count / 3 < 8192 + 200);
@@ -233,10 +233,10 @@ static void what_is_flat_stays(void **state)
     Shape square, made;
     Height *height = flat;
     assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
-    assert_true(scene_refine(&square, &(SceneRefining){lift, &height, 16}, &made));
+    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 16}, &made));
     assert_int_equal(made.index_count / 3, 2);
     shape_free(&made);
-    assert_true(scene_refine(&square, &(SceneRefining){lift, &height, 100000}, &made));
+    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 100000}, &made));
     assert_true(made.index_count / 3 < 100000 / 16 + 100 && error_of(&made, flat) < 1e-7);
     shape_free(&made);
     shape_free(&square);
@@ -256,7 +256,7 @@ static void what_cannot_be_moved_is_empty(void **state)
     assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
     for (int calls = 0; calls < 6; calls++) {
         int left = calls;
-        assert_false(scene_refine(&square, &(SceneRefining){refuse, &left, 20000}, &made));
+        assert_false(scene_refine(&square, &(SceneRefining){.move = refuse, .user = &left, .triangles = 20000}, &made));
         assert_null(made.vertices);
     }
     shape_free(&square);

@@ -127,6 +127,7 @@ typedef struct Scene {
     int displaced;          /* objects whose meshes were displaced: scene_displace.c */
     SceneDisplacer *displacer;
     Word displaced_by;       /* how: WORD_Displacing_mesh, ... */
+    double displaced_pixels; /* by bisection: that an error may have in the picture; 0: it is not looked at */
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
     int voxel_size;         /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;

@@ -41,6 +41,9 @@ typedef struct SceneBisection {
 bool scene_bisection_begin(const Shape *shape, SceneBisection *made);
 /* Divides a triangle, and what else has to be so that the whole conforms. False: memory ran out; what there is conforms, and is to be ended. */
 bool scene_bisection_split(SceneBisection *b, uint32_t triangle);
+/* As a shape whose places were moved to `to`; neighbours stand near each other, for caches of vertices. scene_bisection_shape.c. False: memory ran out; *made
+ * is empty. */
+bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made);
 /* Safe on an empty one. */
 void scene_bisection_end(SceneBisection *b);
 #endif

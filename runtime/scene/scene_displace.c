@@ -24,6 +24,7 @@ typedef struct {
 
 struct SceneDisplacer {
     MatcOptions options;
+    SceneSeen seen;   /* where meshes go by that */
     MatcMoves *moves; /* by material */
     Base *bases;      /* by object */
     Key *keys;        /* by mesh of the scene: what it was made of */
@@ -113,9 +114,14 @@ static bool make_shape(Maker *k, const SceneObject *object, const Base *base, Sh
 {
     Scene *scene = k->scene;
     const SceneMaterial *of = &scene->materials[object->material];
-    const SceneDisplacing how = {of->document,        of->index,
-                                 &k->by->options,     object->world_from_local,
-                                 scene->displaced_by, scene->displaced_triangles};
+    const SceneDisplacing how = {.document = of->document,
+                                 .material = of->index,
+                                 .options = &k->by->options,
+                                 .world_from_local = object->world_from_local,
+                                 .method = scene->displaced_by,
+                                 .triangles = scene->displaced_triangles,
+                                 .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL,
+                                 .pixels = scene->displaced_pixels};
     SceneObject before = *object;
     Shape solid = {0};
     before.kind = base->kind;
@@ -229,6 +235,8 @@ static int find_bases(Scene *scene, const MatcOptions *options)
     int count = 0;
     for (int i = 0; i < scene->material_count; i++)
         by->moves[i] = matc_moves(scene->materials[i].document, scene->materials[i].index, options);
+    for (int i = 0; scene->displaced_pixels > 0 && i < scene->material_count; i++)
+        by->moves[i] = by->moves[i] == MATC_MOVES_none ? MATC_MOVES_none : MATC_MOVES_world; /* by where it is seen */
     for (int i = 0; i < scene->object_count; i++) {
         const SceneObject *object = &scene->objects[i];
         const bool moves = by->moves[object->material] != MATC_MOVES_none;
@@ -244,6 +252,8 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     Arena *arena = r->session->arena;
     SceneDisplacer *by = scene->displacer = ARENA_NEW(arena, SceneDisplacer);
     *by = (SceneDisplacer){.options = *options, .first = scene->mesh_count, .vacant = scene->mesh_count};
+    if (scene->displaced_pixels > 0)
+        scene_seen_find(scene, &by->seen);
     by->moves = ARENA_ARRAY(arena, MatcMoves, scene->material_count + 1);
     by->bases = ARENA_ARRAY(arena, Base, scene->object_count + 1);
     scene->displaced = find_bases(scene, options);

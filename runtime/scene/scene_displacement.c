@@ -70,17 +70,30 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
     MatcPoint *points = malloc(((size_t)count + 1) * sizeof *points);
     for (int i = 0; points && i < count; i++)
         points[i] = point_of(&at[i], m, inverse);
-    const bool fine = points && matc_move(mover->how->document, mover->how->material, mover->how->options, points, count);
+    const bool fine =
+        points && matc_move(mover->how->document, mover->how->material, mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
         double from[3];
         for (int lane = 0; lane < 3; lane++)
             from[lane] = points[i].position[lane] - m->m[12 + lane];
         for (int lane = 0; lane < 3; lane++)
-            to[i][lane] =
-                inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] + inverse->m[8 + lane] * from[2];
+            to[i][lane] = inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] + inverse->m[8 + lane] * from[2];
     }
     free(points);
     return fine;
+}
+
+/* Pixels of a unit of the object's space, along the axis that is scaled most. */
+static double pixels_at(void *user, const double at[3])
+{
+    const Mover *mover = user;
+    const double *m = mover->how->world_from_local.m;
+    double world[3], size = 0;
+    for (int i = 0; i < 3; i++) {
+        world[i] = m[i] * at[0] + m[4 + i] * at[1] + m[8 + i] * at[2] + m[12 + i];
+        size = fmax(size, scene_vector_dot(&m[4 * i], &m[4 * i]));
+    }
+    return sqrt(size) * scene_seen_pixels(mover->how->seen, world);
 }
 
 /* Where all places go; `at` tells the place of a vertex. From malloc; NULL: it cannot be. */
@@ -138,7 +151,8 @@ bool scene_displaced_shape(const SceneDisplacing *how, const Shape *from, Shape 
     *made = (Shape){0};
     if (!scene_matrix_invert(&how->world_from_local, &mover.local_from_world))
         return false;
-    return how->method == WORD_Displacing_bisection
-               ? scene_refine(from, &(SceneRefining){move_points, &mover, how->triangles}, made)
-               : divide_alike(&mover, from, made);
+    if (how->method != WORD_Displacing_bisection)
+        return divide_alike(&mover, from, made);
+    const SceneRefining refining = {move_points, &mover, how->triangles, how->seen ? pixels_at : NULL, how->pixels};
+    return scene_refine(from, &refining, made);
 }

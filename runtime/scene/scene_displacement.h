@@ -1,7 +1,7 @@
 /* A mesh that is displaced, as plain triangles. */
 #ifndef MATC_SCENE_DISPLACEMENT_H
 #define MATC_SCENE_DISPLACEMENT_H
-#include "runtime/scene/scene.h"
+#include "runtime/scene/scene_seen.h"
 
 /* By which material, with whose options, where in the world, how it is divided, and to how many triangles at least. */
 typedef struct {
@@ -11,6 +11,8 @@ typedef struct {
     SceneMatrix world_from_local;
     Word method; /* WORD_Displacing_mesh, ... */
     int triangles;
+    const SceneSeen *seen; /* by whom, where triangles go by what is seen; or NULL */
+    double pixels;         /* that an error may have then */
 } SceneDisplacing;
 
 /* False: memory ran out, or a value takes too many operations; *made is empty. */

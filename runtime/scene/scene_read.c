@@ -89,7 +89,12 @@ static void read_displacement(SceneReader *r, Tree *tree)
     else if (!scene_thing_read(r, tree, SCENE_SORT_displacement, &thing))
         return;
     r->scene->displaced_by = (Word)scene_thing_number(&thing, S_Displacement_method);
+    r->scene->displaced_pixels = scene_thing_number(&thing, S_Displacement_pixels);
     r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
+    if (r->scene->displaced_by == WORD_Displacing_bisection || !(r->scene->displaced_pixels > 0))
+        return;
+    diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels);
+    r->fine = false;
 }
 
 static void read_tools(SceneReader *r, Tree *tree)

@@ -4,8 +4,8 @@
  *
  *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the halves that the ridge does not cross have 0, and stay as they are
  *
- * What no sample meets is not found. So the first sixteenth of the triangles goes by area alone: a part of the surface that is as large as two triangles of an
- * even division has a sample within. */
+ * What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have four times as many samples: a part of the
+ * surface that is as large as two triangles of an even division has one within. */
 #include "runtime/scene/scene_refine.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_divide.h"
@@ -15,11 +15,12 @@
 #include <string.h>
 
 enum {
-    SAMPLES = 8,      /* of a triangle, at least */
-    EVEN_SHARE = 16,  /* one of so many triangles is made by area */
-    ROUND_SHARE = 8,  /* a round divides one of so many, */
-    ROUND_LEAST = 32, /* and as many as that */
-    BATCH = 4096      /* points that are moved at once */
+    SAMPLES = 4,        /* of a triangle, at least, */
+    FIRST_SAMPLES = 16, /* and of those that are made by area */
+    EVEN_SHARE = 32,    /* one of so many triangles is made by area */
+    ROUND_SHARE = 8,    /* a round divides one of so many, */
+    ROUND_LEAST = 32,   /* and as many as that */
+    BATCH = 4096        /* points that are moved at once */
 };
 
 typedef struct {
@@ -42,7 +43,7 @@ typedef struct {
     size_t sample_count, sample_room, sample_moved;
     uint32_t *first; /* sample of a triangle */
     uint32_t *stamp; /* of a triangle: the round that changed it last */
-    uint32_t round;
+    uint32_t round, first_round;
     size_t state_count, first_room, stamp_room;
     double (*to)[3]; /* by place */
     size_t to_count, to_room;
@@ -126,18 +127,41 @@ static double area_of(const Refiner *r, const SceneBisectionTriangle *t)
     return base_area(r, t->base) * fabs(turn(t->weights[0], t->weights[1], t->weights[2])) / (parts * parts);
 }
 
+static double square_scale(const Refiner *r, const double at[3])
+{
+    const double scale = r->how->scale ? r->how->scale(r->how->user, at) : 1;
+    return scale * scale;
+}
+
 static double error_of(const Refiner *r, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];
-    double sum = 0;
+    double sum = 0, scaled = 0, scales = 0;
     int count = 0;
     for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next, count++) {
-        double at[3];
+        const double scale = square_scale(r, r->samples[i].to);
+        double at[3], square = 0;
         mixed(r, t, r->samples[i].weights, at);
         for (int lane = 0; lane < 3; lane++)
-            sum += (at[lane] - r->samples[i].to[lane]) * (at[lane] - r->samples[i].to[lane]);
+            square += (at[lane] - r->samples[i].to[lane]) * (at[lane] - r->samples[i].to[lane]);
+        sum += square;
+        scaled += square * scale;
+        scales += scale;
     }
-    return sum > count * r->least ? sum / count * area_of(r, t) : 0;
+    const bool small = sum <= count * r->least || scaled <= count * r->how->least * r->how->least;
+    return small ? 0 : scaled / count * area_of(r, t) * scales / count;
+}
+
+/* The area, in squares of the scale, as its corners were. */
+static double scaled_area(const Refiner *r, uint32_t triangle)
+{
+    const SceneBisectionTriangle *t = &r->b.triangles[triangle];
+    double scale = 0;
+    for (int i = 0; i < 3; i++) {
+        const float *p = r->b.vertices[t->vertex[i]].position;
+        scale += square_scale(r, (const double[3]){(double)p[0], (double)p[1], (double)p[2]});
+    }
+    return area_of(r, t) * scale;
 }
 
 /* Half a step of a float, of the farthest point. */
@@ -168,14 +192,14 @@ static void place_sample(const SceneBisectionTriangle *t, size_t number, int wei
     weights[2] = SCENE_BISECTION_PARTS - weights[0] - weights[1];
 }
 
-static bool fill_samples(Refiner *r, uint32_t triangle)
+static bool fill_samples(Refiner *r, uint32_t triangle, int least)
 {
     int count = 0;
     for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next)
         count++;
-    if (!scene_room(&r->samples, r->sample_count + SAMPLES, &r->sample_room, sizeof *r->samples))
+    if (!scene_room(&r->samples, r->sample_count + FIRST_SAMPLES, &r->sample_room, sizeof *r->samples))
         return false;
-    for (; count < SAMPLES; count++) {
+    for (; count < least; count++) {
         Sample *made = &r->samples[r->sample_count];
         place_sample(&r->b.triangles[triangle], r->sample_count, made->weights);
         made->next = r->first[triangle];
@@ -267,7 +291,7 @@ static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
                 at[count++] = scene_divide_point(r->b.shape, r->b.triangles[r->touched[i]].base, r->samples[k].weights,
                                                  SCENE_BISECTION_PARTS);
             }
-        if ((!all && count + SAMPLES <= BATCH) || !count)
+        if ((!all && count + FIRST_SAMPLES <= BATCH) || !count)
             continue;
         if (!r->how->move(r->how->user, at, count, to))
             return false;
@@ -286,11 +310,11 @@ static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3]
 {
     bool fine = true;
     for (size_t i = 0; fine && !by_area && i < r->touched_count; i++)
-        fine = fill_samples(r, r->touched[i]);
+        fine = fill_samples(r, r->touched[i], r->round == r->first_round ? FIRST_SAMPLES : SAMPLES);
     fine = fine && (by_area || (move_places(r, at) && move_samples(r, at, to)));
     for (size_t i = 0; fine && i < r->touched_count; i++) {
         const uint32_t triangle = r->touched[i];
-        const double error = by_area ? area_of(r, &r->b.triangles[triangle]) : error_of(r, triangle);
+        const double error = by_area ? scaled_area(r, triangle) : error_of(r, triangle);
         if (r->b.triangles[triangle].depth < SCENE_BISECTION_DEPTH - 2 && error > 0)
             fine = put_rank(r, (Rank){error, triangle, r->stamp[triangle]});
     }
@@ -320,7 +344,7 @@ static bool refine_to(Refiner *r, size_t triangles, bool by_area)
     double(*to)[3] = malloc(BATCH * sizeof *to);
     bool fine = at && to && add_states(r);
     r->rank_count = 0;
-    r->round++;
+    r->first_round = ++r->round;
     for (uint32_t i = 0; fine && i < r->b.count; i++)
         fine = touch(r, i);
     fine = fine && end_round(r, by_area, at, to);
@@ -332,29 +356,6 @@ static bool refine_to(Refiner *r, size_t triangles, bool by_area)
     return fine;
 }
 
-static bool put_shape(const Refiner *r, Shape *made)
-{
-    const SceneBisection *b = &r->b;
-    *made = (Shape){.vertices = calloc(b->vertex_count + 1, sizeof *made->vertices),
-                    .indices = calloc(3 * b->count + 1, sizeof *made->indices),
-                    .vertex_count = (int)b->vertex_count,
-                    .index_count = (int)(3 * b->count),
-                    .base = calloc(b->vertex_count + 1, sizeof *made->base)};
-    if (!made->vertices || !made->indices || !made->base) {
-        shape_free(made);
-        return false;
-    }
-    for (size_t i = 0; i < b->vertex_count; i++) {
-        made->vertices[i] = b->vertices[i];
-        memcpy(made->base[i], b->vertices[i].position, sizeof made->base[i]);
-        for (int lane = 0; lane < 3; lane++)
-            made->vertices[i].position[lane] = (float)r->to[b->place_of[i]][lane];
-    }
-    for (size_t i = 0; i < b->count; i++)
-        memcpy(made->indices + 3 * i, b->triangles[i].vertex, sizeof b->triangles[i].vertex);
-    return true;
-}
-
 bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
 {
     Refiner r = {.how = how, .fine = true};
@@ -364,7 +365,7 @@ bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
     r.b.divided = share_samples;
     r.b.user = &r;
     fine = fine && (r.b.count >= triangles / EVEN_SHARE || refine_to(&r, triangles / EVEN_SHARE, true));
-    fine = fine && refine_to(&r, triangles, false) && put_shape(&r, made);
+    fine = fine && refine_to(&r, triangles, false) && scene_bisection_shape(&r.b, (const double(*)[3])r.to, made);
     scene_bisection_end(&r.b);
     free(r.samples);
     free(r.first);

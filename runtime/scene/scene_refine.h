@@ -10,6 +10,8 @@ typedef struct {
     SceneMove move;
     void *user;
     int triangles; /* to as many, or a few more, or as many as there are */
+    double (*scale)(void *user, const double at[3]); /* of lengths at a point: the error is to be small times that; NULL: 1 */
+    double least; /* error of a triangle, times the scale, that is small enough; 0: none is */
 } SceneRefining;
 
 /* The refined shape, moved, with where its vertices were (Shape.base). False: memory ran out, or points could not be moved; *made is empty. */

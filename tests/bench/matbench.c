@@ -64,6 +64,7 @@ static const struct {
      true},
     {"indirect", bench_indirect, "slice maps, and rays through voxels by levels, voxel by voxel, by the thesis' march",
      true},
+    {"displacement", bench_displacement, "how far displaced triangles are from the surface by their number, and how many are drawn a second", true},
     {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk", true},
 };
 

@@ -51,6 +51,8 @@ int bench_shadows(int argc, char **argv);
 int bench_cells(int argc, char **argv);
 /* Voxels and rays through them: --untimed --gl=KIND --mesh=FILE --lift=HEIGHT --voxels=N, names of tables. */
 int bench_indirect(int argc, char **argv);
+/* Displaced triangles: --untimed --gl=KIND --map=FILE --triangles=N, names of tables. */
+int bench_displacement(int argc, char **argv);
 int bench_stress(int argc, char **argv);
 /* How the time to compile grows with the document: names of rows of tests/growth/growth.def, or none for all. */
 int bench_guards(int argc, char **argv);

@@ -1,0 +1,47 @@
+/* Pixels of a unit of length at a distance: half the picture's shorter side is `half` as long as the distance, or, orthographic, as `half` itself.
+ *
+ *     600 pixels, 90 degrees, 10 away: 300 pixels are tan 45 degrees times 10, so that a unit has 30 */
+#include "runtime/scene/scene_seen.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+
+static const double out_of_view = 8; /* times as far: it is seen in mirrors and by its shadow */
+static const double rim = 1.1;       /* of the picture: displaced points come from beside it */
+
+void scene_seen_find(const Scene *scene, SceneSeen *seen)
+{
+    const int frames = scene->motion.frames, count = frames < SCENE_SEEN_CAMERAS ? frames : SCENE_SEEN_CAMERAS;
+    const double sides[2] = {scene->width, scene->height};
+    seen->shorter = fmin(sides[0], sides[1]);
+    seen->count = 0;
+    for (int i = 0; i < 2; i++)
+        seen->half[i] = sides[i] / seen->shorter;
+    for (int i = 0; i < count; i++) {
+        const int frame = count > 1 ? (int)((long)i * (frames - 1) / (count - 1)) : 0;
+        seen->count += scene_motion_camera(scene, frame, frames, &seen->cameras[seen->count]);
+    }
+    if (!seen->count)
+        seen->cameras[seen->count++] = scene->camera;
+}
+
+static double pixels_of(const SceneSeen *seen, const SceneCamera *camera, const double at[3])
+{
+    double way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = at[i] - camera->position[i];
+    const bool parallel = camera->kind == SCENE_Orthographic;
+    const double depth = -scene_vector_dot(way, camera->back);
+    const double distance = parallel ? 1 : fmax(sqrt(scene_vector_dot(way, way)), camera->near);
+    const double reach = rim * camera->half * (parallel ? 1 : depth);
+    const bool inside = depth > 0 && fabs(scene_vector_dot(way, camera->right)) <= reach * seen->half[0] &&
+                        fabs(scene_vector_dot(way, camera->up)) <= reach * seen->half[1];
+    return seen->shorter / 2 / (camera->half * distance * (inside ? 1 : out_of_view));
+}
+
+double scene_seen_pixels(const SceneSeen *seen, const double at[3])
+{
+    double most = 0;
+    for (int i = 0; i < seen->count; i++)
+        most = fmax(most, pixels_of(seen, &seen->cameras[i], at));
+    return most;
+}

@@ -1,0 +1,331 @@
+/* matbench displacement: how far displaced triangles are from the surface, by their number and by how they are divided; how many are displaced and drawn a second. */
+#include "displacement.h"
+#include "matbench.h"
+#include "runtime/render/render.h"
+#include "runtime/scene/scene_divide.h"
+#include "runtime/scene/scene_refine.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 1024, TEXT = 2048, FRAMES = 5, SMOOTHINGS = 3, CRATERS = 400 };
+
+typedef struct {
+    GlKind kind;
+    bool timed;
+    const char *map;
+    int most; /* triangles */
+    unsigned tables;
+} Arguments;
+
+/* -- heights over a square whose edge is 1, at points a whole number of steps from its corner, linear between them */
+
+typedef struct {
+    int side;
+    double *height; /* side * side */
+} Field;
+
+static double texel(const Field *f, int x, int y)
+{
+    const int last = f->side - 1;
+    x = x < 0 ? 0 : x > last ? last : x;
+    y = y < 0 ? 0 : y > last ? last : y;
+    return f->height[(size_t)y * (size_t)f->side + (size_t)x];
+}
+
+static double height_at(const Field *f, double x, double y)
+{
+    const double u = x * f->side, v = y * f->side, s = u - floor(u), t = v - floor(v);
+    const int i = (int)floor(u), k = (int)floor(v);
+    return (texel(f, i, k) * (1 - s) + texel(f, i + 1, k) * s) * (1 - t) +
+           (texel(f, i, k + 1) * (1 - s) + texel(f, i + 1, k + 1) * s) * t;
+}
+
+/* By 1, 2, 1 along both axes. */
+static void smooth(Field *f)
+{
+    double *next = malloc((size_t)f->side * (size_t)f->side * sizeof *next);
+    for (int y = 0; next && y < f->side; y++)
+        for (int x = 0; x < f->side; x++) {
+            double sum = 0;
+            for (int i = 0; i < 9; i++)
+                sum += (i % 3 == 1 ? 4 : 1) * (i / 3 == 1 ? 4 : 1) * texel(f, x + i % 3 - 1, y + i / 3 - 1) / 36;
+            next[(size_t)y * (size_t)f->side + (size_t)x] = sum;
+        }
+    free(f->height);
+    f->height = next;
+}
+
+static double chance(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) * 0x1p-24;
+}
+
+/* Bowls with rims, of sizes by a power law: what the map of an asteroid has. */
+static Field craters(void)
+{
+    Field f = {SIDE, calloc((size_t)SIDE * SIDE, sizeof *f.height)};
+    uint32_t state = 7;
+    for (int i = 0; f.height && i < CRATERS; i++) {
+        const double x = chance(&state), y = chance(&state), r = .01 / sqrt(chance(&state) + .005), reach = 2 * r;
+        for (int row = (int)fmax(0, (y - reach) * SIDE); row < SIDE && row < (y + reach) * SIDE; row++)
+            for (int column = (int)fmax(0, (x - reach) * SIDE); column < SIDE && column < (x + reach) * SIDE;
+                 column++) {
+                const double d = hypot((double)column / SIDE - x, (double)row / SIDE - y) / r;
+                f.height[(size_t)row * SIDE + (size_t)column] +=
+                    r * (d < 1 ? .5 * (d * d - 1) + .15 : .15 * exp(-6 * (d - 1)));
+            }
+    }
+    return f;
+}
+
+/* The red of a picture, a quarter of the edge high, smoothed. */
+static bool read_map(const char *path, Field *f)
+{
+    char text[TEXT];
+    MatcOptions options;
+    matc_options_init(&options);
+    options.pixels = true;
+    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: ImageMap, colorspace: linear, image: \"%s\" }\n",
+             path);
+    MatcDocument *document = matc_read("map.yaml", text, strlen(text), &options);
+    MatcProgram *program = matc_compile(document, 0, MATC_KEY, &options);
+    const MatcTexture *texture = matc_ok(program) && matc_texture_count(program) ? matc_texture(program, 0) : NULL;
+    const bool fine = texture && texture->bytes && texture->width == texture->height;
+    if (fine) {
+        const size_t count = (size_t)texture->width * (size_t)texture->width;
+        *f = (Field){texture->width, malloc(count * sizeof *f->height)};
+        for (size_t i = 0; f->height && i < count; i++)
+            f->height[i] = .25 * texture->bytes[i * (size_t)texture->lanes] / 255;
+        for (int i = 0; i < SMOOTHINGS && f->height; i++)
+            smooth(f);
+    } else {
+        fprintf(stderr, "matbench: %s: %s\n", path,
+                texture ? "no square picture of 8 bits a lane" : matc_program_diagnostics(program, MATC_TEXT));
+    }
+    matc_program_free(program);
+    matc_document_free(document);
+    return fine && f->height;
+}
+
+/* -- error */
+
+static bool lift(void *user, const ShapeVertex *at, int count, double (*to)[3])
+{
+    for (int i = 0; i < count; i++) {
+        for (int lane = 0; lane < 3; lane++)
+            to[i][lane] = (double)at[i].position[lane];
+        to[i][2] = height_at(user, to[i][0], to[i][1]);
+    }
+    return true;
+}
+
+typedef struct {
+    double square, most;
+    long count;
+    unsigned char *met; /* by point: a triangle has it */
+} Error;
+
+/* Points of the field within a triangle, or on its edges. */
+static void add_triangle(const Field *f, const float *const p[3], Error *e)
+{
+    const double ax = p[0][0], ay = p[0][1], bx = p[1][0] - ax, by = p[1][1] - ay, cx = p[2][0] - ax, cy = p[2][1] - ay;
+    const double twice = bx * cy - by * cx;
+    const double low[2] = {fmin(fmin(ax, p[1][0]), p[2][0]), fmin(fmin(ay, p[1][1]), p[2][1])},
+                 high[2] = {fmax(fmax(ax, p[1][0]), p[2][0]), fmax(fmax(ay, p[1][1]), p[2][1])};
+    for (int row = (int)ceil(low[1] * f->side); row < f->side && row <= high[1] * f->side; row++)
+        for (int column = (int)ceil(low[0] * f->side); column < f->side && column <= high[0] * f->side; column++) {
+            const double x = (double)column / f->side - ax, y = (double)row / f->side - ay;
+            const double b = (x * cy - y * cx) / twice, c = (bx * y - by * x) / twice;
+            unsigned char *met = &e->met[(size_t)row * (size_t)f->side + (size_t)column];
+            if (b < 0 || c < 0 || b + c > 1 || *met)
+                continue;
+            *met = 1;
+            const double miss = fabs(p[0][2] + b * ((double)p[1][2] - p[0][2]) + c * ((double)p[2][2] - p[0][2]) -
+                                     texel(f, column, row));
+            e->square += miss * miss;
+            e->most = fmax(e->most, miss);
+            e->count++;
+        }
+}
+
+static Error error_of(const Field *f, const Shape *shape)
+{
+    Error e = {.met = calloc((size_t)f->side, (size_t)f->side)};
+    for (int i = 0; e.met && i < shape->index_count; i += 3) {
+        const float *p[3];
+        for (int k = 0; k < 3; k++)
+            p[k] = shape->vertices[shape->indices[i + k]].position;
+        add_triangle(f, p, &e);
+    }
+    free(e.met);
+    return e;
+}
+
+static bool even(Field *f, const Shape *square, int triangles, Shape *made)
+{
+    if (!scene_divide(square, (int)lrint(sqrt(triangles / 2.)), made))
+        return false;
+    for (int i = 0; i < made->vertex_count; i++) {
+        float *p = made->vertices[i].position;
+        p[2] = (float)height_at(f, (double)p[0], (double)p[1]);
+    }
+    return true;
+}
+
+static void unit_square(Shape *square)
+{
+    shape_make_detailed(SHAPE_plane, (int[]){1, 1}, square);
+    for (int i = 0; i < square->vertex_count; i++)
+        for (int lane = 0; lane < 2; lane++)
+            square->vertices[i].position[lane] = square->vertices[i].position[lane] > 0 ? 1 : 0;
+}
+
+static bool measure_error(GlContext *gl, const Arguments *a)
+{
+    Field f = {0};
+    Shape square;
+    (void)gl;
+    if (a->map ? !read_map(a->map, &f) : !(f = craters()).height)
+        return false;
+    unit_square(&square);
+    printf("\n%s, a square of edge 1: vertical error at %d x %d points\n%-10s %10s %10s %12s %10s %10s %10s\n",
+           a->map ? "a map, 0.25 high" : "craters", f.side, f.side, "triangles", "evenly", "most", "by bisection",
+           "most", "ratio", "seconds");
+    static const int rows[] = {8192, 32768, 45000, 131072, 524288, 2097152};
+    for (int row = 0; row < (int)(sizeof rows / sizeof *rows) && rows[row] <= a->most; row++) {
+        const int triangles = rows[row];
+        Shape shape[2];
+        if (!even(&f, &square, triangles, &shape[0]))
+            return false;
+        const double begin = bench_now();
+        if (!scene_refine(&square, &(SceneRefining){.move = lift, .user = &f, .triangles = triangles}, &shape[1]))
+            return false;
+        const double took = bench_now() - begin;
+        const Error e[2] = {error_of(&f, &shape[0]), error_of(&f, &shape[1])};
+        const double rms[2] = {sqrt(e[0].square / (double)e[0].count), sqrt(e[1].square / (double)e[1].count)};
+        printf("%-10d %10.6f %10.4f %12.6f %10.4f %10.2f %10s\n", triangles, rms[0], e[0].most, rms[1], e[1].most,
+               rms[0] / rms[1], NUMBER(2, a->timed ? took : NAN));
+        shape_free(&shape[0]);
+        shape_free(&shape[1]);
+    }
+    shape_free(&square);
+    free(f.height);
+    return true;
+}
+
+/* -- speed */
+
+static double least_frame(GlContext *gl, Render *render)
+{
+    RenderPassTime times[RENDER_PASSES_MOST];
+    double least = INFINITY;
+    for (int i = 0; i < FRAMES; i++) {
+        gl->Finish();
+        const int count = render_time_passes(render, times);
+        for (int k = 0; k < count; k++)
+            if (!strcmp(times[k].name, "surface"))
+                least = fmin(least, times[k].seconds);
+    }
+    return least;
+}
+
+static bool measure_method(GlContext *gl, const Arguments *a, const char *method)
+{
+    char text[TEXT];
+    MatcOptions compile;
+    MatcDocument *document;
+    Scene *scene;
+    matc_options_init(&compile);
+    compile.pixels = true;
+    snprintf(text, sizeof text,
+             "image: { width: 512, height: 512 }\ncamera: { camera: Perspective, position: [0, -2.6, 2], target: [0, "
+             "0, 0] }\n"
+             "displacement: { method: %s, triangles: %d }\nlights: [{ light: Ambient }]\n"
+             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 3, octaves: 4, "
+             "noiseRatio: 0.45 }, displacementScale: 0.2 } }\n"
+             "objects:\n- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { translation: "
+             "[-1, -1, 0] } }\n",
+             method, a->most / 4);
+    const double begin = bench_now();
+    document = scene_read("scene.yaml", text, strlen(text), &compile, &scene);
+    const double displaced = bench_now() - begin;
+    Render *render = scene ? render_open(gl, &(RenderOptions){.compile = &compile}) : NULL;
+    const bool fine = render && render_scene(render, scene) && render_frame(render);
+    if (fine) {
+        const double drawn = least_frame(gl, render),
+                     count = scene->meshes[scene->objects[0].mesh].shape.index_count / 3e6;
+        printf("%-12s %10.0f %12s %12s %12s\n", method, 1e6 * count, NUMBER(3, a->timed ? count / displaced : NAN),
+               NUMBER(1, a->timed ? count / drawn : NAN), NUMBER(3, a->timed ? count / (displaced + drawn) : NAN));
+    } else {
+        fprintf(stderr, "matbench: %s\n", scene ? gl->error : matc_diagnostics(document, MATC_TEXT));
+    }
+    render_close(render);
+    scene_free(scene);
+    matc_document_free(document);
+    return fine;
+}
+
+static bool measure_speed(GlContext *gl, const Arguments *a)
+{
+    static const char *const methods[] = {"mesh", "bisection"};
+    bool fine = true;
+    printf("\nfour octaves of noise on a square, 512 x 512 pixels: millions of triangles a second\n%-12s %10s %12s "
+           "%12s %12s\n",
+           "method", "triangles", "displaced", "drawn", "both");
+    for (size_t i = 0; fine && i < sizeof methods / sizeof *methods; i++)
+        fine = measure_method(gl, a, methods[i]);
+    return fine;
+}
+
+static bool measure_programs(GlContext *gl, const Arguments *a)
+{
+    return displacement_programs(gl, a->timed, a->most / 4);
+}
+
+/* -- the command */
+
+static const struct {
+    const char *name;
+    bool (*measure)(GlContext *, const Arguments *);
+} tables[] = {{"error", measure_error}, {"speed", measure_speed}, {"programs", measure_programs}};
+enum { TABLES = sizeof tables / sizeof *tables };
+
+static bool read_argument(const char *text, Arguments *a)
+{
+    for (int i = 0; i < TABLES; i++)
+        if (!strcmp(text, tables[i].name)) {
+            a->tables |= 1u << i;
+            return true;
+        }
+    if (!strncmp(text, "--map=", 6))
+        return a->map = text + 6, true;
+    if (!strncmp(text, "--triangles=", 12))
+        return a->most = atoi(text + 12), a->most >= 8192 && a->most <= 1 << 24;
+    if (!strcmp(text, "--untimed"))
+        return a->timed = false, true;
+    return !strncmp(text, "--gl=", 5) && gl_kind_find(text + 5, &a->kind);
+}
+
+int bench_displacement(int argc, char **argv)
+{
+    char error[4096];
+    Arguments a = {.kind = GL_KIND_osmesa, .timed = true, .most = 1 << 19};
+    for (int i = 1; i < argc; i++)
+        if (!read_argument(argv[i], &a)) {
+            fputs("usage: matbench displacement [--untimed] [--gl=osmesa|egl] [--map=FILE] [--triangles=N] [error] "
+                  "[speed] [programs]\n",
+                  stderr);
+            return 2;
+        }
+    GlContext *gl = gl_open(a.kind, true, error, sizeof error);
+    bool fine = gl || fprintf(stderr, "matbench: %s\n", error) < 0;
+    if (fine && a.timed)
+        printf("%s\n", gl->renderer);
+    for (int i = 0; fine && i < TABLES; i++)
+        fine = (a.tables && !(a.tables >> i & 1)) || tables[i].measure(gl, &a);
+    gl_close(gl);
+    return !fine;
+}

@@ -1,0 +1,9 @@
+/* Tables of matbench displacement. */
+#ifndef MATBENCH_DISPLACEMENT_H
+#define MATBENCH_DISPLACEMENT_H
+#include <stdbool.h>
+
+typedef struct GlContext GlContext;
+/* False: it is told why. */
+bool displacement_programs(GlContext *gl, bool timed, int triangles);
+#endif
