@@ -147,9 +147,21 @@ static void glass_is_lit_as_floors_are(void **state)
     "  { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: silhouette }]\n"           \
     "objects:\n- { object: Plane, material: m }\n" THINGS
 
-static void what_moves_is_as_new(void **state)
+/* A light is moved, and has a method; an object is. */
+typedef struct {
+    int light;
+    Word method;
+    double moved;
+} Step;
+
+static void what_changes_is_as_new(void **state)
 {
     (void)state;
+    static const Step steps[] = {{1, WORD_Shadows_hybrid, .7},      {1, WORD_Shadows_hybrid, 0},
+                                 {0, WORD_Shadows_map, 0},          {1, WORD_Shadows_exact, .1},
+                                 {2, WORD_Shadows_hybrid, 0},       {1, WORD_Shadows_silhouette, 0},
+                                 {2, WORD_Shadows_none, .1},        {1, WORD_Shadows_none, 0},
+                                 {0, WORD_Shadows_silhouette, -.2}, {1, WORD_Shadows_hybrid, 0}};
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context_of(GL_KIND_osmesa);
@@ -161,10 +173,12 @@ static void what_moves_is_as_new(void **state)
     const size_t floats = 4 * (size_t)scene->width * (size_t)scene->height;
     float *changed = malloc(floats * sizeof *changed);
     assert_true(changed && render && render_scene(render, scene) && render_frame(render));
-    for (int step = 0; step < 2; step++) {
-        scene->objects[1].world_from_local.m[12] += step ? 0 : .7;
-        scene->lights[1].position[0] += step ? .4 : 0;
-        assert_true(step ? render_changed(render, RENDER_LIGHTS) : render_changed_objects(render, 1, 1));
+    for (size_t step = 0; step < sizeof steps / sizeof *steps; step++) {
+        const Step *next = &steps[step];
+        scene->objects[1].world_from_local.m[12] += next->moved;
+        scene->lights[next->light].position[0] += .1;
+        scene->lights[next->light].shadows = next->method;
+        assert_true(render_changed(render, RENDER_LIGHTS) && render_changed_objects(render, 1, 1));
         assert_true(render_frame(render) && render_read(render, changed));
         float *anew = frame_floats(gl, scene, &how);
         assert_memory_equal(changed, anew, floats * sizeof *anew);
@@ -203,7 +217,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(triangles_close_cells), cmocka_unit_test(ends_are_near),
                                        cmocka_unit_test(glass_is_lit_as_floors_are),
-                                       cmocka_unit_test(what_moves_is_as_new),
+                                       cmocka_unit_test(what_changes_is_as_new),
                                        cmocka_unit_test(other_paths_are_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,6 +9,7 @@
 #include "runtime/render/matc_render.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -85,17 +86,19 @@ static void assert_as_own(const Host *h, const char *document_text)
     free(own);
 }
 
-/* The text with one part of it replaced; from malloc. */
-static char *with(const char *from, const char *to)
+/* A text with one part of it replaced; from malloc. */
+static char *changed_from(const char *whole, const char *from, const char *to)
 {
-    const char *at = strstr(text, from);
-    const size_t before = (size_t)(at - text);
-    char *changed = calloc(sizeof text + strlen(to), 1);
-    memcpy(changed, text, before);
+    const char *at = strstr(whole, from);
+    const size_t before = (size_t)(at - whole);
+    char *changed = calloc(strlen(whole) + strlen(to) + 1, 1);
+    memcpy(changed, whole, before);
     strcpy(changed + before, to);
     strcat(changed, at + strlen(from));
     return changed;
 }
+
+static char *with(const char *from, const char *to) { return changed_from(text, from, to); }
 
 static void draws_and_changes(void **state)
 {
@@ -131,15 +134,17 @@ static void draws_and_changes(void **state)
 }
 
 /* Two of one mesh, whose height goes by a param; one whose height goes by where it is; and one that is as it was. */
-#define DISPLACED(height, paint, first, scale, third)                                                                       \
-    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"          \
-    "lights: [{ light: Directional, direction: [1, 1, -1], intensity: 0.9 }]\ndisplacement: { triangles: 2000 }\n"          \
-    "materials:\n  wave: { material: Phong, diffuse: { param: paint, default: [" paint "] }, displacementScale: { param: height, default: " height " },\n" \
-    "    displacement: { map: Gradient, direction: [7, 0, 5], waveForm: Sin } }\n"                                          \
-    "  rock: { material: Phong, diffuse: .7, displacementScale: 0.3, displacement: { map: VolumeTurbulence, input: { map: XYZTransform, useGlobal: true, transform: { scale: 2 } } } }\n" \
-    "objects:\n- { object: Sphere, radius: .8, material: wave, transform: { translation: [" first "] } }\n"                  \
-    "- { object: Sphere, radius: .8, material: wave, transform: { translation: [1, 0, 0], scale: " scale " } }\n"            \
-    "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                                           \
+#define DISPLACED(height, paint, first, scale, third)                                                                  \
+    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"     \
+    "lights: [{ light: Directional, direction: [1, 1, -1], intensity: 0.9 }]\ndisplacement: { triangles: 2000 }\n"     \
+    "materials:\n  wave: { material: Phong, diffuse: { param: paint, default: [" paint                                 \
+    "] }, displacementScale: { param: height, default: " height " },\n"                                                \
+    "    displacement: { map: Gradient, direction: [7, 0, 5], waveForm: Sin } }\n"                                     \
+    "  rock: { material: Phong, diffuse: .7, displacementScale: 0.3, displacement: { map: VolumeTurbulence, input: { " \
+    "map: XYZTransform, useGlobal: true, transform: { scale: 2 } } } }\n"                                              \
+    "objects:\n- { object: Sphere, radius: .8, material: wave, transform: { translation: [" first "] } }\n"            \
+    "- { object: Sphere, radius: .8, material: wave, transform: { translation: [1, 0, 0], scale: " scale " } }\n"      \
+    "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                                     \
     "- { object: Cone, material: { material: Phong }, transform: { translation: [0, 1, 0] } }\n"
 
 /* What is displaced by a param, by where it is, or how large, has another shape when that changes. */
@@ -169,6 +174,29 @@ static void displaces_again(void **state)
     assert_true(matc_render_param(h.render, 0, "height", (float[]){0}, 1));
     assert_true(matc_render_param(h.render, 0, "height", (float[]){.1f}, 1));
     assert_as_own(&h, DISPLACED("0.10000000149011612", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
+    close_host(&h);
+}
+
+/* From one method to the next, and back, and by one that there is not. */
+static void casts_otherwise(void **state)
+{
+    (void)state;
+    static const char *const methods[] = {"hybrid", "map", "exact", "silhouette", "none", "hybrid", "exact", "map"};
+    Host h = open_host();
+    assert_true(matc_render_scene(h.render, h.scene));
+    assert_true(matc_render_param(h.render, 0, "paint", (float[3]){.2f, .5f, .1f}, 3)); /* it stays */
+    for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+        char to[64];
+        snprintf(to, sizeof to, "intensity: 9, shadows: %s", methods[i]);
+        assert_true(matc_render_shadows(h.render, 0, methods[i]));
+        char *changed = with("intensity: 9", to), *painted = changed_from(changed, "[.6, .3, .1]", "[.2, .5, .1]");
+        assert_as_own(&h, painted);
+        free(painted);
+        free(changed);
+    }
+    assert_false(matc_render_shadows(h.render, 0, "soft"));
+    assert_string_equal(matc_render_error(h.render), "the light 0 cannot have shadows 'soft'");
+    assert_false(matc_render_shadows(h.render, 1, "map"));
     close_host(&h);
 }
 
@@ -205,6 +233,7 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(draws_and_changes), cmocka_unit_test(displaces_again), cmocka_unit_test(refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(draws_and_changes), cmocka_unit_test(displaces_again),
+                                       cmocka_unit_test(casts_otherwise), cmocka_unit_test(refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -106,6 +106,13 @@ typedef struct {
     bool full;      /* they would take more than there may be */
 } FrameLists;
 
+/* What decides by which programs, maps and targets a light is drawn. */
+typedef struct {
+    SceneKind kind;
+    Word shadows;
+    bool both_sides;
+} RenderLight;
+
 /* A param of a material that was set. */
 typedef struct {
     int material, count;
@@ -123,6 +130,8 @@ struct Render {
     const Scene *scene;
     RenderParam *params; /* that were set since the scene was given */
     int param_count;
+    RenderLight *kept_lights; /* as they were when all was made: render_lights.c */
+    int kept_light_count;
     int samples;  /* of a pixel, across and down: what follows counts these */
     int size[2];  /* of the targets: of a tile */
     int whole[2]; /* of the picture */
@@ -184,6 +193,9 @@ typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_CO
 
 /* Sets what was set before in a scene that is made again; forgets it. render_param.c */
 void render_param_again(Render *render);
+/* Keeps what the scene's lights are, as all is made for it: render_lights.c. Whether they are so still. */
+bool render_lights_keep(Render *render);
+bool render_lights_kept(const Render *render);
 void render_param_forget(Render *render);
 
 Slot render_find_slot(const char *name); /* SLOT_COUNT: there is none */

@@ -5,6 +5,7 @@
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -135,7 +136,8 @@ bool matc_render_move(MatcRender *r, int object, const double matrix[16])
         *at = before;
         return not_displaced(r);
     }
-    return meshes == SCENE_DISPLACED_anew ? render_changed_meshes(r->render) : render_changed_objects(r->render, object, 1);
+    return meshes == SCENE_DISPLACED_anew ? render_changed_meshes(r->render)
+                                          : render_changed_objects(r->render, object, 1);
 }
 
 bool matc_render_look(MatcRender *r, const double position[3], const double target[3], const double up[3])
@@ -167,6 +169,35 @@ bool matc_render_light(MatcRender *r, int light, const double position[3], const
     memcpy(r->scene->lights[light].position, position, 3 * sizeof *position);
     memcpy(r->scene->lights[light].light, rgb, 3 * sizeof *rgb);
     return render_changed(r->render, RENDER_LIGHTS);
+}
+
+static bool find_method(const char *name, Word *made)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (scene_shadows_name((Word)i) && !strcmp(scene_shadows_name((Word)i), name)) {
+            *made = (Word)i;
+            return true;
+        }
+    return false;
+}
+
+bool matc_render_shadows(MatcRender *r, int light, const char *method)
+{
+    char why[sizeof r->gl->error];
+    if (!has(r, light, r->scene ? r->scene->light_count : 0, "light"))
+        return false;
+    SceneLight *of = &r->scene->lights[light];
+    const Word before = of->shadows;
+    Word word;
+    if (!method || !find_method(method, &word) || !scene_light_takes(of, word))
+        return gl_fail(r->gl, "the light %d cannot have shadows '%s'", light, method ? method : "");
+    of->shadows = word;
+    if (render_changed(r->render, RENDER_LIGHTS))
+        return true;
+    snprintf(why, sizeof why, "%s", r->gl->error);
+    of->shadows = before;
+    render_again(r->render, r->scene);
+    return gl_fail(r->gl, "%s", why);
 }
 
 bool matc_render_param(MatcRender *r, int material, const char *name, const float *lanes, int count)

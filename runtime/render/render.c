@@ -85,6 +85,7 @@ void render_close(Render *render)
     store_free(render->store);
     gl->ActiveTexture(GL_TEXTURE0);
     render_param_forget(render);
+    free(render->kept_lights);
     free(render);
 }
 
@@ -141,6 +142,8 @@ static bool make_set(Render *render, const Scene *scene)
 static bool make_scene(Render *render, const Scene *scene, Cache *before)
 {
     render->scene = scene;
+    if (!render_lights_keep(render))
+        return false;
     set_size(render, scene);
     look(render);
     if (indirect_lacks_view(render))
@@ -214,6 +217,8 @@ bool render_changed(Render *render, unsigned what)
 {
     if (!has_scene(render))
         return false;
+    if (what & RENDER_LIGHTS && !render_lights_kept(render))
+        return render_changed_meshes(render);
     if (what & RENDER_CAMERA) {
         look(render);
         const CacheSource source = frame_source(render);
@@ -243,13 +248,15 @@ bool render_changed_objects(Render *render, int first, int count)
     return pass_exact_move(render, first, count) && pass_edge_change(render) && gl_check(render->gl, "moving objects");
 }
 
-bool render_changed_meshes(Render *render)
+bool render_again(Render *render, const Scene *scene)
 {
-    if (!has_scene(render) || !make_again(render, render->scene))
+    if (!make_again(render, scene))
         return false;
     render_param_again(render);
     return true;
 }
+
+bool render_changed_meshes(Render *render) { return has_scene(render) && render_again(render, render->scene); }
 
 /* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again. */
 static bool recount(Render *render)

@@ -63,7 +63,7 @@ bool render_scene(Render *render, const Scene *scene);
 /* What the caller may change in the scene that is drawn, where it stands. No program, picture, mesh or target is made for it. */
 typedef enum {
     RENDER_CAMERA = 1, /* all of it */
-    RENDER_LIGHTS = 2  /* their numbers; a light stays of its kind */
+    RENDER_LIGHTS = 2  /* of their numbers none is fixed. Of another kind, with other shadows, or more or fewer: what is made of the scene is made anew */
 } RenderChange;
 /* Tells what was changed: a sum of RenderChange. */
 bool render_changed(Render *render, unsigned what);
@@ -71,6 +71,8 @@ bool render_changed(Render *render, unsigned what);
 bool render_changed_objects(Render *render, int first, int count);
 /* Objects have other meshes, or other ones have changed: what is made of them is made anew. Params stay as they were set. */
 bool render_changed_meshes(Render *render);
+/* The same, of the scene that was drawn, where making it anew has failed and it is as before again. */
+bool render_again(Render *render, const Scene *scene);
 /* Sets a param of a material, by its place in scene->materials. False: none of its programs has a param of that name and so many lanes, 1 to 4. */
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count);
 /* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was changed since the one before. */

@@ -153,6 +153,8 @@ void scene_lights_shadow(Scene *scene, Word method);
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
+/* It can have shadows by a method of the list Shadows. */
+bool scene_light_takes(const SceneLight *light, Word method);
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 

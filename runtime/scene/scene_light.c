@@ -35,7 +35,7 @@ static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light
 }
 
 /* Shadows of an Area are soft, which maps alone can be. */
-static bool takes_method(const SceneLight *light, Word method)
+bool scene_light_takes(const SceneLight *light, Word method)
 {
     return light->kind != SCENE_Area || method == WORD_Shadows_none || method == WORD_Shadows_map;
 }
@@ -45,7 +45,7 @@ static void read_area(SceneReader *r, const SceneThing *thing, SceneLight *light
     scene_thing_vector(thing, S_Area_u, light->edges[0]);
     scene_thing_vector(thing, S_Area_v, light->edges[1]);
     light->both_sides = scene_thing_number(thing, S_Area_bothSides) != 0;
-    if (!takes_method(light, light->shadows)) {
+    if (!scene_light_takes(light, light->shadows)) {
         diag_add(r->session, scene_thing_span(thing, S_Area_shadows), DIAG_scene_soft,
                  scene_shadows_name(light->shadows));
         r->fine = false;
@@ -139,6 +139,6 @@ bool scene_shadows_find(const char *name, Word *method)
 void scene_lights_shadow(Scene *scene, Word method)
 {
     for (int i = 0; i < scene->light_count; i++)
-        if (scene_light_casts(&scene->lights[i]) && takes_method(&scene->lights[i], method))
+        if (scene_light_casts(&scene->lights[i]) && scene_light_takes(&scene->lights[i], method))
             scene->lights[i].shadows = method;
 }
