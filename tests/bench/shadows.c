@@ -179,7 +179,7 @@ static int run(const Arguments *arguments)
     s.compile.pixels = true;
     if (!open_mesh(arguments, &s.mesh))
         return 1;
-    s.gl = gl_open(arguments->kind, true, error, sizeof error);
+    s.gl = gl_open(arguments->timed ? arguments->kind : GL_KIND_osmesa, true, error, sizeof error);
     bool fine = s.gl || fprintf(stderr, "matbench: %s\n", error) < 0;
     s.method_count = shadows_methods(s.methods, &s.pcf);
     fine = fine && keep_only(arguments->only, &s);
