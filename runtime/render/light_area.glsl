@@ -143,9 +143,9 @@ float areaArc(vec3 a, vec3 b, vec3 normal, vec3 w, float exponent)
 // The integral of (w.u)^exponent (normal.u) over pi, of what of a polygon above the horizon of the normal is in the half space of w, too.
 float areaLobe(Area area, vec3 normal, vec3 w, float exponent)
 {
-    if (exponent <= 0.0) return areaCosine(area, normal);
-    if (area.width * area.width * (exponent + 1.0) < 0.3) return areaPoints(area, normal, w, exponent);
-    Area seen = areaClip(area, w);
+    bool even = exponent <= 0.0; // what is left is areaCosine, which needs no text of its own here: compilers take seconds for each
+    if (area.width * area.width * (exponent + 1.0) < (even ? 0.09 : 0.3)) return areaPoints(area, normal, w, exponent);
+    Area seen = areaClip(area, even ? normal : w);
     float sum = 0.0;
     for (int i = 0; i < seen.count; i++)
         sum += areaArc(seen.corners[i], seen.corners[i + 1 < seen.count ? i + 1 : 0], normal, w, exponent);
