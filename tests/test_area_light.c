@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 #include "area_reference.h"
-#include "runtime/render/screen_pass.h"
+#include "tests/frame/frame_cases.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -106,26 +106,9 @@ static void random_case(double exponent, CaseTexels t)
 /* What the GLSL says of CASES cases: x the cosine's integral, y the lobe's. */
 static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*said)[4])
 {
-    Store *store = store_new(gl);
-    Screen screen;
-    ScreenPass pass;
-    Framebuffer target;
-    const FramebufferSpec spec = {.width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
     const TextureSpec texture = {.width = WIDE * TEXELS, .height = HIGH, .lanes = 4, .floats = cases[0][0]};
     const ScreenPassText text = {.body = {render_text_light_area, body}, .format = "RGBA32F", .compute = compute};
-    const GLuint name = texture_make(gl, &texture);
-    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !name ||
-        !screen_pass_make(store, &text, &pass))
-        fail_msg("%s", gl->error);
-    screen_pass_sampler(&pass, "cases", 0);
-    texture_bind(gl, name, 0);
-    screen_pass_run(&pass, &target, &screen);
-    assert_true(framebuffer_read(gl, &target, 0, said[0]));
-    screen_pass_delete(&pass);
-    framebuffer_delete(gl, &target);
-    screen_delete(gl, &screen);
-    gl->DeleteTextures(1, &name);
-    store_free(store);
+    frame_cases(gl, &text, &texture, (const int[]){WIDE, HIGH}, said[0]);
 }
 
 static CaseTexels cases[CASES];

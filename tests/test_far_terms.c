@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
-#include "runtime/render/screen_pass.h"
+#include "tests/frame/frame_cases.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdlib.h>
@@ -189,29 +189,12 @@ static void put_case(const Case *c, float t[IN][4])
 
 static void run(GlContext *gl, float (*in)[IN][4], float (*out)[OUT][4])
 {
-    Store *store = store_new(gl);
-    Screen screen;
-    ScreenPass pass;
-    Framebuffer target;
-    const FramebufferSpec spec = {.width = ACROSS * OUT, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
     const TextureSpec texture = {.width = ACROSS * IN, .height = HIGH, .lanes = 4, .floats = in[0][0]};
     const ScreenPassText text = {.body = {head, render_text_far_terms, render_text_far_blocks, render_text_far_group,
                                           render_text_far_lobe, body},
                                  .format = "RGBA32F",
                                  .compute = true};
-    const GLuint name = texture_make(gl, &texture);
-    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !name ||
-        !screen_pass_make(store, &text, &pass))
-        fail_msg("%s", gl->error);
-    screen_pass_sampler(&pass, "cases", 0);
-    texture_bind(gl, name, 0);
-    screen_pass_run(&pass, &target, &screen);
-    assert_true(framebuffer_read(gl, &target, 0, out[0][0]));
-    screen_pass_delete(&pass);
-    framebuffer_delete(gl, &target);
-    screen_delete(gl, &screen);
-    gl->DeleteTextures(1, &name);
-    store_free(store);
+    frame_cases(gl, &text, &texture, (const int[]){ACROSS * OUT, HIGH}, out[0][0]);
 }
 
 static Case cases[CASES];
