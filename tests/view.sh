@@ -63,6 +63,9 @@ EOF_SCENE
 check "--compare" status 0 "$matview" --compare=shadows "$work/scene.yaml" -o "$work/compared.png"
 check "has a cell for none, map, exact, and three hybrid ones at least" test "$(od -An -tu1 -j20 -N4 "$work/compared.png" | awk '{ print ($3 * 256 + $4 - 6) / 48 }')" -ge 2
 check "--compare=indirect" status 0 "$matview" --compare=indirect "$work/scene.yaml" -o "$work/compared.png"
+check "--compare=displacement of a scene that has none" status 1 "$matview" --compare=displacement "$work/scene.yaml" -o "$work/none.png"
+printf 'image: { width: 64, height: 48 }\ndisplacement: { triangles: 300 }\nobjects:\n- { object: Sphere, detail: 8, material: { material: Phong, displacement: { map: Granite }, displacementScale: 0.2 } }\n' >"$work/rock.yaml"
+check "--compare=displacement" status 0 "$matview" --compare=displacement --view=wireframe "$work/rock.yaml" -o "$work/compared.png"
 check "of pictures that no file can hold side by side" status 1 timeout 20 "$matview" --compare=shadows --size=16384 "$work/scene.yaml" -o "$work/none.png"
 check "is told before one is drawn" says 'larger than 16384'
 check "of a material" status 2 $draw --compare=shadows $example -o "$work/none.png"

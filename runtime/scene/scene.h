@@ -165,6 +165,10 @@ typedef enum { SCENE_DISPLACED_none, SCENE_DISPLACED_same, SCENE_DISPLACED_anew,
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
 /* A param of a material has another value. */
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name, const double *lanes, int count);
+/* All are divided by another method of the list Displacing. */
+SceneDisplaced scene_displace_by(Scene *scene, Word method);
+/* The word, if it is the name of such a method; else NULL. */
+const char *scene_displace_name(Word word);
 /* Why none could be made, and of which material. */
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material);
 

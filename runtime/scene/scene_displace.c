@@ -24,6 +24,7 @@ typedef struct {
 
 struct SceneDisplacer {
     MatcOptions options;
+    Word method;      /* WORD_Displacing_mesh, ... */
     SceneSeen seen;   /* where meshes go by that */
     MatcMoves *moves; /* by material */
     Base *bases;      /* by object */
@@ -76,8 +77,10 @@ static Key key_of(const SceneDisplacer *by, const SceneObject *object, const Bas
         for (int i = 0; i < 9; i++)
             measure[i] = rint(parts_of_one * scene_vector_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
     measure[9] += by->moves[object->material] == MATC_MOVES_world ? 0 : rint(parts_of_one * log(size));
-    const Key parts[] = {scene_solid_key(&before), param_key(by, object->material),
-                         key_of_bytes(measure, sizeof measure)};
+    const Key parts[] = {scene_solid_key(&before),
+                         param_key(by, object->material),
+                         key_of_bytes(measure, sizeof measure),
+                         {(uint64_t)by->method, 0}};
     return key_of_bytes(parts, sizeof parts);
 }
 
@@ -118,9 +121,9 @@ static bool make_shape(Maker *k, const SceneObject *object, const Base *base, Sh
                                  .material = of->index,
                                  .options = &k->by->options,
                                  .world_from_local = object->world_from_local,
-                                 .method = scene->displaced_by,
+                                 .method = k->by->method,
                                  .triangles = scene->displaced_triangles,
-                                 .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL,
+                                 .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL, /* by bisection alone */
                                  .pixels = scene->displaced_pixels};
     SceneObject before = *object;
     Shape solid = {0};
@@ -251,7 +254,8 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     Scene *scene = r->scene;
     Arena *arena = r->session->arena;
     SceneDisplacer *by = scene->displacer = ARENA_NEW(arena, SceneDisplacer);
-    *by = (SceneDisplacer){.options = *options, .first = scene->mesh_count, .vacant = scene->mesh_count};
+    *by = (SceneDisplacer){
+        .options = *options, .method = scene->displaced_by, .first = scene->mesh_count, .vacant = scene->mesh_count};
     if (scene->displaced_pixels > 0)
         scene_seen_find(scene, &by->seen);
     by->moves = ARENA_ARRAY(arena, MatcMoves, scene->material_count + 1);
@@ -285,6 +289,24 @@ const char *scene_displace_fault(const Scene *scene, const SceneMaterial **mater
 {
     *material = &scene->materials[scene->displacer->fault];
     return scene->displacer->why;
+}
+
+const char *scene_displace_name(Word word)
+{
+    return word_table[word].list == PARAM_Displacing ? word_table[word].name : NULL;
+}
+
+SceneDisplaced scene_displace_by(Scene *scene, Word method)
+{
+    const Word before = scene->displaced_by;
+    scene->displaced_by = method;
+    if (!scene->displaced)
+        return SCENE_DISPLACED_none;
+    scene->displacer->method = method;
+    const SceneDisplaced made = displace_objects(scene, -1, 0, scene->object_count);
+    if (made == SCENE_DISPLACED_failed)
+        scene->displaced_by = scene->displacer->method = before;
+    return made;
 }
 
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count)

@@ -66,7 +66,7 @@ const char command_help[] =
     "scene says\n"
     "  --indirect=METHOD    auto, hybrid, voxels, screen, march, none: how indirect light is found, else as the scene "
     "says\n"
-    "  --compare=WHAT       one picture, with names: all methods of shadows, or of indirect, side by side\n"
+    "  --compare=WHAT       one picture, with names: all methods of shadows, of indirect, or of displacement, side by side\n"
     "  --frames=N, --frames=A-B, --frame=K\n"
     "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
     "                       K-th; the first is 0. -o names them, out-%04d.png\n"

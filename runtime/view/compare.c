@@ -7,8 +7,8 @@
 typedef struct {
     GlContext *gl;
     ScenePictures *pictures;
-    Scene scene; /* whose lights are a copy */
-    const Scene *given;
+    Scene scene; /* whose lights are a copy, where they change */
+    Scene *given;
     unsigned char *rgb;
     Sheet *sheet;
 } Comparison;
@@ -69,8 +69,25 @@ static bool add_shadows(Comparison *c)
     return true;
 }
 
-bool compare_methods(GlContext *gl, const Scene *scene, const char *list, const ScenePictureOptions *options,
-                     Sheet *sheet)
+/* With how many triangles that is. */
+static bool add_displacement(Comparison *c)
+{
+    const Word given = c->given->displaced_by;
+    bool fine = c->given->displaced || gl_fail(c->gl, "no material of the scene displaces an object");
+    for (int i = 0; fine && i < WORD_COUNT; i++) {
+        const char *name = scene_displace_name((Word)i);
+        if (!name)
+            continue;
+        fine = scene_displace_by(c->given, (Word)i) != SCENE_DISPLACED_failed ||
+               gl_fail(c->gl, "displacement by %s takes too many triangles, operations, or more memory than there is",
+                       name);
+        c->scene = *c->given;
+        fine = fine && add(c, name);
+    }
+    return fine && scene_displace_by(c->given, given) != SCENE_DISPLACED_failed;
+}
+
+bool compare_methods(GlContext *gl, Scene *scene, const char *list, const ScenePictureOptions *options, Sheet *sheet)
 {
     Comparison c = {.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
     sheet->width = options->render.width;
@@ -79,11 +96,13 @@ bool compare_methods(GlContext *gl, const Scene *scene, const char *list, const 
     c.rgb = malloc(3 * (size_t)sheet->width * (size_t)sheet->height);
     c.pictures = scene_pictures_open(gl, options);
     const bool room = c.scene.lights && c.rgb;
-    const bool shadows = !strcmp(list, "shadows");
-    const bool done =
-        room ? c.pictures && (shadows ? add_shadows(&c) : add_indirect(&c)) : gl_fail(gl, "out of memory");
+    SceneLight *lights = c.scene.lights;
+    bool (*const add_all)(Comparison *) = !strcmp(list, "shadows")    ? add_shadows
+                                          : !strcmp(list, "indirect") ? add_indirect
+                                                                      : add_displacement;
+    const bool done = room ? c.pictures && add_all(&c) : gl_fail(gl, "out of memory");
     scene_pictures_close(c.pictures);
-    free(c.scene.lights);
+    free(lights);
     free(c.rgb);
     return done;
 }

@@ -243,7 +243,7 @@ static int write_sheet(const Sheet *sheet, const char *path)
     return why ? complain(path, why) : FINE;
 }
 
-static int draw_comparison(Run *run, const Scene *scene, const char *input)
+static int draw_comparison(Run *run, Scene *scene, const char *input)
 {
     char path[PICTURE_NAME_PATH];
     ScenePictureOptions options = scene_options(run, scene);
@@ -256,7 +256,7 @@ static int draw_comparison(Run *run, const Scene *scene, const char *input)
     return status;
 }
 
-static int draw_scene(Run *run, const Scene *scene, const char *input)
+static int draw_scene(Run *run, Scene *scene, const char *input)
 {
     Drawing d = {.run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
     char room[FRAMES_ROOM];
@@ -267,7 +267,7 @@ static int draw_scene(Run *run, const Scene *scene, const char *input)
     if (fault)
         return usage(fault);
     if (run->command->compare)
-        return draw_comparison(run, &d.seen, input);
+        return command_set_scene(run->command, scene), draw_comparison(run, scene, input);
     run->shown = (Shown){.frames = d.frames.last - d.frames.first + 1};
     const int status = draw_frames(&d);
     scene_pictures_close(d.pictures);

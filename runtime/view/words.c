@@ -57,7 +57,7 @@ static const struct {
     {"--format", WORDS("png", "exr"), false},
     {"--shadows", {shadows_word, NULL, WORD_COUNT}, false},
     {"--indirect", {indirect_word, NULL, WORD_COUNT}, false},
-    {"--compare", WORDS("shadows", "indirect"), false},
+    {"--compare", WORDS("shadows", "indirect", "displacement"), false},
     {"--transparency", WORDS("auto", "lists", "peeling"), false},
     {"--lights", WORDS("auto", "bounded", "all"), false},
     {"--tools", WORDS("grid", "axes", "lights", "none"), true},
