@@ -5,35 +5,12 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_divide.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static MatcOptions options(void)
-{
-    MatcOptions made;
-    matc_options_init(&made);
-    made.pixels = true;
-    return made;
-}
-
-static Scene *read_scene(const char *text, MatcDocument **document)
-{
-    const MatcOptions by = options();
-    Scene *scene;
-    *document = scene_read("scene.yaml", text, strlen(text), &by, &scene);
-    if (!scene)
-        fail_msg("%s: %s", text, matc_diagnostics(*document, MATC_TEXT));
-    return scene;
-}
-
-static void forget(Scene *scene, MatcDocument *document)
-{
-    scene_free(scene);
-    matc_document_free(document);
-}
 
 static double size_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 

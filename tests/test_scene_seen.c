@@ -5,36 +5,13 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <cmocka.h>
+#include "tests/scene_whole.h"
 #include "runtime/scene/scene_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static MatcOptions options(void)
-{
-    MatcOptions made;
-    matc_options_init(&made);
-    made.pixels = true;
-    return made;
-}
-
-static Scene *read_scene(const char *text, MatcDocument **document)
-{
-    const MatcOptions by = options();
-    Scene *scene;
-    *document = scene_read("scene.yaml", text, strlen(text), &by, &scene);
-    if (!scene)
-        fail_msg("%s: %s", text, matc_diagnostics(*document, MATC_TEXT));
-    return scene;
-}
-
-static void forget(Scene *scene, MatcDocument *document)
-{
-    scene_free(scene);
-    matc_document_free(document);
-}
 
 static void lengths_have_pixels(void **state)
 {

@@ -1,0 +1,31 @@
+/* Scenes of texts whose pictures are read whole, as the renderer takes them; for tests. */
+#ifndef TESTS_SCENE_WHOLE_H
+#define TESTS_SCENE_WHOLE_H
+#include "runtime/scene/scene.h"
+#include <string.h>
+
+static inline MatcOptions options(void)
+{
+    MatcOptions made;
+    matc_options_init(&made);
+    made.pixels = true;
+    return made;
+}
+
+/* A scene that has to be one. */
+static inline Scene *read_scene(const char *text, MatcDocument **document)
+{
+    const MatcOptions by = options();
+    Scene *scene;
+    *document = scene_read("scene.yaml", text, strlen(text), &by, &scene);
+    if (!scene)
+        fail_msg("%s: %s", text, matc_diagnostics(*document, MATC_TEXT));
+    return scene;
+}
+
+static inline void forget(Scene *scene, MatcDocument *document)
+{
+    scene_free(scene);
+    matc_document_free(document);
+}
+#endif
