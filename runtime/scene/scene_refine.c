@@ -4,7 +4,7 @@
  *
  *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the halves that the ridge does not cross have 0, and stay as they are
  *
- * What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have four times as many samples: a part of the
+ * What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have up to four times as many samples: a part of the
  * surface that is as large as two triangles of an even division has one within. */
 #include "runtime/scene/scene_refine.h"
 #include "runtime/scene/scene_bisection.h"
@@ -16,7 +16,7 @@
 
 enum {
     SAMPLES = 4,        /* of a triangle, at least, */
-    FIRST_SAMPLES = 16, /* and of those that are made by area */
+    FIRST_SAMPLES = 16, /* and, of those that are made by area, at most */
     EVEN_SHARE = 32,    /* one of so many triangles is made by area */
     ROUND_SHARE = 8,    /* a round divides one of so many, */
     ROUND_LEAST = 32,   /* and as many as that */
@@ -305,12 +305,19 @@ static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
 
 /* -- rounds */
 
+/* Of each triangle, when there are as many as now: half as many in all as triangles are wanted. */
+static int first_samples(const Refiner *r)
+{
+    const size_t share = (size_t)r->how->triangles / 2 / r->b.count;
+    return share < SAMPLES ? SAMPLES : share > FIRST_SAMPLES ? FIRST_SAMPLES : (int)share;
+}
+
 /* What was touched is ranked anew. */
 static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3])
 {
     bool fine = true;
     for (size_t i = 0; fine && !by_area && i < r->touched_count; i++)
-        fine = fill_samples(r, r->touched[i], r->round == r->first_round ? FIRST_SAMPLES : SAMPLES);
+        fine = fill_samples(r, r->touched[i], r->round == r->first_round ? first_samples(r) : SAMPLES);
     fine = fine && (by_area || (move_places(r, at) && move_samples(r, at, to)));
     for (size_t i = 0; fine && i < r->touched_count; i++) {
         const uint32_t triangle = r->touched[i];
@@ -345,7 +352,7 @@ static bool refine_to(Refiner *r, size_t triangles, bool by_area)
     bool fine = at && to && add_states(r);
     r->rank_count = 0;
     r->first_round = ++r->round;
-    for (uint32_t i = 0; fine && i < r->b.count; i++)
+    for (uint32_t i = 0; fine && r->b.count < triangles && i < r->b.count; i++)
         fine = touch(r, i);
     fine = fine && end_round(r, by_area, at, to);
     while (fine && r->b.count < triangles && r->rank_count)
