@@ -200,6 +200,74 @@ static void rays_meet_infinite_planes(void **state)
     gl_close(gl);
 }
 
+/* -- what is hostile */
+
+/* An open shell; what is flat, or so small or far away that it is nothing of a voxel; a hundred thousand triangles in a voxel; a voxel that is larger than all that is seen: light is
+ * finite, and what a lamp reaches is not black. */
+static void hostile_scenes_are_lit(void **state)
+{
+    (void)state;
+    static const char head[] =
+        IMAGE "camera: { camera: Perspective, position: [1, -5, 2], target: [1, 0, 0], angle: 50 }\nvoxels: { size: 32 "
+              "}\nindirect: { rays: 8, bounces: 2 }\nlights:\n- { light: Point, position: [2, -3, 4], intensity: 30 "
+              "}\nmaterials: { m: { material: Phong, diffuse: .6 } }\nobjects:\n- { object: Box, material: m, "
+              "transform: { translation: [2, 0, 0] } }\n";
+    static const char *const scenes[] = {
+        "- { object: Mesh, file: " SOURCE_FOLDER "/examples/scenes/shell.obj, material: m }\n",
+        "- { object: Sphere, material: m, transform: { scale: [1, 1, 1e-9] } }\n",
+        "- { object: Sphere, detail: 256, material: m, transform: { scale: 1e-3 } }\n",
+        "- { object: Sphere, material: m, transform: { translation: [1e9, 1e9, -1e9] } }\n",
+        "- { object: Box, material: m, size: [1e9, 1e9, 1e9], transform: { translation: [2e9, 0, 0] } }\n",
+        "- { object: Sphere, material: m, transform: { scale: [-1, 1e-30, 1] } }\n"};
+    GlContext *gl = frame_context();
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        char text[TEXT];
+        snprintf(text, sizeof text, "%s%s", head, scenes[i]);
+        const double most = brightest_of(gl, text);
+        print_message("hostile scene %d: %.3g\n", (int)i, most);
+        assert_true(most > .5);
+        assert_int_equal(gl->GetError(), 0);
+    }
+    gl_close(gl);
+}
+
+/* -- behind glass */
+
+/* A pane before the eye lets half of all through and sends nothing of its own: the picture is half of that without it, indirect light and what is dimmed among it. */
+static void glass_halves_what_is_behind_it(void **state)
+{
+    (void)state;
+    enum { MIDDLE = 8 };
+    static const char pane[] =
+        "- { object: Box, size: [9, .01, 9], material: { material: Phong, diffuse: 0, specular: 0, "
+        "transparency: .70710678 }, transform: { translation: [0, -3, 0] } }\n";
+    const MatcOptions options = frame_exact_options();
+    GlContext *gl = frame_context();
+    float *rgba[2];
+    double most = 0, lit = INFINITY;
+    for (int i = 0; i < 2; i++) {
+        char text[TEXT];
+        MatcDocument *document;
+        int length = snprintf(text, sizeof text, grounded, "hybrid");
+        snprintf(text + length, sizeof text - (size_t)length, "%s", i ? pane : "");
+        Scene *scene = frame_scene(text, &options, &document);
+        rgba[i] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+        frame_forget(scene, document);
+    }
+    for (int i = 0; i < LANES * PIXELS; i++) {
+        const int x = i / LANES % EDGE, y = i / LANES / EDGE;
+        if (i % LANES < 3 && abs(x - EDGE / 2) < MIDDLE && abs(y - EDGE / 2) < MIDDLE) { /* the wall */
+            most = fmax(most, fabs(rgba[1][i] / (.5 * rgba[0][i]) - 1));
+            lit = fmin(lit, rgba[0][i]);
+        }
+    }
+    print_message("behind glass: at most %.2g of half of it off, which is %.2g at least\n", most, lit);
+    assert_true(lit > .01 && most < 2e-3);
+    free(rgba[0]);
+    free(rgba[1]);
+    gl_close(gl);
+}
+
 /* -- changes */
 
 static void assert_as_new(GlContext *gl, Render *render, const Scene *scene, const RenderOptions *options)
@@ -237,10 +305,9 @@ static void what_changes_is_as_new(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_shines_through_walls),
-        cmocka_unit_test(what_is_behind_the_camera_sends),
-        cmocka_unit_test(rays_meet_infinite_planes),
-        cmocka_unit_test(what_changes_is_as_new),
+        cmocka_unit_test(nothing_shines_through_walls),   cmocka_unit_test(what_is_behind_the_camera_sends),
+        cmocka_unit_test(rays_meet_infinite_planes),      cmocka_unit_test(hostile_scenes_are_lit),
+        cmocka_unit_test(glass_halves_what_is_behind_it), cmocka_unit_test(what_changes_is_as_new),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* Indirect light, as a scene's `indirect:` says: how it is found, and what the passes have of it. Private to frame.c, render.c and the passes. */
 #ifndef MATC_RENDER_INDIRECT_H
 #define MATC_RENDER_INDIRECT_H
+#include "compiler/base/text.h"
 #include "runtime/render/cache.h"
 #include "runtime/render/frame_plan.h"
 #include "runtime/render/render.h"
@@ -63,6 +64,8 @@ void pass_combine_draw(Render *render);
 enum { INDIRECT_PLANES_MOST = 16, INDIRECT_PLANES_DEFINITION = 48 };
 int indirect_planes_count(const Render *render);
 void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFINITION]);
+/* Lines on these, and on the method, for --stats. */
+void indirect_planes_put(Text *out, const Render *render);
 void indirect_planes_set(const Render *render, ScreenPass *pass);
 void indirect_delete(Render *render);
 #endif

@@ -213,6 +213,8 @@ static void put_memory(Text *out, const Render *render)
                     render->samples);
     if (render->plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
+    if (indirect_is(render))
+        indirect_planes_put(out, render);
     if (render->voxels.map)
         voxels_put(out, render);
     put_soft(out, render);
