@@ -250,27 +250,25 @@ vec3 softLight(int light, Seen seen)
 {
     vec4 corner = lightTexel(light, 0), u = lightTexel(light, 2), v = lightTexel(light, 3);
     bool both = lightTexel(light, 1).w > 0.0;
-    Soft s;
-    SoftPoints points;
     vec3 sum = vec3(0.0);
     SHARE lost = SHARE(1.0);
-    for (int i = -1; i < SOFT_CELLS * SOFT_CELLS; i++) {
+    Soft s = softOf(light, seen);
+    SoftPoints points = SoftPoints(softNoBits(), softNoBits(), 0, 0, 0);
+    if (u.w > 0.0) points = softAsk(s);
+    if (points.asked > 0 && points.darks == points.asked) return vec3(0.0);
+    int count = points.dims == 0 ? 0 : SOFT_CELLS * SOFT_CELLS;
+    for (int i = -1; i < count; i++) {
         ivec2 cell = ivec2(max(i, 0) % SOFT_CELLS, max(i, 0) / SOFT_CELLS);
         float cells = i < 0 ? 1.0 : float(SOFT_CELLS);
         if (i >= 0) {
-            ivec2 count = softCorners(points, cell);
-            if (count.x == 0) continue;
-            lost = count.y == 4 ? SHARE(-1.0) : softCell(s, cell) - 1.0;
+            ivec2 corners = softCorners(points, cell);
+            if (corners.x == 0) continue;
+            lost = corners.y == 4 ? SHARE(-1.0) : softCell(s, cell) - 1.0;
         }
         vec2 part = vec2(cell) / cells;
         sum += lost * surfaceArea(seen.m, areaSeen(corner.xyz + part.x * u.xyz + part.y * v.xyz - seen.point, u.xyz / cells,
                                                    v.xyz / cells, both));
-        if (i >= 0) continue;
-        if (u.w <= 0.0 || sum.x + sum.y + sum.z <= 0.0) return sum;
-        s = softOf(light, seen);
-        points = softAsk(s);
-        if (points.dims == 0) return sum;
-        if (points.darks == points.asked) return vec3(0.0);
     }
+    if (count == 0) return sum;
     return max(sum, 0.0);
 }
