@@ -181,10 +181,11 @@ static void set_lanes(Surface *surface, Group group, const double *from, int cou
         surface->root[channel_id(group, lane)] = from[lane];
 }
 
-static Surface surface_of(const MatcPoint *point)
+static Surface surface_of(const MatcPoint *point, double time)
 {
     Surface surface;
     oracle_surface_default(&surface);
+    set_lanes(&surface, GROUP_T, &time, 1);
     set_lanes(&surface, GROUP_P, point->position, 3);
     set_lanes(&surface, GROUP_N, point->normal, 3);
     set_lanes(&surface, GROUP_DU, point->tangent_u, 3);
@@ -214,7 +215,7 @@ bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, Ma
     Oracle *oracle = oracle_open(d->graph, &context);
     bool fine = true;
     for (int i = 0; fine && i < count; i++) {
-        const Surface surface = surface_of(&points[i]);
+        const Surface surface = surface_of(&points[i], options.time);
         double move[3];
         fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface, move);
         add_along(points[i].position, points[i].tangent_u, move[0]);

@@ -80,6 +80,7 @@ typedef struct {
                        and numbers come from storage buffers, by the attribute matc_instance (docs/renderer.md); no MATC_REFLECT then */
     bool moved; /* meshes are displaced already, as matc_move does it: the vertex program moves nothing. Its attribute `basePosition` (location 10)
                    has where a point was, by which maps go */
+    double time; /* seconds: the time at which matc_move moves; programs have it by a uniform */
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);

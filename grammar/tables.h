@@ -23,6 +23,9 @@ typedef enum {
     GROUP_COUNT
 } Group;
 
+/* What is the same for all that is drawn, whatever maps are asked. */
+static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
+
 enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + lane */
 
 typedef struct {

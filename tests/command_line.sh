@@ -78,7 +78,7 @@ for wrong in "--target=gls330 glsl330" "--pass=gbufer gbuffer" "--slot=difuse di
 done
 check "and what there is is listed" status 2 $fast --target=hlsl $example
 check "by name" says "target: there is no 'hlsl', but glsl110, glsl330, glsl450, essl300, spirv"
-for wrong in "-O5 5 but 0, 1, 2; see" "--eval=u=x x is no number: a point" "--eval=w=3 w but px, py, .*, ior, front; see" "--eval=fornt=1 fornt but .*; did you mean 'front'" \
+for wrong in "-O5 5 but 0, 1, 2; see" "--eval=u=x x is no number: a point" "--eval=w=3 w but px, py, .*, ior, ex, .*, time, front; see" "--eval=fornt=1 fornt but .*; did you mean 'front'" \
     "--eval=u u is no channel=number" "-Wno-foo foo but unquoted_color, .*, flat_displacement; see"; do
     what=${wrong#* }
     check "a word: ${wrong%% *}" status 2 $fast "${wrong%% *}" $example -o "$work/none.frag"

@@ -30,8 +30,10 @@ static void test_input_is_first(void **state)
 static void expect_constant(const Builder *b, const Node *map, const double rgba[4])
 {
     Surface s = distinct();
-    for (int channel = 0; channel < CHANNEL_ID_COUNT; channel++)
-        expect(b, map, channel, &s, channel >= DPXDU && channel <= DPZDV ? 0 : rgba[channel % 4]);
+    for (int channel = 0; channel < CHANNEL_ID_COUNT; channel++) {
+        const double own = channel >= DPXDU && channel <= DPZDV ? 0 : rgba[channel % 4];
+        expect(b, map, channel, &s, group_is_draws((Group)(channel / 4)) ? s.root[channel] : own);
+    }
 }
 
 static void test_constants(void **state)
@@ -65,7 +67,7 @@ static void expect_forwarded(const Builder *b, const Node *map, unsigned defined
     Surface s = distinct();
     expect(b, NULL, W, &s, s.root[W]);
     for (int channel = 0; channel < CHANNEL_ID_COUNT; channel++)
-        if (!(defined >> channel & 1))
+        if (group_is_draws((Group)(channel / 4)) || !(defined >> channel & 1))
             expect(b, map, channel, &s, s.root[channel]);
 }
 
@@ -216,7 +218,8 @@ static void test_volume_channels(void **state)
     *build_param(gradient, P_Gradient_waveForm) = (Value){.kind = VALUE_wave, .wave = build_wave(&b, WAVE_Sqr)};
     Surface s = at_xyz(4, 5, 6);
     for (int channel = 0; channel < CHANNEL_ID_COUNT; channel++)
-        expect(&b, gradient, channel, &s, channel % 4 == 3 ? 1 : 100);
+        expect(&b, gradient, channel, &s,
+               group_is_draws((Group)(channel / 4)) ? s.root[channel] : channel % 4 == 3 ? 1 : 100);
     build_free(&b);
 }
 

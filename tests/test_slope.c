@@ -93,6 +93,8 @@ static void compare(Test *t, const Node *map, int axis, const Ir *ir, const Refe
                 inputs[k][lane] = point->input[k][lane];
         inputs[INPUT_front][0] = 1;
         inputs[INPUT_IOR][0] = point_ior;
+        inputs[INPUT_time][0] = point_time;
+        memcpy(inputs[INPUT_viewer], point_viewer, sizeof point_viewer);
         ir_eval(ir, context, (const double(*)[4])inputs, result);
         double size = fmax(1, fabs(expected));
         double miss = fabs(result[0][0] - expected) / size;

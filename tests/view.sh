@@ -36,7 +36,7 @@ for wrong in "--shape=plan plane" "--slot=norml normal" "--gl=elg egl" "--edges=
     check "is quoted, and the right one guessed" says "there is no .*'.*; did you mean '${wrong#* }'"
 done
 for wrong in "--size=x not 'x'" "--samples=9 not '9'" "--bits=1 not '1'" "--memory=0 not '0'" "--camera=frnt not 'frnt'" "--watch=3 takes no value" \
-    "--frames=x not 'x'" "--frame=1-2 not '1-2'" "--contact=tea.exr not 'tea.exr'"; do
+    "--frames=x not 'x'" "--time=x not 'x'" "--frame=1-2 not '1-2'" "--contact=tea.exr not 'tea.exr'"; do
     check "a value: ${wrong%% *}" status 2 $draw "${wrong%% *}" $example -o "$work/none.png"
     check "is quoted" says "[, ]${wrong#* }; see matview --help"
 done

@@ -116,10 +116,22 @@ void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
     node->head = 1;
 }
 
+/* What the draw says is an input where it is asked for, and nothing before. */
+static Ref root_of(Lower *l, Group group, const Env *env)
+{
+    Ir *ir = l->ir;
+    if (group == GROUP_T)
+        return build_input(ir, INPUT_time);
+    if (group == GROUP_E)
+        return env->seen ? build_input(ir, INPUT_viewer)
+                         : build_vec(ir, TYPE_vec4, env->root[GROUP_N], build_float(ir, 0));
+    return env->root[group];
+}
+
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
 {
-    if (!map)
-        return answer_of(env->root[group]);
+    if (!map || group_is_draws(group))
+        return answer_of(root_of(l, group, env));
     if (env->relief && !map->steps)
         return relief_smooth(l, map, group, env);
     uint64_t key = ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;

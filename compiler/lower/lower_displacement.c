@@ -79,7 +79,9 @@ static Slopes slopes_of(Lower *l, const Node *displaced, const Env *env)
 {
     const Displacement d = graph_displacement(displaced);
     const Type type = d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
-    Slopes s = relief_slopes_of(l, lower_displacement, displaced, env);
+    Env unseen = *env; /* a shape is the same for all who look at it; nothing but displacement is asked in this environment */
+    unseen.seen = false;
+    Slopes s = relief_slopes_of(l, lower_displacement, displaced, &unseen);
     s.u = build_or_zero(l->ir, s.u, type);
     s.v = build_or_zero(l->ir, s.v, type);
     return s;

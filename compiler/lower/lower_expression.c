@@ -14,9 +14,24 @@ typedef struct {
     Ref *inputs;
 } Leaves;
 
+/* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It goes from the surface, wherever `input` moves. */
+static Ref toward_viewer(Lower *l, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref viewer = lower_ask(l, NULL, GROUP_E, env), from = lower_ask(l, NULL, GROUP_P, env);
+    Ref moved = build_mul(ir, from, build_swizzle(ir, viewer, "w"));
+    return build_call(ir, FN_safeNormalize, build_sub(ir, build_swizzle(ir, viewer, "xyz"), moved));
+}
+
 static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env *env)
 {
     const QuantityRow *row = &quantity_table[quantity];
+    if (quantity == QUANTITY_V)
+        return toward_viewer(l, env);
+    if (quantity == QUANTITY_facing) {
+        Ref n = quantity_at(l, input, QUANTITY_N, env);
+        return build_min(l->ir, build_abs(l->ir, build_dot(l->ir, n, toward_viewer(l, env))), build_float(l->ir, 1));
+    }
     Ref group = lower_ask(l, input, row->group, env);
     if (quantity == QUANTITY_N)
         group = build_call(l->ir, FN_safeNormalize, group);

@@ -4,14 +4,17 @@
 #include "compiler/base/stack.h"
 #include <string.h>
 
+/* Shadows are seen by lights, of which a pass may be for several; the sky is as it is wherever it is seen from. */
+static bool sees(Pass pass) { return pass == PASS_gbuffer || pass == PASS_plane || pass == PASS_value; }
+
 Env lower_surface_env(Lower *l)
 {
     Ir *ir = l->ir;
     static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                    [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
-    Env env = {.front = build_input(ir, INPUT_front)};
+    Env env = {.front = build_input(ir, INPUT_front), .seen = sees(l->job->pass)};
     env.eye_n = build_input(ir, INPUT_eyeN);
-    for (int group = 0; group < GROUP_COUNT; group++)
+    for (int group = 0; group <= GROUP_IOR; group++)
         if (group != GROUP_U && group != GROUP_R)
             env.root[group] = build_input(ir, direct[group]);
     env.root[GROUP_U] = build_vec(ir, TYPE_vec3, build_input(ir, INPUT_U), build_float(ir, 0));

@@ -13,6 +13,7 @@ void oracle_surface_default(Surface *surface)
     surface->root[channel_id(GROUP_DU, 0)] = 1;
     surface->root[channel_id(GROUP_DV, 1)] = 1;
     surface->root[channel_id(GROUP_IOR, 0)] = 1;
+    surface->root[channel_id(GROUP_E, 2)] = 1;
 }
 
 /* W and the colour are channels that no surface sets: at the root they are always 0. */
@@ -84,7 +85,7 @@ Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
 double oracle_ask(Environment *environment, const Node *map, int channel)
 {
     double value;
-    if (!map)
+    if (!map || group_is_draws(group_of(channel)))
         return environment->surface->root[channel];
     if (memo_find(environment, map, channel, &value))
         return value;

@@ -17,7 +17,7 @@ typedef struct {
     double local_u[3], local_v[3]; /* how the object position changes by u and v; finite derivatives do not read it */
 } Surface;
 
-/* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), ior 1, the rest 0. */
+/* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), seen along n, ior 1, the rest 0. */
 void oracle_surface_default(Surface *surface);
 /* Sets a channel by its name ("u", "px", ...). false: no such channel, or one that no surface sets (w, r, g, b, a). */
 bool oracle_surface_set(Surface *surface, const char *name, double value);

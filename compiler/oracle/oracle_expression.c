@@ -2,14 +2,37 @@
 #include "compiler/formula/formula.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "runtime/library/references.h"
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { STEP_WORK = 4 }; /* of a step of a formula; noise is paid by its octaves */
 
+/* The unit vector from the point to the eye, or against parallel rays. */
+static void toward_viewer(const Environment *environment, double v[3])
+{
+    const double *root = environment->surface->root, w = root[channel_id(GROUP_E, 3)];
+    double way[3];
+    for (int i = 0; i < 3; i++)
+        way[i] = root[channel_id(GROUP_E, i)] - w * root[channel_id(GROUP_P, i)];
+    reference_of(FN_safeNormalize)(NULL, way, v);
+}
+
 static void quantity_at(Environment *environment, const Node *node, Quantity quantity, double result[4])
 {
     const QuantityRow *row = &quantity_table[quantity];
+    if (quantity == QUANTITY_V) {
+        toward_viewer(environment, result);
+        return;
+    }
+    if (quantity == QUANTITY_facing) {
+        double n[4], v[3];
+        quantity_at(environment, node, QUANTITY_N, n);
+        toward_viewer(environment, v);
+        for (int i = 0; i < 4; i++)
+            result[i] = fmin(fabs(n[0] * v[0] + n[1] * v[1] + n[2] * v[2]), 1);
+        return;
+    }
     double group[3];
     oracle_ask_input3(environment, node, row->group, group);
     if (quantity == QUANTITY_N)

@@ -234,6 +234,15 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         missing(result);
 }
 
+/* A shape is the same for all who look at it: where it is asked for, the direction to the viewer is the normal. */
+static Surface unseen(const Surface *surface)
+{
+    Surface made = *surface;
+    memcpy(&made.root[channel_id(GROUP_E, 0)], &surface->root[channel_id(GROUP_N, 0)], 3 * sizeof *made.root);
+    made.root[channel_id(GROUP_E, 3)] = 0;
+    return made;
+}
+
 /* Maps read the mesh; the normal alone, and what `input` makes of it, is that of the surface after it was displaced. */
 static void answer_displaced(Environment *environment, const Node *material, SlotValues *result)
 {
@@ -243,7 +252,9 @@ static void answer_displaced(Environment *environment, const Node *material, Slo
         return;
     SlotValues moved;
     Surface surface = *environment->surface;
-    oracle_displace(environment, displaced, &surface);
+    const Surface shape = unseen(environment->surface);
+    Environment shaped = environment_open(environment->oracle, &shape, environment->depth);
+    oracle_displace(&shaped, displaced, &surface);
     Environment there = environment_open(environment->oracle, &surface, environment->depth + 1);
     there.mesh = environment->surface;
     answer(&there, material, &moved);
@@ -291,7 +302,8 @@ static bool move(Oracle *oracle, const Node *material, const Surface *surface, b
     const Node *displaced = oracle_displaced(material);
     *result = (OracleDisplacement){.by = {0}};
     oracle->work = 0;
-    MoveQuestion question = {environment_open(oracle, surface, 0), displaced, slopes, result};
+    const Surface shape = unseen(surface);
+    MoveQuestion question = {environment_open(oracle, &shape, 0), displaced, slopes, result};
     if (displaced)
         stack_run(displaced->depth, move_on_stack, &question);
     return !oracle_spent(oracle);

@@ -155,6 +155,7 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
         camera.back[i] = -faces[face][0][i];
     }
     view_space_make(&camera, (const int[]){FACE, FACE}, render->zero_to_one, &space);
+    space.spaces.time = (float)render->scene->time;
     spaces_set(&space.spaces, &render->cache.sky);
     framebuffer_use(gl, target);
     material_use(&render->cache.sky);

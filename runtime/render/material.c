@@ -153,7 +153,7 @@ static ProgramText complete(const ProgramText *text, const MatcProgram *program)
 
 static bool make(Material *m, MatcProgram *program, const ProgramText *text)
 {
-    static const float identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const float identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, along_z[4] = {0, 0, 1, 0};
     const ProgramText whole = complete(text, program);
     if (program && matc_texture_count(program) > most_textures(m))
         return gl_fail(context(m), "it has %d textures, and the driver room for %d", matc_texture_count(program),
@@ -162,6 +162,7 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
     if (!m->program || !make_room(m))
         return false;
     material_set_number(m, "matc_ior", 1);
+    material_set(m, &(MaterialValue){"matc_viewer", 4, along_z});
     material_set(m, &(MaterialValue){"matc_eyeFromWorld", 9, identity});
     if (!program)
         return true;

@@ -125,6 +125,7 @@ static void look(Render *render)
     const SceneCamera *camera = &render->scene->camera;
     view_space_make(camera, render->whole, render->zero_to_one, &render->space);
     view_space_place(&render->space, render->whole, render->at);
+    render->space.spaces.time = (float)render->scene->time;
     cull_volume(camera, render->whole, &render->volume);
 }
 
@@ -219,7 +220,9 @@ bool render_changed(Render *render, unsigned what)
         return false;
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
-    if (what & RENDER_CAMERA) {
+    if (what & RENDER_TIME) /* cut-outs may be others */
+        render->uncounted = true, render->shadows.drawn = false;
+    if (what & (RENDER_CAMERA | RENDER_TIME)) {
         look(render);
         const CacheSource source = frame_source(render);
         cache_view(render->gl, &source, &render->cache);

@@ -63,7 +63,8 @@ bool render_scene(Render *render, const Scene *scene);
 /* What the caller may change in the scene that is drawn, where it stands. No program, picture, mesh or target is made for it. */
 typedef enum {
     RENDER_CAMERA = 1, /* all of it */
-    RENDER_LIGHTS = 2  /* of their numbers none is fixed. Of another kind, with other shadows, or more or fewer: what is made of the scene is made anew */
+    RENDER_LIGHTS = 2, /* of their numbers none is fixed. Of another kind, with other shadows, or more or fewer: what is made of the scene is made anew */
+    RENDER_TIME = 4    /* that materials go by; meshes that are displaced stay as they are */
 } RenderChange;
 /* Tells what was changed: a sum of RenderChange. */
 bool render_changed(Render *render, unsigned what);

@@ -66,5 +66,7 @@ void spaces_set(const Spaces *spaces, Material *material)
     set(material, "matc_eyeNormalFromLocal", 9, eye_normal.m);
     set(material, "matc_eyeFromWorld", 9, eye_from_world.m);
     set(material, "matc_eyePosition", 3, spaces->parallel ? spaces->rays[0] : spaces->eye);
+    set(material, "matc_viewer", 4, spaces->viewer);
+    set(material, "matc_time", 1, &spaces->time);
     set_plane(spaces, &depth_from_world, material);
 }

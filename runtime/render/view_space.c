@@ -55,8 +55,11 @@ void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_
                             .clip_from_eye = rounded(projection),
                             .zero_to_one = zero_to_one};
     const bool orthographic = camera->kind == SCENE_Orthographic;
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         made->spaces.eye[i] = (float)camera->position[i];
+        made->spaces.viewer[i] = (float)(orthographic ? camera->back[i] : camera->position[i]);
+    }
+    made->spaces.viewer[3] = orthographic ? 0 : 1;
     for (int i = 0; i < 2; i++) {
         made->ray[i] = (float)(camera->half / shorter);
         made->ray[2 + i] = (float)size[i];

@@ -101,6 +101,7 @@ typedef struct Scene {
     int width, height; /* pixels */
     SceneCamera camera;
     SceneMotion motion;
+    double time; /* seconds, that materials go by; MatcOptions.time */
     SceneObject *objects;
     int object_count;
     SceneLight *lights;

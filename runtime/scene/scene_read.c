@@ -175,6 +175,7 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size, const 
     r.scene = calloc(1, sizeof *r.scene);
     if (!r.scene)
         abort();
+    r.scene->time = document->options.time;
     read_scene(&r, tree);
     if (r.fine && !document->session.diags.errors && scene_displace(&r, options))
         *made = r.scene;

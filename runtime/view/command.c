@@ -1,6 +1,7 @@
 /* From arguments to a Command. */
 #include "runtime/view/command.h"
 #include "runtime/gl/png_write.h"
+#include "compiler/base/text.h"
 #include "compiler/choice.h"
 #include "runtime/view/words.h"
 #include <errno.h>
@@ -9,69 +10,6 @@
 #include <string.h>
 
 enum { EDGE = 512, CELL = 192 };
-
-const char command_help[] =
-    "usage: matview [options] document...\n"
-    "\n"
-    "Draws pictures of materials and of scenes, and prints the names of the files. A document with `objects:` or "
-    "`lights:` is a scene;\n"
-    "matc --list=scenes has what it is made of.\n"
-    "\n"
-    "  -o FILE              the picture, - to standard output; without -o and -d NAME.png, here\n"
-    "  -d DIR               write DIR/NAME.png for every document, DIR/NAME.MATERIAL.png where it has several "
-    "materials\n"
-    "  --size=N             pixels of an edge: 512, of a contact sheet's cell 192; of a scene: of its width, in its "
-    "proportions\n"
-    "  --samples=N          N x N samples a pixel, 1 to 8: 2, of a scene 1\n"
-    "  --edges=EDGES        coverage (default): pixels that an outline or a crease runs through show both sides; none\n"
-    "  --view=NAME          shown (default), light, depth, shadow (maps, side by side), voxels, open, indirect, "
-    "bent, or a slot: what a pass wrote; wireframe; volume, volumeWireframe, wireframes, volumeAlone, "
-    "volumeWireframeAlone: with "
-    "hybrid shadows' volumes\n"
-    "  --tools=LIST         of grid, axes, lights, or none: lines that are drawn over the picture; else as the scene "
-    "says\n"
-    "  --format=FORMAT      png (default), exr: linear light, before exposure and tone mapping; else as FILE ends\n"
-    "  --bits=N             of a lane: 8 (default) or 16 of a PNG; 16 (default, a half) or 32 (a float) of an EXR\n"
-    "  --memory=MIB         that render targets may take: 256. A picture that takes more is drawn in tiles\n"
-    "  --progress           how far it is, on standard error; on a terminal it says so anyway\n"
-    "  --transparency=HOW   auto (default), lists, peeling: how transparent surfaces are put in order; the picture is "
-    "the same\n"
-    "  --lights=HOW         auto (default), bounded, all: far ones of many together, less than half a step of 8 bits "
-    "off\n"
-    "  --stats              which passes ran, what they took, and why others did not run, on standard error\n"
-    "  --emit=frame         the passes and their targets, and no picture\n"
-    "  --watch              draw again whenever a document, or a file that it depends on, changes\n"
-    "  --layout, --noise, --precision, --aa, --derivatives, --coordinates, --powers, --trigonometry,\n"
-    "  --constants, --normals: as matc has them; of a scene, without --layout, the smallest that holds its materials\n"
-    "  --gl=KIND            osmesa (default): in software; egl: on a GPU where there is one\n"
-    "  --help, --version\n"
-    "of materials\n"
-    "  --contact=FILE       one picture of all materials of all documents, with their names; --size is then that of a "
-    "cell\n"
-    "  --material=NAME      of `materials:`\n"
-    "  --param=NAME=VALUE   a value of the document's param of that name, as documents have it: 0.7, #c04020, "
-    "[0, 1, 0]\n"
-    "  --shape=SHAPE        sphere (default), plane, cube, torus, cloth, ground (a plane to the horizon)\n"
-    "  --mesh=FILE          an OBJ, glTF 2 (.gltf, .glb) or PLY file instead of a shape; it is scaled to the size of "
-    "one\n"
-    "  --camera=VIEWPOINT   front, left, top, low, close, or X,Y,Z[,X,Y,Z[,DEGREES]]: where it stands, what it looks "
-    "at,\n"
-    "                       its angle of view; the shape is about 1 around the origin, and z is up\n"
-    "  --slot=SLOT          shows a slot of the G-buffer: normal (in the eye's space), diffuse, ...; matc --list has "
-    "all.\n"
-    "                       Exponents as their logarithm to base 2, of 16; of the layout integer unless one is named\n"
-    "  --pass=PASS          gbuffer (default), sky: the material as the sky all around, towards its brightest side\n"
-    "of scenes\n"
-    "  --shadows=METHOD     map, silhouette, hybrid, exact, none: how all lights cast shadows that do, else as the "
-    "scene says\n"
-    "  --indirect=METHOD    auto, hybrid, voxels, screen, march, none: how indirect light is found, else as the scene "
-    "says\n"
-    "  --compare=WHAT       one picture, with names: all methods of shadows, of indirect, or of displacement, side by side\n"
-    "  --frames=N, --frames=A-B, --frame=K\n"
-    "                       frames of the scene's motion: N for all of it, or of its own the A-th to the B-th, the\n"
-    "                       K-th; the first is 0. -o names them, out-%04d.png\n"
-    "\n"
-    "Exit status: 0 fine, 1 a fault in a document or file, 2 wrong usage.\n";
 
 static WordsRoom room_of(Command *command)
 {
@@ -125,6 +63,10 @@ static void read_tools(const char *list, SceneTools *tools)
 
 static const char *set_scene(Command *command, const char *name, const char *value)
 {
+    if (!strcmp(name, "--time"))
+        return text_number(value, strlen(value), &command->compile.time)
+                   ? NULL
+                   : words_number(room_of(command), "--time wants a number of seconds", value);
     static const Whole memory = {1, 1 << 20, "--memory wants a number of MiB, from 1 on"},
                        bits = {8, 32, "--bits wants 8, 16 or 32"};
     if (!strcmp(name, "--memory"))

@@ -45,6 +45,12 @@ const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_RO
     return room;
 }
 
+bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *seen)
+{
+    seen->time = scene->time + (double)frame / FRAMES_A_SECOND;
+    return !frames->given || scene_motion_camera(scene, frame, frames->whole, &seen->camera);
+}
+
 /* Places that the number has at least; -1: it is no place for a number. */
 static int places_of(const char *percent, const char **end)
 {

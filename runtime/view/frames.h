@@ -4,7 +4,7 @@
 #include "runtime/scene/scene.h"
 #include <stddef.h>
 
-enum { FRAMES_MOST = 100000, FRAMES_ROOM = 80 };
+enum { FRAMES_MOST = 100000, FRAMES_ROOM = 80, FRAMES_A_SECOND = 25 };
 
 /* {0}: none was asked for. */
 typedef struct {
@@ -19,6 +19,9 @@ const char *frames_read(const char *text, Frames *frames);
 const char *frames_read_one(const char *text, Frames *frames);
 /* Fills in what the scene says. NULL, or what is wrong, perhaps in `room`. */
 const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_ROOM]);
+
+/* Where the camera stands in a frame, and when that is. False: it has no direction. */
+bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *seen);
 
 /* A path whose only % begins %d, or %0 with up to nine places and d, as in out-%04d.png: with the frame's number there. False: it has none,
  * another %, or no room. */

@@ -211,7 +211,7 @@ static bool open_pictures(Drawing *d)
 
 static int draw_frame(Drawing *d, int frame, const char *path)
 {
-    if (d->frames.given && !scene_motion_camera(d->scene, frame, d->frames.whole, &d->seen.camera))
+    if (!frames_place(&d->frames, d->scene, frame, &d->seen))
         return complain(d->input, "the camera has no direction in this frame");
     if (!(d->pictures ? scene_pictures_turn(d->pictures) : open_pictures(d)))
         return complain(d->input, d->run->gl->error);

@@ -102,7 +102,8 @@ static bool be_object(const PreviewOptions *o, Preview *p)
 bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile, Preview *made)
 {
     *made = (Preview){.material = material};
-    made->scene = (Scene){.width = options->width,
+    made->scene = (Scene){.time = compile->time,
+                          .width = options->width,
                           .height = options->height,
                           .materials = &made->material,
                           .material_count = 1,

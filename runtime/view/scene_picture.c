@@ -181,7 +181,7 @@ bool scene_pictures_pixels(ScenePictures *p, unsigned char *rgb)
     return make_band(p) && draw_bands(p, &(Sink){.rgb = rgb});
 }
 
-bool scene_pictures_turn(ScenePictures *p) { return render_changed(p->render, RENDER_CAMERA); }
+bool scene_pictures_turn(ScenePictures *p) { return render_changed(p->render, RENDER_CAMERA | RENDER_TIME); }
 
 char *scene_pictures_diagnostics(const ScenePictures *p) { return render_diagnostics(p->render); }
 

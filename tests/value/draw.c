@@ -93,7 +93,12 @@ void drawer_set_uniforms(const Shading *shading, Material *material)
             numbers[lane] = (float)value[lane];
         material_set(material, &(MaterialValue){uniform->name, uniform->lanes, numbers});
     }
+    float viewer[4];
+    for (int lane = 0; lane < 4; lane++)
+        viewer[lane] = (float)point_viewer[lane];
     material_set_number(material, "matc_ior", (float)point_ior);
+    material_set_number(material, "matc_time", (float)point_time);
+    material_set(material, &(MaterialValue){"matc_viewer", 4, viewer});
 }
 
 bool drawer_material(Drawer *d, const Shading *shading, Material *made)

@@ -47,4 +47,6 @@ void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][
             inputs[i][lane] = point->input[i][lane];
     inputs[INPUT_front][0] = front;
     inputs[INPUT_IOR][0] = point_ior;
+    inputs[INPUT_time][0] = point_time;
+    memcpy(inputs[INPUT_viewer], point_viewer, sizeof point_viewer);
 }

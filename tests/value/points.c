@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-const double point_ior = 1.25;
+const double point_ior = 1.25, point_viewer[4] = {0.8, -1.9, 3.4, 1}, point_time = 2.75;
 const Reach reach_float = {4. / (1 << 23), 4. / (1 << 23)};
 const Reach reach_steep = {12. / (1 << 23), 12. / (1 << 23)};
 const Reach reach_double = {1e-13, 1e-13};
@@ -148,6 +148,8 @@ void point_surface(const Point *point, bool front, Surface *surface)
         for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
             surface->root[channel_id(group, lane)] = point->input[input[group]][lane];
     surface->root[channel_id(GROUP_IOR, 0)] = point_ior;
+    surface->root[channel_id(GROUP_T, 0)] = point_time;
+    memcpy(&surface->root[channel_id(GROUP_E, 0)], point_viewer, sizeof point_viewer);
     for (int lane = 0; lane < 3; lane++) {
         surface->local_u[lane] = point->input[INPUT_XU][lane];
         surface->local_v[lane] = point->input[INPUT_XV][lane];

@@ -24,7 +24,7 @@ bool point_is_far(const Point *point, float distance);
 /* u v  x y z  px py pz. */
 void point_describe(const Point *point, char *text, size_t room);
 
-extern const double point_ior; /* of every point */
+extern const double point_ior, point_viewer[4], point_time; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);
 
 /* A coordinate is so large that floats cannot tell the parts of a pattern: of a shader it is only asked to write numbers. */
