@@ -81,6 +81,8 @@ typedef struct {
     bool moved; /* meshes are displaced already, as matc_move does it: the vertex program moves nothing. Its attribute `basePosition` (location 10)
                    has where a point was, by which maps go */
     double time; /* seconds: the time at which matc_move moves; programs have it by a uniform */
+    const char *const *include; /* folders of files that `include:` does not find beside a document; after them come those of matc itself */
+    int include_count;
 } MatcOptions;
 
 MATC_API MatcLinked *matc_linked_new(void);
@@ -109,6 +111,11 @@ MATC_API int matc_depend_count(const MatcDocument *document);
 MATC_API const char *matc_depend(const MatcDocument *document, int index);
 /* The document as it was read, as text; owned by the document. */
 MATC_API const char *matc_tree_text(MatcDocument *document);
+
+/* The definitions that the document has or includes, with what they say of themselves, a line each; the page of one. From malloc; NULL: there are none, there
+ * is none of that name, or the document has faults. */
+MATC_API char *matc_definitions(const MatcDocument *document);
+MATC_API char *matc_explain_definition(MatcDocument *document, const char *name);
 
 typedef enum {
     MATC_FRAGMENT = 1, /* GLSL of the fragment program */

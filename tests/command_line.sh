@@ -216,6 +216,38 @@ check "-MF and -MT" status 0 $fast -MD -MF "$work/deps" -MT goal examples/materi
 check "with the goal" grep -q "^goal: examples/materials/marble.yaml" "$work/deps"
 check "and the included file" grep -q "examples/materials/palette.yaml" "$work/deps"
 
+mkdir -p "$work/include_a" "$work/include_b"
+printf 'defs: { paint: "#ff0000" }\n' >"$work/include_a/shade.yaml"
+printf 'defs: { paint: "#0000ff", other: 1 }\n' >"$work/include_b/shade.yaml"
+printf 'include: shade.yaml\nmaterial: Phong\ndiffuse: { ref: paint }\n' >"$work/shaded.yaml"
+check "an included file that is nowhere" status 1 $fast "$work/shaded.yaml" -o "$work/none.frag"
+check "is told" says "shaded.yaml:1:10: error: cannot read 'shade.yaml': No such file or directory"
+check "one in a folder of -I" status 0 "$matc" --eval "u=0" -I "$work/include_a" "-I$work/include_b" "$work/shaded.yaml"
+check "is the first's" grep -q "^diffuse 1.0 0.0 0.0" "$work/stdout"
+check "a depfile" status 0 $fast -MD -MF "$work/deps" -I "$work/include_b" "$work/shaded.yaml" -o "$work/shaded.frag"
+check "names it" grep -q "include_b/shade.yaml" "$work/deps"
+check "a batch with a cache" status 0 $fast -d "$work/shaded" --cache "$work/shaded.cache" -I "$work/include_a" "$work/shaded.yaml"
+cp "$work/shaded/shaded.frag" "$work/red.frag"
+check "of other folders" status 0 $fast -d "$work/shaded" --cache "$work/shaded.cache" -I "$work/include_b" "$work/shaded.yaml"
+check "is another" test "$(cmp -s "$work/shaded/shaded.frag" "$work/red.frag"; echo $?)" = 1
+printf 'defs: { paint: "#00ff00" }\n' >"$work/shade.yaml"
+check "one beside the document" status 0 "$matc" --eval "u=0" -I "$work/include_a" "$work/shaded.yaml"
+check "goes before" grep -q "^diffuse 0.0 1.0 0.0" "$work/stdout"
+printf 'include: rust.yaml\nmaterial: Phong\ndiffuse: { ref: rust }\n' >"$work/rust.yaml"
+check "one of matc's own name" status 0 $fast -MD -MF "$work/deps" "$work/rust.yaml" -o "$work/rust.frag"
+check "is no file" test "$(grep -c matc "$work/deps")" = 0
+check "a misspelt one" status 1 $fast -o "$work/none.frag" - <<'END'
+include: brick.yaml
+material: Phong
+END
+check "is guessed" says "cannot read 'brick.yaml': No such file or directory; did you mean 'bricks'?"
+check "--list FILE" status 0 "$matc" --list "$work/rust.yaml"
+check "lists what it includes" grep -q "^  rustiness  *Where such rust is" "$work/stdout"
+check "--explain NAME FILE" status 0 "$matc" --explain rust "$work/rust.yaml"
+check "is its page" grep -q "^  amount  *number  *0.5  *0 to 1  *How much is rusty." "$work/stdout"
+check "of none" status 2 "$matc" --explain rusty "$work/rust.yaml"
+check "is told, too" says "nothing is called 'rusty'"
+
 check "--textures" status 0 $fast --noise=groimp --textures "$work" examples/granite.yaml -o /dev/null
 check "writes the tables" test -s "$work/matc_permutation.ktx" -a -s "$work/matc_random.ktx"
 check "--eval" status 0 "$matc" --eval "u=0.3 v=0.4" $example

@@ -138,6 +138,16 @@ static void vector_octaves_at(const Whole *w, double *result)
     octaves(w, FN_vectorTurbulence, (const double[]){w->b[0], w->c[0], w->d[0]}, result);
 }
 
+static void cells_by(const Whole *w, double which, double *result)
+{
+    const double args[] = {w->a[0], w->a[1], w->a[2], 0, 0, 0, 1, 0, which};
+    reference_of(FN_cells3)(w->noise, args, result);
+}
+
+static void cells_at(const Whole *w, double *result) { cells_by(w, 0, result); }
+static void edge_at(const Whole *w, double *result) { cells_by(w, 2, result); }
+static void random_at(const Whole *w, double *result) { reference_of(FN_cellRandom)(w->noise, w->a, result); }
+
 static bool whole_value(Term term, const Whole *w, double *result)
 {
     switch (term) {

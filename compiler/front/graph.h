@@ -110,6 +110,8 @@ typedef struct {
 typedef struct {
     const NamedMaterial *materials;
     int material_count;
+    struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
+    int def_count;
     int node_count;
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;

@@ -1,5 +1,6 @@
 /* The outermost level of a document: its materials, its definitions, the files it includes. */
 #include "compiler/front/doubt.h"
+#include "compiler/front/include.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve_definition.h"
 #include "grammar/scene_tables.h"
@@ -27,55 +28,11 @@ static const char *stem(Session *session, const char *path)
 
 static bool read_defs(Resolver *r, Tree *document, int depth);
 
-/* Whether it may name one more file. */
-static bool may_include(Session *session, const Tree *name, int depth)
-{
-    if (name->kind != TREE_scalar)
-        diag_add(session, name->span, DIAG_wrong_type, "include", "a file name or a list of them",
-                 tree_describe(session, name));
-    else if (depth >= LIMIT_INCLUDE_DEPTH)
-        diag_add(session, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
-    return name->kind == TREE_scalar && depth < LIMIT_INCLUDE_DEPTH;
-}
-
-static bool is_read(const Session *session, const char *path)
-{
-    for (size_t i = 0; i < session->source_count; i++)
-        if (!strcmp(session->sources[i].name, path))
-            return true;
-    return false;
-}
-
-/* The object that a file holds; NULL: told. */
-static Tree *read_included(Session *session, const Tree *name, const char *path)
-{
-    const char *why = "";
-    Source source = {.name = path};
-    session_depend_on(session, path);
-    char *text = session_read_file(session, path, &source.size, &why);
-    if (!text)
-        return diag_add(session, name->span, DIAG_cannot_read, name->text, why);
-    source.text = arena_string(session->arena, text, source.size);
-    free(text);
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
-    Tree *tree = read_document(session, (uint32_t)session->source_count - 1);
-    return tree && tree->kind != TREE_object ? diag_add(session, tree->span, DIAG_include_not_object) : tree;
-}
-
 static bool read_include(Resolver *r, const Tree *name, int depth)
 {
-    Session *session = r->session;
-    if (!may_include(session, name, depth))
-        return false;
-    const char *path = session_path_beside(session, session->sources[name->span.file].name, name->text);
-    if (is_read(session, path))
-        return true;
-    if (session->depends.count > LIMIT_INCLUDES) {
-        diag_add(session, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
-        return false;
-    }
-    Tree *tree = read_included(session, name, path);
-    return tree && read_defs(r, tree, depth + 1);
+    bool fine;
+    Tree *tree = include_read(r->session, name, depth, &fine);
+    return tree ? read_defs(r, tree, depth + 1) : fine;
 }
 
 /* Of several keys for one value the first is its name. */
@@ -257,6 +214,8 @@ Graph *resolve(Session *session, Tree *document)
         diag_add(session, document->span, DIAG_definitions_only);
     check_defs(&r, document);
     resolve_picture_spaces(&r, materials, graph->material_count);
+    graph->defs = r.defs;
+    graph->def_count = (int)r.def_count;
     graph->node_count = r.node_count;
     graph->uniforms = r.uniforms;
     graph->uniform_count = (int)r.uniform_count;

@@ -59,6 +59,8 @@ static ParameterType type_of(const Tree *tree)
     return tree_is_null(tree) || strchr("#=", tree->text[0]) || !strncmp(tree->text, "srgb(", 5) ? PARAMETER_color : PARAMETER_text;
 }
 
+const char *resolve_parameter_type(ParameterType type) { return type_names[type]; }
+
 /* Maps stand for colours and colours for maps. */
 static bool fits(ParameterType type, const Tree *tree)
 {

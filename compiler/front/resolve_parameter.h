@@ -23,6 +23,8 @@ typedef struct {
     const Tree *low, *high; /* numbers, or NULL */
 } Parameter;
 
+/* The word of a type. */
+const char *resolve_parameter_type(ParameterType type);
 /* name: default, or name: { default, type, doc, min, max }. False: told. */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
 /* Whether the parameter of that definition takes the argument. False: told. */

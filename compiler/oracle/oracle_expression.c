@@ -56,6 +56,8 @@ static void input_at(Environment *environment, const Node *map, double result[4]
 static double noise_work(const Formula *f, const FormulaStep *step)
 {
     const bool octaves = step->row == TERM_fbm || step->row == TERM_fbm3;
+    if (step->kind == FORMULA_term && (step->row == TERM_cells || step->row == TERM_celledge))
+        return CALL_WORK * function_row(FN_cells3)->cost;
     if (step->kind != FORMULA_term || (!octaves && step->row != TERM_noise && step->row != TERM_noise3))
         return 0;
     const double count = octaves ? f->steps[formula_argument(f, step, 1)].number : 1;

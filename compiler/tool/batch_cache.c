@@ -85,6 +85,9 @@ static void put_settings(Bytes *to, const Batch *b)
         bytes_text(to, b->requests[i]);
     for (int emit = 0; emit < EMIT_COUNT; emit++)
         bytes_number(to, b->line->emit[emit]);
+    for (int i = 0; i < b->options.include_count; i++)
+        bytes_text(to, b->options.include[i]);
+    bytes_number(to, (uint32_t)b->options.include_count);
     bytes_text(to, b->line->material ? b->line->material : "");
     bytes_text(to, b->options.custom ? matc_layout_text((MatcLayout *)b->options.custom) : "");
 }

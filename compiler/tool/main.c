@@ -151,6 +151,21 @@ static int print_list(CommandLine *line)
     return answer(line, *kind ? matc_list_of(kind) : matc_list(), options_fault_list(&line->words, kind));
 }
 
+/* --list=FILE, --list FILE..., --explain NAME FILE */
+static bool asks_of_documents(const CommandLine *line)
+{
+    const char *first = line->list && *line->list ? line->list : line->input_count ? line->inputs[0] : "";
+    return line->list ? main_is_document(first) : line->explain && line->input_count && !main_is_own(line->explain);
+}
+
+static int answer_of_documents(CommandLine *line)
+{
+    int status = line->list && *line->list ? main_definitions(line, line->list) : FINE;
+    for (int i = 0; i < line->input_count; i++)
+        status |= main_definitions(line, line->inputs[i]);
+    return status;
+}
+
 static int print_cache(const CommandLine *line)
 {
     if (!line->cache)
@@ -262,6 +277,8 @@ int main(int argc, char **argv)
     else if (line.schema)
         status = answer(&line, matc_schema(line.schema),
                         options_fault_value(&line.words, "--schema", line.schema, &(NameChoice){schema_name, NULL, 4}));
+    else if (asks_of_documents(&line))
+        status = answer_of_documents(&line);
     else if (line.list)
         status = print_list(&line);
     else if (line.explain && layout_is_file(line.explain))

@@ -1,5 +1,6 @@
 /* The command line: one table of options. */
 #include "compiler/tool/options_fault.h"
+#include "compiler/tool/options_input.h"
 #include "compiler/choice.h"
 #include "compiler/base/file.h"
 #include "compiler/base/queue.h"
@@ -34,7 +35,8 @@ typedef enum {
     TAKES_form,
     TAKES_novalidate,
     TAKES_maybe,
-    TAKES_warning
+    TAKES_warning,
+    TAKES_folder
 } Takes;
 typedef struct {
     const char *name;
@@ -87,6 +89,7 @@ static const Option options[] = {
     {"--diagnostics", TAKES_form, 0, NULL},
     {"--no-validate", TAKES_novalidate, 0, NULL},
     {"-W", TAKES_warning, 0, NULL},
+    {"-I", TAKES_folder, 0, NULL},
     FLAG("--check", compile.check),
     {"--list", TAKES_maybe, offsetof(CommandLine, list), ""},
     {"--schema", TAKES_maybe, offsetof(CommandLine, schema), "document"},
@@ -150,6 +153,15 @@ static bool add_warning(CommandLine *line, const char *setting, const char **fau
     return false;
 }
 
+static void add_folder(CommandLine *line, const char *folder)
+{
+    const char **folders = ARENA_ARRAY(&line->words, const char *, line->compile.include_count + 1);
+    for (int i = 0; i < line->compile.include_count; i++)
+        folders[i] = line->compile.include[i];
+    folders[line->compile.include_count++] = folder;
+    line->compile.include = folders;
+}
+
 static bool set_option(CommandLine *line, const Option *option, const char *value, const char **fault)
 {
     char *member = (char *)line + option->member;
@@ -170,6 +182,9 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
         return true;
     case TAKES_emit:
         return read_emit(line, value, fault);
+    case TAKES_folder:
+        add_folder(line, value);
+        return true;
     case TAKES_warning:
         return add_warning(line, value, fault);
     case TAKES_form:
@@ -183,7 +198,8 @@ static bool set_option(CommandLine *line, const Option *option, const char *valu
 static bool takes_value(const Option *option)
 {
     return option->takes == TAKES_text || option->takes == TAKES_compile || option->takes == TAKES_emit ||
-           option->takes == TAKES_form || option->takes == TAKES_maybe || option->takes == TAKES_warning;
+           option->takes == TAKES_form || option->takes == TAKES_maybe || option->takes == TAKES_warning ||
+           option->takes == TAKES_folder;
 }
 
 static const char *lacks_value(CommandLine *line, const Option *option)
@@ -261,40 +277,6 @@ MatcOutput options_emit_output(const MatcOptions *options, int emit)
 const char *options_emit_suffix(const MatcOptions *options, int emit)
 {
     return emit_table[emit_row(options, emit)].suffix;
-}
-
-static void add_input(CommandLine *line, const char *path)
-{
-    enum { STEP = 256 };
-    if (line->input_count % STEP == 0) {
-        line->inputs = realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
-        if (!line->inputs)
-            abort();
-    }
-    line->inputs[line->input_count++] = path;
-}
-
-/* A path a line. */
-static bool read_list(CommandLine *line, const char *path, const char **fault)
-{
-    size_t size;
-    char *text = file_read_named(path, &size, fault);
-    if (!text)
-        return false;
-    line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
-    line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
-    if (!line->lists || !line->list_texts)
-        abort();
-    line->lists[line->list_count] = path;
-    line->list_texts[line->list_count++] = text;
-    for (char *at = text, *end; *at; at = end) {
-        size_t length = strcspn(at, "\r\n");
-        end = at + length + (at[length] != 0);
-        at[length] = 0;
-        if (length)
-            add_input(line, at);
-    }
-    return true;
 }
 
 double options_number(const char *text, double otherwise)
@@ -386,10 +368,10 @@ bool options_read(CommandLine *line, int argc, char **argv, const char **fault)
         if (!only_files && !strcmp(arg, "--"))
             only_files = true;
         else if (!only_files && arg[0] == '@') {
-            if (!read_list(line, arg + 1, fault))
+            if (!options_read_list(line, arg + 1, fault))
                 return false;
         } else if (only_files || arg[0] != '-' || !arg[1])
-            add_input(line, arg);
+            options_add_input(line, arg);
         else if (!read_level(line, arg) && !read_option(line, argv, &i, fault))
             return false;
     }

@@ -21,6 +21,8 @@ static const char before_target[] =
     "                       reflect, layout, spirv, ir, dot, tree; several need -d\n"
     "  --textures DIR       write the textures that matc makes there, as KTX\n"
     "  --watch              with -o or -d: stay, and do it again whenever a file changes that it was made from\n"
+    "  -I DIR               where `include:` looks for files that are not beside the document; after that, among\n"
+    "                       those that come with matc\n"
     "  -MD, -MF FILE, -MT T write a depfile for make and ninja; its name; its target\n"
     "program\n";
 
@@ -52,7 +54,8 @@ static const char after_layout[] =
     "questions\n"
     "  --eval \"u=.3 v=.4\"   values of all slots at a point, by the C reference\n"
     "  --list[=KIND]        materials, maps, waves, channels, slots ...; one kind of them\n"
-    "  --explain NAME       one of them\n"
+    "  --list FILE          the definitions that a document has, or includes\n"
+    "  --explain NAME       one of them; with a FILE, a definition\n"
     "  --schema[=OF]        JSON Schema of document (default), layout, manifest or reflection\n"
     "  --stats              times, nodes and cost of every stage, choices and their reasons, on standard error\n"
     "  --diagnostics=FORM   text (default), json\n"

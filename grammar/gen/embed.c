@@ -1,5 +1,6 @@
-/* Host program: GLSL files -> C. embed OUTPUT SYMBOL FILE...
- * With SYMBOL "chunk_table": library chunks as link.h has them. Otherwise one string a file, `const char SYMBOL_<name>[]`. */
+/* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
+ * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their names, as grammar/library_table.h has them.
+ * Otherwise one string a file, `const char SYMBOL_<name>[]`. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,11 +24,11 @@ static char *read_all(const char *path)
     return text;
 }
 
-/* "a/b/wood.glsl" -> "wood" */
+/* "a/b/wood.glsl" -> "wood", which is all up to the last dot */
 static char *chunk_name(const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path;
-    size_t size = strlen(start) - strlen(".glsl");
+    size_t size = (size_t)(strrchr(start, '.') - start);
     char *name = calloc(1, size + 1);
     if (name)
         memcpy(name, start, size);
@@ -106,24 +107,42 @@ static int put_chunk(FILE *out, const File *file)
     return 1;
 }
 
+static int put_chunks(FILE *out, const File *files, int count)
+{
+    int fine = 1;
+    fputs("#include \"runtime/library/chunk.h\"\nconst Chunk chunk_table[] = {\n", out);
+    for (int i = 0; i < count; i++)
+        fine &= put_chunk(out, &files[i]);
+    fputs("};\nconst int chunk_count = sizeof chunk_table / sizeof *chunk_table;\n", out);
+    return fine;
+}
+
+static void put_library(FILE *out, const File *files, int count)
+{
+    fputs("#include \"grammar/library_table.h\"\nconst LibraryFile library_table[] = {\n", out);
+    for (int i = 0; i < count; i++) {
+        fprintf(out, "    {\"%s.yaml\", ", files[i].name);
+        put_string(out, files[i].text, strlen(files[i].text));
+        fputs("},\n", out);
+    }
+    fputs("};\nconst int library_count = sizeof library_table / sizeof *library_table;\n", out);
+}
+
 static int write_output(FILE *out, const char *symbol, const File *files, int count)
 {
-    int fine = 1, chunks = !strcmp(symbol, "chunk_table");
     fputs("/* Made by grammar/gen/embed.c. */\n", out);
-    if (chunks)
-        fputs("#include \"runtime/library/chunk.h\"\nconst Chunk chunk_table[] = {\n", out);
+    if (!strcmp(symbol, "chunk_table"))
+        return put_chunks(out, files, count);
+    if (!strcmp(symbol, "library_table")) {
+        put_library(out, files, count);
+        return 1;
+    }
     for (int i = 0; i < count; i++) {
-        if (chunks) {
-            fine &= put_chunk(out, &files[i]);
-            continue;
-        }
         fprintf(out, "extern const char %s_%s[];\nconst char %s_%s[] = ", symbol, files[i].name, symbol, files[i].name);
         put_string(out, files[i].text, strlen(files[i].text));
         fputs(";\n", out);
     }
-    if (chunks)
-        fputs("};\nconst int chunk_count = sizeof chunk_table / sizeof *chunk_table;\n", out);
-    return fine;
+    return 1;
 }
 
 int main(int argc, char **argv)

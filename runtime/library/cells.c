@@ -164,6 +164,13 @@ REFERENCE(cells3)
 
 REFERENCE(cells2Gradient) { rise(context, 2, args, result); }
 REFERENCE(cells3Gradient) { rise(context, 3, args, result); }
+REFERENCE(cellRandom)
+{
+    const double cell[3] = {floor(args[0]), floor(args[1]), floor(args[2])};
+    const bool floats = of_floats(((const ReferenceContext *)context)->noise);
+    result[0] = (floats ? chance_of_floats(cell, 3) : chance_of_words(cell, 3)).number;
+}
+
 REFERENCE(cells2Random) { result[0] = answer(context, 2, args).first.number; }
 REFERENCE(cells3Random) { result[0] = answer(context, 3, args).first.number; }
 

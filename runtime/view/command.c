@@ -23,6 +23,15 @@ static const char *add_param(Command *command, const char *text)
     return param_read(text, &command->params[command->param_count++], command->message);
 }
 
+static const char *add_folder(Command *command, const char *folder)
+{
+    if (command->compile.include_count == FOLDER_LIMIT)
+        return "-I: no more than 64 of them";
+    command->folders[command->compile.include_count++] = folder;
+    command->compile.include = command->folders;
+    return NULL;
+}
+
 typedef struct {
     long least, most;
     const char *wants; /* in words */
@@ -134,6 +143,8 @@ static const char *set_option(Command *command, const char *name, const char *va
         return fault;
     if (!strcmp(name, "-o"))
         command->output = value;
+    else if (!strcmp(name, "-I"))
+        return add_folder(command, value);
     else if (!strcmp(name, "-d"))
         command->folder = value;
     else if (!strcmp(name, "--material"))

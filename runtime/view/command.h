@@ -5,6 +5,8 @@
 #include "runtime/view/frames.h"
 #include "runtime/view/material_picture.h"
 
+enum { FOLDER_LIMIT = 64 };
+
 typedef struct {
     MatcOptions compile;
     GlKind gl;
@@ -24,6 +26,7 @@ typedef struct {
     SceneTools tools;         /* which are drawn, if --tools was given */
     bool has_tools;
     bool watch, help, version;
+    const char *folders[FOLDER_LIMIT]; /* of -I */
     /* of materials alone */
     PreviewOptions preview;
     Viewpoint camera; /* where preview.camera points to */

@@ -1,0 +1,98 @@
+/* The library's surface: definitions of a document and of the files that it includes, in words. */
+#include "compiler/document.h"
+#include "compiler/front/resolve_parameter.h"
+#include "compiler/front/resolve_definition.h"
+#include <stdlib.h>
+#include <string.h>
+
+static const char *doc_of(const Tree *tree)
+{
+    const Member *doc = tree->kind == TREE_object ? tree_find(tree, "doc") : NULL;
+    return doc && doc->value->kind == TREE_scalar ? doc->value->text : "";
+}
+
+static char *text_given(Arena *arena, const Text *out)
+{
+    char *text = out->size ? strdup(out->at) : NULL;
+    arena_free(arena);
+    return text;
+}
+
+/* The first of a name counts, as in the document. */
+static const Member *definition_of(const MatcDocument *d, const char *name)
+{
+    const Member *found = NULL;
+    for (int i = 0; d->graph && i < d->graph->def_count && !found; i++)
+        found = tree_find(d->graph->defs[i], name);
+    return found;
+}
+
+char *matc_definitions(const MatcDocument *d)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    for (int i = 0; d->graph && i < d->graph->def_count; i++) {
+        const Tree *defs = d->graph->defs[i];
+        if (defs->count)
+            text_format(&out, "%s%s\n", out.size ? "\n" : "", d->session.sources[defs->span.file].name);
+        for (uint32_t k = 0; k < defs->count; k++)
+            if (definition_of(d, defs->members[k].key) == &defs->members[k])
+                text_format(&out, "  %-24s  %s\n", defs->members[k].key, doc_of(defs->members[k].value));
+    }
+    return text_given(&arena, &out);
+}
+
+/* "1 to 512", "from 1 on", or "". */
+static const char *range_of(Arena *arena, const Parameter *p)
+{
+    Text out = text_new(arena);
+    if (p->low && p->high)
+        text_format(&out, "%s to %s", p->low->text, p->high->text);
+    else if (p->low || p->high)
+        text_format(&out, p->low ? "from %s on" : "up to %s", p->low ? p->low->text : p->high->text);
+    return out.size ? out.at : "";
+}
+
+/* What stands there itself, or of what kind it is. */
+static const char *default_of(const Parameter *p)
+{
+    const Member *kind = p->init && p->init->kind == TREE_object ? tree_find(p->init, "map") : NULL;
+    if (!p->init)
+        return "(none)";
+    return p->init->kind == TREE_scalar               ? p->init->text
+           : kind && kind->value->kind == TREE_scalar ? kind->value->text
+                                                      : "...";
+}
+
+static void put_parameters(Arena *arena, Text *out, Session *session, const Tree *params)
+{
+    Resolver r = {.session = session};
+    text_put(out, "\nParameters: name, type, default, range\n");
+    for (uint32_t i = 0; i < params->count; i++) {
+        Parameter p;
+        if (resolve_parameter(&r, &params->members[i], &p))
+            text_format(out, "  %-12s  %-9s  %-10s  %-10s  %s\n", params->members[i].key,
+                        resolve_parameter_type(p.type), default_of(&p), range_of(arena, &p),
+                        doc_of(params->members[i].value));
+    }
+}
+
+char *matc_explain_definition(MatcDocument *d, const char *name)
+{
+    Arena arena = {0};
+    Text out = text_new(&arena);
+    const Member *definition = definition_of(d, name);
+    if (!definition)
+        return NULL;
+    const Tree *tree = definition->value;
+    const Source *source = &d->session.sources[definition->span.file];
+    const Member *params = tree->kind == TREE_object ? tree_find(tree, "params") : NULL;
+    text_format(&out, "%s (definition)\n", name);
+    if (*doc_of(tree))
+        text_format(&out, "%s\n", doc_of(tree));
+    text_format(&out, "\nIn %s, line %d\n", source->name, source_position(source, definition->span.start).line);
+    if (params && params->value->kind == TREE_object)
+        put_parameters(&arena, &out, &d->session, params->value);
+    text_format(&out, "\nUse\n  { ref: %s }\n", name);
+    return text_given(&arena, &out);
+}

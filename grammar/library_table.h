@@ -1,0 +1,11 @@
+/* The files of definitions that come with matc, grammar/library/: what `include:` finds when it finds nothing else of that name. */
+#ifndef MATC_LIBRARY_TABLE_H
+#define MATC_LIBRARY_TABLE_H
+
+typedef struct {
+    const char *name; /* "bricks.yaml" */
+    const char *text;
+} LibraryFile;
+extern const LibraryFile library_table[];
+extern const int library_count;
+#endif
