@@ -98,9 +98,10 @@ static void methods_against_rays(void **state)
         double open, light; /* at most */
     } methods[] = {{"method: march, rays: 32, steps: 32", 0.09, 0.5},
                    {"method: screen, rays: 32, steps: 16", 0.075, 0.55},
-                   {"method: voxels", 0.0145, 0.075},
-                   {"method: hybrid", 0.0095, 0.07},
-                   {"method: hybrid, rays: 64", 0.0082, 0.055},
+                   {"method: voxels", 0.0145, 0.05},
+                   {"method: hybrid", 0.0125, 0.05},
+                   {"method: hybrid, rays: 16, sequence: hammersley", 0.0095, 0.07},
+                   {"method: hybrid, rays: 64", 0.0082, 0.042},
                    {"method: hybrid, rays: 32, resolution: half", 0.018, 0.12},
                    {"method: hybrid, rays: 64, resolution: quarter", 0.038, 0.09}};
     static const double radii[2] = {.5, 4};

@@ -1,7 +1,6 @@
 /* What is found of indirect light, and by which numbers. */
 #include "runtime/render/indirect.h"
 #include "runtime/render/frame.h"
-#include <math.h>
 #include <string.h>
 
 Word indirect_method(const Render *render)
@@ -28,7 +27,7 @@ bool indirect_is_repeated(const Render *render)
 bool indirect_is_smoothed(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const bool filtered = in->filter != WORD_Filter_none && in->filter_size > 0;
+    const bool filtered = in->filter != WORD_Filter_none;
     return indirect_is(render) && (in->coarse > 1 || indirect_is_repeated(render) || filtered);
 }
 
@@ -67,37 +66,6 @@ double indirect_radius(const Scene *scene, const Cache *cache)
     if (scene->indirect.radius > 0)
         return scene->indirect.radius;
     return cache->place_count && longest > 1e-9 ? longest / 4 : 1;
-}
-
-/* The digits of i, mirrored at the point: 6 in base 2, 110, is 0.011, 3/8. */
-static double mirrored(unsigned i, unsigned base)
-{
-    double sum = 0, share = 1. / base;
-    for (; i; i /= base, share /= base)
-        sum += share * (i % base);
-    return sum;
-}
-
-/* Steele, Lea and Flood 2014. */
-static double random_next(uint64_t *state)
-{
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return (double)((z ^ z >> 31) >> 11) * 0x1p-53;
-}
-
-void indirect_samples(Word sequence, int count, double (*samples)[2])
-{
-    uint64_t state = 0;
-    for (int i = 0; i < count; i++) {
-        const unsigned number = (unsigned)i;
-        samples[i][0] = sequence == WORD_Sequence_random   ? random_next(&state)
-                        : sequence == WORD_Sequence_halton ? mirrored(number, 2)
-                                                           : (double)i / count;
-        samples[i][1] = sequence == WORD_Sequence_random ? random_next(&state)
-                                                         : mirrored(number, sequence == WORD_Sequence_halton ? 3 : 2);
-    }
 }
 
 void indirect_delete(Render *render)

@@ -29,10 +29,10 @@ bool indirect_is_smoothed(const Render *render);
 bool indirect_reads_voxels(const Render *render);
 /* Of a pixel for which rays go out, in those of the picture. */
 int indirect_coarse(const Render *render);
+/* To how many pixels on each side what rays find is smoothed, at most; 0: it is not. */
+int indirect_filter_size(const Render *render);
 /* How far rays go, in the world's units. */
 double indirect_radius(const Scene *scene, const Cache *cache);
-/* `count` samples of the unit square. */
-void indirect_samples(Word sequence, int count, double (*samples)[2]);
 
 bool pass_rays_needed(const Render *render);
 bool pass_rays_make(Render *render);

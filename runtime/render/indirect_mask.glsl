@@ -43,9 +43,10 @@ float indirectCount(uint bits)
     return float(((bits + (bits >> 4u) & 0x0F0F0F0Fu) * 0x01010101u) >> 24u);
 }
 
-vec4 indirectAround(ivec2 pixel, vec3 shift, vec3 point, vec3 normal, out vec3 open)
+vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 sight = indirectIsOrthographic() ? vec3(0.0, 0.0, 1.0) : -normalize(point), light = vec3(0.0);
+    vec3 shift = fract(shifts.at + shifts.more);
     float kept = 0.0, sum = 0.0;
     vec3 from = point + (indirect_reach.y + indirect_reach.z * indirectPixelSize(point)) * normal;
     vec2 middle = vec2(pixel) + 0.5;

@@ -1,9 +1,33 @@
 /* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
+#include "runtime/render/blue_noise.h"
 #include "runtime/render/frame.h"
+#include "runtime/render/indirect_sequence.h"
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { BLOCK_HEAD = 5, RAYS_OF_SLICE = 8 };
+/* Numbers of blue noise that a vector of the block has. */
+enum { BLOCK_HEAD = 5, RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
+
+/* A bit mask's lines are shifted by all of what is between them. */
+static IndirectSequence sequence_of(const Render *render)
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    return (IndirectSequence){in->sequence, in->rotation,
+                              indirect_method(render) == WORD_Indirect_screen ? 1 : in->rays};
+}
+
+static bool turns_bits(const IndirectSequence *of)
+{
+    return of->rotation == WORD_Rotation_tile && of->sequence == WORD_Sequence_sobol;
+}
+
+/* Vectors of the block that hold shifts. */
+static int shifts_of(const IndirectSequence *of)
+{
+    const int edge = indirect_sequence_edge(of);
+    return of->rotation == WORD_Rotation_blue ? SHIFTS_MOST : edge * edge;
+}
 
 static bool shows_bent(const Render *render) { return render->options.view && !strcmp(render->options.view, "bent"); }
 
@@ -11,14 +35,16 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
 {
     const SceneIndirect *in = &render->scene->indirect;
     const bool uniform = in->distribution == WORD_Distribution_uniform;
+    const IndirectSequence sequence = sequence_of(render);
     snprintf(text, INDIRECT_DEFINITIONS,
              "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
-             "#define INDIRECT_SAMPLES %d\n"
+             "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
              "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
-             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s",
+             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s",
              in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps, in->samples,
-             (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
-             in->coarse, in->filter == WORD_Filter_none ? 0 : in->filter_size,
+             indirect_sequence_edge(&sequence), shifts_of(&sequence), (int)(in->weight - WORD_Weight_none),
+             (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0", in->coarse,
+             indirect_filter_size(render), turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                      : "#define INDIRECT_SHARE(cosine) 1.0\n",
              in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
@@ -26,6 +52,18 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
              indirect_method(render) == WORD_Indirect_hybrid ? "#define INDIRECT_NEAR\n" : "",
              in->bounces > 0 && !shows_bent(render) ? "#define INDIRECT_LIGHT\n" : "",
              shows_bent(render) ? "#define INDIRECT_BENT\n" : "");
+}
+
+int indirect_filter_size(const Render *render)
+{
+    const int widest = 8; /* pixels of the picture */
+    const SceneIndirect *in = &render->scene->indirect;
+    const IndirectSequence sequence = sequence_of(render);
+    const int edge = indirect_sequence_edge(&sequence);
+    if (in->filter == WORD_Filter_none || in->filter_size)
+        return in->filter == WORD_Filter_none ? 0 : in->filter_size;
+    const int tile = edge && edge < INDIRECT_SEQUENCE_TILE ? edge / 2 : INDIRECT_SEQUENCE_TILE / 2;
+    return tile * in->coarse > widest ? widest / in->coarse : tile;
 }
 
 const char *indirect_surface_text(const Render *render)
@@ -45,13 +83,31 @@ static void set_models(const Render *render, float models[4])
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 
+/* Blue noise as its ranks, 16 bits each, of which the pass makes shifts; others as they are. */
+static void put_shifts(const IndirectSequence *of, float (*block)[4])
+{
+    const int edge = indirect_sequence_edge(of);
+    for (int i = 0; i < edge * edge; i++) {
+        double shift[3];
+        if (of->rotation == WORD_Rotation_blue) {
+            const uint16_t rank = (uint16_t)blue_noise_rank(i % edge, i / edge);
+            memcpy((char *)block + sizeof rank * (size_t)i, &rank, sizeof rank);
+            continue;
+        }
+        indirect_sequence_shift(of, i % edge, i / edge, shift);
+        for (int k = 0; k < 3; k++)
+            block[i][k] = (float)shift[k];
+    }
+}
+
 /* Where no offset is said, rays begin so far off that the surface which they leave is not met: a place of it is up to sqrt(1/2) of a pixel beside the middle of
  * its pixel, by which depth is off as by a lift of as much. */
 static void set_block(const Render *render, ScreenPass *pass)
 {
-    const double lift = .75;
+    const double lift = .75, part = .05; /* of the radius, over which openness is taken to be flat */
     const SceneIndirect *in = &render->scene->indirect;
-    float block[BLOCK_HEAD + INDIRECT_RAYS_MOST][4] = {{0}};
+    const IndirectSequence sequence = sequence_of(render);
+    float block[BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
     double samples[INDIRECT_RAYS_MOST][2];
     memcpy(block[0], render->space.ray, sizeof block[0]);
     memcpy(block[1], render->space.depth, sizeof block[1]);
@@ -62,11 +118,14 @@ static void set_block(const Render *render, ScreenPass *pass)
     set_models(render, block[3]);
     for (int i = 0; i < 2; i++)
         block[4][i] = (float)render->size[i];
-    indirect_samples(in->sequence, in->rays, samples);
+    block[4][3] = in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
+    indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++)
         for (int k = 0; k < 2; k++)
             block[BLOCK_HEAD + i][k] = (float)samples[i][k];
-    material_write(&pass->material, "Indirect", block, sizeof *block * (size_t)(BLOCK_HEAD + in->rays));
+    put_shifts(&sequence, block + BLOCK_HEAD + in->rays);
+    material_write(&pass->material, "Indirect", block,
+                   sizeof *block * (size_t)(BLOCK_HEAD + in->rays + shifts_of(&sequence)));
 }
 
 void indirect_set(const Render *render, ScreenPass *pass)

@@ -5,8 +5,13 @@ layout(std140) uniform Indirect {
     vec4 indirect_ray, indirect_view; // of view_space.h
     vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
     vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is
-    vec4 indirect_picture;            // xy: its size in pixels
+    vec4 indirect_picture;            // xy: its size in pixels; z: sets of samples before these; w: how far smoothing reaches in space
     vec4 indirect_samples[INDIRECT_RAYS];
+#if INDIRECT_ROTATION == 3
+    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // ranks of blue noise, two in a lane
+#elif INDIRECT_ROTATION == 2
+    vec4 indirect_shifts[INDIRECT_SHIFTS]; // of the pixels of a tile
+#endif
 };
 
 bool indirectIsOrthographic() { return indirect_view.y > 0.0; }
@@ -50,26 +55,44 @@ vec2 indirectRandom(uvec2 v)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-// The shift of a pixel's samples, modulo 1, and what its first step is short of a whole one.
-//
-// Of n samples (i / n, mirrored bits of i) in a tile of 4 x 4 pixels: pixel k's are shifted by (k / (16 n), mirrored bits of k), so that all of the
-// tile's are 16 n that are as even as those of one pixel. All tiles are alike: the mean over any 4 x 4 pixels has just these.
-//
-// Samples behind the first are shifted on by steps of the plastic number, 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018).
-vec3 indirectShift(ivec2 pixel, int number)
+// What a pixel's samples are shifted by, of which indirect_sequence.h tells: with what goes on from one set of samples to the next, by steps of the plastic number, 1 / p and
+// 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden ratio.
+struct IndirectShift {
+    vec3 at, more; // by exclusive or of bits, or added; added
+};
+
+#if INDIRECT_ROTATION == 3
+float indirectBlue(ivec2 pixel)
 {
-    uvec2 at = uvec2(pixel), seed = at + uvec2(0u, 65536u * uint(number));
-    vec3 more = float(number) * vec3(0.7548777, 0.5698403, 0.6180340);
-#if INDIRECT_ROTATION == 2
-    uvec2 low = at & 3u, mixed = low ^ low.yx;
-    uint k = (mixed.x & 1u) << 3u | (low.y & 1u) << 2u | (mixed.x & 2u) | low.y >> 1u; // the order of Bayer's matrix
-    uint mirrored = (k & 1u) << 3u | (k & 2u) << 1u | (k & 4u) >> 1u | k >> 3u;
-    return vec3(float(k) / float(16 * INDIRECT_RAYS), float(mirrored) / 16.0, float(k * 7u & 15u) / 16.0) + more;
-#elif INDIRECT_ROTATION == 1
-    return vec3(indirectRandom(seed), indirectRandom(seed.yx + 7919u).x);
-#else
-    return vec3(0.0, 0.0, indirectRandom(seed.yx + 7919u).x) + more;
+    int i = (pixel.y & 63) << 6 | (pixel.x & 63);
+    uvec4 ranks = indirect_shifts[i >> 3];
+    return (float(ranks[i >> 1 & 3] >> uint(i & 1) * 16u & 0xFFFFu) + 0.5) / 4096.0;
+}
 #endif
+
+IndirectShift indirectShift(ivec2 pixel, int number)
+{
+    vec3 more = fract(float(number) * vec3(0.7548777, 0.5698403, 0.6180340));
+#if INDIRECT_ROTATION == 3
+    return IndirectShift(vec3(indirectBlue(pixel), indirectBlue(pixel + ivec2(21, 43)), indirectBlue(pixel + ivec2(43, 21))), more);
+#elif INDIRECT_ROTATION == 2
+    ivec2 low = pixel & (INDIRECT_TILE - 1);
+    return IndirectShift(indirect_shifts[low.y * INDIRECT_TILE + low.x].xyz, more);
+#else
+    uvec2 seed = uvec2(pixel) + uvec2(0u, INDIRECT_ROTATION == 1 ? 65536u * uint(number) : 0u);
+    vec3 at = vec3(indirectRandom(seed), indirectRandom(seed.yx + 7919u).x);
+    return INDIRECT_ROTATION == 1 ? IndirectShift(at, vec3(0.0)) : IndirectShift(vec3(0.0, 0.0, at.z), more);
+#endif
+}
+
+vec2 indirectSample(int i, IndirectShift shift)
+{
+#ifdef INDIRECT_TURNS_BITS
+    vec2 at = vec2(uvec2(65536.0 * indirect_samples[i].xy) ^ uvec2(65536.0 * shift.at.xy)) / 65536.0;
+#else
+    vec2 at = indirect_samples[i].xy + shift.at.xy;
+#endif
+    return fract(at + shift.more.xy);
 }
 
 // Two vectors that are at right angles to a unit vector and to each other (Duff et al. 2017).

@@ -1,14 +1,14 @@
 // Means over a point's rays: rgb of the light that they meet, a of what is kept off. Before it stands indirectMeet(), which says what a ray meets.
-vec4 indirectAround(ivec2 pixel, vec3 shift, vec3 point, vec3 normal, out vec3 open)
+vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 light = vec3(0.0), u, v;
     float kept = 0.0;
     open = vec3(0.0);
     indirectBasis(normal, u, v);
     for (int i = 0; i < INDIRECT_RAYS; i++) {
-        vec3 local = indirectDirection(fract(indirect_samples[i].xy + shift.xy));
+        vec3 local = indirectDirection(indirectSample(i, shift));
         vec3 way = local.x * u + local.y * v + local.z * normal;
-        IndirectHit hit = indirectMeet(point, normal, way, INDIRECT_JITTER * fract(shift.z + 0.618034 * float(i)));
+        IndirectHit hit = indirectMeet(point, normal, way, INDIRECT_JITTER * fract(shift.at.z + shift.more.z + 0.618034 * float(i)));
         bool met = hit.t >= 0.0;
         kept += met ? indirectWeight(hit.t) : 0.0;
         open += met ? vec3(0.0) : way;

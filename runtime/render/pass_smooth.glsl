@@ -34,6 +34,7 @@ vec4 passPixel(ivec2 at)
     vec3 point = indirectPoint(pixel, depth);
     SmoothPlace from = SmoothPlace(point, indirectNormal(pixel), indirectPixelSize(point));
     ivec2 size = textureSize(smooth_source, 0);
+    float reach = clamp(indirect_picture.w / (from.width * float(INDIRECT_COARSE)), min(2.0, float(INDIRECT_FILTER)), float(INDIRECT_FILTER));
     float sum = 0.0;
     vec4 mean = vec4(0.0), nearest = vec4(0.0, 0.0, 0.0, 1.0);
     for (int y = low.y; y <= high.y; y++)
@@ -42,8 +43,8 @@ vec4 passPixel(ivec2 at)
             if (any(lessThan(source, ivec2(0))) || any(greaterThanEqual(source, size))) continue;
             ivec2 shown = indirectPixel(source);
             vec2 apart = abs(vec2(shown - pixel)) / float(INDIRECT_COARSE);
-            vec2 share = clamp(float(INDIRECT_FILTER) + 0.5 - apart, vec2(0.0), vec2(1.0));
-            if (INDIRECT_COARSE > 1) share = clamp(max(float(INDIRECT_FILTER), 0.5) + 0.5 - apart, vec2(0.0), vec2(1.0));
+            vec2 share = clamp(reach + 0.5 - apart, vec2(0.0), vec2(1.0));
+            if (INDIRECT_COARSE > 1) share = clamp(max(reach, 0.5) + 0.5 - apart, vec2(0.0), vec2(1.0));
             vec4 value = texelFetch(smooth_source, source, 0);
             float weight = share.x * share.y * smoothWeight(from, shown, float(INDIRECT_COARSE) * (apart.x + apart.y));
             if (ivec2(x, y) == ivec2(0)) nearest = value;

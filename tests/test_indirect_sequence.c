@@ -1,0 +1,140 @@
+/* Samples of indirect light's rays: published values; that sets of them are nets; that those of tiles of pixels are. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/render/indirect_sequence.h"
+#include <math.h>
+#include <string.h>
+
+enum { MOST = 4096 };
+static double samples[MOST][2];
+
+static void sequences_are_as_they_are_published(void **state)
+{
+    (void)state;
+    static const struct {
+        Word sequence;
+        double first[5][2];
+    } cases[] = {{WORD_Sequence_hammersley, {{0, 0}, {.2, .5}, {.4, .25}, {.6, .75}, {.8, .125}}},
+                 {WORD_Sequence_halton, {{0, 0}, {.5, 1. / 3}, {.25, 2. / 3}, {.75, 1. / 9}, {.125, 4. / 9}}},
+                 {WORD_Sequence_sobol, {{0, 0}, {.5, .5}, {.25, .75}, {.75, .25}, {.125, .625}}}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        indirect_sequence_samples(cases[i].sequence, 5, samples);
+        for (int k = 0; k < 10; k++)
+            assert_true(fabs(samples[k / 2][k % 2] - cases[i].first[k / 2][k % 2]) < 1e-15);
+    }
+}
+
+/* Of 2^m samples each box of 2^-a by 2^(a - m) has one. */
+static void assert_net(int m)
+{
+    static int seen[MOST];
+    for (int a = 0; a <= m; a++) {
+        memset(seen, 0, sizeof seen);
+        for (int i = 0; i < 1 << m; i++)
+            seen[((int)(samples[i][0] * (1 << a)) << (m - a)) + (int)(samples[i][1] * (1 << (m - a)))]++;
+        for (int i = 0; i < 1 << m; i++)
+            assert_int_equal(seen[i], 1);
+    }
+}
+
+static void sets_are_nets(void **state)
+{
+    (void)state;
+    static const Word sequences[] = {WORD_Sequence_hammersley, WORD_Sequence_sobol};
+    for (int m = 0; m <= 12; m++)
+        for (int i = 0; i < 2; i++) {
+            indirect_sequence_samples(sequences[i], 1 << m, samples);
+            assert_net(m);
+        }
+}
+
+/* As the GLSL has it, of 16 bits. */
+static double turned(double sample, double shift)
+{
+    return ((unsigned)(sample * 65536) ^ (unsigned)(shift * 65536)) / 65536.;
+}
+
+/* Those of each 2^k x 2^k pixels of a tile are one net, at whichever multiple of that they begin: 1, 4, 16, 64 pixels. */
+static void tiles_of_sobol_are_nets(void **state)
+{
+    (void)state;
+    for (int bits = 0; bits <= 5; bits++) {
+        const IndirectSequence of = {WORD_Sequence_sobol, WORD_Rotation_tile, 1 << bits};
+        assert_int_equal(indirect_sequence_edge(&of), 8);
+        for (int edge = 1, m = bits; edge <= 8; edge *= 2, m += 2)
+            for (int block = 0; block < 64 / (edge * edge); block++) {
+                static double own[MOST][2];
+                const int x = block % (8 / edge) * edge, y = block / (8 / edge) * edge;
+                int count = 0;
+                indirect_sequence_samples(of.sequence, of.count, own);
+                for (int p = 0; p < edge * edge; p++)
+                    for (int i = 0; i < of.count; i++, count++) {
+                        double shift[3];
+                        indirect_sequence_shift(&of, x + p % edge + 8, y + p / edge, shift);
+                        for (int k = 0; k < 2; k++)
+                            samples[count][k] = turned(own[i][k], shift[k]);
+                    }
+                assert_int_equal(count, 1 << m);
+                assert_net(m);
+            }
+    }
+}
+
+/* Any 4 x 4 pixels, wherever they begin, have the 16 n samples of one Hammersley set: i / 16 n, each once, with mirrored bits. */
+static void tiles_of_hammersley_are_one_set(void **state)
+{
+    (void)state;
+    const IndirectSequence of = {WORD_Sequence_hammersley, WORD_Rotation_tile, 8};
+    static double own[MOST][2];
+    indirect_sequence_samples(of.sequence, of.count, own);
+    for (int at = 0; at < 16; at++) {
+        for (int p = 0; p < 16; p++) {
+            double shift[3];
+            indirect_sequence_shift(&of, at % 4 + p % 4, at / 4 + p / 4, shift);
+            for (int i = 0; i < of.count; i++)
+                for (int k = 0; k < 2; k++)
+                    samples[8 * p + i][k] = fmod(own[i][k] + shift[k] + 1e-12, 1);
+        }
+        static int seen[2][128];
+        memset(seen, 0, sizeof seen);
+        for (int i = 0; i < 128; i++) {
+            seen[0][(int)(samples[i][0] * 128)]++;
+            seen[1][(int)(samples[i][1] * 16)]++;
+        }
+        for (int i = 0; i < 128; i++)
+            assert_true(seen[0][i] == 1 && (i >= 16 || seen[1][i] == 8));
+    }
+}
+
+/* Shifts of blue noise are three values of the mask that have nothing to do with each other; none and random have no table. */
+static void blue_noise_and_none(void **state)
+{
+    (void)state;
+    const IndirectSequence blue = {WORD_Sequence_sobol, WORD_Rotation_blue, 8};
+    const int edge = indirect_sequence_edge(&blue);
+    double product[3] = {0};
+    for (int i = 0; i < edge * edge; i++) {
+        double shift[3];
+        indirect_sequence_shift(&blue, i % edge, i / edge, shift);
+        for (int k = 0; k < 3; k++) {
+            assert_true(shift[k] > 0 && shift[k] < 1);
+            product[k] += 12 * (shift[k] - .5) * (shift[(k + 1) % 3] - .5) / (edge * edge);
+        }
+    }
+    for (int k = 0; k < 3; k++)
+        assert_true(fabs(product[k]) < .06);
+    assert_int_equal(indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_none, 8}), 0);
+    assert_int_equal(indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_random, 8}), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sequences_are_as_they_are_published),
+                                       cmocka_unit_test(sets_are_nets), cmocka_unit_test(tiles_of_sobol_are_nets),
+                                       cmocka_unit_test(tiles_of_hammersley_are_one_set),
+                                       cmocka_unit_test(blue_noise_and_none)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
