@@ -13,6 +13,7 @@
 #define SEEN     (1u << FRAME_TARGET_seen)
 #define LIGHT    (1u << FRAME_TARGET_light)
 #define RAYS     (1u << FRAME_TARGET_rays)
+#define HISTORY  (1u << FRAME_TARGET_history)
 #define SMOOTH   (1u << FRAME_TARGET_smooth)
 #define OPEN     (1u << FRAME_TARGET_open)
 #define EDGE     (1u << FRAME_TARGET_edge)
@@ -73,6 +74,12 @@ const FramePass frame_passes[] = {
      pass_rays_make,
      pass_rays_draw,
      "light is indirect",
+     NULL},
+    {{"history", DEPTH | GBUFFER | LIGHT | VOXELS | RADIANCE | RAYS, HISTORY, 0, 0},
+     indirect_keeps,
+     pass_history_make,
+     pass_history_draw,
+     "rays of several sets, or frames, count",
      NULL},
     {{"smooth", DEPTH | GBUFFER | RAYS, SMOOTH, 0, 0},
      pass_smooth_needed,

@@ -26,6 +26,7 @@ typedef enum {
     FRAME_TARGET_far,      /* the same: what the pass gather sums */
     FRAME_TARGET_light,
     FRAME_TARGET_rays,   /* the same, of the pixels for which rays go out */
+    FRAME_TARGET_history, /* of its own: pass_history.c */
     FRAME_TARGET_smooth, /* smoothed along rows */
     FRAME_TARGET_open,   /* openness and indirect light */
     FRAME_TARGET_edge,

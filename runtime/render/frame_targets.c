@@ -4,8 +4,8 @@
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {
-    "depth", "gbuffer", "shadow", "voxels", "cubes", "radiance", "seen",    "lists",    "far",   "light",
-    "rays",  "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
+    "depth",   "gbuffer", "shadow", "voxels", "cubes", "radiance", "seen",    "lists",    "far",   "light", "rays",
+    "history", "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 

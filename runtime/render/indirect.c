@@ -28,7 +28,8 @@ bool indirect_is_smoothed(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
     const bool filtered = in->filter != WORD_Filter_none;
-    return indirect_is(render) && (in->coarse > 1 || indirect_is_repeated(render) || filtered);
+    return indirect_is(render) &&
+           (in->coarse > 1 || indirect_is_repeated(render) || filtered || indirect_keeps(render));
 }
 
 bool indirect_reads_voxels(const Render *render)
@@ -68,8 +69,53 @@ double indirect_radius(const Scene *scene, const Cache *cache)
     return cache->place_count && longest > 1e-9 ? longest / 4 : 1;
 }
 
+bool indirect_keeps(const Render *render)
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    return indirect_is(render) && !indirect_is_repeated(render) && (in->samples > 1 || in->history > 0);
+}
+
+int indirect_most_sets(const Render *render)
+{
+    const SceneIndirect *in = &render->scene->indirect;
+    return in->samples > in->history ? in->samples : in->history;
+}
+
+bool indirect_is_done(const Render *render)
+{
+    const IndirectHistory *history = &render->indirect.history;
+    return indirect_keeps(render) && history->still && (history->exact || history->sets >= indirect_most_sets(render));
+}
+
+GLuint indirect_kept(const Render *render)
+{
+    const IndirectHistory *history = &render->indirect.history;
+    return history->values[history->last].colors[0];
+}
+
+void indirect_forget(Render *render)
+{
+    IndirectHistory *history = &render->indirect.history;
+    history->still = history->exact = false;
+    history->there = history->there && render->scene->indirect.history > 0;
+    history->sets = 0;
+}
+
+static void delete_history(Render *render)
+{
+    IndirectHistory *history = &render->indirect.history;
+    screen_pass_delete(&history->blend);
+    screen_pass_delete(&history->place);
+    for (int i = 0; i < 2; i++) {
+        framebuffer_delete(render->gl, &history->values[i]);
+        framebuffer_delete(render->gl, &history->places[i]);
+    }
+    *history = (IndirectHistory){.last = 0};
+}
+
 void indirect_delete(Render *render)
 {
+    delete_history(render);
     screen_pass_delete(&render->indirect.rays);
     screen_pass_delete(&render->indirect.again);
     screen_pass_delete(&render->indirect.smooth);

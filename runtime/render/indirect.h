@@ -9,8 +9,21 @@
 
 enum { INDIRECT_RAYS_MOST = 128 };
 
+/* What rays found in frames before: of pass_history.c. */
+typedef struct {
+    ScreenPass blend, place;
+    Framebuffer values[2], places[2]; /* one is kept, the other drawn to */
+    int last;                         /* the one that is kept */
+    int sets;                         /* of rays that are in it, since something changed */
+    unsigned number;                  /* of all sets */
+    bool there, still, exact;         /* something is kept; nothing has changed since; it is as exact as is wanted */
+    double eye_from_world[16];        /* of the view that it was seen in */
+    float ray[4], depth[4];
+} IndirectHistory;
+
 /* Of the passes. */
 typedef struct {
+    IndirectHistory history;
     ScreenPass rays, again, smooth, spread, combine; /* again: rays of further bounces */
 } FrameIndirect;
 
@@ -42,6 +55,18 @@ void pass_rays_draw(Render *render);
 /* For one more bounce, by what is in the target open. */
 void pass_rays_draw_again(Render *render);
 /* What rays found is smoothed, or spread over more pixels; else they fill the target open themselves. */
+/* Frames before count, or several sets of rays do. */
+bool indirect_keeps(const Render *render);
+/* Sets of rays that count. */
+int indirect_most_sets(const Render *render);
+/* No further rays go out. */
+bool indirect_is_done(const Render *render);
+bool pass_history_make(Render *render);
+void pass_history_draw(Render *render);
+/* Means over what is kept. */
+GLuint indirect_kept(const Render *render);
+/* Something has changed: what is kept holds where the same is seen, if frames before are to count; else none of it. */
+void indirect_forget(Render *render);
 bool pass_smooth_needed(const Render *render);
 /* What a pass of that drawing fills and reads as the scene has it: rays the target open, where nothing is smoothed; spread what rays read, for further bounces. */
 void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlanPass *row);

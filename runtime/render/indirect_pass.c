@@ -40,11 +40,12 @@ void indirect_define(const Render *render, char text[INDIRECT_DEFINITIONS])
              "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
              "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
              "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
-             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s",
-             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps, in->samples,
-             indirect_sequence_edge(&sequence), shifts_of(&sequence), (int)(in->weight - WORD_Weight_none),
-             (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0", in->coarse,
-             indirect_filter_size(render), turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
+             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s",
+             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE, in->steps,
+             indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
+             (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
+             in->coarse, indirect_filter_size(render), turns_bits(&sequence) ? "#define INDIRECT_TURNS_BITS\n" : "",
+             indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
              uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                      : "#define INDIRECT_SHARE(cosine) 1.0\n",
              in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",

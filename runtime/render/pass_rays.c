@@ -12,8 +12,9 @@ bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 
 void pass_rays_place(Render *render)
 {
-    ScreenPass *passes[] = {&render->indirect.rays, &render->indirect.again, &render->indirect.smooth,
-                            &render->indirect.spread};
+    indirect_forget(render);
+    ScreenPass *passes[] = {&render->indirect.rays,   &render->indirect.again,         &render->indirect.smooth,
+                            &render->indirect.spread, &render->indirect.history.blend, &render->indirect.history.place};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
     for (size_t i = 0; i < 2 && indirect_reads_voxels(render); i++)
@@ -71,7 +72,16 @@ static void run(Render *render, ScreenPass *pass)
     screen_pass_run(pass, &render->draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open], &render->screen);
 }
 
-void pass_rays_draw(Render *render) { run(render, &render->indirect.rays); }
+void pass_rays_draw(Render *render)
+{
+    const unsigned most = 4096; /* sets that differ: what they are shifted by is a float */
+    if (indirect_is_done(render))
+        return;
+    if (indirect_keeps(render))
+        material_set_number(&render->indirect.rays.material, "indirect_set",
+                            (float)(render->indirect.history.number % most));
+    run(render, &render->indirect.rays);
+}
 
 void pass_rays_draw_again(Render *render)
 {

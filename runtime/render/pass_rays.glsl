@@ -1,5 +1,9 @@
 // The pass rays: what a pixel's surface sees of its surroundings. rgb: light that comes by way of other surfaces, as the mean of what arrives, the cosine
 // counted in (irradiance over pi); a: openness. Before it stand what unpacks the G-buffer, indirect_place.glsl, and the method's own, with indirectAround().
+#ifdef INDIRECT_SETS
+uniform float indirect_set; // its number
+#endif
+
 vec4 passPixel(ivec2 small)
 {
     ivec2 pixel = indirectPixel(small);
@@ -7,9 +11,13 @@ vec4 passPixel(ivec2 small)
     if (depth <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
     vec3 point = indirectPoint(pixel, depth), normal = indirectNormal(pixel), open = vec3(0.0);
     vec4 around = vec4(0.0);
+    int first = 0;
+#ifdef INDIRECT_SETS
+    first = int(indirect_set);
+#endif
     for (int i = 0; i < INDIRECT_SAMPLES; i++) {
         vec3 ways;
-        around += indirectAround(pixel, indirectShift(pixel, i), point, normal, ways) / float(INDIRECT_SAMPLES);
+        around += indirectAround(pixel, indirectShift(pixel, first + i), point, normal, ways) / float(INDIRECT_SAMPLES);
         open += ways;
     }
 #ifdef INDIRECT_BENT

@@ -27,23 +27,32 @@ static bool make(Render *render, bool spread, ScreenPass *pass)
 bool pass_smooth_make(Render *render) { return make(render, false, &render->indirect.smooth); }
 bool pass_spread_make(Render *render) { return make(render, true, &render->indirect.spread); }
 
-static void run(Render *render, ScreenPass *pass, FrameTarget source, FrameDraw made)
+static void run(Render *render, ScreenPass *pass, GLuint source, FrameDraw made)
 {
     indirect_bind(render);
-    texture_bind(render->gl, frame_texture(render, source, 0), SOURCE_UNIT);
+    texture_bind(render->gl, source, SOURCE_UNIT);
     screen_pass_run(pass, &render->draws[made], &render->screen);
 }
 
-void pass_smooth_draw(Render *render) { run(render, &render->indirect.smooth, FRAME_TARGET_rays, FRAME_DRAW_smooth); }
+void pass_smooth_draw(Render *render)
+{
+    const GLuint source = indirect_keeps(render) ? indirect_kept(render) : frame_texture(render, FRAME_TARGET_rays, 0);
+    run(render, &render->indirect.smooth, source, FRAME_DRAW_smooth);
+}
+
+static void spread(Render *render)
+{
+    run(render, &render->indirect.spread, frame_texture(render, FRAME_TARGET_smooth, 0), FRAME_DRAW_open);
+}
 
 /* Then all three once more for each further bounce: light that surfaces send is then that of lights and of the bounces before. */
 void pass_spread_draw(Render *render)
 {
-    run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open);
+    spread(render);
     for (int i = 1; indirect_is_repeated(render) && i < render->scene->indirect.bounces; i++) {
         pass_rays_draw_again(render);
         pass_smooth_draw(render);
-        run(render, &render->indirect.spread, FRAME_TARGET_smooth, FRAME_DRAW_open);
+        spread(render);
     }
 }
 
@@ -51,6 +60,8 @@ void pass_smooth_request(const Render *render, void (*draw)(Render *), FramePlan
 {
     if (draw == pass_rays_draw && !indirect_is_smoothed(render))
         row->fills = 1u << FRAME_TARGET_open;
+    if (draw == pass_smooth_draw && indirect_keeps(render))
+        row->reads |= 1u << FRAME_TARGET_history;
     if (draw == pass_spread_draw && indirect_is_repeated(render))
         row->reads |= 1u << FRAME_TARGET_rays | 1u << FRAME_TARGET_light | 1u << FRAME_TARGET_voxels;
 }

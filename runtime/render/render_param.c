@@ -8,6 +8,7 @@ static bool set(Render *render, int material, const MaterialValue *value)
     const CacheSource source = frame_source(render);
     const bool sheets = shadow_sheet_set(render, material, value);
     const bool nodes = radiance_param(render, material, value);
+    indirect_forget(render);
     return cache_set(&source, &render->cache, material, value) || sheets || nodes;
 }
 

@@ -86,6 +86,8 @@ typedef struct {
 typedef struct {
     Word method;                      /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
     int rays, samples, steps;         /* no rays: the scene was not read, and has no indirect light */
+    int history;                      /* frames that count */
+    double error;                     /* of openness, at which samples are enough; 0: all are taken */
     double radius, offset, thickness; /* 0: to be found */
     double contrast;
     Word weight, distribution, sequence, rotation, march, filter;
@@ -130,7 +132,7 @@ typedef struct Scene {
     Word displaced_by;       /* how: WORD_Displacing_mesh, ... */
     double displaced_pixels; /* by bisection: that an error may have in the picture; 0: it is not looked at */
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
-    int voxel_size;         /* voxels along an edge of the whole: a power of two */
+    int voxel_size;          /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;
     SceneTools tools;
     MatcDocument **documents; /* further files of materials */
@@ -161,7 +163,12 @@ void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]
 
 /* What a change is to meshes: nothing; they go by it, and are what they were; objects have others, which whoever draws the scene takes by drawing it as a new
  * one; or those could not be made, and objects have what they had. scene_displace.c */
-typedef enum { SCENE_DISPLACED_none, SCENE_DISPLACED_same, SCENE_DISPLACED_anew, SCENE_DISPLACED_failed } SceneDisplaced;
+typedef enum {
+    SCENE_DISPLACED_none,
+    SCENE_DISPLACED_same,
+    SCENE_DISPLACED_anew,
+    SCENE_DISPLACED_failed
+} SceneDisplaced;
 /* So many objects from `first` on have other matrices. */
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
 /* A param of a material has another value. */

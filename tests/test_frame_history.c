@@ -1,0 +1,229 @@
+/* What rays found in frames before: means over sets of rays, where a camera or an object moves, and when it stops. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { EDGE = 48, PIXELS = EDGE * EDGE, TEXT = 2048, SPHERE = 2 };
+
+/* A floor before a wall, and a ball between them and the camera. */
+static const char room[] =
+    "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.6], target: [0, 0, .7], "
+    "angle: 40 }\nvoxels: { size: 64 }\n"
+    "materials: { m: { material: Phong, diffuse: .6, specular: 0 } }\nlights: [{ light: Point, position: [1, -2, 3], "
+    "intensity: 9, shadows: none }]\nobjects:\n"
+    "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
+    "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n"
+    "- { object: Sphere, radius: .3, detail: 24, material: m, transform: { translation: [-.2, -.6, .6] } }\n";
+
+typedef struct {
+    MatcOptions options;
+    MatcDocument *document;
+    Scene *scene;
+    Render *render;
+    float rgba[4 * PIXELS];
+} Rig;
+
+static GlContext *gl; /* all are drawn in one */
+
+static void open_rig(Rig *rig, const char *keys, const char *view)
+{
+    char text[TEXT];
+    *rig = (Rig){.options = frame_exact_options()};
+    snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, room);
+    rig->scene = frame_scene(text, &rig->options, &rig->document);
+    rig->render = render_open(gl, &(RenderOptions){.compile = &rig->options, .view = view, .deep = true});
+    assert_true(rig->render && render_scene(rig->render, rig->scene));
+}
+
+static void close_rig(Rig *rig)
+{
+    render_close(rig->render);
+    frame_forget(rig->scene, rig->document);
+}
+
+static const float *draw(Rig *rig)
+{
+    assert_true(render_frame(rig->render) && render_read(rig->render, rig->rgba));
+    return rig->rgba;
+}
+
+/* Of one frame. */
+static void draw_alone(const char *keys, const char *view, float *rgba)
+{
+    static Rig rig;
+    open_rig(&rig, keys, view);
+    memcpy(rgba, draw(&rig), sizeof rig.rgba);
+    close_rig(&rig);
+}
+
+static double apart(const float *a, const float *b)
+{
+    double sum = 0;
+    for (int i = 0; i < PIXELS; i++)
+        sum += ((double)a[4 * i] - (double)b[4 * i]) * ((double)a[4 * i] - (double)b[4 * i]);
+    return sqrt(sum / PIXELS);
+}
+
+static Rig one;
+static float all[4 * PIXELS], some[4 * PIXELS], single[4 * PIXELS];
+
+/* n sets are as exact as n times the rays at random are, or more so; n frames that keep are n sets; and then no further ray goes out. */
+static void sets_are_averaged(void **state)
+{
+    (void)state;
+    static const char *const views[] = {"open", "indirect"};
+    for (int i = 0; i < 2; i++) {
+        draw_alone("filter: none, samples: 160", views[i], all);
+        draw_alone("filter: none, samples: 16", views[i], some);
+        draw_alone("filter: none", views[i], single);
+        const double off = apart(some, all), first = apart(single, all);
+        print_message("%s of 8 rays is %.4f off, of 16 sets of them %.4f\n", views[i], first, off);
+        assert_true(first > .004 && off < 1.15 / 4 * first);
+        open_rig(&one, "filter: none, history: 16", views[i]);
+        for (int k = 0; k < 16; k++)
+            draw(&one);
+        assert_true(apart(one.rgba, some) < 1e-6);
+        memcpy(single, one.rgba, sizeof single);
+        assert_memory_equal(draw(&one), single, sizeof single);
+        close_rig(&one);
+    }
+}
+
+/* As few sets as are as exact as it is said: a power of two of them. */
+static void errors_are_as_stated(void **state)
+{
+    (void)state;
+    static const double errors[] = {.02, .01};
+    draw_alone("filter: none, samples: 160", "open", all);
+    for (int i = 0; i < 2; i++) {
+        char keys[TEXT / 16];
+        int sets = 2;
+        snprintf(keys, sizeof keys, "filter: none, samples: 64, error: %g", errors[i]);
+        draw_alone(keys, "open", some);
+        const double off = apart(some, all);
+        for (; sets < 64; sets *= 2) {
+            snprintf(keys, sizeof keys, "filter: none, samples: %d", sets);
+            draw_alone(keys, "open", single);
+            if (!memcmp(single, some, sizeof single))
+                break;
+        }
+        print_message("stated to be %.3f off, it is %.4f, with %d sets\n", errors[i], off, sets);
+        assert_true(sets < 64 && off < 1.2 * errors[i] && off > errors[i] / 4);
+    }
+}
+
+/* Steps of a camera that circles and comes nearer. */
+static void turn(Rig *rig, int step)
+{
+    SceneCamera *camera = &rig->scene->camera;
+    const double angle = .012 * step, far = 4 - .01 * step;
+    camera->position[0] = .4 + far * sin(angle);
+    camera->position[1] = -far * cos(angle);
+    assert_true(render_changed(rig->render, RENDER_CAMERA));
+}
+
+/* While a camera moves, what is kept is nearer to the truth than one frame's rays, and differs less from frame to frame. */
+static void paths_are_calmer(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"filter: none, samples: 48", "filter: none", "filter: none, history: 16"};
+    static float frames[3][4 * PIXELS];
+    static Rig rigs[3];
+    double off[3] = {0};
+    enum { STEPS = 12, SKIPPED = 4 };
+    for (int i = 0; i < 3; i++)
+        open_rig(&rigs[i], keys[i], "open");
+    for (int step = 0; step < STEPS; step++)
+        for (int i = 0; i < 3; i++) {
+            turn(&rigs[i], step);
+            if (i || step >= SKIPPED)
+                memcpy(frames[i], draw(&rigs[i]), sizeof frames[i]);
+            if (step >= SKIPPED)
+                off[i] += apart(frames[i], frames[0]) / (STEPS - SKIPPED);
+        }
+    print_message("a moving camera: %.4f off by each frame alone, %.4f with 16 kept\n", off[1], off[2]);
+    assert_true(off[2] < .62 * off[1]);
+    for (int i = 0; i < 3; i++)
+        close_rig(&rigs[i]);
+}
+
+/* A ball jumps aside. What it hid has no history, but for what is smoothed over it from beside; in the next frame little of the ball is left, of an openness that was .3 off. */
+static void nothing_is_left_behind_what_moves(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"samples: 64", "samples: 1", "history: 12"};
+    static Rig rigs[3];
+    static bool covered[PIXELS];
+    double off[3] = {0}, most = 0, bare = 0;
+    int count = 0;
+    for (int i = 0; i < 3; i++) {
+        open_rig(&rigs[i], keys[i], "open");
+        for (int k = 0; k < (i == 2 ? 12 : 1); k++)
+            draw(&rigs[i]);
+    }
+    static Rig depth;
+    open_rig(&depth, "samples: 1", "depth");
+    memcpy(some, draw(&depth), sizeof some);
+    depth.scene->objects[SPHERE].world_from_local.m[12] += .9;
+    assert_true(render_changed_objects(depth.render, SPHERE, 1));
+    draw(&depth);
+    for (int p = 0; p < PIXELS; p++)
+        covered[p] = some[4 * p] > depth.rgba[4 * p] * 1.02f;
+    close_rig(&depth);
+    for (int i = 0; i < 3; i++) {
+        rigs[i].scene->objects[SPHERE].world_from_local.m[12] += .9;
+        assert_true(render_changed_objects(rigs[i].render, SPHERE, 1));
+        draw(&rigs[i]);
+        off[i] = apart(rigs[i].rgba, rigs[0].rgba);
+    }
+    for (int p = 0; p < PIXELS; p++)
+        if (covered[p]) {
+            count++;
+            most = fmax(most, fabs((double)rigs[2].rgba[4 * p] - (double)rigs[0].rgba[4 * p]));
+            bare = fmax(bare, fabs((double)rigs[1].rgba[4 * p] - (double)rigs[0].rgba[4 * p]));
+        }
+    print_message("behind a ball, %d pixels: %.4f off at most, %.4f by a frame alone; all: %.4f and %.4f\n", count,
+                  most, bare, off[2], off[1]);
+    assert_true(count > 40 && most < bare + .035 && off[2] < 1.9 * off[1]);
+    for (int i = 0; i < 3; i++)
+        close_rig(&rigs[i]);
+}
+
+/* Fragments keep what compute does; where it isn't asked for, nothing is kept. */
+static void ways_and_wants(void **state)
+{
+    (void)state;
+    static const char *const keys[] = {"samples: 1", "samples: 4"};
+    for (int i = 0; i < 2; i++) {
+        open_rig(&one, keys[i], "light");
+        char *graph = frame_graph(one.render);
+        assert_true((strstr(graph, " rays history not run: nothing to do\n") == NULL) == (i == 1));
+        free(graph);
+        memcpy(some, draw(&one), sizeof some);
+        Render *fragment =
+            render_open(gl, &(RenderOptions){.compile = &one.options, .view = "light", .deep = true, .fragment = true});
+        float *drawn = frame_floats_by(gl, fragment, one.scene);
+        assert_true(apart(drawn, some) < 1e-6);
+        free(drawn);
+        render_close(fragment);
+        close_rig(&one);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sets_are_averaged), cmocka_unit_test(errors_are_as_stated), cmocka_unit_test(paths_are_calmer),
+        cmocka_unit_test(nothing_is_left_behind_what_moves), cmocka_unit_test(ways_and_wants)};
+    gl = frame_context();
+    const int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    gl_close(gl);
+    return failed;
+}
