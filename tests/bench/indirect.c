@@ -1,4 +1,5 @@
-/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march. */
+/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c. */
+#include "indirect_path.h"
 #include "matbench.h"
 #include "tests/frame/voxel_points.h"
 #include <math.h>
@@ -246,12 +247,18 @@ static bool measure_rays(GlContext *gl, const Arguments *a)
     return fine;
 }
 
+static bool measure_path(GlContext *gl, const Arguments *a)
+{
+    (void)a;
+    return bench_indirect_path(gl);
+}
+
 /* -- the command */
 
 static const struct {
     const char *name;
     bool (*measure)(GlContext *, const Arguments *);
-} tables[] = {{"maps", measure_maps}, {"rays", measure_rays}};
+} tables[] = {{"maps", measure_maps}, {"rays", measure_rays}, {"path", measure_path}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 static bool read_argument(const char *text, Arguments *a)
@@ -279,7 +286,7 @@ int bench_indirect(int argc, char **argv)
     for (int i = 1; i < argc; i++)
         if (!read_argument(argv[i], &a)) {
             fputs("usage: matbench indirect [--untimed] [--gl=osmesa|egl] [--mesh=FILE] [--lift=HEIGHT] [--voxels=N] "
-                  "[maps] [rays]\n",
+                  "[maps] [rays] [path]\n",
                   stderr);
             return 2;
         }

@@ -1,0 +1,7 @@
+/* Of matbench indirect: the table path. */
+#ifndef MATC_BENCH_INDIRECT_PATH_H
+#define MATC_BENCH_INDIRECT_PATH_H
+#include "runtime/render/render.h"
+
+bool bench_indirect_path(GlContext *gl);
+#endif
