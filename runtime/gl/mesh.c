@@ -71,6 +71,8 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     upload(gl, made, shape);
     made->index_count = shape->index_count;
     made->body = shape_body(shape);
+    if (shape->base && made->body == SHAPE_BODY_solid)
+        made->body = SHAPE_BODY_closed; /* what is displaced may run through itself, and show its back there */
     if (gl_check(gl, "making a mesh"))
         return true;
     mesh_delete(gl, made);
