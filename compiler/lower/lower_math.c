@@ -1,13 +1,24 @@
 /* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, Combine, Separate. They work on colours, by lane; alpha is that of the
- * first operand, of Mix the mixed one. What a mean leaves out of an operand goes through what is linear, as a product of means through Multiply. */
+ * first operand, of Mix the mixed one. What a mean leaves out of an operand goes through what is linear, as a product of means through Multiply. What
+ * is not linear is asked of both halves of a value that is one of two:
+ *
+ *     Clamp to [0, 1] of a Checker of 3 and -1, of which a pixel has .25 and .75: the mean of 1 and 0 by these is .25; the mean itself, 0, would be clamped to 0 */
 #include "compiler/lower/answer.h"
 
-/* One number, three or four. */
-static Answer colour(Lower *l, const Node *node, int param, const Env *env)
+enum { MOST_HALVINGS = 3 }; /* of a half's halves, and so on: each doubles what is computed */
+
+/* One number, three or four, with its halves. */
+static Answer whole_colour(Lower *l, const Node *node, int param, const Env *env)
 {
     Answer answer = lower_answer(l, lower_param_node(node, param), GROUP_R, env);
-    answer.split = NULL;
     return ir_type(l->ir, answer.value) == TYPE_vec2 ? answer_widened(l, answer, TYPE_vec3) : answer;
+}
+
+static Answer colour(Lower *l, const Node *node, int param, const Env *env)
+{
+    Answer answer = whole_colour(l, node, param, env);
+    answer.split = NULL;
+    return answer;
 }
 
 /* One number of a colour, its red. */
@@ -16,10 +27,7 @@ static Ref number(Lower *l, const Node *node, int param, const Env *env)
     return build_swizzle(l->ir, colour(l, node, param, env).value, "x");
 }
 
-static Ref factor(Lower *l, const Node *node, int param)
-{
-    return lower_param(l, node_param(node, param), TYPE_float);
-}
+static Ref factor(Lower *l, const Node *node, int param) { return lower_param(l, node_param(node, param), TYPE_float); }
 
 /* With the alpha that another colour has, if it has one. */
 static Answer with_alpha(Lower *l, Answer answer, Ref from)
@@ -30,8 +38,7 @@ static Answer with_alpha(Lower *l, Answer answer, Ref from)
     Ref alpha = build_convert(ir, from, TYPE_vec4);
     answer.value = build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.value, "xyz"), build_swizzle(ir, alpha, "w"));
     if (answer.variance)
-        answer.variance =
-            build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.variance, "xyz"), build_float(ir, 0));
+        answer.variance = build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.variance, "xyz"), build_float(ir, 0));
     return (Answer){answer.value, answer.variance, NULL};
 }
 
@@ -108,24 +115,48 @@ Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, line(l, x, pivot, REFS(l->ir, amount, pivot)), group);
 }
 
-Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
+/* A function that is not linear, with numbers of its own. */
+typedef struct {
+    Ref (*of)(Lower *l, Ref x, const Ref *numbers);
+    Ref numbers[2];
+} Curve;
+
+/* In a relief halves are heights, of whose mix the curve has the slope. */
+static Answer curved(Lower *l, const Curve *curve, Answer x, int depth)
+{
+    if (!x.split || depth == 0 || l->relief)
+        return with_alpha(l, answer_of(curve->of(l, x.value, curve->numbers)), x.value);
+    const Split *split = x.split;
+    return answer_either(l, split->by, curved(l, curve, split->a, depth - 1), curved(l, curve, split->b, depth - 1));
+}
+
+static Ref clamped(Lower *l, Ref x, const Ref *low_high)
 {
     Ir *ir = l->ir;
-    Ref x = colour(l, node, P_Clamp_input, env).value;
-    Ref low = factor(l, node, P_Clamp_low), high = factor(l, node, P_Clamp_high);
-    Ref kept = build_min(ir, build_max(ir, x, build_splat(ir, low, ir_type(ir, x))),
-                         build_splat(ir, high, ir_type(ir, x)));
-    return given(l, with_alpha(l, answer_of(kept), x), group);
+    const Type type = ir_type(ir, x);
+    return build_min(ir, build_max(ir, x, build_splat(ir, low_high[0], type)), build_splat(ir, low_high[1], type));
+}
+
+Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
+{
+    const Answer x = whole_colour(l, node, P_Clamp_input, env);
+    const Ref low = factor(l, node, P_Clamp_low), high = factor(l, node, P_Clamp_high);
+    return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MOST_HALVINGS), group);
+}
+
+static Ref raised(Lower *l, Ref x, const Ref *exponent)
+{
+    Ir *ir = l->ir;
+    const double least = 1e-37; /* a float that is no denormal */
+    const Type type = ir_type(ir, x);
+    return build_pow(ir, build_max(ir, x, build_all(ir, type, least)), build_splat(ir, exponent[0], type));
 }
 
 Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
 {
-    Ir *ir = l->ir;
-    const double least = 1e-37; /* a float that is no denormal */
-    Ref x = colour(l, node, P_Power_input, env).value, exponent = factor(l, node, P_Power_exponent);
-    const Type type = ir_type(ir, x);
-    Ref base = build_max(ir, x, build_all(ir, type, least));
-    return given(l, with_alpha(l, answer_of(build_pow(ir, base, build_splat(ir, exponent, type))), x), group);
+    const Answer x = whole_colour(l, node, P_Power_input, env);
+    const Ref exponent = factor(l, node, P_Power_exponent);
+    return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
 }
 
 Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
