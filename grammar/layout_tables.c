@@ -160,8 +160,17 @@ enum {
 #include "layouts.def"
 };
 
+enum {
+    FURTHER_BEGIN = -1
+#define LAYOUT(name, ...) , FURTHER_COUNT_##name = 0
+#define CASE(...)
+#define FURTHER(...) +1
+#include "layouts.def"
+};
+
 const LayoutRow layout_table[LAYOUT_COUNT] = {
-#define LAYOUT(name, doc, ...) {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name, NULL, 0},
+#define LAYOUT(name, doc, ...)                                                                                         \
+    {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name, NULL, 0, FURTHER_COUNT_##name},
 #include "layouts.def"
 };
 

@@ -82,6 +82,7 @@ typedef struct {
     int case_count;
     const FixedRow *fixed;
     int fixed_count;
+    int further_count; /* of the cases, the last ones: they have number 0, and the highest bit of the last word */
 } LayoutRow;
 extern const LayoutRow layout_table[LAYOUT_COUNT];
 

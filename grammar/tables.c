@@ -74,6 +74,18 @@ bool param_is_colored(int param)
     }
 }
 
+bool param_is_unstored(int param)
+{
+    switch (param) {
+#define UNSTORED(kind, name) case P_##kind##_##name:
+#include "materials.def"
+#include "maps.def"
+        return true;
+    default:
+        return false;
+    }
+}
+
 /* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
 enum {
 #define MATERIAL(name, sort, doc)                 FIRST_##name, RESET_##name = FIRST_##name - 1,

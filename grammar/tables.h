@@ -55,6 +55,12 @@ typedef struct {
     const char *doc;
 } SlotRow;
 extern const SlotRow slot_table[SLOT_COUNT];
+/* Surface models: the numbers of the slot `model`. */
+typedef enum {
+#define MODEL(name, doc) MODEL_##name,
+#include "slots.def"
+    MODEL_COUNT
+} Model;
 /* How two materials' values are mixed, as slots.def says. */
 typedef enum { MIXING_LINEAR, MIXING_DIRECTION, MIXING_EXPONENT } Mixing;
 Mixing slot_mixing(Slot slot);
@@ -121,6 +127,8 @@ enum {
 extern const ParamRow param_table[PARAM_COUNT];
 /* Whether the colour of a map or material is made of that of this parameter's map. */
 bool param_is_colored(int param);
+/* Whether no slot holds what this parameter says, by the UNSTORED lines of materials.def. */
+bool param_is_unstored(int param);
 static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;

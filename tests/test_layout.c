@@ -144,7 +144,10 @@ static int drawn_case(Gbuffer *g)
     if (g->layout->case_count == 1)
         return 0;
     assert_true(framebuffer_read_words(g->drawer->gl, &g->targets, 0, &words[0][0]));
-    int number = (int)(words[0][0] & ((1u << layout_case_bits(g->layout)) - 1));
+    const int targets = layout_targets(g->layout);
+    const GLuint first = words[0][0];
+    assert_true(framebuffer_read_words(g->drawer->gl, &g->targets, targets - 1, &words[0][0]));
+    const int number = layout_case_of(g->layout, first, words[0][format_table[g->layout->formats[targets - 1]].lanes - 1]);
     assert_true(number < g->layout->case_count);
     return number;
 }
@@ -275,7 +278,7 @@ static void constants_come_back(void **state)
     {                                                                                                                  \
         .encoding = ENCODING_##code, .bits = bits_, .count = 1, .source = { {SLOT_##slot, 0} }                         \
     }
-#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, ""}, 1, NULL, 0
+#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, ""}, 1, NULL, 0, 0
 
 static void try_row(Fixture *f, Document *d, const LayoutRow *row)
 {

@@ -30,6 +30,7 @@ static void rows_are_equal(const LayoutRow *a, const LayoutRow *b)
     assert_string_equal(a->doc, b->doc);
     assert_memory_equal(a->formats, b->formats, sizeof a->formats);
     assert_int_equal(a->case_count, b->case_count);
+    assert_int_equal(a->further_count, b->further_count);
     for (int number = 0; number < a->case_count; number++) {
         assert_string_equal(a->cases[number].doc, b->cases[number].doc);
         assert_int_equal(a->cases[number].field_count, b->cases[number].field_count);

@@ -14,7 +14,12 @@ static void check_places(const LayoutRow *layout, int number)
     static unsigned char taken[LAYOUT_TARGETS][FIELD_LANES][32];
     Placement placement;
     memset(taken, 0, sizeof taken);
-    memset(taken[0][0], 1, (size_t)layout_case_bits(layout));
+    const bool further = number >= layout->case_count - layout->further_count;
+    const int last = layout_targets(layout) - 1;
+    const FormatRow *end = &format_table[layout->formats[last]];
+    memset(taken[0][0], 1, (size_t)(layout_case_bits(layout) + (further ? layout_further_bits(layout) : 0)));
+    if (further || (layout->further_count && !number))
+        taken[last][end->lanes - 1][end->bits - 1] = 1;
     assert_null(layout_allocate(layout, number, &placement));
     for (int k = 0; k < placement.count; k++) {
         const Piece *piece = &placement.pieces[k];
@@ -27,15 +32,17 @@ static void check_places(const LayoutRow *layout, int number)
     }
 }
 
-/* The last case is for any material. */
+/* The last case but further ones is for any material of the model Phong. */
 static void pieces_have_places_of_their_own(void **state)
 {
     (void)state;
     for (int i = 0; i < LAYOUT_COUNT; i++) {
         const LayoutRow *row = &layout_table[i];
+        const int plain = row->case_count - row->further_count;
         for (int slot = 0; slot < SLOT_COUNT; slot++)
-            assert_true(layout_has_slot(row, (Slot)slot) ==
-                        layout_case_has_slot(&row->cases[row->case_count - 1], (Slot)slot));
+            for (int number = 0; number < plain; number++)
+                assert_true(!layout_case_has_slot(&row->cases[number], (Slot)slot) ||
+                            layout_case_has_slot(&row->cases[plain - 1], (Slot)slot));
         for (int number = 0; number < row->case_count; number++)
             check_places(row, number);
     }

@@ -23,7 +23,8 @@ static const SurfaceModel lambert = {
         "#ifdef LIGHT_HAS_AREAS\n"
         "vec3 surfaceArea(Lit m, Area a) { return m.color * areaCosine(areaClip(a, m.normal), m.normal); }\n"
         "#endif\n",
-    false};
+    false,
+    {NULL}};
 static const SurfaceModel flat = {"Flat",
                                   LIT "vec3 surfaceOwn(Lit m) { return m.color; }\n"
                                       "vec3 surfaceAmbient(Lit m, vec3 ambient) { return vec3(0.0); }\n"
@@ -31,8 +32,9 @@ static const SurfaceModel flat = {"Flat",
                                       "#ifdef LIGHT_HAS_AREAS\n"
                                       "vec3 surfaceArea(Lit m, Area a) { return vec3(0.0); }\n"
                                       "#endif\n",
-                                  false};
-static const SurfaceModel broken = {"Broken", "struct Lit { vec3 normal; };\n", false};
+                                  false,
+                                  {NULL}};
+static const SurfaceModel broken = {"Broken", "struct Lit { vec3 normal; };\n", false, {NULL}};
 
 #define SOLIDS                                                                                                         \
     "image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [0, -6, 4], target: [0, 0, .5] }\n"    \

@@ -183,13 +183,33 @@ static void put_case(Text *out, const LayoutRow *layout, int number, const char 
             put_known(out, layout, (Slot)slot, indent);
 }
 
+/* Which case it is. */
+static void put_number(Text *out, const LayoutRow *layout)
+{
+    const int bits = layout_case_bits(layout), further = layout_further_bits(layout), last = layout_targets(layout) - 1;
+    if (bits)
+        text_format(out, "    uint number = target0.x & %uu;\n", (1u << bits) - 1);
+    else
+        text_put(out, "    uint number = 0u;\n");
+    if (layout->further_count) {
+        text_format(out, bits ? "    if (number == 0u && target%d." : "    if (target%d.", last);
+        text_char(out, "xyzw"[format_table[layout->formats[last]].lanes - 1]);
+        text_format(out, " >> %d == 1u) number = %du", format_table[layout->formats[last]].bits - 1,
+                    layout->case_count - layout->further_count);
+        if (further)
+            text_format(out, " + (target0.x >> %d & %uu)", bits, (1u << further) - 1);
+        text_put(out, ";\n");
+    }
+    text_put(out, "    ");
+}
+
 static void put_cases(Text *out, const LayoutRow *layout)
 {
     if (layout->case_count == 1) {
         put_case(out, layout, 0, "    ");
         return;
     }
-    text_format(out, "    uint number = target0.x & %uu;\n    ", (1u << layout_case_bits(layout)) - 1);
+    put_number(out, layout);
     for (int i = 0; i < layout->case_count; i++) {
         if (i + 1 < layout->case_count)
             text_format(out, "if (number == %du) ", i);

@@ -26,6 +26,7 @@ typedef struct {
     Session *session;
     unsigned *asked;     /* by node's index: Asked */
     const Node **reader; /* by node's index: one of those that ask */
+    unsigned *models;    /* by node's index: 1 << Model of what a material shows */
     bool saying;         /* what all are asked for is known */
 } Doubts;
 
@@ -178,6 +179,8 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return asked;
     if (strstr(param->name, "hininess"))
         return ASKED_shininess;
+    if (node->kind == KIND_Principled && !param_is_colored((int)(param - param_table)))
+        return ASKED_color | ASKED_light; /* a number of any size */
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
 
@@ -266,10 +269,45 @@ static void doubt_back(const Doubts *d, const Node *node)
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
-/* A Mix of materials one of which would move the surface. */
+/* What is 0 everywhere. */
+static bool is_zero(const Value *value)
+{
+    if (value->kind == VALUE_node && value->node->kind == KIND_Constant)
+        value = &value->node->params[0];
+    for (int lane = 0; value->kind == VALUE_number && lane < type_table[value->type].lanes; lane++)
+        if (value->number[lane] != 0)
+            return false;
+    return value->kind == VALUE_number || value->kind == VALUE_none;
+}
+
+static void doubt_unstored(const Doubts *d, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    for (int i = 0; i < row->count; i++)
+        if (param_is_unstored(row->first + i) && !is_zero(&node->params[i]))
+            diag_add(d->session, node->params[i].span, DIAG_unstored, param_table[row->first + i].name, row->name);
+}
+
+/* Which surface models a material shows, by those below it, which were met before. A missing one is a grey Phong. */
+static unsigned models_of(const Doubts *d, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    unsigned models = 0;
+    if (node->kind == KIND_Principled)
+        return 1u << MODEL_Principled;
+    for (int i = 0; i < row->count; i++)
+        if (param_table[row->first + i].type == PARAM_Material)
+            models |= node->params[i].kind == VALUE_node ? d->models[node->params[i].node->index] : 0;
+    return models ? models : 1u << MODEL_Phong;
+}
+
+/* A Mix of materials one of which would move the surface; or whose slots mean other things. */
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
+    d->models[node->index] = models_of(d, node);
+    if (node->kind == KIND_MixMaterial && d->models[node->index] == ((1u << MODEL_Phong) | 1u << MODEL_Principled))
+        diag_add(d->session, node->span, DIAG_mixed_models);
     for (int i = 0; i < row->count; i++) {
         const Value *value = &node->params[i];
         if (node->kind == KIND_MixMaterial && param_table[row->first + i].type == PARAM_Material &&
@@ -283,7 +321,7 @@ static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node), doubt_mixed(d, node);
+        doubt_components(d, node), doubt_mixed(d, node), doubt_unstored(d, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
@@ -294,7 +332,8 @@ static void say(Doubts *d, const Node *node)
 void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
 {
     Doubts d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
-                ARENA_ARRAY(session->arena, const Node *, graph->node_count), false};
+                ARENA_ARRAY(session->arena, const Node *, graph->node_count),
+                ARENA_ARRAY(session->arena, unsigned, graph->node_count), false};
     for (size_t i = count; i--;)
         ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
     d.saying = true;

@@ -1,10 +1,12 @@
 /* Allocates the fields of a layout. */
 #include "compiler/layout/layout.h"
+#include <math.h>
 #include <string.h>
 
 /* What is taken of every target lane, in bits: fields only ever go behind one another. */
 typedef struct {
     int taken[LAYOUT_TARGETS][FIELD_LANES];
+    bool marked; /* the highest bit of the last word is, too */
 } Room;
 
 int layout_targets(const LayoutRow *row)
@@ -58,29 +60,57 @@ bool layout_has_slot(const LayoutRow *row, Slot slot)
     return false;
 }
 
+static int plain_count(const LayoutRow *row) { return row->case_count - row->further_count; }
+
+/* It has all that any but a further one has. */
 static bool case_is_whole(const LayoutRow *row, const CaseRow *fields)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(row, (Slot)slot) && !layout_fixed(row, (Slot)slot) &&
-            !layout_case_has_slot(fields, (Slot)slot))
-            return false;
+        for (int i = 0; i < plain_count(row); i++)
+            if (layout_case_has_slot(&row->cases[i], (Slot)slot) && !layout_case_has_slot(fields, (Slot)slot))
+                return false;
     return true;
 }
 
 bool layout_is_whole(const LayoutRow *row)
 {
-    for (int i = 0; i < row->case_count; i++)
+    for (int i = 0; i < plain_count(row); i++)
         if (case_is_whole(row, &row->cases[i]))
             return true;
     return false;
 }
 
-int layout_case_bits(const LayoutRow *row)
+static int bits_for(int count)
 {
     int bits = 0;
-    while (1 << bits < row->case_count)
+    while (1 << bits < count)
         bits++;
     return bits;
+}
+
+int layout_case_bits(const LayoutRow *row) { return bits_for(plain_count(row)); }
+int layout_further_bits(const LayoutRow *row) { return bits_for(row->further_count); }
+
+static bool is_last_word(const LayoutRow *row, int target, int lane)
+{
+    return target + 1 == layout_targets(row) && lane + 1 == format_table[row->formats[target]].lanes;
+}
+
+double layout_case_code(const LayoutRow *row, int number, int target, int lane)
+{
+    const int further = number - plain_count(row);
+    const bool marked = further >= 0 && is_last_word(row, target, lane);
+    const double mark = marked ? ldexp(1, format_table[row->formats[target]].bits - 1) : 0;
+    return mark + (target || lane ? 0 : further < 0 ? number : ldexp(further, layout_case_bits(row)));
+}
+
+int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last)
+{
+    const int number = (int)(first & ((1u << layout_case_bits(row)) - 1));
+    const int bits = format_table[row->formats[layout_targets(row) - 1]].bits;
+    if (!row->further_count || number || !(last >> (bits - 1) & 1))
+        return number;
+    return plain_count(row) + (int)(first >> layout_case_bits(row) & ((1u << layout_further_bits(row)) - 1));
 }
 
 bool piece_is_slot(const Piece *piece)
@@ -108,11 +138,13 @@ static bool fits_lanes(const Room *room, const FormatRow *format, const Piece *p
     return true;
 }
 
-static bool fits(const Room *room, const FormatRow *format, const Piece *piece)
+static bool fits(const Room *room, const LayoutRow *row, const Piece *piece)
 {
+    const FormatRow *format = &format_table[row->formats[piece->target]];
     if (format->words != encoding_table[piece->field->encoding].words)
         return false;
-    return format->words ? room->taken[piece->target][piece->lane] + piece->size <= format->bits
+    const int mark = room->marked && is_last_word(row, piece->target, piece->lane);
+    return format->words ? room->taken[piece->target][piece->lane] + piece->size <= format->bits - mark
                          : fits_lanes(room, format, piece);
 }
 
@@ -121,7 +153,7 @@ static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
     for (piece->target = 0; piece->target < layout_targets(row); piece->target++) {
         const FormatRow *format = &format_table[row->formats[piece->target]];
         for (piece->lane = 0; piece->lane < format->lanes; piece->lane++) {
-            if (!fits(room, format, piece))
+            if (!fits(room, row, piece))
                 continue;
             int *taken = &room->taken[piece->target][piece->lane];
             piece->shift = format->words ? *taken : 0;
@@ -145,9 +177,11 @@ static bool is_sound(const FieldRow *field)
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement)
 {
     const CaseRow *fields = &row->cases[number];
-    Room room = {.taken = {{layout_case_bits(row)}}};
+    const bool further = number >= plain_count(row);
+    Room room = {.taken = {{layout_case_bits(row) + (further ? layout_further_bits(row) : 0)}}};
+    room.marked = further || (row->further_count && number == 0);
     *placement = (Placement){0};
-    if (layout_case_bits(row) && !format_table[row->formats[0]].words)
+    if ((layout_case_bits(row) || row->further_count) && !format_table[row->formats[0]].words)
         return &fields->fields[0]; /* nowhere to tell the cases apart */
     for (int i = 0; i < fields->field_count; i++) {
         const FieldRow *field = &fields->fields[i];

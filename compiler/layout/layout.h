@@ -22,8 +22,13 @@ typedef struct {
 /* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it. The same rows always give
  * the same places. NULL, or the field that does not fit in. */
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement);
-/* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. */
+/* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. Those of further cases stand behind them. */
 int layout_case_bits(const LayoutRow *row);
+int layout_further_bits(const LayoutRow *row);
+/* What of a word is known of a case: its number, and the highest bit of the last word. */
+double layout_case_code(const LayoutRow *row, int number, int target, int lane);
+/* The case that words were packed by, of the first target's first lane and of the last's last. */
+int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last);
 int layout_targets(const LayoutRow *row);
 int layout_bytes(const LayoutRow *row); /* of a pixel */
 /* A target of it holds words, for which GLSL 1.10 has no type. */

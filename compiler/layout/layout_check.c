@@ -119,7 +119,7 @@ static void check_room(Checker *k, int number, Tree *const *trees)
 
 static void check_cases(Checker *k, const Tree *file)
 {
-    if (layout_case_bits(k->row) && !format_table[k->row->formats[0]].words)
+    if ((layout_case_bits(k->row) || k->row->further_count) && !format_table[k->row->formats[0]].words)
         k->fine = diag_add(k->session, tree_find(file, "targets")->value->span, DIAG_case_words);
 }
 

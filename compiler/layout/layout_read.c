@@ -249,10 +249,25 @@ static CaseRow read_case(Reader *r, const Tree *object, const char *what, int nu
     return (CaseRow){fields, count, text_of(r, object, what, "doc", false)};
 }
 
+/* Further cases stand behind all others, and mark a word. */
+static void read_further(Reader *r, const Tree *object)
+{
+    const Tree *tree = member(r, object, "a case", "further", false);
+    const int targets = layout_targets(r->row);
+    const bool yes = tree && tree->kind == TREE_scalar && !strcmp(tree->text, "true");
+    if (tree && !yes && (tree->kind != TREE_scalar || strcmp(tree->text, "false") != 0))
+        wrong_type(r, tree, "further", "true or false");
+    else if (tree && yes && (!targets || !format_table[r->row->formats[targets - 1]].words))
+        wrong_type(r, tree, "further", "false: the last target holds no words");
+    else if (!yes && r->row->further_count)
+        wrong_type(r, object, "a case behind further ones", "to be a further one");
+    r->row->further_count += yes;
+}
+
 /* The fields of the outermost level, then those of `cases`. */
 static void read_cases(Reader *r, const Tree *file)
 {
-    static const char *const keys[] = {"doc", "fields"};
+    static const char *const keys[] = {"doc", "further", "fields"};
     int more = 0;
     const ListKey list = {"a layout", "cases", LIMIT_LAYOUT_CASES - 1};
     Tree **items = member(r, file, list.owner, list.key, false) ? items_of(r, file, list, &more) : NULL;
@@ -265,6 +280,7 @@ static void read_cases(Reader *r, const Tree *file)
             continue;
         }
         check_keys(r, items[i], "a case", keys, sizeof keys / sizeof *keys);
+        read_further(r, items[i]);
         cases[1 + i] = read_case(r, items[i], "a case", 1 + i);
     }
     r->row->cases = cases;

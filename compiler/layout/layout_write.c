@@ -78,6 +78,8 @@ void layout_write(Text *out, const LayoutRow *row)
     text_put(out, row->case_count > 1 ? "cases:\n" : "");
     for (int number = 1; number < row->case_count; number++) {
         put_doc(out, "  - doc: ", row->cases[number].doc);
+        if (number >= row->case_count - row->further_count)
+            text_put(out, "    further: true\n");
         text_put(out, "    fields:\n");
         for (int i = 0; i < row->cases[number].field_count; i++)
             put_field(out, &row->cases[number].fields[i], "      ");

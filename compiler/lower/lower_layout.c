@@ -85,13 +85,12 @@ static Ref word_value(Lower *l, const Packed *p, int target, int lane, double kn
     return !word ? rest : known != 0 ? build_join(ir, word, rest) : word;
 }
 
-/* The case's number is at the bottom of the first word. */
+/* The case's number is at the bottom of the first word; a further one marks the last. */
 static Ref words_value(Lower *l, const Packed *p, int target, int number)
 {
     Ref words[FIELD_LANES];
     for (int lane = 0; lane < FIELD_LANES; lane++) {
-        double known = target || lane ? 0 : number;
-        words[lane] = word_value(l, p, target, lane, known);
+        words[lane] = word_value(l, p, target, lane, layout_case_code(l->job->layout, number, target, lane));
     }
     return build_vec_of(l->ir, TYPE_uvec4, words, FIELD_LANES);
 }

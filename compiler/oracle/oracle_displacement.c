@@ -1,4 +1,4 @@
-/* True displacement (semantics.md 4.7): how far a point moves, the slopes of that, and the frame of the surface there. */
+/* True displacement (semantics.md 4.8): how far a point moves, the slopes of that, and the frame of the surface there. */
 #include "compiler/oracle/oracle_maps.h"
 #include <math.h>
 

@@ -127,6 +127,37 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
     result->lane[SLOT_interpolatedTransparency][0] = oracle_number(material, P_Phong_interpolatedTransparency) != 0;
 }
 
+static double ask_red(Environment *environment, const Node *material, int param)
+{
+    return oracle_ask_param(environment, material, param, channel_id(GROUP_R, 0));
+}
+
+/* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
+void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
+{
+    double normal[3], colour[3];
+    for (int i = 0; i < 3; i++)
+        normal[i] = oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
+    set_normal(environment, normal, result);
+    const double metal = ask_red(environment, material, P_Principled_metalness);
+    const double weight = ask_red(environment, material, P_Principled_specular);
+    const double opacity = ask_red(environment, material, P_Principled_opacity);
+    const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0), root = (ior - 1) / (ior + 1);
+    ask_colour(environment, material, P_Principled_baseColor, colour);
+    for (int i = 0; i < 3; i++)
+        result->lane[SLOT_diffuse][i] = colour[i] * ask_red(environment, material, P_Principled_baseWeight) * (1 - metal + metal * weight);
+    ask_colour(environment, material, P_Principled_emissionColor, colour);
+    for (int i = 0; i < 3; i++)
+        result->lane[SLOT_emissive][i] = opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
+    slot_colour(environment, material, P_Principled_specularColor, SLOT_specular, result);
+    set_colour(result, SLOT_transparency, (double[3]){1 - opacity, 1 - opacity, 1 - opacity});
+    result->lane[SLOT_alpha][0] = opacity;
+    result->lane[SLOT_metalness][0] = metal;
+    result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
+    result->lane[SLOT_reflectance][0] = weight * root * root;
+    result->lane[SLOT_model][0] = MODEL_Principled;
+}
+
 /* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta of the sun), and A to E. */
 enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
 /* The rows of sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. */

@@ -33,7 +33,10 @@ static bool make(Render *render, bool again, ScreenPass *pass)
     indirect_define(render, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
-    const ScreenPassText text = {.body = {indirect_surface_text(render), again ? render->surface->text : "", defined,
+    const SurfaceModel none = {.text = ""}, *of = again ? render->surface : &none;
+    const ScreenPassText text = {.body = {indirect_surface_text(render), of->text, surface_model_more(of, 0),
+                                          surface_model_more(of, 1), surface_model_more(of, 2), surface_model_more(of, 3),
+                                          surface_model_more(of, 4), defined,
                                           again ? "#define INDIRECT_AGAIN\n" : "", render_text_indirect_place,
                                           voxels ? render_text_voxel_map : "", voxels ? render_text_voxel_ray : "",
                                           kept ? cached : "", kept ? render_text_radiance : "", planes,

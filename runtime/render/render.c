@@ -133,6 +133,8 @@ static bool make_set(Render *render, const Scene *scene)
 {
     if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set))
         return false;
+    if (!render->options.surface)
+        render->surface = surface_model_of(set_layout(&render->set, &render->compile));
     for (int i = 0; render->options.opaque && i < render->set.count; i++) {
         render->set.programs[i].transparent = false;
         render->set.programs[i].caster = -1;

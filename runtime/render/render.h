@@ -45,7 +45,7 @@ typedef struct {
     size_t list_bytes;           /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
     bool opaque;                 /* surfaces are drawn as if all were opaque: a view of a slot has the nearest */
     bool fragment;               /* passes over all pixels are fragment programs, also where there is compute */
-    const SurfaceModel *surface; /* of all materials; NULL: surface_model_phong */
+    const SurfaceModel *surface; /* of all materials; NULL: what the layout says */
     bool unculled;               /* what is out of view is drawn, too: for tests */
 } RenderOptions;
 

@@ -6,7 +6,8 @@
 #include "runtime/gl/screen.h"
 #include "runtime/render/material.h"
 
-enum { SCREEN_PASS_PIECES = 25 };
+enum { SCREEN_PASS_PIECES = 30 };
+_Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES, "a head before them, an entry behind");
 
 typedef struct {
     const char *body[SCREEN_PASS_PIECES]; /* GLSL, read one after the other; NULL ends the list */

@@ -1,6 +1,32 @@
-/* Each model by its text. */
+/* Each model by its text. Of two in one scene the texts stand one after the other, their names told apart by macros, and one behind them that
+ * chooses. */
 #include "runtime/render/surface_model.h"
+#include "compiler/layout/layout.h"
 
-extern const char render_text_surface_phong[];
+extern const char render_text_surface_phong[], render_text_surface_principled[], render_text_surface_both[];
 
-const SurfaceModel surface_model_phong = {"Phong", render_text_surface_phong, true};
+#define RENAMED(model)                                                                                                 \
+    "#define Lit " model "Lit\n#define surfaceLit " model "SurfaceLit\n#define surfaceThrough " model "Through\n"       \
+    "#define surfaceOwn " model "Own\n#define surfaceAmbient " model "Ambient\n#define surfaceEven " model "Even\n"     \
+    "#define surfaceLobe " model "Lobe\n#define surfaceSky " model "Sky\n#define surfaceArea " model "Area\n"           \
+    "#define surfaceHemisphere " model "Hemisphere\n#define surfaceMatt " model "Matt\n"
+#define UNNAMED                                                                                                        \
+    "#undef Lit\n#undef surfaceLit\n#undef surfaceThrough\n#undef surfaceOwn\n#undef surfaceAmbient\n"                  \
+    "#undef surfaceEven\n#undef surfaceLobe\n#undef surfaceSky\n#undef surfaceArea\n#undef surfaceHemisphere\n#undef surfaceMatt\n"
+
+const SurfaceModel surface_model_phong = {.name = "Phong", .text = render_text_surface_phong, .parts = true};
+const SurfaceModel surface_model_principled = {.name = "Principled", .text = render_text_surface_principled};
+static const SurfaceModel both = {.name = "Phong and Principled",
+                                  .text = RENAMED("phong"),
+                                  .more = {render_text_surface_phong, UNNAMED RENAMED("principled"),
+                                           render_text_surface_principled, UNNAMED, render_text_surface_both}};
+
+const SurfaceModel *surface_model_of(const LayoutRow *layout)
+{
+    if (!layout || !layout_has_slot(layout, SLOT_model))
+        return &surface_model_phong;
+    const FixedRow *fixed = layout_fixed(layout, SLOT_model);
+    return !fixed ? &both : fixed->value[0] == MODEL_Principled ? &surface_model_principled : &surface_model_phong;
+}
+
+const char *surface_model_more(const SurfaceModel *model, int i) { return model->more[i] ? model->more[i] : ""; }

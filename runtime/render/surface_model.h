@@ -21,16 +21,22 @@
  *     float surfaceExponent(Lit m)                                          n
  *     bool surfaceLetsThrough(Lit m)
  *
- * A further model is a text and a row here; tests/frame/reference_light.c has the sum that its light is held against. */
+ * A further model is a text and a row here, and a number of its own (slots.def); tests/frame/reference_light.c has the sum that its light is held against. */
 #ifndef MATC_SURFACE_MODEL_H
 #define MATC_SURFACE_MODEL_H
-#include <stdbool.h>
+#include "grammar/layout_tables.h"
 
+enum { SURFACE_MODEL_MORE = 5 };
 typedef struct {
     const char *name;
     const char *text;
     bool parts;
+    const char *more[SURFACE_MODEL_MORE]; /* texts behind that one */
 } SurfaceModel;
 
-extern const SurfaceModel surface_model_phong;
+extern const SurfaceModel surface_model_phong, surface_model_principled;
+/* The model of surfaces that a layout holds, or one of them all, where it holds several; NULL: of no surface. */
+const SurfaceModel *surface_model_of(const LayoutRow *layout);
+/* "" where there is none. */
+const char *surface_model_more(const SurfaceModel *model, int i);
 #endif

@@ -24,6 +24,10 @@ static const SlotLook looks[SLOT_LOOK_COUNT] = {
     {"ambient", COLOR},
     {"emissive", COLOR},
     {"ior", RATIO},
+    {"metalness", NUMBER},
+    {"roughness", NUMBER},
+    {"reflectance", NUMBER},
+    {"model", NUMBER},
 };
 
 const char *slot_look_name(int i) { return looks[i].name; }

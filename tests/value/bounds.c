@@ -97,6 +97,8 @@ static void walk_material(const Node *material, Slot slot, Subjects *subjects)
         walk_value(d.height, subjects);
         walk_value(d.vector, subjects);
     }
+    if (material->kind == KIND_Principled)
+        walk(material, subjects);
     if (material->kind == KIND_MixMaterial)
         walk_value(node_param(material, P_MixMaterial_mask), subjects);
     if (material->kind == KIND_Phong)

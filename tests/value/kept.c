@@ -108,7 +108,11 @@ static int drawn_case(const Gbuffer *g, int count)
     GLuint(*words)[4] = calloc((size_t)count, sizeof *words);
     if (!words || !framebuffer_read_words(g->drawer->gl, &g->targets, 0, &words[0][0]))
         abort();
-    int number = (int)(words[0][0] & ((1u << layout_case_bits(g->layout)) - 1));
+    const int last = layout_targets(g->layout) - 1;
+    const GLuint first = words[0][0];
+    if (!framebuffer_read_words(g->drawer->gl, &g->targets, last, &words[0][0]))
+        abort();
+    const int number = layout_case_of(g->layout, first, words[0][format_table[g->layout->formats[last]].lanes - 1]);
     free(words);
     return number;
 }

@@ -1,0 +1,71 @@
+/* The material Principled: OpenPBR's parameters to slots. */
+#include "compiler/lower/lower.h"
+
+static Ref color(Lower *l, const Node *m, int param, const Env *env)
+{
+    return build_convert(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), TYPE_vec3);
+}
+
+/* What a map says as a number: its red. */
+static Ref red(Lower *l, const Node *m, int param, const Env *env)
+{
+    return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
+}
+
+/* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1 would divide by 0. */
+static Ref reflectance(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref ior = build_max(ir, red(l, m, P_Principled_ior, env), build_float(ir, 0)), one = build_float(ir, 1);
+    Ref less = build_sub(ir, ior, one), more = build_add(ir, ior, one);
+    Ref root = build_div(ir, less, more);
+    return build_mul(ir, build_square(ir, root), red(l, m, P_Principled_specular, env));
+}
+
+/* Of metal, `specular` is a factor on all that it reflects. */
+static Ref base(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref own = build_mul(ir, color(l, m, P_Principled_baseColor, env), red(l, m, P_Principled_baseWeight, env));
+    Ref weight = red(l, m, P_Principled_specular, env), one = build_float(ir, 1);
+    Ref less = build_mul(ir, red(l, m, P_Principled_metalness, env), build_sub(ir, weight, one));
+    return build_mul(ir, own, build_add(ir, one, less));
+}
+
+static Ref emission(Lower *l, const Node *m, const Env *env)
+{
+    Ir *ir = l->ir;
+    Ref sent = build_mul(ir, color(l, m, P_Principled_emissionColor, env), red(l, m, P_Principled_emission, env));
+    return build_mul(ir, sent, red(l, m, P_Principled_opacity, env));
+}
+
+Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
+{
+    Ir *ir = l->ir;
+    switch (slot) {
+    case SLOT_normal:
+        return lower_ask(l, lower_param_node(m, P_Principled_input), GROUP_N, env);
+    case SLOT_diffuse:
+        return base(l, m, env);
+    case SLOT_alpha:
+        return red(l, m, P_Principled_opacity, env);
+    case SLOT_specular:
+        return color(l, m, P_Principled_specularColor, env);
+    case SLOT_transparency:
+        return build_convert(ir, build_sub(ir, build_float(ir, 1), red(l, m, P_Principled_opacity, env)), TYPE_vec3);
+    case SLOT_emissive:
+        return emission(l, m, env);
+    case SLOT_ior:
+        return env->root[GROUP_IOR];
+    case SLOT_metalness:
+        return red(l, m, P_Principled_metalness, env);
+    case SLOT_roughness:
+        return red(l, m, P_Principled_roughness, env);
+    case SLOT_reflectance:
+        return reflectance(l, m, env);
+    case SLOT_model:
+        return build_float(ir, MODEL_Principled);
+    default:
+        return build_all(ir, slot_table[slot].type, slot_table[slot].absent);
+    }
+}

@@ -1,0 +1,71 @@
+// Surfaces of both models in one G-buffer: which one a pixel has, its slot `model` says. Before it stand the texts of both, whose names begin with
+// phong and principled (surface_model.c).
+struct Lit {
+    vec3 normal;
+    bool principled;
+    phongLit phong;
+    principledLit other;
+};
+
+vec3 surfaceThrough(Surface s) { return phongThrough(s); } // both let through what their transparency says
+
+Lit surfaceLit(Surface s, vec3 toEye)
+{
+    Lit m;
+    m.principled = s.model > 0.5;
+    if (m.principled) m.other = principledSurfaceLit(s, toEye);
+    else m.phong = phongSurfaceLit(s, toEye);
+    m.normal = m.principled ? m.other.normal : m.phong.normal;
+    return m;
+}
+
+vec3 surfaceOwn(Lit m) { return m.principled ? m.other.emissive : m.phong.emissive; }
+
+vec3 surfaceAmbient(Lit m, vec3 ambient)
+{
+    if (m.principled) return principledAmbient(m.other, ambient);
+    return phongAmbient(m.phong, ambient);
+}
+
+vec3 surfaceEven(Lit m)
+{
+    if (m.principled) return principledEven(m.other);
+    return phongEven(m.phong);
+}
+
+Lit surfaceMatt(Lit m)
+{
+    if (m.principled) m.other = principledMatt(m.other);
+    else m.phong = phongMatt(m.phong);
+    return m;
+}
+
+vec3 surfaceLobe(Lit m, vec3 l)
+{
+    if (m.principled) return principledLobe(m.other, l);
+    return phongLobe(m.phong, l);
+}
+
+#ifdef LIGHT_HAS_SKY
+vec3 surfaceSky(Lit m)
+{
+    if (m.principled) return principledSky(m.other);
+    return phongSky(m.phong);
+}
+#endif
+
+#ifdef LIGHT_HAS_HEMISPHERE
+vec3 surfaceHemisphere(Lit m)
+{
+    if (m.principled) return principledHemisphere(m.other);
+    return phongHemisphere(m.phong);
+}
+#endif
+
+#ifdef LIGHT_HAS_AREAS
+vec3 surfaceArea(Lit m, Area light)
+{
+    if (m.principled) return principledArea(m.other, light);
+    return phongArea(m.phong, light);
+}
+#endif

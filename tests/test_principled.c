@@ -1,0 +1,247 @@
+/* The lobe of Principled surfaces: the fits of its albedos against integrals in double, the GLSL's lobe against microfacets as they are defined, a
+ * white furnace at every roughness, light that changes places with the eye, and colours that no surface sends more of than arrives. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include "runtime/render/screen_pass.h"
+#include "runtime/render/surface_model.h"
+#include "tests/frame/frame_draw.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double PI = 3.14159265358979323846;
+enum { SIDE = 20 };
+
+/* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */
+static const char head[] =
+    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance; };\n"
+    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n"
+    "#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n#define SURFACE_HAS_reflectance\n";
+static const char tools[] =
+    "const float SIDE = 20.0;\n"
+    "float roughOf(ivec2 p) { return 0.0316227766 + 0.9683772 * float(p.y) / (SIDE - 1.0); }\n"
+    "float cosineOf(ivec2 p) { return 0.1 + 0.9 * float(p.x) / (SIDE - 1.0); }\n"
+    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); "
+    "return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
+    "Surface made(vec3 base, vec3 tint, vec3 numbers) { return Surface(vec3(0.0, 0.0, 1.0), base, tint, numbers.x, numbers.y, numbers.z); }\n"
+    "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
+    "Surface mixed(ivec2 p, float rough) { return made(vec3(varied(p, 0.618), varied(p, 0.382), 0.9), vec3(1.0, varied(p, 0.271), 0.8), "
+    "vec3(varied(p, 0.733), rough, 0.3 * varied(p, 0.137))); }\n";
+static const char fits[] = "vec4 passPixel(ivec2 p) { return vec4(albedo(cosineOf(p), roughOf(p) * roughOf(p), roughOf(p)), 0.0, 1.0); }\n";
+static const char lobes[] =
+    "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(mixed(p, roughOf(p)), toward(cosineOf(p), 0.0)); "
+    "return vec4(surfaceLobe(m, toward(0.05 + 0.9 * varied(p, 0.5701), 3.14159 + (0.5 - varied(p, 0.91)) * roughOf(p))), 1.0); }\n";
+/* Half of the directions by what of GGX's facets the eye sees (Heitz 2018), half by the cosine. */
+static const char furnace[] =
+    "vec3 facet(vec3 v, float a, vec2 u) {\n"
+    "    vec3 w = normalize(vec3(a * v.xy, v.z)), t = w.z < 0.9999 ? normalize(vec3(-w.y, w.x, 0.0)) : vec3(1.0, 0.0, 0.0), s = cross(w, t);\n"
+    "    float r = sqrt(u.x), f = 6.2831853 * u.y, x = r * cos(f), y = r * sin(f), k = 0.5 + 0.5 * w.z;\n"
+    "    y = mix(sqrt(max(1.0 - x * x, 0.0)), y, k);\n"
+    "    vec3 n = x * t + y * s + sqrt(max(1.0 - x * x - y * y, 0.0)) * w;\n"
+    "    return normalize(vec3(a * n.xy, max(n.z, 1e-6)));\n}\n"
+    "float density(vec3 v, vec3 l, float a) {\n"
+    "    vec3 h = normalize(v + l), c = cross(vec3(0.0, 0.0, 1.0), h);\n"
+    "    float d = a * a * h.z * h.z + dot(c, c), g = 2.0 * v.z / (v.z + sqrt(a * a + (1.0 - a * a) * v.z * v.z));\n"
+    "    return 0.5 * (g * a * a / (d * d * 4.0 * v.z) + l.z) / 3.14159265;\n}\n"
+    "vec3 sent(Surface surface, vec3 v) {\n"
+    "    Lit m = surfaceLit(surface, v);\n"
+    "    vec3 sum = vec3(0.0);\n"
+    "    for (int i = 0; i < 1024; i++) {\n"
+    "        vec2 u = fract(vec2(0.7548776662, 0.5698402910) * float(i) + 0.5);\n"
+    "        vec3 l = (i & 1) == 0 ? reflect(-v, facet(v, m.alpha, u)) : toward(sqrt(u.x), 6.2831853 * u.y);\n"
+    "        if (l.z > 0.0) sum += surfaceLobe(m, l) / (3.14159265 * density(v, l, m.alpha));\n"
+    "    }\n"
+    "    return sum / 1024.0;\n}\n"
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), white = vec3(1.0);\n"
+    "    float rough = roughOf(p);\n"
+    "    return vec4(sent(made(white, white, vec3(0.0, rough, 0.04)), v).x, sent(made(white, white, vec3(1.0, rough, 0.0)), v).x,\n"
+    "        sent(made(white, white, vec3(0.4, rough, 0.3)), v).x, sent(mixed(p, rough), v).z);\n}\n";
+static const char turned[] =
+    "vec4 passPixel(ivec2 p) {\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), l = toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91));\n"
+    "    Surface s = mixed(p, roughOf(p));\n"
+    "    vec3 a = surfaceLobe(surfaceLit(s, v), l) / l.z, b = surfaceLobe(surfaceLit(s, l), v) / v.z;\n"
+    "    return vec4(abs(a - b) / (a + b), 1.0);\n}\n";
+static const char around[] =
+    "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(made(vec3(1.0), vec3(1.0), vec3(varied(p, 0.733), roughOf(p), 0.3)), toward(cosineOf(p), 0.0)); "
+    "return vec4(surfaceAmbient(m, vec3(1.0)), 1.0); }\n";
+
+static void run(GlContext *gl, const char *body, float (*said)[4])
+{
+    Store *store = store_new(gl);
+    Screen screen;
+    ScreenPass pass;
+    Framebuffer target;
+    const FramebufferSpec spec = {.width = SIDE, .height = SIDE, .color_count = 1, .color_format = GL_RGBA32F};
+    const ScreenPassText text = {.body = {head, surface_model_principled.text, tools, body}, .format = "RGBA32F"};
+    if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) || !screen_pass_make(store, &text, &pass))
+        fail_msg("%s", gl->error);
+    screen_pass_run(&pass, &target, &screen);
+    assert_true(framebuffer_read(gl, &target, 0, said[0]));
+    screen_pass_delete(&pass);
+    framebuffer_delete(gl, &target);
+    screen_delete(gl, &screen);
+    store_free(store);
+}
+
+static double rough_of(int y) { return .0316227766 + .9683772 * y / (SIDE - 1); }
+static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
+static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
+
+/* Albedos of GGX with Smith's masking by height, by visible facets: 1 - E, and what Schlick's (1 - cosine)^5 has of E. */
+static void integrate(double cosine, double alpha, double found[2])
+{
+    enum { RINGS = 96, TURNS = 64 };
+    const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
+    const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
+    double all = 0, fresnel = 0;
+    for (int i = 0; i < RINGS * TURNS; i++) {
+        const double r = sqrt((i / TURNS + .5) / RINGS), turn = 2 * PI * (i % TURNS + .5) / TURNS, t = r * cos(turn), k = .5 + .5 * wz;
+        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn), up = sqrt(fmax(1 - t * t - s * s, 0));
+        double h[3] = {alpha * (s * -wz + up * wx), alpha * t, fmax(s * wx + up * wz, 0)};
+        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), facing = (vx * h[0] + cosine * h[2]) / length;
+        const double l = 2 * facing * h[2] / length - cosine;
+        if (l <= 0 || facing <= 0)
+            continue;
+        const double light = sqrt(alpha * alpha + (1 - alpha * alpha) * l * l);
+        const double share = l * (cosine + eye) / (cosine * light + l * eye); /* G2 over what is visible */
+        all += share;
+        fresnel += share * pow(1 - facing, 5);
+    }
+    found[0] = 1 - all / (RINGS * TURNS);
+    found[1] = fresnel / (RINGS * TURNS);
+}
+
+/* Means over all directions, 2 cosine d cosine. */
+static void mean_of(double alpha, double found[2])
+{
+    enum { STEPS = 24 };
+    found[0] = found[1] = 0;
+    for (int i = 0; i < STEPS; i++) {
+        const double t = (i + .5) / STEPS;
+        double one[2];
+        integrate(t * t, alpha, one);
+        for (int k = 0; k < 2; k++)
+            found[k] += one[k] * 4 * t * t * t / STEPS;
+    }
+}
+
+static void albedos_are_fitted(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst[2] = {0};
+    GlContext *gl = frame_context();
+    run(gl, fits, said);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        double want[2];
+        integrate(cosine_of(i % SIDE), pow(rough_of(i / SIDE), 2), want);
+        for (int k = 0; k < 2; k++)
+            worst[k] = fmax(worst[k], fabs(said[i][k] - want[k]));
+    }
+    gl_close(gl);
+    print_message("albedos: within %.4f and %.4f\n", worst[0], worst[1]);
+    assert_true(worst[0] < .0075 && worst[1] < .0075);
+}
+
+typedef struct {
+    double base, tint, metal, rough, reflectance;
+} Case;
+
+/* The lobe as it is defined, of one lane, by integrals. */
+static double lobe_of(const Case *c, double cosine, double l, double turn)
+{
+    const double a = c->rough * c->rough, vx = sqrt(1 - cosine * cosine), lx = sqrt(1 - l * l);
+    const double sum[3] = {vx + lx * cos(turn), lx * sin(turn), cosine + l}, size = sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+    const double high = sum[2] / size, facing = (vx * sum[0] + cosine * sum[2]) / size;
+    const double d = a * a / (PI * pow(high * high * (a * a - 1) + 1, 2));
+    const double lambda_v = (sqrt(1 + a * a * (1 / (cosine * cosine) - 1)) - 1) / 2, lambda_l = (sqrt(1 + a * a * (1 / (l * l) - 1)) - 1) / 2;
+    const double once = PI * d / (1 + lambda_v + lambda_l) / (4 * cosine);
+    double v[2], w[2], m[2];
+    integrate(cosine, a, v);
+    integrate(l, a, w);
+    mean_of(a, m);
+    const double again = l * v[0] * w[0] / m[0], f0 = c->reflectance, mean_f = f0 + (1 - f0) / 21;
+    const double ms = mean_f * mean_f * (1 - m[0]) / (1 - mean_f * m[0]);
+    const double es_v = f0 * (1 - v[0] - v[1]) + v[1] + v[0] * ms, es_l = f0 * (1 - w[0] - w[1]) + w[1] + w[0] * ms;
+    const double es_m = f0 * (1 - m[0] - m[1]) + m[1] + m[0] * ms, schlick = pow(1 - facing, 5);
+    const double plain = l * c->base * (1 - es_v) * (1 - es_l) / (1 - es_m) + c->tint * (once * (f0 + (1 - f0) * schlick) + again * ms);
+    const double at = 1. / 7, at82 = c->base + (1 - c->base) * pow(1 - at, 5), dip = at82 * (1 - c->tint) / (at * pow(1 - at, 6));
+    const double f = c->base + (1 - c->base) * schlick - dip * facing * pow(1 - facing, 6);
+    const double mean_m = c->base + (1 - c->base) / 21 - dip / 126, ms_m = mean_m * mean_m * (1 - m[0]) / (1 - mean_m * m[0]);
+    return (1 - c->metal) * plain + c->metal * (once * fmax(f, 0) + again * ms_m);
+}
+
+static void lobes_are_microfacets(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst = 0;
+    GlContext *gl = frame_context();
+    run(gl, lobes, said);
+    for (int i = SIDE; i < SIDE * SIDE; i += 3) { /* rows above the first, whose lobe is narrower than floats of the directions */
+        const double base[3] = {varied(i, .618), varied(i, .382), .9}, tint[3] = {1, varied(i, .271), .8};
+        const double turn = 3.14159 + (.5 - varied(i, .91)) * rough_of(i / SIDE);
+        for (int lane = 0; lane < 3; lane++) {
+            const Case c = {base[lane], tint[lane], varied(i, .733), rough_of(i / SIDE), .3 * varied(i, .137)};
+            const double want = lobe_of(&c, cosine_of(i % SIDE), .05 + .9 * varied(i, .5701), turn);
+            worst = fmax(worst, fabs(said[i][lane] - want) / (.25 + want));
+        }
+    }
+    gl_close(gl);
+    print_message("lobes: within %.4f\n", worst);
+    assert_true(worst < .01);
+}
+
+static void white_sends_all(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double least[3] = {2, 2, 2}, most[3] = {0}, colored = 0;
+    GlContext *gl = frame_context();
+    run(gl, furnace, said);
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        for (int k = 0; k < 3; k++) {
+            least[k] = fmin(least[k], (double)said[i][k]);
+            most[k] = fmax(most[k], (double)said[i][k]);
+        }
+        colored = fmax(colored, (double)said[i][3]);
+    }
+    gl_close(gl);
+    for (int k = 0; k < 3; k++)
+        print_message("white, %s: %.4f to %.4f\n", (const char *[]){"dielectric", "metal", "between"}[k], least[k], most[k]);
+    for (int k = 0; k < 3; k++)
+        assert_true(least[k] > .99 && most[k] < 1.01);
+    assert_true(colored < 1);
+}
+
+static void light_and_eye_change_places(void **state)
+{
+    (void)state;
+    static float said[SIDE * SIDE][4];
+    double worst = 0;
+    GlContext *gl = frame_context();
+    run(gl, turned, said);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        worst = fmax(worst, fmax((double)said[i][0], fmax((double)said[i][1], (double)said[i][2])));
+    print_message("changed places: within %.1e\n", worst);
+    assert_true(worst < 2e-5);
+    run(gl, around, said);
+    worst = 0;
+    for (int i = 0; i < SIDE * SIDE; i++)
+        worst = fmax(worst, fabs((double)said[i][0] - 1));
+    gl_close(gl);
+    print_message("from all around: within %.4f\n", worst);
+    assert_true(worst < .01);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(albedos_are_fitted), cmocka_unit_test(lobes_are_microfacets),
+                                       cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
