@@ -133,8 +133,9 @@ static bool make_set(Render *render, const Scene *scene)
 {
     if (!set_make(render->gl, scene, &render->compile, shadow_casts(render), &render->set))
         return false;
+    const LayoutRow *layout = render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
     if (!render->options.surface)
-        render->surface = surface_model_of(set_layout(&render->set, &render->compile));
+        render->surface = surface_model_of(layout);
     for (int i = 0; render->options.opaque && i < render->set.count; i++) {
         render->set.programs[i].transparent = false;
         render->set.programs[i].caster = -1;
