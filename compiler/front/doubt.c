@@ -26,7 +26,7 @@ typedef struct {
     Session *session;
     unsigned *asked;     /* by node's index: Asked */
     const Node **reader; /* by node's index: one of those that ask */
-    unsigned *models;    /* by node's index: 1 << Model of what a material shows */
+    const unsigned *models; /* the graph's */
     bool saying;         /* what all are asked for is known */
 } Doubts;
 
@@ -288,24 +288,10 @@ static void doubt_unstored(const Doubts *d, const Node *node)
             diag_add(d->session, node->params[i].span, DIAG_unstored, param_table[row->first + i].name, row->name);
 }
 
-/* Which surface models a material shows, by those below it, which were met before. A missing one is a grey Phong. */
-static unsigned models_of(const Doubts *d, const Node *node)
-{
-    const KindRow *row = &kind_table[node->kind];
-    unsigned models = 0;
-    if (node->kind == KIND_Principled)
-        return 1u << MODEL_Principled;
-    for (int i = 0; i < row->count; i++)
-        if (param_table[row->first + i].type == PARAM_Material)
-            models |= node->params[i].kind == VALUE_node ? d->models[node->params[i].node->index] : 0;
-    return models ? models : 1u << MODEL_Phong;
-}
-
 /* A Mix of materials one of which would move the surface; or whose slots mean other things. */
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
-    d->models[node->index] = models_of(d, node);
     if (node->kind == KIND_MixMaterial && d->models[node->index] == ((1u << MODEL_Phong) | 1u << MODEL_Principled))
         diag_add(d->session, node->span, DIAG_mixed_models);
     for (int i = 0; i < row->count; i++) {
@@ -333,7 +319,7 @@ void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes,
 {
     Doubts d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
                 ARENA_ARRAY(session->arena, const Node *, graph->node_count),
-                ARENA_ARRAY(session->arena, unsigned, graph->node_count), false};
+                graph->models, false};
     for (size_t i = count; i--;)
         ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
     d.saying = true;

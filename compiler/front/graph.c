@@ -42,3 +42,21 @@ bool graph_displaces(const Node *material)
     const Displacement d = graph_displacement(material);
     return d.height->kind == VALUE_node || d.vector->kind == VALUE_node;
 }
+
+static unsigned models_of(const Graph *graph, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    unsigned models = 0;
+    if (node->kind == KIND_Principled)
+        return 1u << MODEL_Principled;
+    for (int i = 0; i < row->count; i++)
+        if (param_table[row->first + i].type == PARAM_Material)
+            models |= node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;
+    return models ? models : 1u << MODEL_Phong;
+}
+
+void graph_find_models(Graph *graph, const Node *const *nodes, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        graph->models[nodes[i]->index] = models_of(graph, nodes[i]);
+}

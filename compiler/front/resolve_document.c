@@ -224,6 +224,8 @@ Graph *resolve(Session *session, Tree *document)
     graph->image_count = (int)r.image_count;
     if (!fine || session->diags.errors)
         return NULL;
+    graph->models = ARENA_ARRAY(session->arena, unsigned, graph->node_count);
+    graph_find_models(graph, r.nodes, r.named_count);
     doubt_graph(session, graph, r.nodes, r.named_count);
     return session->diags.errors ? NULL : graph;
 }

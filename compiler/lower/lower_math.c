@@ -127,7 +127,8 @@ static Answer curved(Lower *l, const Curve *curve, Answer x, int depth)
     if (!x.split || depth == 0 || l->relief)
         return with_alpha(l, answer_of(curve->of(l, x.value, curve->numbers)), x.value);
     const Split *split = x.split;
-    return answer_either(l, split->by, curved(l, curve, split->a, depth - 1), curved(l, curve, split->b, depth - 1));
+    const Answer a = curved(l, curve, split->a, depth - 1), b = curved(l, curve, split->b, depth - 1);
+    return answer_either(l, split->by, a, b);
 }
 
 static Ref clamped(Lower *l, Ref x, const Ref *low_high)

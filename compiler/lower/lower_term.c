@@ -224,8 +224,9 @@ static Ref each(Lower *l, Function function, Ref a)
 static Ref cells(Lower *l, Ref p, int which)
 {
     Ir *ir = l->ir;
-    const Ref args[] = {build_splat(ir, p, TYPE_vec3), build_vec3(ir, 0, 0, 0), build_float(ir, 1), build_int(ir, CELLS_EUCLIDEAN),
-                        build_int(ir, which)};
+    const Ref place = build_splat(ir, p, TYPE_vec3), rest = build_vec3(ir, 0, 0, 0), jitter = build_float(ir, 1);
+    const Ref distance = build_int(ir, CELLS_EUCLIDEAN), value = build_int(ir, which);
+    const Ref args[] = {place, rest, jitter, distance, value};
     return build_call_of(ir, FN_cells3, args, sizeof args / sizeof *args);
 }
 

@@ -135,7 +135,7 @@ static bool make_set(Render *render, const Scene *scene)
         return false;
     const LayoutRow *layout = render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
     if (!render->options.surface)
-        render->surface = surface_model_of(layout);
+        render->surface = surface_model_of(layout, scene_models(scene));
     for (int i = 0; render->options.opaque && i < render->set.count; i++) {
         render->set.programs[i].transparent = false;
         render->set.programs[i].caster = -1;

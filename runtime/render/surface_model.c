@@ -21,12 +21,15 @@ static const SurfaceModel both = {.name = "Phong and Principled",
                                   .more = {render_text_surface_phong, UNNAMED RENAMED("principled"),
                                            render_text_surface_principled, UNNAMED, render_text_surface_both}};
 
-const SurfaceModel *surface_model_of(const LayoutRow *layout)
+const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models)
 {
     if (!layout || !layout_has_slot(layout, SLOT_model))
         return &surface_model_phong;
     const FixedRow *fixed = layout_fixed(layout, SLOT_model);
-    return !fixed ? &both : fixed->value[0] == MODEL_Principled ? &surface_model_principled : &surface_model_phong;
+    models = fixed ? 1u << (unsigned)fixed->value[0] : models;
+    if (models == 1u << MODEL_Principled)
+        return &surface_model_principled;
+    return models >> MODEL_Principled & 1 ? &both : &surface_model_phong;
 }
 
 const char *surface_model_more(const SurfaceModel *model, int i) { return model->more[i] ? model->more[i] : ""; }

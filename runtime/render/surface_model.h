@@ -35,8 +35,8 @@ typedef struct {
 } SurfaceModel;
 
 extern const SurfaceModel surface_model_phong, surface_model_principled;
-/* The model of surfaces that a layout holds, or one of them all, where it holds several; NULL: of no surface. */
-const SurfaceModel *surface_model_of(const LayoutRow *layout);
+/* The model of surfaces that a layout holds, or one of them all, where it holds several and so do `models`, bits 1 << Model; NULL: of no surface. */
+const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models);
 /* "" where there is none. */
 const char *surface_model_more(const SurfaceModel *model, int i);
 #endif

@@ -158,6 +158,8 @@ const char *scene_indirect_name(Word word);
 static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
 /* It can have shadows by a method of the list Shadows. */
 bool scene_light_takes(const SceneLight *light, Word method);
+/* 1 << Model of each surface model that materials of its objects show. */
+unsigned scene_models(const Scene *scene);
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 
