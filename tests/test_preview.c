@@ -137,12 +137,18 @@ static void slots_are_shown(void **state)
         {"emissive", "emissive: [0.5, 0.2, 4]", {187.5, 123.6, 255}},
         {"ior", "{}", {0, 0, 0}},
         {"normal", "{}", {127.5, 127.5, 255}}, /* it faces the eye */
+        {"metalness", "{ material: Principled, metalness: 0.25 }", {63.75, 63.75, 63.75}},
+        {"roughness", "{ material: Principled, roughness: 0.75 }", {191.25, 191.25, 191.25}},
+        {"reflectance", "{ material: Principled, ior: 3 }", {63.75, 63.75, 63.75}}, /* ((3 - 1) / (3 + 1))^2 */
+        {"model", "{ material: Principled }", {255, 255, 255}},
+        {"model", "{}", {0, 0, 0}},
     };
     enum { SIDE = 65, MIDDLE = (SIDE / 2 * SIDE + SIDE / 2) * 3 };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[128];
-        snprintf(text, sizeof text, "{ material: Phong%s%s }", *cases[i].text == '{' ? "" : ", ",
-                 *cases[i].text == '{' ? "" : cases[i].text);
+        const char *given = cases[i].text;
+        const bool whole = !strncmp(given, "{ material", 10), plain = !strcmp(given, "{}");
+        snprintf(text, sizeof text, whole ? "%s%s" : "{ material: Phong%s%s }", whole || plain ? "" : ", ", plain ? "" : given);
         Drawn p = draw_slot(text, "gbuffer", cases[i].slot, SIDE, SIDE);
         for (int lane = 0; lane < 3; lane++)
             if (fabs(p.rgb[MIDDLE + lane] - cases[i].bytes[lane]) > 1.5)
@@ -151,7 +157,7 @@ static void slots_are_shown(void **state)
         assert_true(p.rgb[0] < 45);
         discard(&p);
     }
-    assert_int_equal(sizeof cases / sizeof *cases, SLOT_COUNT);
+    assert_int_equal(sizeof cases / sizeof *cases, SLOT_COUNT + 1); /* `model` twice */
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         assert_non_null(slot_look_find(slot_table[slot].name));
 }
