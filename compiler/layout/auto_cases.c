@@ -23,7 +23,7 @@ typedef struct {
     LayoutRow row; /* as large as the cases may be, and so many of them */
     int steps;
     Division *found;
-    uint8_t fits[1 << SLOT_COUNT]; /* by the slots of a case: 1 it does, 2 it does not, 0 not tried yet */
+    uint8_t fits[1 << SLOT_COUNT >> 2]; /* by the slots of a case, four in a byte: 1 it does, 2 it does not, 0 not tried yet */
 } Search;
 
 void auto_choose_formats(LayoutRow *row, int words)
@@ -55,9 +55,11 @@ static bool can_fit(const Search *s, unsigned slots)
 
 static bool fits(Search *s, unsigned slots)
 {
-    if (!s->fits[slots])
-        s->fits[slots] = can_fit(s, slots) ? 1 : 2;
-    return s->fits[slots] == 1;
+    uint8_t *four = &s->fits[slots >> 2];
+    const unsigned at = 2 * (slots & 3);
+    if (!(*four >> at & 3))
+        *four |= (uint8_t)((can_fit(s, slots) ? 1u : 2u) << at);
+    return (*four >> at & 3) == 1;
 }
 
 /* Finds a case for the sets from `next` on: one that has it already, one that can take it in, or a new one. */

@@ -11,6 +11,11 @@ enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
 
 static Ref white(Lower *l) { return build_vec3(l->ir, 1, 1, 1); }
 static Ref black(Lower *l) { return build_vec3(l->ir, 0, 0, 0); }
+/* Of a slot that a material has nothing to say of. */
+static Ref nothing(Lower *l, Slot slot)
+{
+    return type_table[slot_table[slot].type].lanes == 1 ? build_float(l->ir, 0) : black(l);
+}
 
 static Ref value_slot(Lower *l, const Node *m, Slot slot, const Env *env);
 
@@ -104,7 +109,7 @@ Ref lower_Phong(Lower *l, const Node *m, Slot slot, const Env *env)
     case SLOT_ior:
         return lower_ask(l, lower_param_node(m, P_Phong_input), GROUP_IOR, env);
     default:
-        return black(l);
+        return nothing(l, slot);
     }
 }
 
@@ -128,7 +133,7 @@ static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *en
     case SLOT_ior:
         return env->root[GROUP_IOR];
     default:
-        return black(l);
+        return nothing(l, slot);
     }
 }
 
