@@ -46,8 +46,8 @@ void shape_free(Shape *shape);
 typedef enum {
     SHAPE_BODY_none,
     SHAPE_BODY_closed, /* each edge has an even number of triangles: of two bodies that touch, or cross, each does */
-    SHAPE_BODY_solid /* each edge has as many triangles one way as the other, and the volume of each part, whose triangles share corners, is greater
-                          than 0: from outside the first that a ray meets shows its front, but where a part crosses itself and is inside out there */
+    SHAPE_BODY_solid /* each edge has as many triangles one way as the other, and all triangles of each part, which share corners, show their backs to the
+                          part's middle: from outside the first that a ray meets shows its front, also where parts cross */
 } ShapeBody;
 ShapeBody shape_body(const Shape *shape);
 #endif

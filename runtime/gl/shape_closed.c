@@ -32,7 +32,7 @@ static uint64_t place_number(const float position[3])
 typedef struct {
     uint64_t *places;
     int *owners;
-    double (*sums)[2]; /* of a part: its volume, and of what that is summed up, without signs */
+    double (*sums)[4]; /* of a part: its places, and how many these are */
 } Parts;
 
 /* Edges without an extent are none. */
@@ -84,37 +84,42 @@ static bool join_places(const Shape *shape, Parts *parts)
     return done;
 }
 
-/* Six times the volume of the pyramid from a point over a triangle. */
-static double volume_over(const float from[3], const float *const corners[3])
+/* Six times the volume of the pyramid that three ways span from one point. */
+static double volume_of(double v[3][3])
 {
-    double v[3][3];
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            v[i][k] = (double)corners[i][k] - from[k];
     return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) + v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
            v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
 }
 
-/* Pyramids from a part's first vertex over its triangles have its volume, greater than 0 if fronts are outside. */
+/* Whether all triangles of a part show their backs to the mean of its places. Then no ray from outside meets a back first: along the half line from the mean through a point
+ * sheets beyond the point are as many as the part's windings around it, which so are nowhere less than 0. */
 static bool all_face_outwards(const Shape *shape, Parts *parts)
 {
-    const double rounding = 1e-12;
+    const double rounding = 1e-6; /* of a triangle without extent: a part of the extents of the pyramid's edges */
     if (!join_places(shape, parts))
         return false;
     for (int i = 0; i < shape->index_count; i++)
         join(parts->owners, (int)shape->indices[i], (int)shape->indices[i - i % 3]);
-    for (int i = 0; i < shape->index_count; i += 3) {
-        const float *corners[3];
-        const int part = part_of(parts->owners, (int)shape->indices[i]);
+    for (int i = 0; i < shape->vertex_count; i++) {
+        double *sum = parts->sums[part_of(parts->owners, i)];
         for (int k = 0; k < 3; k++)
-            corners[k] = shape->vertices[shape->indices[i + k]].position;
-        const double volume = volume_over(shape->vertices[part].position, corners);
-        parts->sums[part][0] += volume;
-        parts->sums[part][1] += fabs(volume);
+            sum[k] += shape->vertices[i].position[k];
+        sum[3]++;
     }
     bool outwards = true;
-    for (int i = 0; i < shape->vertex_count; i++)
-        outwards = outwards && parts->sums[i][0] >= rounding * parts->sums[i][1];
+    for (int i = 0; outwards && i < shape->index_count; i += 3) {
+        const double *sum = parts->sums[part_of(parts->owners, (int)shape->indices[i])];
+        double v[3][3], extent = 1;
+        for (int c = 0; c < 3; c++) {
+            double square = 0;
+            for (int k = 0; k < 3; k++) {
+                v[c][k] = shape->vertices[shape->indices[i + c]].position[k] - sum[k] / sum[3];
+                square += v[c][k] * v[c][k];
+            }
+            extent *= sqrt(square);
+        }
+        outwards = volume_of(v) >= -rounding * extent;
+    }
     return outwards;
 }
 

@@ -84,7 +84,7 @@ static void set_models(const Render *render, float models[4])
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 
-/* Blue noise as its ranks, 16 bits each, of which the pass makes shifts; others as they are. */
+/* The pass makes its shifts of ranks, 16 bits each, where the mask is blue noise; other masks are taken as they are. */
 static void put_shifts(const IndirectSequence *of, float (*block)[4])
 {
     const int edge = indirect_sequence_edge(of);
